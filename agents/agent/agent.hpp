@@ -1,0 +1,72 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/bodies/body.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/random.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "storage/spool.hpp"
+
+namespace weft::agents {
+
+struct AgentConfig {
+  RobotId self;
+  std::uint64_t incarnation = 0;
+  std::string name;  ///< [A-Za-z0-9_.-]{1,64}
+  std::string software;
+  std::string vendor;
+  std::string body;
+  bool can_be_taught_along = false;
+  std::vector<msg::Camera> cameras;
+  double footprint_radius_m = 0.4;  ///< (0, 5]
+  std::uint32_t window_hops = 25;
+  std::uint32_t window_cap = 2000;
+  std::uint64_t content_cache_bytes = 256ULL << 20U;
+  std::uint64_t bytes_per_second = 4ULL << 20U;  ///< budget for bulk in each direction
+};
+
+/// For files of record (deploy/demo, tests/judge): what the agent saw and believed.
+struct FixRecord {
+  std::uint64_t frame = 0;
+  Fix fix;
+};
+
+struct AgentOutput {
+  Twist command;
+  std::vector<msg::Message> send;
+  std::optional<std::vector<SitePoint>> hand_start;  ///< the body's hand is to drive this
+  bool hand_stop = false;
+  std::vector<FixRecord> fixes;
+  std::vector<msg::BatchAck> acks;  ///< as they came in
+};
+
+/// One robot's agent without its edges: session with the server, spool, window and contents, mission. No clock,
+/// thread or socket. `step` runs on the body's samples, `handle` and `tick` on the process's steady clock.
+class Agent {
+ public:
+  virtual ~Agent() = default;
+  virtual AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) = 0;
+  virtual AgentOutput tick(SteadyTime now) = 0;
+  virtual std::optional<SteadyTime> next_tick() const = 0;
+  virtual AgentOutput step(const Sample& sample, SteadyTime now) = 0;
+  /// The body broke down (its error): stand, say so, refuse goals.
+  virtual AgentOutput body_failed(const Error& error, SteadyTime now) = 0;
+  /// Whether a hand's request could be carried out.
+  virtual AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) = 0;
+
+  /// For invariants and records.
+  virtual const Window& window() const = 0;
+  virtual std::optional<Route> route() const = 0;
+  virtual std::optional<Estimate> estimate() const = 0;
+};
+
+/// The spool is read and what is pending is sent again. Errors of the spool are passed on.
+Result<std::unique_ptr<Agent>> start(const AgentConfig& config, std::unique_ptr<Navigator> navigator,
+                                     storage::Spool& spool, Random random, SteadyTime now);
+
+}  // namespace weft::agents

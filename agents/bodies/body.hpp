@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/motion.hpp"
+#include "agents/perception/view.hpp"
+#include "core/result.hpp"
+
+namespace weft::agents {
+
+struct SitePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// One tick of a body's sensors.
+struct Sample {
+  std::uint64_t frame = 0;
+  SensorTime time{};
+  std::optional<View> view;  ///< none: the frame was dropped
+  Motion motion;             ///< since the last sample
+  bool hand = false;         ///< someone else drives (teaching): `motion.command` is his
+  bool hand_done = false;    ///< the hand has reached the end of what it was asked to drive
+};
+
+/// What an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until then.
+class Body {
+ public:
+  virtual ~Body() = default;
+  /// unavailable: the sensor or recording is over or broken; the message says where. The agent then stands.
+  virtual Result<Sample> step(const Twist& command) = 0;
+  /// Simulated bodies: a clumsy hand drives this polyline (site frame, metres) from where the robot stands.
+  /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.
+  virtual Result<void> drive_by_hand(const std::vector<SitePoint>& along) = 0;
+  virtual void stop_hand() = 0;
+  /// As given to the agent; a simulated body's true one differs.
+  virtual std::vector<CameraModel> cameras() const = 0;
+  virtual std::string kind() const = 0;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,148 @@
+#pragma once
+#include <tl/expected.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "agents/perception/motion.hpp"
+#include "agents/perception/view.hpp"
+#include "core/bytes.hpp"
+#include "core/network/relation.hpp"
+#include "core/network/window.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+
+/// The method contract: what differs between ways of navigating by camera. Everything else (teaching, searching the
+/// neighbourhood, acceptance, recovery, following, stitching) is generic and in agents/navigation.
+namespace weft::agents {
+
+/// The motion between two consecutive samples.
+struct Step {
+  Relation previous_from_current;  ///< with its covariance
+  bool seen = false;               ///< false: vision was blind, this is integrated commands or wheels
+  std::string_view blind_reason;   ///< static text; empty when seen
+};
+
+/// Why something was not accepted: a name that is counted and shown, the measured value and its bound.
+struct Refusal {
+  std::string_view reason;  ///< static text, e.g. "few_inliers"
+  double measured = 0.0;
+  double bound = 0.0;
+};
+template <class T>
+using OrRefusal = tl::expected<T, Refusal>;
+
+/// A relation that two contents agree on, with its evidence.
+struct Related {
+  Relation a_from_b;
+  std::uint32_t inliers = 0;
+  double overlap = 0.0;   ///< share of b's view seen in a
+  double residual = 0.0;  ///< the method's distance (h_distance for floor); smaller is better
+};
+
+using Signature = std::vector<float>;
+
+/// Where the robot is in the network.
+struct Fix {
+  PlaceId place;
+  Relation place_from_robot;
+  Related evidence;
+};
+
+/// A belief that is a single hypothesis; methods may have richer ones, as long as `estimate` gives this.
+struct Estimate {
+  PlaceId place;
+  Relation place_from_robot;
+  double blind_m = 0.0;  ///< travelled since the last fix
+};
+
+/// A place as a chart is made of it: its relation to the chart's centre and its decoded content (null while the
+/// bytes have not arrived).
+template <class Content>
+struct ChartPlace {
+  PlaceId id;
+  std::uint32_t depth = 0;
+  Relation centre_from_place;
+  std::shared_ptr<const Content> content;
+};
+
+/// What `locate` answers.
+template <class Belief>
+struct Located {
+  Belief belief;
+  std::optional<Fix> fix;
+  std::vector<Refusal> refusals;  ///< of this attempt
+};
+
+/// What `steer` may look at: the released part of the route ahead in the robot's frame (planar, points of the path
+/// with the direction of travel), the profile, and how it ends.
+struct Ahead {
+  std::vector<Pose2> robot_from_path;  ///< ordered; the first may lie behind the robot
+  double to_end_m = 0.0;               ///< along the path to the released point
+  bool end_is_goal = false;
+  double speed_limit_m_s = 0.6;
+  double speed_m_s = 0.0;  ///< current
+  Duration elapsed{};
+};
+struct Stop {
+  std::string_view reason;
+};
+using Steering = tl::expected<Twist, Stop>;
+
+/// A new relation for an edge of one's own unsealed experience.
+struct Amendment {
+  EdgeId edge;
+  Relation a_from_b;
+};
+
+/// M is a value: configuration and calibration, fixed after construction. Odometry is the state between samples.
+template <class M>
+concept Method = std::movable<M> &&
+    requires(const M& m, typename M::Odometry odometry, const View& view, const Motion& motion,
+             const typename M::Content& content, const std::optional<Relation>& guess, ByteView bytes) {
+  { M::name } -> std::convertible_to<std::string_view>;
+  { M::content_format } -> std::convertible_to<std::uint32_t>;
+  requires std::default_initializable<typename M::Odometry>;
+  /// observe: state, view, motion -> step; the state is updated in place. `view` is null when the frame was dropped.
+  { m.observe(odometry, static_cast<const View*>(nullptr), motion) } -> std::same_as<Step>;
+  /// extract: what a place here would store. Refusal: nothing to remember here (too blank, too blurred).
+  { m.extract(std::as_const(odometry), view) } -> std::same_as<OrRefusal<typename M::Content>>;
+  { m.encode(content) } -> std::same_as<Bytes>;
+  { m.decode(bytes) } -> std::same_as<Result<typename M::Content>>;
+  /// relate: a_from_b of the robot frames at which both were extracted.
+  { m.relate(content, content, guess) } -> std::same_as<OrRefusal<Related>>;
+  { m.sign(content) } -> std::same_as<std::optional<Signature>>;
+};
+
+/// A method that localises in its own way (a mosaic, a filter, fixed points). The default is in
+/// agents/navigation/locate.hpp: a list of candidates, breadth-first + relate.
+template <class M>
+concept ChartsItself = Method<M> &&
+    requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& around, const typename M::Chart& chart,
+             typename M::Belief belief, const Step& step, const typename M::Content& seen,
+             const std::optional<Estimate>& seed) {
+  { m.chart(around) } -> std::same_as<typename M::Chart>;
+  { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
+  { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;
+  { m.estimate(std::as_const(belief)) } -> std::same_as<std::optional<Estimate>>;
+};
+
+/// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).
+template <class M>
+concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
+  { m.steer(ahead) } -> std::same_as<Steering>;
+};
+
+/// A method that improves its own unsealed experience at its end.
+template <class M>
+concept Refines = Method<M> && requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& experience) {
+  { m.refine(experience) } -> std::same_as<std::vector<Amendment>>;
+};
+
+}  // namespace weft::agents

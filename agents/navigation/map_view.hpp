@@ -1,0 +1,23 @@
+#pragma once
+#include <memory>
+
+#include "core/bytes.hpp"
+#include "core/ids.hpp"
+#include "core/network/window.hpp"
+
+namespace weft::agents {
+
+/// Contents that this robot holds; null while the bytes have not arrived.
+class Contents {
+ public:
+  virtual ~Contents() = default;
+  virtual std::shared_ptr<const Bytes> find(const ContentHash& hash) const = 0;
+};
+
+/// The robot's copy of the network, as navigation sees it for one step.
+struct MapView {
+  const Window& window;
+  const Contents& contents;
+};
+
+}  // namespace weft::agents

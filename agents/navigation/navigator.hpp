@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/methods/method.hpp"
+#include "agents/navigation/map_view.hpp"
+#include "core/network/goal.hpp"
+#include "core/network/network.hpp"
+
+namespace weft::agents {
+
+/// A place that teaching has just kept, with the edges that join it to what exists.
+struct Kept {
+  Place place;
+  Bytes content;
+  std::vector<Edge> edges;  ///< odometry to the place before, stitches to places of the window
+};
+
+enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped };
+
+/// What one sample led to.
+struct Navigated {
+  Twist command;  ///< zero when a hand drives, when standing, and when lost
+  std::vector<Kept> kept;
+  std::optional<Fix> fix;
+  std::vector<Refusal> refusals;  ///< of this sample
+  Following following = Following::none;
+  std::uint32_t route_at = 0;     ///< index of the last place of the route passed
+  std::uint32_t route_freed = 0;  ///< everything before it is behind the footprint
+  bool lost = false;              ///< blind for longer than the limit: stands
+  std::string_view reason;        ///< why it stands
+};
+
+struct TeachStart {
+  ExperienceId experience;
+  RobotId robot;
+};
+
+/// Teach, localise, recover and follow for one robot and one method, written once (agents/navigation). The method's
+/// type ends here: a variant of `NavigatorOf<M>` is behind it. Pure: time and views come in, decisions go out.
+class Navigator {
+ public:
+  virtual ~Navigator() = default;
+  virtual std::string_view method() const = 0;
+
+  /// One sample of the body. `hand`: someone else drives.
+  virtual Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
+                         const MapView& map) = 0;
+
+  /// From now on places are kept, the first at the next view.
+  virtual void begin_teach(const TeachStart& start) = 0;
+  /// The last place is kept at the next call of `step` that has a view, or now if there is none to come.
+  virtual std::vector<Kept> end_teach() = 0;
+  /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
+  virtual void keep_place() = 0;
+
+  /// Look for oneself: around a seed, or, without one, in the whole window.
+  virtual void seek(const std::optional<PlaceId>& seed) = 0;
+  virtual std::optional<Estimate> estimate() const = 0;
+
+  /// A new route or a new version of it; the robot never passes `route.released`.
+  virtual void follow(const Route& route) = 0;
+  /// Forget the route and stand.
+  virtual void stop() = 0;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "core/geometry/pose3.hpp"
+
+namespace weft::agents {
+
+/// Pinhole with radial-tangential distortion (OpenCV order k1 k2 p1 p2 k3); pixels. Camera frame: OpenCV's
+/// (x right, y down, z along the axis). `robot_from_camera` is the mount; the floor is z = 0 of the robot frame.
+struct CameraModel {
+  std::string id;
+  int width = 752;
+  int height = 480;
+  double fx = 460.0, fy = 460.0, cx = 375.5, cy = 239.5;
+  std::array<double, 5> distortion{};
+  Pose3 robot_from_camera;
+};
+
+/// The mount of a camera `height_m` above the floor, `forward_m` ahead of the robot's origin, looking ahead and
+/// down by `pitch_rad` (beta in Gadd & Newman, Table I), turned by `roll_rad` about its axis and `yaw_rad` about z.
+Pose3 downward_mount(double forward_m, double left_m, double height_m, double pitch_rad, double roll_rad,
+                     double yaw_rad);
+
+}  // namespace weft::agents

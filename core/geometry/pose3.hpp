@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "core/geometry/pose2.hpp"
+
+namespace weft {
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// SE(3): takes points of frame b to frame a. The quaternion is unit.
+struct Pose3 {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+  Pose3 inverse() const;
+};
+Pose3 operator*(const Pose3& a_from_b, const Pose3& b_from_c);
+Eigen::Vector3d operator*(const Pose3& a_from_b, const Eigen::Vector3d& point_in_b);
+bool is_finite(const Pose3& pose);
+
+/// Order (translation, rotation).
+Pose3 exp3(const Vector6d& twist);
+Vector6d log3(const Pose3& pose);
+Matrix6d adjoint(const Pose3& a_from_b);
+
+Pose3 lift(const Pose2& pose);
+/// Drops z, roll and pitch: heading is the direction of the x axis seen from above.
+Pose2 project(const Pose3& pose);
+
+}  // namespace weft

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/network/network.hpp"
+
+namespace weft {
+
+/// What a robot hands in: consecutive places of one experience and the relations that join them to what the map
+/// already has. The unit of acknowledgement: durable as a whole with its contents, or not at all.
+struct Batch {
+  ExperienceId experience;
+  std::uint64_t sequence = 0;  ///< from 1, without gaps, within the experience
+  RobotId robot;
+  std::string name;  ///< the experience's label
+  std::string method;
+  std::vector<Place> places;  ///< contiguous, continuing the experience
+  std::vector<Edge> edges;    ///< odometry chain continuing the experience, and stitches
+  bool seal = false;          ///< nothing follows
+  std::string seal_reason;
+};
+
+/// SHA-256 of the batch's canonical bytes: same sequence and hash is a repeat, another hash is refused.
+ContentHash hash(const Batch& batch);
+
+/// Every reason for which a batch cannot join the snapshot, for intake: wrong or missing ids, gaps, cycles in
+/// odometry, relations that are none, ends that do not exist, sizes out of bounds. Empty means it fits.
+std::vector<Error> check(const Snapshot& snapshot, const Batch& batch);
+
+/// The snapshot with the batch joined, one revision on. Caller has checked it.
+Snapshot with(const Snapshot& snapshot, const Batch& batch);
+/// The snapshot with the label set (moved if it exists), one revision on. Caller has checked that the place exists.
+Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place);
+/// The snapshot with the experience sealed for a reason, one revision on.
+Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std::string& reason);
+
+/// 1 to 64 characters of [A-Za-z0-9_.-]; starts with a letter. invalid otherwise, naming the character.
+Result<void> check_label(std::string_view label);
+
+}  // namespace weft

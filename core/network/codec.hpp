@@ -1,0 +1,28 @@
+#pragma once
+#include "core/bytes.hpp"
+#include "core/network/change.hpp"
+#include "core/network/goal.hpp"
+#include "core/network/network.hpp"
+
+namespace weft {
+
+/// Canonical bytes: little-endian, fixed order, described in docs/formats/canonical.md. What is hashed and stored.
+Bytes encode(const Place& place);
+Bytes encode(const Edge& edge);
+Bytes encode(const Relation& relation);
+Bytes encode(const Batch& batch);
+Bytes encode(const Goal& goal);
+Bytes encode(const Route& route);
+
+/// corrupt: short, trailing, or impossible values; the message names the field and the offset.
+Result<Place> decode_place(ByteView bytes);
+Result<Edge> decode_edge(ByteView bytes);
+Result<Relation> decode_relation(ByteView bytes);
+Result<Batch> decode_batch(ByteView bytes);
+Result<Goal> decode_goal(ByteView bytes);
+Result<Route> decode_route(ByteView bytes);
+
+/// SHA-256.
+ContentHash hash_bytes(ByteView bytes);
+
+}  // namespace weft

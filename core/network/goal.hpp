@@ -1,0 +1,63 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "core/network/relation.hpp"
+#include "core/time.hpp"
+
+namespace weft {
+
+/// A goal's life (docs/path-of-a-goal.md): pending -> assigned -> executing (<-> paused) -> succeeded | failed |
+/// cancelled; or rejected at once.
+enum class GoalState : std::uint8_t {
+  pending = 1,
+  assigned = 2,
+  executing = 3,
+  paused = 4,
+  succeeded = 5,
+  failed = 6,
+  cancelled = 7,
+  rejected = 8
+};
+const char* to_string(GoalState state);
+bool is_terminal(GoalState state);
+
+/// One step of a goal's life, kept for "why".
+struct GoalEvent {
+  WallTime at{};
+  GoalState state = GoalState::pending;
+  std::string cause;
+  std::string who;  ///< the client's or robot's name
+};
+
+/// An operator's request and its life. Accepted means stored.
+struct Goal {
+  GoalId id;
+  std::string label;              ///< the station asked for
+  PlaceId to;                     ///< what the label meant when the goal was accepted
+  std::optional<RobotId> wanted;  ///< none: any robot
+  std::optional<RobotId> robot;   ///< who has it
+  GoalState state = GoalState::pending;
+  std::uint64_t number = 0;      ///< order of acceptance; ties and listings
+  std::optional<RouteId> route;  ///< the latest one
+  std::uint32_t route_version = 0;
+  std::vector<GoalEvent> history;
+};
+
+/// Places in order with their relations, released up to an index that the robot never passes.
+struct Route {
+  GoalId goal;
+  RouteId id;
+  std::uint32_t version = 1;  ///< counts up when the map under it changes or it is planned anew
+  Revision made_of;
+  RobotId robot;
+  std::vector<PlaceId> places;
+  std::vector<Relation> relations;  ///< places[i]_from_places[i + 1]; one fewer than places
+  std::uint32_t released = 0;       ///< index of the last place that may be reached
+  bool ended = false;               ///< no more of it: stop at the released point and forget it
+  std::string reason;               ///< why it ended or waits, for people
+};
+
+}  // namespace weft

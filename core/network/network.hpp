@@ -1,0 +1,116 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "core/network/relation.hpp"
+#include "core/time.hpp"
+
+namespace weft {
+
+/// Where a content's bytes are to be had; `size` is of the canonical uncompressed bytes.
+struct ContentRef {
+  ContentHash hash;
+  std::uint64_t size = 0;
+  auto operator<=>(const ContentRef&) const = default;
+};
+
+/// A node of the network. Never edited: superseded or retired by a later revision.
+struct Place {
+  PlaceId id;
+  std::uint32_t entity_version = 1;
+  std::string method;  ///< whose content this is
+  std::uint32_t content_format = 1;
+  ContentRef content;
+  RobotId robot;
+  std::uint64_t frame = 0;  ///< the body's frame counter when the place was kept
+  SensorTime seen_at{};     ///< the robot's sensor clock; for records
+  bool operator==(const Place&) const = default;
+};
+
+/// How a relation came about.
+enum class Origin : std::uint8_t {
+  odometry = 1,  ///< seen: between consecutive places of one experience
+  blind = 2,     ///< between consecutive places, vision was blind on the way: integrated commands or wheels
+  stitch = 3,    ///< a localisation, or the weaver
+};
+const char* to_string(Origin origin);
+
+/// In which direction an edge's method can drive it. Localising works both ways, driving need not.
+enum class Drivable : std::uint8_t { none = 0, a_to_b = 1, b_to_a = 2, both = 3 };
+
+/// The pair is ordered as written; one edge a pair. Odometry: b.index == a.index + 1.
+struct EdgeId {
+  PlaceId a;
+  PlaceId b;
+  auto operator<=>(const EdgeId&) const = default;
+};
+
+struct Edge {
+  EdgeId id;
+  std::uint32_t entity_version = 1;
+  Relation a_from_b;
+  Origin origin = Origin::odometry;
+  std::string method;  ///< what a robot needs to drive it
+  Drivable drivable = Drivable::a_to_b;
+  std::uint32_t inliers = 0;  ///< evidence of a stitch; 0 where the method counts none
+  float overlap = 0.0F;       ///< evidence of a stitch: share of b's view seen in a, [0, 1]
+};
+
+/// One run of one robot. Places are contiguous from index 0; `chain[i]` joins place i and i + 1.
+struct Experience {
+  ExperienceId id;
+  RobotId robot;
+  std::string name;  ///< label for people, may be empty
+  std::string method;
+  bool sealed = false;
+  std::string seal_reason;
+  std::vector<Place> places;
+  std::vector<Edge> chain;
+  /// Every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
+  std::vector<Edge> stitches;
+};
+
+/// The network at one revision. Immutable; revisions share what did not change. Cheap to copy.
+class Snapshot {
+ public:
+  using Experiences = std::map<ExperienceId, std::shared_ptr<const Experience>>;
+  using Labels = std::map<std::string, PlaceId>;
+
+  Snapshot();
+  Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels);
+
+  Revision revision() const { return revision_; }
+  const Experiences& experiences() const { return experiences_; }
+  const Labels& labels() const { return *labels_; }
+
+  const Experience* experience(ExperienceId id) const;
+  const Place* place(const PlaceId& id) const;
+  /// Calls `visit(const Edge&)` for each edge at `id` (either end), odometry first, then stitches by id.
+  template <class Visit>
+  void for_each_edge(const PlaceId& id, Visit&& visit) const;
+
+  std::uint64_t place_count() const;
+  std::uint64_t stitch_count() const;
+
+ private:
+  Revision revision_;
+  Experiences experiences_;
+  std::shared_ptr<const Labels> labels_;
+};
+
+template <class Visit>
+void Snapshot::for_each_edge(const PlaceId& id, Visit&& visit) const {
+  const Experience* const found = experience(id.experience);
+  if (found == nullptr || id.index >= found->places.size()) return;
+  if (id.index > 0) visit(found->chain[id.index - 1]);
+  if (id.index < found->chain.size()) visit(found->chain[id.index]);
+  for (const Edge& stitch : found->stitches) {
+    if (stitch.id.a == id || stitch.id.b == id) visit(stitch);
+  }
+}
+
+}  // namespace weft

@@ -1,0 +1,49 @@
+#pragma once
+#include <variant>
+
+#include "core/geometry/pose2.hpp"
+#include "core/geometry/pose3.hpp"
+#include "core/result.hpp"
+
+namespace weft {
+
+/// Planar metric relation. Covariance of xi in a_from_b * exp2(xi), order (x, y, heading), m and rad.
+struct Metric2 {
+  Pose2 a_from_b;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+/// Spatial metric relation. Covariance of xi in a_from_b * exp3(xi), order (translation, rotation).
+struct Metric3 {
+  Pose3 a_from_b;
+  Matrix6d covariance = Matrix6d::Zero();
+};
+
+/// For methods that know no pose: b lies `distance_m` further along the path than a (negative: before it), and
+/// b's heading is turned by `heading_shift_rad` (left positive) against a's.
+struct AlongPath {
+  double distance_m = 0.0;
+  double distance_variance_m2 = 0.0;
+  double heading_shift_rad = 0.0;
+  double heading_variance_rad2 = 0.0;
+};
+
+/// A directed, invertible operator between two places, `a_from_b` (Gadd & Newman, III-A).
+using Relation = std::variant<Metric2, Metric3, AlongPath>;
+
+/// a_from_c. Kinds mix downwards: Metric2 with Metric3 gives Metric3, anything with AlongPath gives AlongPath.
+Relation compose(const Relation& a_from_b, const Relation& b_from_c);
+Relation inverse(const Relation& a_from_b);
+/// Closeness of two places, >= 0, equal for a relation and its inverse: metres, with one radian counted as
+/// `lever_m` metres.
+double norm(const Relation& relation, double lever_m = 0.5);
+double distance_m(const Relation& relation);   ///< straight line, or |along the path|
+double heading_rad(const Relation& relation);  ///< b's heading seen from a, (-pi, pi]
+/// The planar reading of a relation; AlongPath is laid out straight ahead. For drawing and steering.
+Pose2 planar(const Relation& relation);
+/// Planar covariance in the same convention as Metric2.
+Eigen::Matrix3d planar_covariance(const Relation& relation);
+/// invalid: a number is not finite, a quaternion is not unit, a covariance is not symmetric positive semi-definite.
+Result<void> check(const Relation& relation);
+
+}  // namespace weft

@@ -1,0 +1,70 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/network/network.hpp"
+
+namespace weft {
+
+/// Which part of the network an agent wants. Together with a snapshot it fixes the window, nothing else does.
+struct WindowDefinition {
+  std::optional<PlaceId> centre;  ///< none: the whole network, up to the cap
+  std::uint32_t hops = 25;        ///< breadth-first depth around the centre
+  std::uint32_t cap = 2000;       ///< most places; nearest first, ties by id. [1, 1000000]
+  std::vector<PlaceId> route;     ///< always in, before the neighbourhood
+  bool operator==(const WindowDefinition&) const = default;
+};
+
+/// The part of the network that one agent holds: places, the edges with both ends inside, labels of places inside.
+struct Window {
+  Revision revision;
+  std::map<PlaceId, Place> places;
+  std::map<EdgeId, Edge> edges;
+  std::map<std::string, PlaceId> labels;
+
+  const Place* place(const PlaceId& id) const {
+    const auto found = places.find(id);
+    return found == places.end() ? nullptr : &found->second;
+  }
+  /// Same contract as Snapshot::for_each_edge. Linear only in the edges at `id`.
+  template <class Visit>
+  void for_each_edge(const PlaceId& id, Visit&& visit) const;
+
+  /// Second ends, kept by `make_window` and `apply` so that edges are found from either end.
+  std::multimap<PlaceId, EdgeId> edges_at;
+};
+
+Window make_window(const Snapshot& snapshot, const WindowDefinition& definition);
+
+/// SHA-256 over sorted (id, entity version, content hash) of places, then edges, then labels
+/// (an edge's and a label's "content hash" is that of its canonical bytes).
+Digest digest(const Window& window);
+
+/// The difference of two windows; contents by hash only.
+struct Patch {
+  Revision base;  ///< 0: from the empty window
+  Revision target;
+  std::vector<Place> added;  ///< places new in the window
+  std::vector<Place> changed;
+  std::vector<PlaceId> removed;
+  std::vector<Edge> edges;  ///< new or changed
+  std::vector<EdgeId> edges_removed;
+  std::map<std::string, PlaceId> labels;
+  std::vector<std::string> labels_removed;
+  Digest digest;  ///< of the target window
+};
+
+Patch difference(const Window& base, const Window& target);
+/// stale: the patch is not made from this window's revision. corrupt: the result's digest is not the patch's.
+/// In both cases the window is unchanged and a fresh one is to be asked for.
+Result<Window> apply(const Window& base, const Patch& patch);
+
+template <class Visit>
+void Window::for_each_edge(const PlaceId& id, Visit&& visit) const {
+  const auto [first, last] = edges_at.equal_range(id);
+  for (auto at = first; at != last; ++at) visit(edges.at(at->second));
+}
+
+}  // namespace weft

@@ -1,0 +1,316 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "core/network/change.hpp"
+#include "core/network/goal.hpp"
+#include "core/network/window.hpp"
+
+/// What crosses the wire, as the inside of every process knows it. The IDL of the same names is in idl/; the wire
+/// carries nothing else. `to` names the peer that a message is for.
+namespace weft::msg {
+
+inline constexpr std::uint16_t kProtocolVersion = 1;
+inline constexpr std::size_t kChunkBytes = 64 * 1024;         ///< most data in one chunk
+inline constexpr std::uint64_t kContentBytes = 64ULL << 20U;  ///< largest content or cloud
+inline constexpr std::size_t kPatchEntities = 500;            ///< most places + edges + removals in one patch part
+
+/// On every message that claims authority.
+struct Header {
+  PeerId sender;
+  std::uint64_t incarnation = 0;  ///< random at each start of the sender: two live ones of one id raise an alarm
+  Epoch epoch;                    ///< the server's, as the sender knows it; 0 before the first hello
+  std::uint64_t sequence = 0;     ///< counts this sender's messages of this incarnation
+  Bytes signature;                ///< room for one; empty today, at most 64 bytes
+};
+
+enum class Role : std::uint8_t { server = 1, agent = 2, client = 3 };
+
+/// Frozen for ever: every version can read it. Late joiners get the last one of each peer.
+struct Hello {
+  PeerId peer;
+  std::uint64_t incarnation = 0;
+  Role role = Role::agent;
+  std::uint16_t protocol_min = kProtocolVersion;
+  std::uint16_t protocol_max = kProtocolVersion;
+  Epoch epoch;  ///< a server's own; 0 from others
+  std::string name;
+  std::string software;  ///< version for people
+  std::string vendor;    ///< fastdds | cyclonedds | inprocess, as the bus names itself
+};
+
+struct Camera {
+  std::string id;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::string calibration;
+};
+
+struct RobotDescription {
+  Header header;
+  std::string name;
+  std::string body;                  ///< sim | replay | ...
+  std::vector<std::string> methods;  ///< what it can drive
+  double footprint_radius_m = 0.4;
+  bool can_be_taught_along = false;  ///< a simulated body's hand follows a polyline
+  std::vector<Camera> cameras;
+};
+
+enum class RobotMode : std::uint8_t {
+  idle = 1,
+  teaching = 2,
+  driving = 3,
+  waiting = 4,
+  stopped = 5,
+  lost = 6,
+  faulted = 7
+};
+const char* to_string(RobotMode mode);
+
+struct RobotState {
+  Header header;
+  std::string name;
+  RobotMode mode = RobotMode::idle;
+  bool localised = false;
+  PlaceId place;  ///< nearest known; none when not localised
+  Relation place_from_robot;
+  double blind_m = 0.0;  ///< driven since the last fix
+  double speed_m_s = 0.0;
+  std::uint64_t frame = 0;
+  ExperienceId experience;  ///< being taught; none otherwise
+  GoalId goal;
+  RouteId route;
+  std::uint32_t route_version = 0;
+  Revision window_revision;
+  Digest window_digest;
+  std::uint64_t contents_missing = 0;  ///< of its window
+  std::string reason;                  ///< why it stands, when it stands
+};
+
+struct ExperienceBatch {
+  Header header;
+  Batch batch;
+};
+
+struct BatchAck {
+  Header header;
+  RobotId to;
+  ExperienceId experience;
+  std::uint64_t durable_through = 0;   ///< every batch up to this one is on disk with its contents
+  std::vector<ContentHash> missing;    ///< of the next batch
+  std::uint64_t refused_sequence = 0;  ///< 0: none
+  std::string refusal;
+};
+
+enum class ContentKind : std::uint8_t { content = 1, cloud = 2 };
+
+/// A piece of a content or cloud; any order, any number of times.
+struct Chunk {
+  Header header;
+  PeerId to;
+  ContentKind kind = ContentKind::content;
+  ContentHash hash;
+  std::uint64_t total = 0;
+  std::uint64_t offset = 0;
+  Bytes data;
+};
+
+/// "Send me these, from these offsets on."
+struct ContentRequest {
+  struct Item {
+    ContentHash hash;
+    std::uint64_t offset = 0;
+  };
+  Header header;
+  PeerId to;
+  std::vector<Item> items;
+};
+
+struct WindowRequest {
+  Header header;
+  std::uint64_t definition_id = 0;  ///< the asker's number for this definition; patches carry it back
+  WindowDefinition definition;
+  Revision held;  ///< 0: nothing
+  Digest held_digest;
+};
+
+/// A patch, or one of its parts: all parts of one patch share base, target and digest.
+struct WindowPatch {
+  Header header;
+  PeerId to;
+  std::uint64_t definition_id = 0;
+  std::uint32_t part = 0;
+  std::uint32_t parts = 1;
+  Patch patch;
+};
+
+struct RouteOrder {
+  Header header;
+  RobotId to;
+  Route route;
+};
+
+enum class RoutePhase : std::uint8_t { accepted = 1, driving = 2, waiting = 3, arrived = 4, stopped = 5, failed = 6 };
+const char* to_string(RoutePhase phase);
+
+struct RouteProgress {
+  Header header;
+  GoalId goal;
+  RouteId route;
+  std::uint32_t version = 0;
+  RoutePhase phase = RoutePhase::accepted;
+  std::uint32_t at = 0;        ///< index of the last place passed
+  std::uint32_t freed = 0;     ///< everything before this index is no longer touched
+  std::uint32_t released = 0;  ///< as the robot knows it
+  Relation goal_from_robot;    ///< when arrived: as believed
+  std::string reason;
+};
+
+/// Server to agent: what an operator wants of one robot. Repeats have the same id and are done once.
+struct AgentCommand {
+  enum class Kind : std::uint8_t {
+    teach_start = 1,
+    teach_stop = 2,
+    localise = 3,
+    stop = 4,
+    resume = 5,
+    keep_place = 6
+  };
+  struct Point {
+    double x = 0.0;
+    double y = 0.0;
+  };
+  Header header;
+  RobotId to;
+  std::uint64_t command = 0;
+  Kind kind = Kind::stop;
+  std::string name;             ///< teach: the experience's label; keep_place: the label to be
+  std::optional<PlaceId> seed;  ///< localise, teach: where the robot stands, roughly
+  std::vector<Point> along;     ///< teach on a simulated body: the hand's polyline, metres, site frame
+};
+
+struct AgentReply {
+  Header header;
+  std::uint64_t command = 0;
+  bool done = false;  ///< false: refused, reason says why
+  std::string reason;
+  PlaceId place;            ///< keep_place: the new place
+  ExperienceId experience;  ///< teach: which
+};
+
+/// Client to server. A repeat (same sender, same request) gets the same answer and is done once.
+struct OperatorRequest {
+  enum class Kind : std::uint8_t {
+    goal_send = 1,
+    goal_cancel = 2,
+    teach_start = 3,
+    teach_stop = 4,
+    localise = 5,
+    stop = 6,
+    resume = 7,
+    label = 8,
+    label_here = 9,
+    clear = 10
+  };
+  Header header;
+  std::uint64_t request = 0;  ///< the client's number for it, random
+  Kind kind = Kind::goal_send;
+  std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
+  std::string label;  ///< goal_send: where to; label: its name; localise: a seed; teach: its name
+  PlaceId place;      ///< label, localise: which place, when not by label
+  GoalId goal;        ///< goal_cancel; goal_send: the id to be, drawn by the client
+  std::vector<AgentCommand::Point> along;
+};
+
+enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4 };
+
+struct OperatorReply {
+  Header header;
+  PeerId to;
+  std::uint64_t request = 0;
+  Outcome outcome = Outcome::done;
+  std::string message;  ///< what happened, and when refused what to do
+  GoalId goal;
+  PlaceId place;
+  ExperienceId experience;
+};
+
+/// Client to server: read only.
+struct Query {
+  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4 };
+  Header header;
+  std::uint64_t request = 0;
+  Kind kind = Kind::robots;
+  GoalId goal;        ///< goals, events: only this one; none: all
+  std::string robot;  ///< events: only this one
+};
+
+struct Event {
+  WallTime at{};
+  std::string kind;  ///< dotted, e.g. goal.assigned, robot.lost, intake.refused
+  RobotId robot;
+  GoalId goal;
+  std::string cause;
+  std::string who;
+};
+
+struct RobotRow {
+  RobotDescription description;
+  RobotState state;
+  double silent_s = 0.0;  ///< by the server's steady clock
+  std::string vendor;
+  double clock_skew_s = 0.0;
+  std::string occupies;  ///< for people: from place to place
+};
+
+struct MapInfo {
+  Revision revision;
+  Epoch epoch;
+  std::uint64_t experiences = 0, places = 0, stitches = 0, contents = 0, content_bytes = 0;
+  std::uint64_t batches_acknowledged = 0, batches_refused = 0;
+  std::uint64_t disk_free_bytes = 0;
+  std::string software, vendor, engine;                         ///< engine: sqlite | memory
+  std::vector<std::pair<std::string, std::uint64_t>> counters;  ///< refused messages by reason, and the like
+};
+
+struct QueryReply {
+  Header header;
+  PeerId to;
+  std::uint64_t request = 0;
+  std::uint32_t part = 0;
+  std::uint32_t parts = 1;
+  std::vector<RobotRow> robots;
+  std::vector<Goal> goals;
+  std::vector<Route> routes;  ///< the latest route of each goal above
+  std::vector<Event> events;
+  MapInfo info;
+};
+
+/// Something happened; for logs and watchers. Lost ones can be asked for again by Query.
+struct EventNote {
+  Header header;
+  Event event;
+};
+
+struct ClockProbe {
+  Header header;
+  PeerId to;
+  std::uint64_t probe = 0;
+  WallTime sent{};
+};
+struct ClockReply {
+  Header header;
+  std::uint64_t probe = 0;
+  WallTime probe_sent{};
+  WallTime received{};
+  WallTime replied{};
+};
+
+using Message = std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest,
+                             WindowRequest, WindowPatch, RouteOrder, RouteProgress, AgentCommand, AgentReply,
+                             OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply>;
+
+}  // namespace weft::msg

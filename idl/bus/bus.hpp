@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "core/ids.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+
+namespace weft::bus {
+
+/// Index into the topic table (idl/bus/topics.hpp), the one place that declares names, types, QoS and directions.
+enum class TopicId : std::uint8_t;
+
+/// One serialised message (XCDR1 with its encapsulation header) as it came in.
+struct Delivery {
+  TopicId topic{};
+  Bytes cdr;
+};
+
+struct BusConfig {
+  msg::Role role = msg::Role::agent;  ///< which topics are written and which are read
+  PeerId self;
+  unsigned domain = 0;               ///< [0, 200]
+  std::string listen = "127.0.0.1";  ///< address of the interface to bind to; never all of them by accident
+  std::vector<std::string> servers;  ///< agents and clients: addresses of the server, HOST or HOST:INDEX
+  unsigned server_index = 0;         ///< server: its fixed participant index; in use: `unavailable`
+  std::size_t inbox_messages =
+      10'000;  ///< what waits to be taken; beyond it the oldest unreliable ones are dropped and counted
+};
+
+struct BusCounters {
+  std::uint64_t sent = 0, received = 0, dropped_inbox = 0, refused_size = 0, refused_vendor = 0, publish_failed = 0;
+};
+
+/// A star over DDS: byte messages on the table's topics. Implementations deliver from threads of their own into a
+/// bounded inbox; everything else happens in the caller's thread. Destruction leaves the domain.
+class Bus {
+ public:
+  virtual ~Bus() = default;
+  /// To everyone who reads the topic, or, on addressed topics, to `to` alone (zero: to the server).
+  /// unavailable: the vendor's queue stayed full; nothing was sent, try again later.
+  virtual Result<void> publish(TopicId topic, const PeerId& to, ByteView cdr) = 0;
+  /// The next message, in order of arrival; none when the inbox is empty. Never blocks.
+  virtual std::optional<Delivery> take() = 0;
+  /// Blocks until something can be taken, `wake()` is called or the time is over. False on time-out.
+  virtual bool wait(Duration at_most) = 0;
+  /// From any thread or signal handler.
+  virtual void wake() = 0;
+  virtual std::string vendor() const = 0;
+  virtual BusCounters counters() const = 0;
+  /// Writers that a peer is no longer to have: called when its hello is gone for good.
+  virtual void forget(const PeerId& peer) = 0;
+};
+
+enum class Vendor : std::uint8_t { fastdds, cyclonedds };
+Result<Vendor> parse_vendor(std::string_view text);
+/// unavailable: the participant index is in use (server), no such address, or the vendor refused; says which.
+Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config);
+
+}  // namespace weft::bus

@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/protocol/messages.hpp"
+#include "idl/bus/bus.hpp"
+
+namespace weft::bus {
+
+/// core <-> wire for one process: encodes, decodes and validates (from_idl). A message that is malformed, oversized
+/// or of another protocol version is refused, its reason counted; it never reaches deciding code.
+class Link {
+ public:
+  explicit Link(std::unique_ptr<Bus> bus);
+
+  Result<void> send(const msg::Message& message);
+  /// The next valid message; none when nothing is there.
+  std::optional<msg::Message> take();
+  bool wait(Duration at_most) { return bus_->wait(at_most); }
+  Bus& bus() { return *bus_; }
+  /// "<topic>: <reason>" -> how often.
+  const std::map<std::string, std::uint64_t>& refusals() const { return refusals_; }
+  /// Last refusals with their whole text, for the log; cleared by the call.
+  std::vector<std::string> drain_refusal_texts();
+
+ private:
+  std::unique_ptr<Bus> bus_;
+  std::map<std::string, std::uint64_t> refusals_;
+  std::vector<std::string> texts_;
+};
+
+/// The pure halves, for golden bytes and fuzzing.
+struct Encoded {
+  TopicId topic{};
+  PeerId to;
+  Bytes cdr;
+};
+Result<Encoded> encode(const msg::Message& message, msg::Role sender);
+/// invalid: names the message, the field and the bound.
+Result<msg::Message> decode(TopicId topic, ByteView cdr);
+
+}  // namespace weft::bus

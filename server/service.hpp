@@ -1,0 +1,50 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "core/random.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "storage/map_store.hpp"
+
+namespace weft::server {
+
+struct ServiceConfig {
+  PeerId self;
+  std::uint64_t incarnation = 0;
+  std::string name = "server";
+  std::string software;
+  std::string vendor;                 ///< for the hello
+  double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
+};
+
+/// Both clocks at one moment: `steady` decides, `wall` is written down.
+struct Now {
+  SteadyTime steady{};
+  WallTime wall{};
+};
+
+/// The fleet map server without its edges: intake, keeper, library, dispatcher, traffic behind one state machine.
+/// No clock, thread, socket; the store is its only effect besides the messages it returns. Messages go out in order.
+class Service {
+ public:
+  virtual ~Service() = default;
+  virtual std::vector<msg::Message> handle(const msg::Message& message, Now now) = 0;
+  /// Retries, repeats, silence; to be called when `next_tick` has come, harmless earlier.
+  virtual std::vector<msg::Message> tick(Now now) = 0;
+  virtual std::optional<SteadyTime> next_tick() const = 0;
+  /// Refusals seen by the wire, to be shown in `map info`.
+  virtual void count(const std::string& what, std::uint64_t times) = 0;
+
+  /// For invariants and records, never for deciding elsewhere.
+  virtual const Snapshot& snapshot() const = 0;
+  virtual std::vector<Goal> goals() const = 0;
+};
+
+/// Opens the store (which takes the next epoch) and resumes everything acknowledged, running goals included.
+Result<std::unique_ptr<Service>> start(const ServiceConfig& config, storage::MapStore& store, Random random, Now now);
+
+}  // namespace weft::server
