@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/map_store.hpp"
+#include "storage/memory/disk_faults.hpp"
+#include "storage/plan.hpp"
+
+namespace weft::storage {
+
+/// What a disk would keep; outlives the stores that are opened on it, so that a restarted server finds it again.
+/// A value: a copy is a backup.
+struct MemoryDisk {
+  struct Seal {
+    ExperienceId experience;
+    std::string reason;
+  };
+  struct Content {
+    msg::ContentKind kind = msg::ContentKind::content;
+    std::shared_ptr<const Bytes> bytes;
+  };
+
+  DiskFaults faults;
+
+  Epoch epoch;
+  Revision revision;
+  std::map<ContentHash, Content> contents;
+  std::uint64_t content_bytes = 0;
+  std::vector<std::variant<Batch, Seal>> history;  ///< in order of commit
+  std::map<BatchKey, ContentHash> batch_hashes;
+  std::map<ExperienceId, ExperienceFacts> experiences;
+  std::map<std::string, PlaceId> labels;
+  std::map<GoalId, Goal> goals;
+  std::map<GoalId, Route> routes;
+  std::map<RobotId, PutOccupancy> occupancies;
+  std::map<RobotId, std::string> robots;
+  std::vector<msg::Event> events;
+};
+
+/// MapStore for tests and the simulation: as strict as the engines on disk, with faults on demand. A commit costs
+/// what it adds.
+std::unique_ptr<MapStore> make_memory_store(std::shared_ptr<MemoryDisk> disk);
+
+}  // namespace weft::storage

@@ -1,0 +1,20 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "storage/memory/disk_faults.hpp"
+#include "storage/spool.hpp"
+#include "storage/spool/record.hpp"
+
+namespace weft::storage {
+
+/// What a robot's disk would keep; outlives the spools that are opened on it.
+struct SpoolDisk {
+  DiskFaults faults;
+  std::vector<SpoolRecord> records;  ///< oldest first
+};
+
+/// Spool for tests and the simulation, with faults on demand.
+std::unique_ptr<Spool> make_memory_spool(std::shared_ptr<SpoolDisk> disk);
+
+}  // namespace weft::storage
