@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""The two checks of this folder find what they are for, and nothing else."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def run(check, files, table):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        (root / 'table.txt').write_text(table)
+        for name, text in files.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+        done = subprocess.run([sys.executable, HERE / check, root, root / 'table.txt'], capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+
+class Arrows(unittest.TestCase):
+    TABLE = 'core:\nagents/methods: core\nserver: core agents/methods\n'
+
+    def test_allowed_includes_pass(self):
+        files = {'server/a.cpp': '#include "core/ids.hpp"\n#include <vector>\n#include "server/a.hpp"\n', 'core/x.hpp': ''}
+        self.assertEqual(run('check_arrows.py', files, self.TABLE), (0, ''))
+
+    def test_an_include_against_the_arrow_fails_and_is_named(self):
+        code, text = run('check_arrows.py', {'core/x.hpp': '#include "server/service.hpp"\n'}, self.TABLE)
+        self.assertEqual(code, 1)
+        self.assertIn('core/x.hpp: core may not include server/service.hpp', text)
+
+    def test_a_subfolder_belongs_to_its_nearest_room(self):
+        code, text = run('check_arrows.py', {'agents/methods/floor/f.cpp': '#include "server/s.hpp"\n'}, self.TABLE)
+        self.assertEqual(code, 1)
+
+    def test_a_typing_error_in_the_table_is_no_free_pass(self):
+        self.assertNotEqual(run('check_arrows.py', {}, 'core:\nserver: cor\n')[0], 0)
+
+
+class Deciding(unittest.TestCase):
+    TABLE = 'core\n-core/edge\n'
+
+    def test_each_effect_is_found(self):
+        for line in ('auto t = std::chrono::steady_clock::now();', 'std::jthread worker;', 'std::mt19937 g;', 'int r = rand ();',
+                     'std::unordered_map<int, int> m;', 'std::ifstream in;'):
+            self.assertEqual(run('lint_deciding.py', {'core/a.cpp': line}, self.TABLE)[0], 1, line)
+
+    def test_comments_edges_and_lookalikes_pass(self):
+        files = {'core/a.cpp': '// no steady_clock here\nint operand(int);\nint x = operand(3);\n', 'core/edge/b.cpp': 'std::thread t;'}
+        self.assertEqual(run('lint_deciding.py', files, self.TABLE), (0, ''))
+
+
+if __name__ == '__main__':
+    unittest.main()
