@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -72,7 +73,19 @@ struct Experience {
   std::vector<Edge> chain;
   /// Every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
   std::vector<Edge> stitches;
+
+  /// An end of a stitch that lies in this experience.
+  struct StitchEnd {
+    std::uint32_t place = 0;   ///< index into places
+    std::uint32_t stitch = 0;  ///< index into stitches
+    auto operator<=>(const StitchEnd&) const = default;
+  };
+  /// Sorted; made by `index_stitches` so that the stitches of a place are found from either end.
+  std::vector<StitchEnd> stitch_ends;
 };
+
+/// Sorts `stitches` and makes `stitch_ends` anew; to be called after either was changed.
+void index_stitches(Experience& experience);
 
 /// The network at one revision. Immutable; revisions share what did not change. Cheap to copy.
 class Snapshot {
@@ -108,8 +121,10 @@ void Snapshot::for_each_edge(const PlaceId& id, Visit&& visit) const {
   if (found == nullptr || id.index >= found->places.size()) return;
   if (id.index > 0) visit(found->chain[id.index - 1]);
   if (id.index < found->chain.size()) visit(found->chain[id.index]);
-  for (const Edge& stitch : found->stitches) {
-    if (stitch.id.a == id || stitch.id.b == id) visit(stitch);
+  const auto& ends = found->stitch_ends;
+  for (auto at = std::lower_bound(ends.begin(), ends.end(), Experience::StitchEnd{id.index, 0});
+       at != ends.end() && at->place == id.index; ++at) {
+    visit(found->stitches[at->stitch]);
   }
 }
 

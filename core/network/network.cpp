@@ -1,0 +1,59 @@
+#include "core/network/network.hpp"
+
+#include <utility>
+
+namespace weft {
+
+const char* to_string(Origin origin) {
+  switch (origin) {
+    case Origin::odometry:
+      return "odometry";
+    case Origin::blind:
+      return "blind";
+    case Origin::stitch:
+      return "stitch";
+  }
+  return "unknown";
+}
+
+void index_stitches(Experience& experience) {
+  std::sort(experience.stitches.begin(), experience.stitches.end(),
+            [](const Edge& first, const Edge& second) { return first.id < second.id; });
+  experience.stitch_ends.clear();
+  for (std::size_t i = 0; i < experience.stitches.size(); ++i) {
+    for (const PlaceId& end : {experience.stitches[i].id.a, experience.stitches[i].id.b}) {
+      if (end.experience == experience.id)
+        experience.stitch_ends.push_back({end.index, static_cast<std::uint32_t>(i)});
+    }
+  }
+  std::sort(experience.stitch_ends.begin(), experience.stitch_ends.end());
+}
+
+Snapshot::Snapshot() : labels_(std::make_shared<const Labels>()) {}
+
+Snapshot::Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels)
+    : revision_(revision), experiences_(std::move(experiences)), labels_(std::move(labels)) {}
+
+const Experience* Snapshot::experience(ExperienceId id) const {
+  const auto found = experiences_.find(id);
+  return found == experiences_.end() ? nullptr : found->second.get();
+}
+
+const Place* Snapshot::place(const PlaceId& id) const {
+  const Experience* const found = experience(id.experience);
+  return found == nullptr || id.index >= found->places.size() ? nullptr : &found->places[id.index];
+}
+
+std::uint64_t Snapshot::place_count() const {
+  std::uint64_t count = 0;
+  for (const auto& [id, experience] : experiences_) count += experience->places.size();
+  return count;
+}
+
+std::uint64_t Snapshot::stitch_count() const {
+  std::uint64_t ends = 0;  // each stitch has two, whether they lie in one experience or in two
+  for (const auto& [id, experience] : experiences_) ends += experience->stitch_ends.size();
+  return ends / 2;
+}
+
+}  // namespace weft
