@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Fails on an include that runs against the arrows of arrows.txt. Usage: check_arrows.py [ROOT [ARROWS]]"""
 import pathlib
 import re

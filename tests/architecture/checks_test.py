@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The two checks of this folder find what they are for, and nothing else."""
 import pathlib
 import subprocess

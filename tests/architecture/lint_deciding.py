@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Keeps effects out of deciding code. Usage: lint_deciding.py [ROOT [FOLDERS_FILE]]"""
 import pathlib
 import re

@@ -1,0 +1,89 @@
+"""network.png: the floor plan with the true positions of what the fleet built and drove, overlaid by the judge."""
+import math
+
+import matplotlib
+matplotlib.use('Agg')
+import matplotlib.pyplot as plt
+from matplotlib.patches import Polygon
+
+try:
+    import tomllib
+except ImportError:                       # Debian 12 has Python 3.11; this is for older ones
+    tomllib = None
+
+COLOURS = ('#0072b2', '#d55e00', '#009e73', '#cc79a7')      # Okabe & Ito 2008: told apart by everyone
+DRIVES = ('#111111', '#7a3db8')
+
+
+def boxes(site):
+    for kind, colour in (('rack', '#c9b79c'), ('wall', '#8c8c8c'), ('pillar', '#8c8c8c')):
+        for row in site.get(kind, []) + site.get(kind + 's', []):
+            yield kind, colour, row
+
+
+def corners(row):
+    x, y, h = row['x'], row['y'], row.get('heading', 0.0)
+    a, b = row['length'] / 2, row['width'] / 2
+    c, s = math.cos(h), math.sin(h)
+    return [(x + c * u - s * v, y + s * u + c * v) for u, v in ((a, b), (-a, b), (-a, -b), (a, -b))]
+
+
+def draw_site(axes, path):
+    if tomllib is None or path is None or not path.exists():
+        return
+    site = tomllib.loads(path.read_text())
+    named = set()
+    for kind, colour, row in boxes(site):
+        axes.add_patch(Polygon(corners(row), closed=True, facecolor=colour, edgecolor='#666666', linewidth=0.5,
+                               label=None if kind in named else kind, zorder=1))
+        named.add(kind)
+
+
+def draw_network(axes, records, found):
+    names = {row['id']: row.get('name') or row['id'][:6] for row in records.network.get('experiences', [])}
+    groups = {}
+    for row in sorted(records.places.values(), key=lambda r: (r['experience'], r['index'])):
+        groups.setdefault(row['experience'], []).append(row)
+    for number, (experience, rows) in enumerate(groups.items()):
+        poses = [records.true_place(row['id']) for row in rows]
+        axes.plot([p[0] for p in poses], [p[1] for p in poses], '.-', markersize=3, linewidth=1.2, zorder=3,
+                  color=COLOURS[number % len(COLOURS)], label=f'taught: {names.get(experience, experience[:6])} ({rows[0]["robot"]})')
+    for right, colour, label in ((True, '#e6b800', 'stitch'), (False, '#ff0000', 'wrong stitch')):
+        rows = [row for row in found if row['right'] == right]
+        for i, row in enumerate(rows):
+            p, q = records.true_place(row['a']), records.true_place(row['b'])
+            axes.plot([p[0], q[0]], [p[1], q[1]], '-', color=colour, linewidth=2, zorder=4, label=label if i == 0 else None)
+
+
+def draw_drives(axes, records, goals, frames_of):
+    for number, goal in enumerate(goals):
+        frames = frames_of(records, goal)[0]
+        poses = [records.truth[goal['robot']][f] for f in frames if f in records.truth.get(goal['robot'], {})]
+        if not poses:
+            continue
+        colour = DRIVES[number % len(DRIVES)]
+        axes.plot([p[0] for p in poses], [p[1] for p in poses], '--', color=colour, linewidth=1.6, zorder=5,
+                  label=f'driven: {goal["robot"]} to {goal["to"]} ({goal["state"]})')
+        axes.plot(poses[0][0], poses[0][1], 'o', color=colour, markersize=6, zorder=6)
+        axes.plot(poses[-1][0], poses[-1][1], '*', color=colour, markersize=12, zorder=6)
+
+
+def draw(records, found, frames_of, path):
+    figure, axes = plt.subplots(figsize=(13, 8.5))
+    draw_site(axes, records.site)
+    draw_network(axes, records, found)
+    draw_drives(axes, records, records.goals, frames_of)
+    for name, place in records.network.get('labels', {}).items():
+        x, y, _ = records.true_place(place)
+        axes.annotate(name, (x, y), xytext=(6, 6), textcoords='offset points', fontsize=9, zorder=7,
+                      bbox=dict(boxstyle='round,pad=0.2', facecolor='white', edgecolor='#555555', linewidth=0.5))
+    axes.set_aspect('equal')
+    axes.margins(0.03)
+    axes.set_xlabel('x, metres (site frame)')
+    axes.set_ylabel('y, metres (site frame)')
+    axes.set_title('One network from two teachings: true positions, as the judge sees them')
+    axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.0), fontsize=8, frameon=False)
+    axes.grid(linewidth=0.3)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+    plt.close(figure)

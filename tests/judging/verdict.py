@@ -1,0 +1,50 @@
+"""The bounds that a demo must keep, and the table that says so."""
+
+BOUNDS = (('final_error_m', 0.05), ('final_heading_error_deg', 3.0), ('lateral_rmse_m', 0.05))
+
+
+def faults(summary, wanted_goals=2):
+    """Every broken bound, named with its measured value."""
+    broken = []
+    if len(summary['goals']) < wanted_goals:
+        broken.append(f"{len(summary['goals'])} goals, {wanted_goals} wanted")
+    for goal in summary['goals']:
+        name = f"goal {goal['to']}"
+        if goal['state'] != 'succeeded':
+            broken.append(f"{name}: {goal['state']}")
+        for key, bound in BOUNDS:
+            if goal[key] is None or not goal[key] <= bound:
+                broken.append(f'{name}: {key} {goal[key]} > {bound}')
+    if summary['goals']:
+        first = summary['goals'][0]
+        if len(first['route_experiences']) != 2 or first['taught_whole']:
+            broken.append(f"the first goal's route is of {len(first['route_experiences'])} experiences, 2 wanted")
+    if summary['wrong_stitches']:
+        broken.append(f"{summary['wrong_stitches']} wrong stitches of {summary['stitches']}")
+    if summary['stitched_metres'] < 5:
+        broken.append(f"{summary['stitched_metres']} stitched metres, 5 wanted")
+    if not summary['acknowledged'] or summary['lost_acknowledged']:
+        broken.append(f"{summary['lost_acknowledged']} lost of {summary['acknowledged']} acknowledged batches")
+    return broken
+
+
+def number(value, digits=3):
+    return '-' if value is None else f'{value:.{digits}f}'
+
+
+def table(summary):
+    yield (f"{summary['robots']} robots, {summary['experiences']} experiences, {summary['places']} places, "
+           f"{summary['stitches']} stitches ({summary['wrong_stitches']} wrong) over {summary['stitched_metres']} separate metres")
+    yield f"{summary['acknowledged']} batches acknowledged, {summary['lost_acknowledged']} lost"
+    yield 'dds: ' + ', '.join(f'{name} {vendor}' for name, vendor in summary['dds'].items())
+    agents = max(summary['agent_rss_mb'].values(), default=None)
+    yield f"peak memory: server {number(summary['server_rss_mb'], 0)} MB, largest agent {number(agents, 0)} MB"
+    yield ''
+    head = ('goal', 'robot', 'state', 'experiences', 'length m', 'time s', 'end mm', 'end deg', 'lateral mm', 'blind m')
+    rows = [(g['to'], str(g['robot']), g['state'], str(len(g['route_experiences'])), number(g['length_m'], 1),
+             number(g['duration_s'], 0), number(g['final_error_m'] and 1000 * g['final_error_m'], 1),
+             number(g['final_heading_error_deg'], 2), number(g['lateral_rmse_m'] and 1000 * g['lateral_rmse_m'], 1),
+             number(g['max_blind_m'], 2)) for g in summary['goals']]
+    widths = [max(len(row[i]) for row in [head, *rows]) for i in range(len(head))]
+    for row in [head, *rows]:
+        yield '  '.join(cell.rjust(width) if i > 2 else cell.ljust(width) for i, (cell, width) in enumerate(zip(row, widths))).rstrip()
