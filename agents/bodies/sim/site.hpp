@@ -1,0 +1,118 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/pose2.hpp"
+#include "core/result.hpp"
+
+/// A simulated warehouse as its site file describes it; docs/simulation.md has every key with unit, bound and
+/// default. Site frame: x, y on the floor, z up; metres and radians here, whatever the file's units are.
+namespace weft::agents::sim {
+
+/// Stands on the floor; `centre` is its middle, `length` along its heading.
+struct Box {
+  enum class Kind : std::uint8_t { rack, wall, pillar };
+  Kind kind = Kind::rack;
+  std::string name;
+  Pose2 site_from_box;
+  double length_m = 1.0;
+  double width_m = 1.0;
+  double height_m = 2.0;
+};
+
+struct Station {
+  std::string name;
+  Pose2 site_from_station;
+};
+
+struct Lamp {
+  double x = 0.0;
+  double y = 0.0;
+  double height_m = 6.0;
+  double brightness = 1.0;  ///< 1: a lamp that lights the floor under it to twice the ambient light
+};
+
+struct RobotStart {
+  std::string name;
+  Pose2 site_from_robot;
+  std::uint64_t seed = 0;  ///< added to the run's seed: other wheels, another calibration
+};
+
+struct FloorSetup {
+  double x_min = 0.0, y_min = 0.0, x_max = 20.0, y_max = 12.0;
+  std::string material = "concrete";
+  std::string photograph;  ///< with a folder of photographs: only this one (file name without ending); empty: all
+  std::uint64_t seed = 1;
+  double brightness = 125.0;  ///< mean grey level under mean light
+  double contrast = 1.0;      ///< factor on the material's own
+  double gloss = 1.0;         ///< factor on the material's own
+  double cache_mb = 160.0;    ///< tiles kept, megabytes of 10^6 bytes
+};
+
+struct CameraSetup {
+  int width = 752, height = 480;
+  double focal_px = 460.0;
+  double cx_px = 375.5, cy_px = 239.5;
+  double k1 = -0.08, k2 = 0.01, p1 = 0.0004, p2 = -0.0003, k3 = 0.0;
+  double height_m = 0.6, forward_m = 0.25, left_m = 0.0, pitch_rad = 0.735;
+  double fps = 30.0, fps_at_rest = 2.0;
+};
+
+struct BaseSetup {
+  double track_m = 0.42;   ///< between the wheels
+  double radius_m = 0.28;  ///< footprint; the body stops at a box
+  double body_height_m = 0.5;
+  double max_speed_m_s = 1.0, max_turn_rad_s = 1.5;
+  double acceleration_m_s2 = 0.8;  ///< of each wheel's rim
+  double time_constant_s = 0.08;   ///< first-order lag of the wheel speed
+  double command_delay_s = 0.06;
+};
+
+struct HandSetup {
+  double speed_m_s = 0.55;
+  double speed_wander_m_s = 0.15;  ///< largest deviation
+  double wander_m = 0.04;          ///< largest deviation of the path it aims at
+  double lookahead_m = 0.45;
+};
+
+/// Every default is the least that a demonstration has to stand.
+struct Disturbances {
+  double focal_error = 0.003;    ///< true / given - 1, sign by robot and day
+  double mount_error_m = 0.003;  ///< length of the offset; direction by robot and day
+  double mount_error_rad = 0.3 * 0.017453292519943295;
+  double vibration_rad = 0.05 * 0.017453292519943295;  ///< RMS of pitch and of roll, while moving
+  double vibration_m = 0.001;                          ///< RMS of height
+  double vibration_low_hz = 5.0, vibration_high_hz = 20.0;
+  double exposure_s = 0.005;        ///< motion during it blurs
+  double noise_grey = 2.0;          ///< standard deviation
+  double vignetting = 0.2;          ///< loss in the corners
+  double exposure_drift = 0.2;      ///< peak to peak, share of the mean
+  double dropped_frames = 0.005;    ///< probability
+  double time_jitter_s = 0.001;     ///< standard deviation of the time stamp, cut at three
+  double wheel_scale_error = 0.03;  ///< at least; up to a fifth more, sign and size by robot
+  double wheel_asymmetry = 0.02;    ///< right against left, likewise
+  double slip = 0.01;               ///< standard deviation of each wheel's slip
+  double light_change = 0.15;       ///< each lamp's brightness, by day and from run to run
+  double shadow = 1.0;              ///< 0: the robot casts none
+};
+
+struct Site {
+  std::string name;
+  FloorSetup floor;
+  std::vector<Box> boxes;
+  std::vector<Station> stations;
+  std::vector<Lamp> lamps;
+  double ambient = 1.0;  ///< light that comes from everywhere
+  std::vector<RobotStart> robots;
+  CameraSetup camera;
+  BaseSetup base;
+  HandSetup hand;
+  Disturbances disturbances;
+};
+
+/// Text of a site file. invalid: names file, line, key and bound.
+Result<Site> parse_site(std::string_view text, const std::string& file_name);
+
+}  // namespace weft::agents::sim
