@@ -6,6 +6,12 @@
 
 namespace weft {
 
+inline constexpr std::size_t kBatchPlaces = 1000;               ///< most places in one batch
+inline constexpr std::size_t kBatchEdges = 8000;                ///< most edges in one batch
+inline constexpr std::size_t kLongestName = 64;                 ///< bytes of a name or a method, printable ASCII
+inline constexpr std::size_t kLongestReason = 256;              ///< bytes of a seal's reason, printable ASCII
+inline constexpr std::uint64_t kLargestContent = 64ULL << 20U;  ///< bytes of one content
+
 /// What a robot hands in: consecutive places of one experience and the relations that join them to what the map
 /// already has. The unit of acknowledgement: durable as a whole with its contents, or not at all.
 struct Batch {

@@ -99,6 +99,7 @@ class Snapshot {
   Revision revision() const { return revision_; }
   const Experiences& experiences() const { return experiences_; }
   const Labels& labels() const { return *labels_; }
+  std::shared_ptr<const Labels> shared_labels() const { return labels_; }
 
   const Experience* experience(ExperienceId id) const;
   const Place* place(const PlaceId& id) const;

@@ -24,6 +24,10 @@ std::vector<Reached> breadth_first(const Window& window, const PlaceId& centre, 
 std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap);
 
+/// The ids alone, without composing relations; same order.
+std::vector<PlaceId> neighbourhood(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
+                                   std::uint32_t cap);
+
 /// The shortest chain of drivable edges. `relations[i]` is places[i]_from_places[i + 1].
 struct Path {
   std::vector<PlaceId> places;

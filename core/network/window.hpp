@@ -13,7 +13,7 @@ struct WindowDefinition {
   std::optional<PlaceId> centre;  ///< none: the whole network, up to the cap
   std::uint32_t hops = 25;        ///< breadth-first depth around the centre
   std::uint32_t cap = 2000;       ///< most places; nearest first, ties by id. [1, 1000000]
-  std::vector<PlaceId> route;     ///< always in, before the neighbourhood
+  std::vector<PlaceId> route;     ///< always in as far as it exists, beyond the cap too; before the neighbourhood
   bool operator==(const WindowDefinition&) const = default;
 };
 
@@ -36,6 +36,9 @@ struct Window {
   std::multimap<PlaceId, EdgeId> edges_at;
 };
 
+/// Makes `edges_at` anew from `edges`.
+void index_edges(Window& window);
+
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition);
 
 /// SHA-256 over sorted (id, entity version, content hash) of places, then edges, then labels
@@ -57,9 +60,17 @@ struct Patch {
 };
 
 Patch difference(const Window& base, const Window& target);
-/// stale: the patch is not made from this window's revision. corrupt: the result's digest is not the patch's.
+/// A patch from the empty window (base 0) replaces the window, whatever it was.
+/// stale: the patch is not made from this window's revision. corrupt: the result's digest is not the patch's, or an
+/// edge or a label points out of the window.
 /// In both cases the window is unchanged and a fresh one is to be asked for.
 Result<Window> apply(const Window& base, const Patch& patch);
+
+/// The patch in parts of at most `max_entities` (>= 1) places, edges, labels and removals; all parts share base,
+/// target and digest. At least one part.
+std::vector<Patch> split(const Patch& patch, std::size_t max_entities);
+/// All parts in one. corrupt: none, or parts of different patches.
+Result<Patch> join(const std::vector<Patch>& parts);
 
 template <class Visit>
 void Window::for_each_edge(const PlaceId& id, Visit&& visit) const {

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <set>
+
+#include "core/network/change.hpp"
+
+namespace weft {
+namespace {
+
+constexpr std::size_t kLongestLabel = 64;
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_label_character(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
+}
+
+/// Experiences of a snapshot under change: copies one when it is touched, shares the others.
+class Draft {
+ public:
+  explicit Draft(const Snapshot& snapshot) : experiences_(snapshot.experiences()) {}
+
+  Experience& touch(ExperienceId id) {
+    auto& copy = touched_[id];
+    if (!copy) {
+      const auto found = experiences_.find(id);
+      copy =
+          found == experiences_.end() ? std::make_shared<Experience>() : std::make_shared<Experience>(*found->second);
+      copy->id = id;
+    }
+    return *copy;
+  }
+
+  void stitch(const Edge& edge) {
+    touch_stitches(edge.id.a.experience).push_back(edge);
+    if (edge.id.b.experience != edge.id.a.experience) touch_stitches(edge.id.b.experience).push_back(edge);
+  }
+
+  Snapshot::Experiences take() {
+    for (const ExperienceId id : stitched_) index_stitches(*touched_.at(id));
+    for (auto& [id, experience] : touched_) experiences_[id] = std::move(experience);
+    return std::move(experiences_);
+  }
+
+ private:
+  std::vector<Edge>& touch_stitches(ExperienceId id) {
+    stitched_.insert(id);
+    return touch(id).stitches;
+  }
+
+  Snapshot::Experiences experiences_;
+  std::map<ExperienceId, std::shared_ptr<Experience>> touched_;
+  std::set<ExperienceId> stitched_;
+};
+
+Revision next(Revision revision) {
+  return {revision.value + 1};
+}
+
+std::shared_ptr<const Snapshot::Labels> share(Snapshot::Labels labels) {
+  return std::make_shared<const Snapshot::Labels>(std::move(labels));
+}
+
+}  // namespace
+
+Snapshot with(const Snapshot& snapshot, const Batch& batch) {
+  Draft draft(snapshot);
+  Experience& experience = draft.touch(batch.experience);
+  if (experience.places.empty()) {
+    experience.robot = batch.robot;
+    experience.name = batch.name;
+    experience.method = batch.method;
+  }
+  experience.places.insert(experience.places.end(), batch.places.begin(), batch.places.end());
+  for (const Edge& edge : batch.edges) {
+    if (edge.origin == Origin::stitch) {
+      draft.stitch(edge);
+    } else {
+      experience.chain.push_back(edge);
+    }
+  }
+  std::sort(experience.chain.begin(), experience.chain.end(),
+            [](const Edge& first, const Edge& second) { return first.id < second.id; });
+  if (batch.seal) {
+    experience.sealed = true;
+    experience.seal_reason = batch.seal_reason;
+  }
+  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels()};
+}
+
+Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place) {
+  Snapshot::Labels labels = snapshot.labels();
+  labels[label] = place;
+  return {next(snapshot.revision()), snapshot.experiences(), share(std::move(labels))};
+}
+
+Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std::string& reason) {
+  Draft draft(snapshot);
+  if (snapshot.experience(experience) != nullptr) {
+    Experience& sealed = draft.touch(experience);
+    sealed.sealed = true;
+    sealed.seal_reason = reason;
+  }
+  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels()};
+}
+
+Result<void> check_label(std::string_view label) {
+  const std::string name = "label \"" + std::string(label.substr(0, kLongestLabel)) + "\"";
+  if (label.empty() || label.size() > kLongestLabel) {
+    return fail(ErrorCode::invalid, name + " has " + std::to_string(label.size()) + " characters, must have 1 to " +
+                                        std::to_string(kLongestLabel));
+  }
+  for (const char c : label) {
+    if (!is_label_character(c)) {
+      return fail(ErrorCode::invalid,
+                  name + " has the character '" + std::string(1, c) + "'; use letters, digits, '_', '.' and '-'");
+    }
+  }
+  if (!is_letter(label.front())) {
+    return fail(ErrorCode::invalid,
+                name + " starts with '" + std::string(1, label.front()) + "', must start with a letter");
+  }
+  return {};
+}
+
+}  // namespace weft

@@ -1,0 +1,44 @@
+#pragma once
+#include "core/byte_reader.hpp"
+#include "core/byte_writer.hpp"
+#include "core/network/change.hpp"
+#include "core/network/network.hpp"
+
+/// The fields of records as they stand inside other records, without the leading format byte. Private to the codec.
+namespace weft::fields {
+
+inline constexpr std::uint8_t kFormat = 1;  ///< first byte of every record
+
+void write(ByteWriter& out, const Relation& relation);
+void write(ByteWriter& out, const Place& place);
+void write(ByteWriter& out, const Edge& edge);
+
+Relation read_relation(ByteReader& in);
+Place read_place(ByteReader& in);
+Edge read_edge(ByteReader& in);
+
+// Fewest bytes of a record's fields: bounds the counts that a reader believes.
+inline constexpr std::size_t kRelationLeast = 1 + 4 * 8;
+inline constexpr std::size_t kPlaceLeast = 12 + 4 + 4 + 4 + 32 + 8 + 16 + 8 + 8;
+inline constexpr std::size_t kEdgeLeast = 24 + 4 + kRelationLeast + 1 + 4 + 1 + 4 + 4;
+inline constexpr std::size_t kPlaceIdBytes = 12;
+
+/// A whole record: format byte, fields, nothing after them.
+template <class Fields>
+Bytes record(Fields&& write_fields) {
+  ByteWriter out;
+  out.number(kFormat);
+  write_fields(out);
+  return out.take();
+}
+template <class T, class Read>
+Result<T> whole(ByteView bytes, const char* what, Read&& read) {
+  ByteReader in(bytes);
+  in.ranged<std::uint8_t>("format", kFormat, kFormat);
+  T value = read(in);
+  const Result<void> end = in.finish(what);
+  if (!end) return fail(end.error());
+  return value;
+}
+
+}  // namespace weft::fields
