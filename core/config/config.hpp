@@ -25,7 +25,7 @@ struct Setting {
 
 /// A table of a parsed document. A handle: copies and sub-tables report into the same document.
 /// Every getter returns a value within its bounds: the file's, or else the default (or, where that is required, the
-/// low bound, an empty text, nothing) together with an issue.
+/// low bound, an empty text, the fewest entries) together with an issue.
 class Table {
  public:
   /// Whether the key is written in the file; does not count as asking for it.
@@ -38,7 +38,7 @@ class Table {
   bool boolean(std::string_view key, std::optional<bool> fallback) const;
   /// At most `longest` bytes.
   std::string text(std::string_view key, std::optional<std::string> fallback, std::size_t longest = 256) const;
-  /// One of `allowed`.
+  /// One of `allowed`, which is not empty; where the key is required and missing, the first of them.
   std::string choice(std::string_view key, std::optional<std::string> fallback,
                      const std::vector<std::string>& allowed) const;
   /// Between `fewest` and `most` numbers, each in [low, high].
