@@ -1,0 +1,161 @@
+#include "storage/spool/file_spool.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "core/network/codec.hpp"
+#include "storage/spool/durable_file.hpp"
+#include "storage/spool/record.hpp"
+
+namespace weft::storage {
+namespace {
+
+constexpr std::string_view kEnding = ".batch";
+constexpr std::size_t kDigits = 16;
+
+/// "<16 hex digits of the order of appending>.batch"
+std::string file_name(std::uint64_t order) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string name(kDigits, '0');
+  for (std::size_t at = kDigits; at-- > 0; order >>= 4U) name[at] = digits[order & 15U];
+  return name.append(kEnding);
+}
+
+std::optional<std::uint64_t> order_from_name(const std::string& name) {
+  if (name.size() != kDigits + kEnding.size() || !name.ends_with(kEnding)) return std::nullopt;
+  std::uint64_t order = 0;
+  const char* const end = name.data() + kDigits;
+  const auto [rest, failed] = std::from_chars(name.data(), end, order, 16);
+  if (failed != std::errc{} || rest != end) return std::nullopt;
+  return order;
+}
+
+class FileSpool final : public Spool {
+ public:
+  explicit FileSpool(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+  /// Reads what is there; removes what an interrupted append left.
+  Result<void> recover() {
+    std::error_code failed;
+    std::filesystem::create_directories(directory_, failed);
+    if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot make it: " + failed.message());
+    std::filesystem::directory_iterator entries(directory_, failed);
+    if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot read it: " + failed.message());
+    std::vector<std::uint64_t> orders;
+    for (const auto& entry : entries) {
+      if (entry.path().extension() == ".tmp") {
+        if (auto done = remove_durably(entry.path()); !done) return done;
+      } else if (const auto order = order_from_name(entry.path().filename().string())) {
+        orders.push_back(*order);
+      }
+    }
+    std::sort(orders.begin(), orders.end());
+    for (const std::uint64_t order : orders) {
+      if (auto done = recover_file(order); !done) return done;
+      next_ = order + 1;
+    }
+    return {};
+  }
+
+  Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) override {
+    for (const auto& [order, kept] : kept_) {
+      if (auto repeat = compare(kept.batch, batch)) return *repeat;
+    }
+    auto record = make_record(batch, contents, [&](const ContentHash& hash) -> SharedBytes {
+      Result<Bytes> bytes = content(hash);
+      return bytes ? std::make_shared<const Bytes>(std::move(*bytes)) : nullptr;
+    });
+    if (!record) return fail(record.error());
+    const std::uint64_t order = next_++;  // also after a failure: a name is used once
+    if (auto done = write_durably(path_of(order), encode(*record)); !done) return done;
+    keep(order, *record);
+    return {};
+  }
+
+  Result<std::vector<Batch>> pending() const override {
+    std::vector<Batch> batches;
+    for (const auto& [order, kept] : kept_) batches.push_back(kept.batch);
+    return batches;
+  }
+
+  Result<Bytes> content(const ContentHash& hash) const override {
+    const auto holder = std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) {
+      return std::binary_search(entry.second.contents.begin(), entry.second.contents.end(), hash);
+    });
+    if (holder == kept_.end())
+      return fail(ErrorCode::not_found, "spool: content " + to_string(hash) + " is not held");
+    auto bytes = read_whole(path_of(holder->first));
+    if (!bytes) return fail(bytes.error());
+    auto record = decode_record(*bytes);
+    if (!record) return fail(ErrorCode::corrupt, path_of(holder->first).string() + ": " + record.error().message);
+    const auto found = record->contents.find(hash);
+    if (found == record->contents.end()) {
+      return fail(ErrorCode::corrupt, path_of(holder->first).string() + ": content " + to_string(hash) + " is gone");
+    }
+    return *found->second;
+  }
+
+  Result<void> acknowledged(ExperienceId experience, std::uint64_t through) override {
+    for (auto at = kept_.begin(); at != kept_.end();) {
+      const Batch& batch = at->second.batch;
+      if (batch.experience == experience && batch.sequence <= through) {
+        if (auto done = remove_durably(path_of(at->first)); !done) return done;
+        at = kept_.erase(at);
+      } else {
+        ++at;
+      }
+    }
+    return {};
+  }
+
+  std::vector<std::string> skipped() const override { return skipped_; }
+
+ private:
+  struct Kept {
+    Batch batch;
+    std::vector<ContentHash> contents;  ///< sorted; their bytes stay in the file
+  };
+
+  std::filesystem::path path_of(std::uint64_t order) const { return directory_ / file_name(order); }
+
+  void keep(std::uint64_t order, const SpoolRecord& record) {
+    Kept kept{record.batch, {}};
+    for (const auto& [hash, bytes] : record.contents) kept.contents.push_back(hash);
+    kept_.emplace(order, std::move(kept));
+  }
+
+  Result<void> recover_file(std::uint64_t order) {
+    const std::filesystem::path path = path_of(order);
+    auto bytes = read_whole(path);
+    if (!bytes) return fail(bytes.error());
+    auto record = decode_record(*bytes);
+    if (record) {
+      keep(order, *record);
+    } else if (record.error().code == ErrorCode::newer) {
+      return fail(ErrorCode::newer,
+                  path.string() + ": " + record.error().message + "; start a newer weft-agent on it");
+    } else {
+      skipped_.push_back(path.string() + ": " + record.error().message);
+    }
+    return {};
+  }
+
+  std::filesystem::path directory_;
+  std::map<std::uint64_t, Kept> kept_;  ///< by order of appending
+  std::uint64_t next_ = 1;
+  std::vector<std::string> skipped_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Spool>> open_file_spool(const std::filesystem::path& directory) {
+  auto spool = std::make_unique<FileSpool>(directory);
+  if (auto done = spool->recover(); !done) return fail(done.error());
+  return spool;
+}
+
+}  // namespace weft::storage

@@ -1,0 +1,180 @@
+#include "storage/sqlite/database.hpp"
+
+#include <sqlite3.h>
+
+#include <bit>
+#include <utility>
+
+namespace weft::storage::sqlite {
+namespace {
+
+ErrorCode code_from_sqlite(int extended) {
+  switch (extended & 0xff) {
+    case SQLITE_FULL:
+    case SQLITE_NOMEM:
+      return ErrorCode::exhausted;
+    case SQLITE_IOERR:
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+    case SQLITE_READONLY:
+    case SQLITE_PROTOCOL:
+      return ErrorCode::unavailable;
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return ErrorCode::corrupt;
+    case SQLITE_CONSTRAINT:
+      return ErrorCode::conflict;
+    case SQLITE_TOOBIG:
+      return ErrorCode::invalid;
+    default:
+      return ErrorCode::internal;
+  }
+}
+
+const char* advice_for(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::exhausted:
+      return "free space on its disk; nothing was written";
+    case ErrorCode::unavailable:
+      return "check its disk and permissions, then try again";
+    case ErrorCode::corrupt:
+      return "move the store away and restore a backup";
+    default:
+      return "nothing was written";
+  }
+}
+
+Error error_from_sqlite(sqlite3* database) {
+  const int extended = sqlite3_extended_errcode(database);
+  const ErrorCode code = code_from_sqlite(extended);
+  const char* const file = sqlite3_db_filename(database, "main");
+  return {code, std::string("map store ") + (file == nullptr ? "" : file) + ": " + sqlite3_errmsg(database) +
+                    " (SQLite " + std::to_string(extended) + "); " + advice_for(code)};
+}
+
+}  // namespace
+
+void Statement::Finalise::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+
+Query::~Query() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+}
+
+Query& Query::operator<<(std::uint64_t value) {
+  sqlite3_bind_int64(statement_, next_++, std::bit_cast<std::int64_t>(value));
+  return *this;
+}
+
+Query& Query::operator<<(std::string_view text) {
+  const char* const data = text.data() == nullptr ? "" : text.data();  // a null pointer would bind NULL
+  sqlite3_bind_text64(statement_, next_++, data, text.size(), SQLITE_STATIC, SQLITE_UTF8);
+  return *this;
+}
+
+Query& Query::operator<<(ByteView blob) {
+  if (blob.empty()) {
+    sqlite3_bind_zeroblob(statement_, next_++, 0);
+  } else {
+    sqlite3_bind_blob64(statement_, next_++, blob.data(), blob.size(), SQLITE_STATIC);
+  }
+  return *this;
+}
+
+Result<bool> Query::step() {
+  switch (sqlite3_step(statement_)) {
+    case SQLITE_ROW:
+      return true;
+    case SQLITE_DONE:
+      return false;
+    default:
+      return fail(error_from_sqlite(sqlite3_db_handle(statement_)));
+  }
+}
+
+Result<void> Query::run() {
+  const Result<bool> stepped = step();
+  if (!stepped) return fail(stepped.error());
+  return {};
+}
+
+std::uint64_t Query::number(int column) const {
+  return std::bit_cast<std::uint64_t>(std::int64_t{sqlite3_column_int64(statement_, column)});
+}
+
+std::string Query::text(int column) const {
+  const ByteView bytes = blob(column);
+  return {bytes.begin(), bytes.end()};
+}
+
+ByteView Query::blob(int column) const {
+  const void* const data = sqlite3_column_blob(statement_, column);
+  const int size = sqlite3_column_bytes(statement_, column);
+  if (data == nullptr) return {};
+  return {static_cast<const std::uint8_t*>(data), static_cast<std::size_t>(size)};
+}
+
+void Database::Close::operator()(sqlite3* database) const {
+  sqlite3_close_v2(database);  // waits for statements that are still held
+}
+
+Result<Database> Database::open(const std::filesystem::path& file, const std::string& vfs) {
+  sqlite3* raw = nullptr;
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
+  const int code = sqlite3_open_v2(file.c_str(), &raw, flags, vfs.empty() ? nullptr : vfs.c_str());
+  Database database;
+  database.database_.reset(raw);
+  if (code != SQLITE_OK) return fail(error_from_sqlite(raw));
+  sqlite3_busy_timeout(raw, 2000);
+  return database;
+}
+
+Result<Statement> Database::prepare(std::string_view sql) const {
+  sqlite3_stmt* raw = nullptr;
+  const int code = sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),
+                                      SQLITE_PREPARE_PERSISTENT, &raw, nullptr);
+  if (code != SQLITE_OK) return fail(error_from_sqlite(database_.get()));
+  return Statement(raw);
+}
+
+Result<void> Database::run(const std::string& sql) const {
+  if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
+    return fail(error_from_sqlite(database_.get()));
+  }
+  return {};
+}
+
+Result<std::uint64_t> Database::number(std::string_view sql) const {
+  const Result<Statement> statement = prepare(sql);
+  if (!statement) return fail(statement.error());
+  Query query(*statement);
+  const Result<bool> row = query.step();
+  if (!row) return fail(row.error());
+  if (!*row) return fail(ErrorCode::corrupt, "map store: no row for " + std::string(sql));
+  return query.number(0);
+}
+
+bool Database::in_transaction() const {
+  return sqlite3_get_autocommit(database_.get()) == 0;
+}
+
+Result<WriteTransaction> WriteTransaction::begin(const Database& database) {
+  const Result<void> begun = database.run("BEGIN IMMEDIATE");
+  if (!begun) return fail(begun.error());
+  return WriteTransaction(database);
+}
+
+WriteTransaction::~WriteTransaction() {
+  // SQLite has rolled back by itself after some errors. A rollback that fails leaves the journal to recovery.
+  if (database_ != nullptr && database_->in_transaction()) (void)database_->run("ROLLBACK");
+}
+
+Result<void> WriteTransaction::commit() {
+  return database_->run("COMMIT");
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,108 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/bytes.hpp"
+#include "core/ids.hpp"
+#include "core/result.hpp"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+/// A thin owner of SQLite's C API. Errors: exhausted for a full disk, unavailable for I/O errors and locks, corrupt
+/// for a damaged file, conflict for a broken constraint.
+namespace weft::storage::sqlite {
+
+/// A statement, compiled once, run through `Query`.
+class Statement {
+ public:
+  Statement() = default;
+
+ private:
+  friend class Database;
+  friend class Query;
+  struct Finalise {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
+  std::unique_ptr<sqlite3_stmt, Finalise> statement_;
+};
+
+/// One run of a statement: bind in order, step, read columns. What is bound must outlive the query; what is read is
+/// valid until the next step. Resets the statement when it goes.
+class Query {
+ public:
+  explicit Query(const Statement& statement) : statement_(statement.statement_.get()) {}
+  ~Query();
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
+
+  Query& operator<<(std::uint64_t value);  ///< stored as the signed number of the same bits
+  Query& operator<<(std::string_view text);
+  Query& operator<<(ByteView blob);
+  template <class Tag, std::size_t N>
+  Query& operator<<(const ByteId<Tag, N>& id) {
+    return *this << ByteView(id.bytes);
+  }
+
+  /// True: a row is there. False: done.
+  Result<bool> step();
+  /// For statements without rows.
+  Result<void> run();
+
+  std::uint64_t number(int column) const;
+  std::string text(int column) const;
+  ByteView blob(int column) const;
+  /// None when the column's size is not N.
+  template <class Id>
+  Id id(int column) const {
+    Id id;
+    const ByteView bytes = blob(column);
+    if (bytes.size() == id.bytes.size()) std::copy(bytes.begin(), bytes.end(), id.bytes.begin());
+    return id;
+  }
+
+ private:
+  sqlite3_stmt* statement_;
+  int next_ = 1;
+};
+
+class Database {
+ public:
+  /// Opens, or makes, the file; `vfs` names SQLite's file layer, empty for the system's.
+  static Result<Database> open(const std::filesystem::path& file, const std::string& vfs);
+
+  Result<Statement> prepare(std::string_view sql) const;
+  /// One or more statements without parameters or rows of interest.
+  Result<void> run(const std::string& sql) const;
+  /// The single number of a one-row query, such as a pragma.
+  Result<std::uint64_t> number(std::string_view sql) const;
+  bool in_transaction() const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// A write transaction: rolled back when it goes without `commit`.
+class WriteTransaction {
+ public:
+  static Result<WriteTransaction> begin(const Database& database);
+  ~WriteTransaction();
+  WriteTransaction(WriteTransaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+  WriteTransaction& operator=(WriteTransaction&&) = delete;
+  Result<void> commit();
+
+ private:
+  explicit WriteTransaction(const Database& database) : database_(&database) {}
+  const Database* database_;
+};
+
+}  // namespace weft::storage::sqlite

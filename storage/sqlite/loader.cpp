@@ -1,0 +1,154 @@
+#include "storage/sqlite/loader.hpp"
+
+#include "core/network/codec.hpp"
+#include "storage/network_builder.hpp"
+#include "storage/sqlite/rows.hpp"
+
+namespace weft::storage::sqlite {
+namespace {
+
+/// Calls `visit(const Query&)` for each row.
+template <class Visit>
+Result<void> for_each_row(const Database& database, std::string_view sql, Visit&& visit) {
+  const auto statement = database.prepare(sql);
+  if (!statement) return fail(statement.error());
+  Query query(*statement);
+  for (;;) {
+    const Result<bool> row = query.step();
+    if (!row) return fail(row.error());
+    if (!*row) return {};
+    visit(query);
+  }
+}
+
+/// The decoded row, or the reason why it is not one.
+template <class Decode>
+auto decode_guarded(ByteView row, Decode&& decode) -> decltype(decode(row)) {
+  const auto canonical = unguard_row(row);
+  if (!canonical) return fail(ErrorCode::corrupt, "its checksum differs");
+  return decode(*canonical);
+}
+
+PlaceId place_id(const Query& query, int column) {
+  return {{query.number(column)}, static_cast<std::uint32_t>(query.number(column + 1))};
+}
+
+Result<void> load_experiences(const Database& database, NetworkBuilder& builder, Stored& stored) {
+  return for_each_row(database,
+                      "SELECT id, robot, name, method, sealed, seal_reason, places, durable_through FROM experience",
+                      [&](const Query& row) {
+                        NetworkBuilder::Head head;
+                        head.id = {row.number(0)};
+                        head.robot = row.id<RobotId>(1);
+                        head.name = row.text(2);
+                        head.method = row.text(3);
+                        head.sealed = row.number(4) != 0;
+                        head.seal_reason = row.text(5);
+                        head.places = row.number(6);
+                        stored.durable_through[head.id] = row.number(7);
+                        builder.add(std::move(head));
+                      });
+}
+
+Result<void> load_places(const Database& database, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT experience, place, row FROM place ORDER BY experience, place",
+                      [&](const Query& row) {
+                        const PlaceId id = place_id(row, 0);
+                        Result<Place> place = decode_guarded(row.blob(2), decode_place);
+                        if (place && place->id == id) {
+                          builder.add(std::move(*place));
+                        } else {
+                          builder.add_damage("place " + to_string(id) + ": " +
+                                             (place ? "the row of another place" : place.error().message));
+                        }
+                      });
+}
+
+Result<void> load_edges(const Database& database, NetworkBuilder& builder) {
+  return for_each_row(database,
+                      "SELECT a_experience, a_place, b_experience, b_place, row FROM edge"
+                      " ORDER BY a_experience, a_place, b_experience, b_place, revision",
+                      [&](const Query& row) {
+                        const EdgeId id{place_id(row, 0), place_id(row, 2)};
+                        Result<Edge> edge = decode_guarded(row.blob(4), decode_edge);
+                        if (edge && edge->id == id) {
+                          builder.add(std::move(*edge));
+                        } else {
+                          builder.add_damage("edge " + to_string(id.a) + " - " + to_string(id.b) + ": " +
+                                             (edge ? "the row of another edge" : edge.error().message));
+                        }
+                      });
+}
+
+Result<void> load_labels(const Database& database, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT label, experience, place FROM label ORDER BY label, revision",
+                      [&](const Query& row) { builder.add_label(row.text(0), place_id(row, 1)); });
+}
+
+/// One table of rows that are kept by an id: goals and routes.
+template <class Value, class Id, class Decode>
+Result<void> load_rows(const Database& database, const char* sql, const char* what, Decode&& decode,
+                       NetworkBuilder& builder, std::map<Id, Value>& out) {
+  return for_each_row(database, sql, [&](const Query& row) {
+    const Id id = row.template id<Id>(0);
+    Result<Value> value = decode_guarded(row.blob(1), decode);
+    if (value) {
+      out.emplace(id, std::move(*value));
+    } else {
+      builder.add_damage(std::string(what) + " " + to_string(id) + ": " + value.error().message);
+    }
+  });
+}
+
+Result<void> load_occupancies(const Database& database, NetworkBuilder& builder, Stored& stored) {
+  return for_each_row(database, "SELECT robot, row, first_place, last_place FROM occupancy", [&](const Query& row) {
+    const RobotId robot = row.id<RobotId>(0);
+    Result<Route> held = decode_guarded(row.blob(1), decode_route);
+    if (held) {
+      stored.occupancies[robot] = {robot, std::move(*held), static_cast<std::uint32_t>(row.number(2)),
+                                   static_cast<std::uint32_t>(row.number(3))};
+    } else {
+      builder.add_damage("occupancy of robot " + to_string(robot) + ": " + held.error().message +
+                         "; see where it stands, then clear it");
+    }
+  });
+}
+
+Result<void> load_robots(const Database& database, Stored& stored) {
+  return for_each_row(database, "SELECT id, name FROM robot",
+                      [&](const Query& row) { stored.robots[row.id<RobotId>(0)] = row.text(1); });
+}
+
+Result<void> load_quarantined_contents(const Database& database, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT hash FROM content WHERE quarantined = 1", [&](const Query& row) {
+    builder.add_damage("content " + to_string(row.id<ContentHash>(0)) + ": its bytes are damaged");
+  });
+}
+
+}  // namespace
+
+Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
+  Stored stored;
+  stored.epoch = epoch;
+  NetworkBuilder builder;
+  Result<void> done = load_experiences(database, builder, stored);
+  if (done) done = load_places(database, builder);
+  if (done) done = load_edges(database, builder);
+  if (done) done = load_labels(database, builder);
+  if (done) {
+    done = load_rows<Goal>(database, "SELECT id, row FROM goal", "goal", decode_goal, builder, stored.goals);
+  }
+  if (done) {
+    done = load_rows<Route>(database, "SELECT goal, row FROM route", "route of goal", decode_route, builder,
+                            stored.routes);
+  }
+  if (done) done = load_occupancies(database, builder, stored);
+  if (done) done = load_robots(database, stored);
+  if (done) done = load_quarantined_contents(database, builder);
+  if (!done) return fail(done.error());
+  stored.snapshot = builder.build(revision);
+  stored.quarantined = builder.take_damage();
+  return stored;
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,151 @@
+#include "storage/sqlite/schema.hpp"
+
+#include <array>
+
+namespace weft::storage::sqlite {
+namespace {
+
+/// Step n takes version n to n + 1. Steps that were released are never edited; docs/formats/store.md explains them.
+constexpr std::array kMigrations{
+    R"sql(
+CREATE TABLE store (
+  id            INTEGER PRIMARY KEY CHECK (id = 1),
+  epoch         INTEGER NOT NULL,
+  revision      INTEGER NOT NULL,
+  contents      INTEGER NOT NULL,
+  content_bytes INTEGER NOT NULL
+);
+INSERT INTO store VALUES (1, 0, 0, 0, 0);
+
+CREATE TABLE content (
+  hash        BLOB PRIMARY KEY NOT NULL,
+  kind        INTEGER NOT NULL,
+  size        INTEGER NOT NULL,
+  coding      INTEGER NOT NULL,
+  quarantined INTEGER NOT NULL DEFAULT 0,
+  bytes       BLOB NOT NULL
+);
+CREATE INDEX content_quarantined ON content (hash) WHERE quarantined = 1;
+
+CREATE TABLE experience (
+  id              INTEGER PRIMARY KEY,
+  robot           BLOB NOT NULL,
+  name            TEXT NOT NULL,
+  method          TEXT NOT NULL,
+  sealed          INTEGER NOT NULL,
+  seal_reason     TEXT NOT NULL,
+  durable_through INTEGER NOT NULL,
+  places          INTEGER NOT NULL
+);
+
+CREATE TABLE batch (
+  experience INTEGER NOT NULL,
+  sequence   INTEGER NOT NULL,
+  revision   INTEGER NOT NULL,
+  hash       BLOB NOT NULL,
+  PRIMARY KEY (experience, sequence)
+) WITHOUT ROWID;
+
+CREATE TABLE place (
+  experience INTEGER NOT NULL,
+  place      INTEGER NOT NULL,
+  revision   INTEGER NOT NULL,
+  row        BLOB NOT NULL,
+  PRIMARY KEY (experience, place)
+) WITHOUT ROWID;
+
+CREATE TABLE edge (
+  a_experience INTEGER NOT NULL,
+  a_place      INTEGER NOT NULL,
+  b_experience INTEGER NOT NULL,
+  b_place      INTEGER NOT NULL,
+  revision     INTEGER NOT NULL,
+  row          BLOB NOT NULL,
+  PRIMARY KEY (a_experience, a_place, b_experience, b_place, revision)
+) WITHOUT ROWID;
+
+CREATE TABLE label (
+  label      TEXT NOT NULL,
+  revision   INTEGER NOT NULL,
+  experience INTEGER NOT NULL,
+  place      INTEGER NOT NULL,
+  PRIMARY KEY (label, revision)
+) WITHOUT ROWID;
+
+CREATE TABLE goal (id BLOB PRIMARY KEY, row BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE route (goal BLOB PRIMARY KEY, row BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE occupancy (
+  robot       BLOB PRIMARY KEY,
+  first_place INTEGER NOT NULL,
+  last_place  INTEGER NOT NULL,
+  row         BLOB NOT NULL
+) WITHOUT ROWID;
+CREATE TABLE robot (id BLOB PRIMARY KEY, name TEXT NOT NULL) WITHOUT ROWID;
+
+CREATE TABLE event (
+  id    INTEGER PRIMARY KEY,
+  at_ns INTEGER NOT NULL,
+  kind  TEXT NOT NULL,
+  robot BLOB NOT NULL,
+  goal  BLOB NOT NULL,
+  cause TEXT NOT NULL,
+  who   TEXT NOT NULL
+);
+CREATE INDEX event_by_goal ON event (goal, id);
+CREATE INDEX event_by_robot ON event (robot, id);
+)sql",
+};
+
+Error is_foreign(const std::filesystem::path& file, const std::string& why) {
+  return {ErrorCode::corrupt, "map store " + file.string() + ": " + why +
+                                  "; it is no map store of Weft. Name another directory, or move this file away"};
+}
+
+Result<void> migrate(const Database& database, std::uint64_t from) {
+  auto transaction = WriteTransaction::begin(database);
+  if (!transaction) return fail(transaction.error());
+  for (std::uint64_t step = from; step < kMigrations.size(); ++step) {
+    if (auto done = database.run(kMigrations[step]); !done) return done;
+  }
+  const std::string marks = "PRAGMA application_id = " + std::to_string(kApplicationId) +
+                            "; PRAGMA user_version = " + std::to_string(kMigrations.size());
+  if (auto done = database.run(marks); !done) return done;
+  return transaction->commit();
+}
+
+}  // namespace
+
+std::uint64_t schema_version() {
+  return kMigrations.size();
+}
+
+Result<void> prepare_schema(const Database& database, const std::filesystem::path& file) {
+  const auto application = database.number("PRAGMA application_id");
+  if (!application && application.error().code == ErrorCode::corrupt) {
+    return fail(is_foreign(file, "it is damaged or no SQLite file (" + application.error().message + ")"));
+  }
+  if (!application) return fail(application.error());
+  const auto version = database.number("PRAGMA user_version");
+  if (!version) return fail(version.error());
+  const auto tables = database.number("SELECT count(*) FROM sqlite_master");
+  if (!tables) return fail(tables.error());
+
+  const bool is_empty = *application == 0 && *version == 0 && *tables == 0;
+  if (!is_empty && *application != kApplicationId) {
+    return fail(is_foreign(file, "its application id is " + std::to_string(*application)));
+  }
+  if (*version > schema_version()) {
+    return fail(ErrorCode::newer, "map store " + file.string() + " has schema version " + std::to_string(*version) +
+                                      ", this software reads up to " + std::to_string(schema_version()) +
+                                      "; start a newer weft-server on it");
+  }
+  // The journal's mode stands in the file, so it is set before the first table; the rest holds for this connection.
+  const auto modes = database.run(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA journal_size_limit = 67108864;"
+      "PRAGMA cache_size = -32768; PRAGMA temp_store = MEMORY");
+  if (!modes) return modes;
+  if (*version < schema_version()) return migrate(database, *version);
+  return {};
+}
+
+}  // namespace weft::storage::sqlite

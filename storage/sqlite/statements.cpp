@@ -1,0 +1,63 @@
+#include "storage/sqlite/statements.hpp"
+
+namespace weft::storage::sqlite {
+
+Result<Statements> Statements::prepare(const Database& database) {
+  struct Line {
+    Statement Statements::*slot;
+    const char* sql;
+  };
+  static constexpr Line kLines[] = {
+      {&Statements::read_store, "SELECT epoch, revision, contents, content_bytes FROM store"},
+      {&Statements::write_store, "UPDATE store SET epoch = ?, revision = ?, contents = ?, content_bytes = ?"},
+      {&Statements::find_experience, "SELECT durable_through, places FROM experience WHERE id = ?"},
+      {&Statements::find_batch, "SELECT hash FROM batch WHERE experience = ? AND sequence = ?"},
+      {&Statements::find_content, "SELECT 1 FROM content WHERE hash = ? AND quarantined = 0"},
+      {&Statements::read_content, "SELECT quarantined, coding, size, bytes FROM content WHERE hash = ?"},
+      // A quarantined content that comes again is healed.
+      {&Statements::put_content,
+       "INSERT INTO content (hash, kind, size, coding, bytes) VALUES (?, ?, ?, ?, ?) ON CONFLICT (hash) DO UPDATE SET"
+       " kind = excluded.kind, size = excluded.size, coding = excluded.coding, bytes = excluded.bytes,"
+       " quarantined = 0"},
+      {&Statements::put_experience,
+       "INSERT INTO experience (id, robot, name, method, sealed, seal_reason, durable_through, places)"
+       " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET"
+       " seal_reason = CASE WHEN excluded.sealed THEN excluded.seal_reason ELSE seal_reason END,"
+       " sealed = sealed OR excluded.sealed, durable_through = excluded.durable_through,"
+       " places = places + excluded.places"},
+      {&Statements::put_batch, "INSERT INTO batch (experience, sequence, revision, hash) VALUES (?, ?, ?, ?)"},
+      {&Statements::put_place, "INSERT INTO place (experience, place, revision, row) VALUES (?, ?, ?, ?)"},
+      {&Statements::put_edge,
+       "INSERT OR REPLACE INTO edge (a_experience, a_place, b_experience, b_place, revision, row)"
+       " VALUES (?, ?, ?, ?, ?, ?)"},
+      {&Statements::put_label,
+       "INSERT OR REPLACE INTO label (label, revision, experience, place) VALUES (?, ?, ?, ?)"},
+      {&Statements::seal, "UPDATE experience SET sealed = 1, seal_reason = ? WHERE id = ?"},
+      {&Statements::put_goal, "INSERT OR REPLACE INTO goal (id, row) VALUES (?, ?)"},
+      {&Statements::put_route, "INSERT OR REPLACE INTO route (goal, row) VALUES (?, ?)"},
+      {&Statements::put_occupancy,
+       "INSERT OR REPLACE INTO occupancy (robot, first_place, last_place, row) VALUES (?, ?, ?, ?)"},
+      {&Statements::free_occupancy, "DELETE FROM occupancy WHERE robot = ?"},
+      {&Statements::put_robot, "INSERT OR REPLACE INTO robot (id, name) VALUES (?, ?)"},
+      {&Statements::put_event, "INSERT INTO event (at_ns, kind, robot, goal, cause, who) VALUES (?, ?, ?, ?, ?, ?)"},
+      {&Statements::quarantine,
+       "UPDATE content SET quarantined = 1 WHERE hash = ? AND quarantined = 0 RETURNING size"},
+      {&Statements::events, "SELECT at_ns, kind, robot, goal, cause, who FROM event ORDER BY id DESC LIMIT ?"},
+      {&Statements::events_of_goal,
+       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE goal = ? ORDER BY id DESC LIMIT ?"},
+      {&Statements::events_of_robot,
+       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE robot = ? ORDER BY id DESC LIMIT ?"},
+      {&Statements::events_of_both,
+       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE goal = ? AND robot = ?"
+       " ORDER BY id DESC LIMIT ?"},
+  };
+  Statements statements;
+  for (const Line& line : kLines) {
+    auto statement = database.prepare(line.sql);
+    if (!statement) return fail(statement.error());
+    statements.*line.slot = std::move(*statement);
+  }
+  return statements;
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,19 @@
+#pragma once
+#include "core/result.hpp"
+#include "storage/sqlite/database.hpp"
+
+namespace weft::storage::sqlite {
+
+/// The statements of commits and reads, compiled once.
+struct Statements {
+  Statement read_store, write_store;
+  Statement find_experience, find_batch, find_content, read_content;
+  Statement put_content, put_experience, put_batch, put_place, put_edge, put_label, seal;
+  Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_event;
+  Statement quarantine;
+  Statement events, events_of_goal, events_of_robot, events_of_both;
+
+  static Result<Statements> prepare(const Database& database);
+};
+
+}  // namespace weft::storage::sqlite

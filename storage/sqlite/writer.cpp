@@ -1,0 +1,170 @@
+#include "storage/sqlite/writer.hpp"
+
+#include "core/network/codec.hpp"
+#include "storage/sqlite/rows.hpp"
+
+namespace weft::storage::sqlite {
+namespace {
+
+/// One call a change; `row` is the store's row of this transaction.
+class Writer {
+ public:
+  Writer(const Statements& statements, StoreRow& row) : statements_(statements), row_(row) {}
+
+  Result<void> operator()(const PutContent& put) {
+    const Coded coded = encode_content(put.bytes);
+    const ByteView bytes = coded.coding == Coding::raw ? ByteView(put.bytes) : ByteView(coded.bytes);
+    Query query(statements_.put_content);
+    query << put.hash << static_cast<std::uint64_t>(put.kind) << std::uint64_t{put.bytes.size()}
+          << static_cast<std::uint64_t>(coded.coding) << bytes;
+    ++row_.contents;
+    row_.content_bytes += put.bytes.size();
+    return query.run();
+  }
+
+  Result<void> operator()(const AppendBatch& append) {
+    const Batch& batch = append.batch;
+    if (auto done = put_experience(batch); !done) return done;
+    for (const Place& place : batch.places) {
+      const Bytes bytes = guard_row(encode(place));
+      Query query(statements_.put_place);
+      query << place.id.experience.value << std::uint64_t{place.id.index} << row_.revision.value << ByteView(bytes);
+      if (auto done = query.run(); !done) return done;
+    }
+    for (const Edge& edge : batch.edges) {
+      if (auto done = put_edge(edge); !done) return done;
+    }
+    Query query(statements_.put_batch);
+    query << batch.experience.value << batch.sequence << row_.revision.value << append.hash;
+    return query.run();
+  }
+
+  Result<void> operator()(const PutLabel& put) {
+    Query query(statements_.put_label);
+    query << std::string_view(put.label) << row_.revision.value << put.place.experience.value
+          << std::uint64_t{put.place.index};
+    return query.run();
+  }
+
+  Result<void> operator()(const SealExperience& seal) {
+    Query query(statements_.seal);
+    query << std::string_view(seal.reason) << seal.experience.value;
+    return query.run();
+  }
+
+  Result<void> operator()(const PutGoal& put) {
+    const Bytes bytes = guard_row(encode(put.goal));
+    Query query(statements_.put_goal);
+    query << put.goal.id << ByteView(bytes);
+    return query.run();
+  }
+
+  Result<void> operator()(const PutRoute& put) {
+    const Bytes bytes = guard_row(encode(put.route));
+    Query query(statements_.put_route);
+    query << put.route.goal << ByteView(bytes);
+    return query.run();
+  }
+
+  Result<void> operator()(const PutOccupancy& put) {
+    if (put.held.places.empty()) {
+      Query query(statements_.free_occupancy);
+      query << put.robot;
+      return query.run();
+    }
+    const Bytes bytes = guard_row(encode(put.held));
+    Query query(statements_.put_occupancy);
+    query << put.robot << std::uint64_t{put.from} << std::uint64_t{put.to} << ByteView(bytes);
+    return query.run();
+  }
+
+  Result<void> operator()(const PutRobot& put) {
+    Query query(statements_.put_robot);
+    query << put.robot << std::string_view(put.name);
+    return query.run();
+  }
+
+  Result<void> operator()(const PutEvent& put) {
+    const msg::Event& event = put.event;
+    Query query(statements_.put_event);
+    query << static_cast<std::uint64_t>(event.at.time_since_epoch().count()) << std::string_view(event.kind)
+          << event.robot << event.goal << std::string_view(event.cause) << std::string_view(event.who);
+    return query.run();
+  }
+
+ private:
+  Result<void> put_experience(const Batch& batch) {
+    Query query(statements_.put_experience);
+    query << batch.experience.value << batch.robot << std::string_view(batch.name) << std::string_view(batch.method)
+          << std::uint64_t{batch.seal} << std::string_view(batch.seal_reason) << batch.sequence
+          << std::uint64_t{batch.places.size()};
+    return query.run();
+  }
+
+  Result<void> put_edge(const Edge& edge) {
+    const Bytes bytes = guard_row(encode(edge));
+    Query query(statements_.put_edge);
+    query << edge.id.a.experience.value << std::uint64_t{edge.id.a.index} << edge.id.b.experience.value
+          << std::uint64_t{edge.id.b.index} << row_.revision.value << ByteView(bytes);
+    return query.run();
+  }
+
+  const Statements& statements_;
+  StoreRow& row_;
+};
+
+}  // namespace
+
+Result<StoreRow> read_store_row(const Statements& statements) {
+  Query query(statements.read_store);
+  const Result<bool> found = query.step();
+  if (!found) return fail(found.error());
+  if (!*found) return fail(ErrorCode::corrupt, "map store: its table `store` is empty; restore a backup");
+  return StoreRow{{query.number(0)}, {query.number(1)}, query.number(2), query.number(3)};
+}
+
+Result<void> write_store_row(const Statements& statements, const StoreRow& row) {
+  Query query(statements.write_store);
+  query << row.epoch.value << row.revision.value << row.contents << row.content_bytes;
+  return query.run();
+}
+
+Result<Facts> read_facts(const Statements& statements, const Needs& needs) {
+  Facts facts;
+  for (const ExperienceId& id : needs.experiences) {
+    Query query(statements.find_experience);
+    query << id.value;
+    const Result<bool> found = query.step();
+    if (!found) return fail(found.error());
+    if (*found) facts.experiences[id] = {query.number(0), query.number(1)};
+  }
+  for (const BatchKey& key : needs.batches) {
+    Query query(statements.find_batch);
+    query << key.first.value << key.second;
+    const Result<bool> found = query.step();
+    if (!found) return fail(found.error());
+    if (*found) facts.batches[key] = query.id<ContentHash>(0);
+  }
+  for (const ContentHash& hash : needs.contents) {
+    Query query(statements.find_content);
+    query << hash;
+    const Result<bool> found = query.step();
+    if (!found) return fail(found.error());
+    if (*found) facts.contents.insert(hash);
+  }
+  return facts;
+}
+
+Result<StoreRow> write_changes(const Statements& statements, const Transaction& transaction, const Plan& plan,
+                               StoreRow row) {
+  if (plan.changes_network) ++row.revision.value;
+  Writer write(statements, row);
+  for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
+    if (!plan.fresh[at]) continue;
+    if (auto done = std::visit(write, transaction.changes[at]); !done) return fail(done.error());
+  }
+  if (auto done = write_store_row(statements, row); !done) return fail(done.error());
+  return row;
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,25 @@
+#pragma once
+#include "storage/map_store.hpp"
+#include "storage/plan.hpp"
+#include "storage/sqlite/statements.hpp"
+
+namespace weft::storage::sqlite {
+
+/// The one row of table `store`.
+struct StoreRow {
+  Epoch epoch;
+  Revision revision;
+  std::uint64_t contents = 0;
+  std::uint64_t content_bytes = 0;
+};
+Result<StoreRow> read_store_row(const Statements& statements);
+Result<void> write_store_row(const Statements& statements, const StoreRow& row);
+
+/// What is stored of what a transaction needs.
+Result<Facts> read_facts(const Statements& statements, const Needs& needs);
+
+/// Writes what the plan calls fresh, within the caller's transaction; returns the store's row as it has then become.
+Result<StoreRow> write_changes(const Statements& statements, const Transaction& transaction, const Plan& plan,
+                               StoreRow row);
+
+}  // namespace weft::storage::sqlite
