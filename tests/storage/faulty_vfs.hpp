@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+
+namespace weft::storage {
+
+/// SQLite's own file layer with faults in between, for one test at a time: SQLite keeps layers by name for the whole
+/// process.
+class FaultyVfs {
+ public:
+  enum class Fault { none, disk_full, io_error };
+
+  FaultyVfs();
+  ~FaultyVfs();
+  FaultyVfs(const FaultyVfs&) = delete;
+  FaultyVfs& operator=(const FaultyVfs&) = delete;
+
+  const std::string& name() const;
+  /// After `writes` more writes or syncs that succeed, all fail.
+  void fail_after(int writes, Fault fault);
+  void heal() { fail_after(0, Fault::none); }
+  /// Writes and syncs since the last call.
+  int take_count();
+};
+
+}  // namespace weft::storage

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include "core/network/codec.hpp"
+#include "storage/spool/file_spool.hpp"
+#include "storage/spool/memory_spool.hpp"
+#include "tests/storage/sample_map.hpp"
+#include "tests/storage/temporary_directory.hpp"
+
+namespace weft::storage {
+namespace {
+
+enum class Kind { memory, file };
+
+/// What every spool keeps to.
+class SpoolContract : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override { restart(); }
+  void restart() {
+    spool_.reset();
+    if (GetParam() == Kind::memory) {
+      spool_ = make_memory_spool(disk_);
+    } else {
+      auto opened = open_file_spool(directory_.path() / "spool");
+      ASSERT_TRUE(opened) << opened.error().message;
+      spool_ = std::move(*opened);
+    }
+  }
+  void append(const sample::Delivery& delivery) {
+    const auto appended = spool_->append(delivery.batch, delivery.contents);
+    ASSERT_TRUE(appended) << appended.error().message;
+  }
+  std::vector<ContentHash> pending_hashes() const {
+    std::vector<ContentHash> hashes;
+    const auto pending = spool_->pending();
+    EXPECT_TRUE(pending);
+    for (const Batch& batch : *pending) hashes.push_back(hash(batch));
+    return hashes;
+  }
+
+  std::shared_ptr<SpoolDisk> disk_ = std::make_shared<SpoolDisk>();
+  TemporaryDirectory directory_;
+  std::unique_ptr<Spool> spool_;
+};
+
+TEST_P(SpoolContract, PendingBatchesComeBackInOrderWithTheirContents) {
+  sample::Run first(9, 1);
+  sample::Run second(2, 2);
+  std::vector<sample::Delivery> all;
+  for (int round = 0; round < 3; ++round) {
+    all.push_back(first.next(2));
+    append(all.back());
+    all.push_back(second.next(1));
+    append(all.back());
+  }
+  restart();
+  std::vector<ContentHash> expected;
+  for (const auto& delivery : all) expected.push_back(hash(delivery.batch));
+  EXPECT_EQ(pending_hashes(), expected);
+  for (const auto& delivery : all) {
+    for (const Bytes& bytes : delivery.contents) EXPECT_EQ(spool_->content(hash_bytes(bytes)).value(), bytes);
+  }
+}
+
+TEST_P(SpoolContract, AcknowledgedBatchesAndTheirContentsAreForgotten) {
+  sample::Run run(1, 1);
+  sample::Run other(2, 2);
+  const auto first = run.next(2);
+  const auto second = run.next(2);
+  const auto third = run.next(2);
+  const auto foreign = other.next(1);
+  for (const auto* delivery : {&first, &foreign, &second, &third}) append(*delivery);
+  ASSERT_TRUE(spool_->acknowledged(run.experience(), 2));
+  for (int opening = 0; opening < 2; ++opening, restart()) {
+    EXPECT_EQ(pending_hashes(), (std::vector{hash(foreign.batch), hash(third.batch)}));
+    const auto gone = spool_->content(hash_bytes(first.contents[0]));
+    ASSERT_FALSE(gone);
+    EXPECT_EQ(gone.error().code, ErrorCode::not_found);
+    EXPECT_TRUE(spool_->content(hash_bytes(third.contents[0])));
+  }
+  ASSERT_TRUE(spool_->acknowledged(run.experience(), 1)) << "an old acknowledgement is harmless";
+  ASSERT_TRUE(spool_->acknowledged({77}, 5)) << "and one of an unknown experience";
+  EXPECT_EQ(pending_hashes().size(), 2U);
+}
+
+TEST_P(SpoolContract, SharedContentStaysWhileABatchNeedsIt) {
+  sample::Run run(1, 1);
+  const auto first = run.next(1);
+  auto second = run.next(1);
+  second.batch.places[0].content = first.batch.places[0].content;
+  append(first);
+  const auto appended = spool_->append(second.batch, {});
+  ASSERT_TRUE(appended) << appended.error().message;
+  ASSERT_TRUE(spool_->acknowledged(run.experience(), 1));
+  restart();
+  EXPECT_EQ(spool_->content(hash_bytes(first.contents[0])).value(), first.contents[0]);
+}
+
+TEST_P(SpoolContract, BatchWithoutItsContentIsRefused) {
+  const auto delivery = sample::Run(1, 1).next(2);
+  const auto appended = spool_->append(delivery.batch, {delivery.contents[0]});
+  ASSERT_FALSE(appended);
+  EXPECT_EQ(appended.error().code, ErrorCode::invalid);
+  EXPECT_TRUE(pending_hashes().empty());
+}
+
+TEST_P(SpoolContract, RepeatIsHarmlessAndAnotherBatchOfTheSequenceIsRefused) {
+  const auto delivery = sample::Run(1, 1).next(2);
+  append(delivery);
+  append(delivery);
+  EXPECT_EQ(pending_hashes().size(), 1U);
+  const auto altered = sample::Run(1, 99).next(2);
+  const auto appended = spool_->append(altered.batch, altered.contents);
+  ASSERT_FALSE(appended);
+  EXPECT_EQ(appended.error().code, ErrorCode::conflict);
+}
+
+TEST_P(SpoolContract, GoesOnAfterEverythingWasAcknowledgedAndReopened) {
+  sample::Run run(1, 1);
+  append(run.next(1));
+  ASSERT_TRUE(spool_->acknowledged(run.experience(), 1));
+  restart();
+  EXPECT_TRUE(pending_hashes().empty());
+  append(run.next(1));
+  restart();
+  EXPECT_EQ(pending_hashes().size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spools, SpoolContract, testing::Values(Kind::memory, Kind::file),
+                         [](const auto& instance) { return instance.param == Kind::memory ? "memory" : "file"; });
+
+}  // namespace
+}  // namespace weft::storage

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "storage/sqlite/database.hpp"
+#include "storage/sqlite/schema.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+#include "tests/storage/sample_map.hpp"
+#include "tests/storage/temporary_directory.hpp"
+
+namespace weft::storage {
+namespace {
+
+Error opening_error(const std::filesystem::path& directory) {
+  const auto store = open_sqlite(directory);
+  EXPECT_FALSE(store);
+  return store ? Error{} : store.error();
+}
+
+void run_sql(const std::filesystem::path& file, const std::string& sql) {
+  const auto database = sqlite::Database::open(file, "");
+  ASSERT_TRUE(database) << database.error().message;
+  const auto done = database->run(sql);
+  ASSERT_TRUE(done) << done.error().message;
+}
+
+TEST(SqliteOpen, NewerStoreIsRefusedNamingBothVersions) {
+  const TemporaryDirectory directory;
+  ASSERT_TRUE(open_sqlite(directory.path()));
+  run_sql(directory.path() / "map.sqlite", "PRAGMA user_version = 77");
+  const Error error = opening_error(directory.path());
+  EXPECT_EQ(error.code, ErrorCode::newer);
+  EXPECT_NE(error.message.find("version 77"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("up to " + std::to_string(sqlite::schema_version())), std::string::npos);
+}
+
+TEST(SqliteOpen, FileThatIsNoDatabaseIsCorruptAndSaysWhatToDo) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "map.sqlite") << std::string(5000, 'x');
+  const Error error = opening_error(directory.path());
+  EXPECT_EQ(error.code, ErrorCode::corrupt);
+  EXPECT_NE(error.message.find("move this file away"), std::string::npos) << error.message;
+}
+
+TEST(SqliteOpen, DatabaseOfAnotherProgramIsCorruptAndLeftAlone) {
+  const TemporaryDirectory directory;
+  const auto file = directory.path() / "map.sqlite";
+  run_sql(file, "CREATE TABLE cookies (host TEXT)");
+  EXPECT_EQ(opening_error(directory.path()).code, ErrorCode::corrupt);
+  run_sql(file, "PRAGMA application_id = 1234");
+  EXPECT_EQ(opening_error(directory.path()).code, ErrorCode::corrupt);
+  run_sql(file, "INSERT INTO cookies VALUES ('still here')");
+}
+
+TEST(SqliteOpen, EmptyFileIsAStoreToBe) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "map.sqlite").flush();
+  const auto store = open_sqlite(directory.path());
+  ASSERT_TRUE(store) << store.error().message;
+  EXPECT_TRUE((*store)->open());
+}
+
+TEST(SqliteOpen, UnusableDirectoryIsUnavailable) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "file") << "no directory";
+  EXPECT_EQ(opening_error(directory.path() / "file").code, ErrorCode::unavailable);
+  EXPECT_EQ(opening_error(directory.path() / "file" / "below").code, ErrorCode::unavailable);
+}
+
+TEST(SqliteOpen, EveryCommitIsSynchronisedInWal) {
+  const TemporaryDirectory directory;
+  const auto file = directory.path() / "map.sqlite";
+  const auto database = sqlite::Database::open(file, "");
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(sqlite::prepare_schema(*database, file));
+  EXPECT_EQ(database->number("PRAGMA synchronous").value(), 2U);
+  EXPECT_EQ(database->number("SELECT journal_mode = 'wal' FROM pragma_journal_mode").value(), 1U);
+  EXPECT_EQ(database->number("PRAGMA application_id").value(), sqlite::kApplicationId);
+  EXPECT_EQ(database->number("PRAGMA user_version").value(), 1U);
+}
+
+TEST(SqliteOpen, SecondProcessOnTheSameStoreIsToldWhoHasIt) {
+  const TemporaryDirectory directory;
+  const auto store = open_sqlite(directory.path());
+  ASSERT_TRUE(store) << store.error().message;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto second = open_sqlite(directory.path());
+    const bool is_told = !second && second.error().code == ErrorCode::unavailable &&
+                         second.error().message.find("process " + std::to_string(::getppid())) != std::string::npos;
+    ::_exit(is_told ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(SqliteOpen, LockGoesWithItsStore) {
+  const TemporaryDirectory directory;
+  { ASSERT_TRUE(open_sqlite(directory.path())); }
+  EXPECT_TRUE(open_sqlite(directory.path()));
+}
+
+}  // namespace
+}  // namespace weft::storage
