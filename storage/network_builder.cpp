@@ -78,15 +78,16 @@ Experience NetworkBuilder::assemble(Rows& rows) {
   }
   rows.places.resize(served);
   rows.chain.resize(served == 0 ? 0 : served - 1);
-  return {.id = rows.head.id,
-          .robot = rows.head.robot,
-          .name = std::move(rows.head.name),
-          .method = std::move(rows.head.method),
-          .sealed = rows.head.sealed,
-          .seal_reason = std::move(rows.head.seal_reason),
-          .places = std::move(rows.places),
-          .chain = std::move(rows.chain),
-          .stitches = {}};
+  Experience experience;
+  experience.id = rows.head.id;
+  experience.robot = rows.head.robot;
+  experience.name = std::move(rows.head.name);
+  experience.method = std::move(rows.head.method);
+  experience.sealed = rows.head.sealed;
+  experience.seal_reason = std::move(rows.head.seal_reason);
+  experience.places = std::move(rows.places);
+  experience.chain = std::move(rows.chain);
+  return experience;
 }
 
 void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experiences) {
@@ -104,6 +105,7 @@ void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experienc
       experiences.at(stitch.id.b.experience).stitches.push_back(stitch);
     }
   }
+  for (auto& [id, experience] : experiences) index_stitches(experience);
 }
 
 Snapshot NetworkBuilder::build(Revision revision) {
