@@ -1,0 +1,18 @@
+#pragma once
+#include "agents/methods/method.hpp"
+
+namespace weft::agents {
+
+/// How far wheels and commands are believed when vision is blind: one sigma as a share of what was moved.
+struct DeadReckoningConfig {
+  double wheel_distance_share = 0.05;    ///< of the distance, along and across; (0, 1]
+  double wheel_heading_share = 0.05;     ///< of the turn, and rad per metre driven; (0, 1]
+  double command_distance_share = 0.15;  ///< the same where the body has no wheels to read
+  double command_heading_share = 0.15;
+};
+
+/// The one fallback of every method: the wheels' increment where the body has them, else the command in force,
+/// integrated as an arc (constant velocity, Gadd & Newman III-C). Always blind; `reason` is static text.
+Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::string_view reason);
+
+}  // namespace weft::agents

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "agents/methods/dead_reckoning.hpp"
+#include "agents/methods/method.hpp"
+
+namespace weft::agents {
+
+struct MarksConfig {
+  double position_sigma_m = 0.005;  ///< of one sighting; (0, 0.2]
+  double heading_sigma_rad = 0.01;  ///< of one sighting; (0, 0.5]
+  double agree_m = 0.08;            ///< sightings of one mark agree within this; (0, 1]
+  double agree_rad = 0.15;          ///< (0, 1]
+  double least_share = 0.6;         ///< of the common marks must agree; [0.5, 1]
+  double most_distance_m = 3.0;     ///< between two related views; (0, 20]
+  DeadReckoningConfig blind;
+};
+/// Every bound that does not hold.
+std::vector<Error> check(const MarksConfig& config);
+
+/// The test-only method: numbered marks at noisy poses. A content is the list of marks seen; two contents are related
+/// by the motion that most of their common marks agree on. Wrong sightings (one number in two places) are outvoted.
+class MarksMethod {
+ public:
+  static constexpr std::string_view name = "marks";
+  static constexpr std::uint32_t content_format = 1;
+  using Sighting = Marks::Sighting;
+  /// Sorted by mark, each once.
+  struct Content {
+    std::vector<Sighting> sightings;
+  };
+  struct Odometry {
+    Content last;
+    Metric2 last_from_now;  ///< integrated blindly since `last`
+  };
+
+  explicit MarksMethod(const MarksConfig& config = {}) : config_(config) {}
+
+  /// Seen: common marks of the last two views agree. Blind: "no_view", "few_marks" or what relate refused for.
+  Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
+  /// Refused: "no_marks", "not_marks" (another sensor's view).
+  OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
+  /// docs/formats/content-marks.md
+  Bytes encode(const Content& content) const;
+  Result<Content> decode(ByteView bytes) const;
+  /// Refused: "few_marks", "inconsistent_marks", "too_far_apart".
+  OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+  /// Histogram of mark numbers in 32 bins, of unit length; none without marks.
+  std::optional<Signature> sign(const Content& content) const;
+
+ private:
+  MarksConfig config_;
+};
+
+}  // namespace weft::agents
