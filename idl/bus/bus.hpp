@@ -52,6 +52,7 @@ class Bus {
   /// From any thread or signal handler.
   virtual void wake() = 0;
   virtual std::string vendor() const = 0;
+  virtual msg::Role role() const = 0;
   virtual BusCounters counters() const = 0;
   /// Writers that a peer is no longer to have: called when its hello is gone for good.
   virtual void forget(const PeerId& peer) = 0;

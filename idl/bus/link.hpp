@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/protocol/messages.hpp"
 #include "idl/bus/bus.hpp"
@@ -26,7 +28,13 @@ class Link {
   std::vector<std::string> drain_refusal_texts();
 
  private:
+  void greet(const msg::Hello& hello);
+  void refuse(std::string_view where, std::string_view text, std::uint64_t times);
+  void count_bus_refusals();
+
   std::unique_ptr<Bus> bus_;
+  BusCounters seen_;
+  std::map<PeerId, std::uint64_t> incarnations_;
   std::map<std::string, std::uint64_t> refusals_;
   std::vector<std::string> texts_;
 };

@@ -1,0 +1,111 @@
+#include "idl/bus/topics.hpp"
+#include "idl/convert/limits.hpp"
+
+namespace weft::bus {
+namespace {
+
+std::string names(const Roles& roles) {
+  std::string text;
+  const auto add = [&](msg::Role role, std::string_view name) {
+    if (roles.has(role)) text += (text.empty() ? "" : ", ") + std::string(name);
+  };
+  add(msg::Role::server, "server");
+  add(msg::Role::agent, "agent");
+  add(msg::Role::client, "client");
+  return text;
+}
+
+std::string size(std::uint32_t bytes) {
+  constexpr std::uint32_t kKiB = 1024;
+  if (bytes % (kKiB * kKiB) == 0) return std::to_string(bytes / (kKiB * kKiB)) + " MiB";
+  return std::to_string(bytes / kKiB) + " KiB";
+}
+
+std::string qos(const Topic& topic) {
+  const std::string depth = std::to_string(topic.depth);
+  switch (topic.delivering) {
+    case Delivering::state:
+      return "reliable, transient local, last " + depth + " a key";
+    case Delivering::ordered:
+      return "reliable, all, at most " + depth + " unacknowledged";
+    case Delivering::prompt:
+      break;
+  }
+  std::string text = "reliable, last " + depth;
+  if (topic.lifespan > Duration{}) {
+    text += ", waits " + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(topic.lifespan).count()) +
+            " s for its reader";
+  }
+  return text;
+}
+
+std::string row(const Topic& topic) {
+  return "| `" + std::string(topic.name) + "` | `" + std::string(topic.type) + "` | " + names(topic.writers) + " | " +
+         names(topic.readers) + " | " + (topic.keyed ? "16 bytes" : "-") + " | " +
+         (topic.addressed ? "one peer" : "all") + " | " + qos(topic) + " | " + std::string(topic.rate) + " | " +
+         size(topic.max_bytes) + " |\n";
+}
+
+constexpr std::string_view kHead = R"(# The wire
+
+Made by `weft-wire-doc` from idl/bus/topics.cpp and the bounds in core/protocol/messages.hpp and
+idl/convert/limits.hpp. Change those, then run `weft-wire-doc > docs/wire.md`; a test compares.
+
+Agents and clients (peers) talk to the server alone. The types are in idl/messages; a message is its type in XCDR1,
+little-endian, with the 4 bytes of encapsulation header. All types are `@final` and cannot grow: a change is a new major
+version in the topic names, except `weft/hello`, which is frozen for ever so that every version can say what it speaks.
+Two sides use the highest version that both speak (core/protocol/version.hpp).
+
+A message is held to its bounds by the sender (size) and by the reader (size and every field, `from_idl`). What breaks
+one is refused, named and counted, and never reaches deciding code. A key is the 16 bytes that a keyed type
+begins with. An addressed topic goes to one peer: the peer's readers and the server's writers for it meet in the DDS
+partition that is named by the peer's id in hex. Everything else is in the default partition.
+
+Reliable means between two live processes only. A message can be lost when either side restarts, when the network is
+away for longer than a participant's lease, or when a reader is not there yet; it can come twice, and late. Whoever
+needs an answer asks again. `unavailable` from publish means that the queue of an "all" topic is full: nothing was sent.
+
+## Discovery
+
+No multicast. The server's DDS participant has a fixed index (`server_index`, default 0), so its UDP ports on the
+address that it listens on are known: 7400 + 250 * domain + 10 + 2 * index for discovery and one more for data. Agents
+and clients are given `HOST` or `HOST:INDEX` of the server, take any free ports and announce themselves there once a
+second. A participant that is silent for 5 s is forgotten.
+
+## Topics
+
+| topic | type | written by | read by | key | to | delivery | expected | largest |
+|---|---|---|---|---|---|---|---|---|
+)";
+
+std::string bound(std::string_view what, std::uint64_t most) {
+  return "| " + std::string(what) + " | " + std::to_string(most) + " |\n";
+}
+
+std::string bounds() {
+  using namespace convert;
+  return "\n## Bounds\n\n| what | at most |\n|---|---|\n" + bound("data of a chunk, bytes", msg::kChunkBytes) +
+         bound("a content or cloud, bytes", msg::kContentBytes) +
+         bound("places, edges and removals in one part of a patch", msg::kPatchEntities) +
+         bound("labels in one part of a patch", kLabels) + bound("places in a batch", kBatchPlaces) +
+         bound("edges in a batch", kBatchEdges) + bound("hashes in an acknowledgement or a request", kHashes) +
+         bound("places of a route", kRoutePlaces) + bound("points of a line to teach along", kLinePoints) +
+         bound("hops of a window", kHops) + bound("places of a window", kWindowCap) +
+         bound("parts of a patch or an answer", kParts) +
+         bound("robots, goals or routes in one part of an answer", kRows) +
+         bound("events in one part of an answer", kEvents) + bound("events in a goal's history", kHistory) +
+         bound("counters in an answer", kCounters) + bound("methods of a robot", kMethods) +
+         bound("cameras of a robot", kCameras) + bound("names and labels, bytes", kNameLength) +
+         bound("reasons and other sentences, bytes", kTextLength) +
+         bound("a camera's calibration, bytes", kCalibrationLength) + bound("a signature, bytes", kSignatureBytes);
+}
+
+}  // namespace
+
+std::string wire_document() {
+  std::string text(kHead);
+  for (const Topic& topic : topics()) text += row(topic);
+  return text + bounds();
+}
+
+}  // namespace weft::bus

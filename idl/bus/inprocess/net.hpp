@@ -1,0 +1,51 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "core/random.hpp"
+#include "core/time.hpp"
+#include "idl/bus/bus.hpp"
+
+namespace weft::bus {
+
+/// What a simulated network does to messages. Reliable topics suffer too: a link is not reliable across restarts, and
+/// retries are the applications'.
+struct Faults {
+  double loss = 0.0;                   ///< [0, 1], of each message and reader
+  double duplication = 0.0;            ///< [0, 1], once more with a delay of its own
+  double reordering = 0.0;             ///< [0, 1], share of messages that others may overtake
+  Duration delay_min{};                ///< >= 0
+  Duration delay_max{};                ///< >= delay_min
+  std::uint64_t bytes_per_second = 0;  ///< from each peer to each other; 0: no bound
+};
+
+/// The simulation's network: the same topics and bytes as over DDS, delivered when the caller's time has come, in an
+/// order that only the seed decides. One thread. Buses hold on to the network they are of.
+class InProcessNet {
+ public:
+  explicit InProcessNet(Random random);
+  InProcessNet(InProcessNet&&) noexcept;
+  InProcessNet& operator=(InProcessNet&&) noexcept;
+  ~InProcessNet();
+
+  /// A peer comes up: gets the last message of each key on `state` topics, as late joiners do. At most one bus a peer
+  /// is alive; an older one of the same id is detached.
+  std::unique_ptr<Bus> attach(msg::Role role, const PeerId& self);
+  /// The peer is gone at once, with what it sent and has not arrived, and what waits for it.
+  void detach(const PeerId& peer);
+  /// Cut off: nothing to or from it from now on, what is under way included. Healed, readers get `state` topics anew.
+  void partition(const PeerId& peer, bool cut);
+  void set_faults(const Faults& faults);
+
+  void set_now(SteadyTime now);
+  std::optional<SteadyTime> next_delivery() const;
+  /// Moves everything that is due to its reader's inbox and sets the time. Never backwards.
+  void deliver_until(SteadyTime now);
+
+ private:
+  class State;
+  friend class InProcessBus;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace weft::bus

@@ -1,0 +1,88 @@
+#pragma once
+#include <array>
+#include <compare>
+#include <deque>
+#include <map>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "idl/bus/inprocess/net.hpp"
+#include "idl/bus/topics.hpp"
+
+namespace weft::bus {
+
+/// What the network knows of one peer that is up. `life` tells a peer from its earlier selves.
+struct Endpoint {
+  msg::Role role = msg::Role::agent;
+  std::uint64_t life = 0;
+  std::deque<Delivery> inbox;
+  BusCounters counters;
+};
+
+class InProcessNet::State {
+ public:
+  explicit State(Random random) : random_(random) {}
+
+  std::uint64_t attach(msg::Role role, const PeerId& self);
+  void detach(const PeerId& peer);
+  void partition(const PeerId& peer, bool cut);
+  void set_faults(const Faults& faults) { faults_ = faults; }
+  void set_now(SteadyTime now) { now_ = std::max(now_, now); }
+  std::optional<SteadyTime> next_delivery() const;
+  void deliver_until(SteadyTime now);
+  void publish(const PeerId& from, const Topic& topic, const PeerId& to, ByteView cdr);
+  /// Null when that life of the peer is over.
+  Endpoint* endpoint(const PeerId& peer, std::uint64_t life);
+
+ private:
+  using Key = std::array<std::uint8_t, 16>;
+  struct Retained {
+    PeerId writer;
+    TopicId topic{};
+    Key key{};
+    auto operator<=>(const Retained&) const = default;
+  };
+  struct UnderWay {
+    SteadyTime due{};
+    std::uint64_t number = 0;  ///< order of sending: ties in time
+    PeerId from, to;
+    std::uint64_t from_life = 0, to_life = 0;
+    TopicId topic{};
+    std::shared_ptr<const Bytes> cdr;
+  };
+  struct Later {
+    bool operator()(const UnderWay& a, const UnderWay& b) const {
+      return std::tie(a.due, a.number) > std::tie(b.due, b.number);
+    }
+  };
+  /// One direction between two peers, for bulk and for the rest.
+  struct LaneId {
+    PeerId from, to;
+    bool bulk = false;
+    auto operator<=>(const LaneId&) const = default;
+  };
+  struct Lane {
+    SteadyTime busy_until{};
+    SteadyTime last_due{};
+  };
+
+  void send(const PeerId& from, const PeerId& to, const Topic& topic, const std::shared_ptr<const Bytes>& cdr);
+  void put_under_way(UnderWay message, Lane& lane);
+  void send_retained(const PeerId& writer, const PeerId& reader);
+  void deliver(const UnderWay& message);
+
+  Random random_;
+  Faults faults_;
+  SteadyTime now_{};
+  std::uint64_t lives_ = 0;
+  std::uint64_t sent_ = 0;
+  std::map<PeerId, Endpoint> endpoints_;
+  std::set<PeerId> cut_;
+  std::map<Retained, std::shared_ptr<const Bytes>> retained_;
+  std::map<LaneId, Lane> lanes_;
+  std::priority_queue<UnderWay, std::vector<UnderWay>, Later> under_way_;
+};
+
+}  // namespace weft::bus

@@ -1,0 +1,197 @@
+#include "idl/convert/common.hpp"
+#include "idl/convert/limits.hpp"
+#include "idl/convert/session.hpp"
+
+namespace weft::convert {
+
+static idl::GoalEvent goal_event_to_idl(const GoalEvent& event) {
+  idl::GoalEvent wire;
+  wire.at_ns(nanoseconds(event.at));
+  wire.state(static_cast<std::uint8_t>(event.state));
+  wire.cause(event.cause);
+  wire.who(event.who);
+  return wire;
+}
+
+static GoalEvent from_idl(const idl::GoalEvent& wire, Reading reading) {
+  GoalEvent value;
+  value.at = wall_from(wire.at_ns());
+  value.state = reading.choice("state", wire.state(), GoalState::pending, GoalState::rejected);
+  value.cause = reading.text("cause", wire.cause(), kTextLength);
+  value.who = reading.text("who", wire.who(), kNameLength);
+  return value;
+}
+
+static idl::Goal goal_to_idl(const Goal& goal) {
+  idl::Goal wire;
+  wire.id(goal.id.bytes);
+  wire.label(goal.label);
+  wire.destination(to_idl(goal.to));
+  wire.has_wanted(goal.wanted.has_value());
+  wire.wanted(goal.wanted.value_or(RobotId{}).bytes);
+  wire.has_robot(goal.robot.has_value());
+  wire.robot(goal.robot.value_or(RobotId{}).bytes);
+  wire.state(static_cast<std::uint8_t>(goal.state));
+  wire.number(goal.number);
+  wire.has_route(goal.route.has_value());
+  wire.route(goal.route.value_or(RouteId{}).bytes);
+  wire.route_version(goal.route_version);
+  for (const GoalEvent& event : goal.history) wire.history().push_back(goal_event_to_idl(event));
+  return wire;
+}
+
+static Goal from_idl(const idl::Goal& wire, Reading reading) {
+  Goal value;
+  value.id = reading.some("id", id_from<GoalId>(wire.id()));
+  value.label = reading.text("label", wire.label(), kNameLength);
+  value.to = from_idl(wire.destination());
+  if (wire.has_wanted()) value.wanted = reading.some("wanted", id_from<RobotId>(wire.wanted()));
+  if (wire.has_robot()) value.robot = reading.some("robot", id_from<RobotId>(wire.robot()));
+  value.state = reading.choice("state", wire.state(), GoalState::pending, GoalState::rejected);
+  value.number = wire.number();
+  if (wire.has_route()) value.route = reading.some("route", id_from<RouteId>(wire.route()));
+  value.route_version = wire.route_version();
+  value.history = list_from_idl<GoalEvent>(wire.history(), reading, "history", kHistory);
+  return value;
+}
+
+static idl::Event event_to_idl(const msg::Event& event) {
+  idl::Event wire;
+  wire.at_ns(nanoseconds(event.at));
+  wire.kind(event.kind);
+  wire.robot(event.robot.bytes);
+  wire.goal(event.goal.bytes);
+  wire.cause(event.cause);
+  wire.who(event.who);
+  return wire;
+}
+
+static msg::Event from_idl(const idl::Event& wire, Reading reading) {
+  msg::Event value;
+  value.at = wall_from(wire.at_ns());
+  value.kind = reading.text("kind", wire.kind(), kNameLength);
+  value.robot = id_from<RobotId>(wire.robot());
+  value.goal = id_from<GoalId>(wire.goal());
+  value.cause = reading.text("cause", wire.cause(), kTextLength);
+  value.who = reading.text("who", wire.who(), kNameLength);
+  return value;
+}
+
+static idl::RobotRow row_to_idl(const msg::RobotRow& row) {
+  idl::RobotRow wire;
+  wire.has_description(bool(row.description.header.sender));
+  wire.description(to_idl(row.description));
+  wire.has_state(bool(row.state.header.sender));
+  wire.state(to_idl(row.state));
+  wire.silent_s(row.silent_s);
+  wire.vendor(row.vendor);
+  wire.clock_skew_s(row.clock_skew_s);
+  wire.occupies(row.occupies);
+  return wire;
+}
+
+static msg::RobotRow from_idl(const idl::RobotRow& wire, Reading reading) {
+  msg::RobotRow value;
+  if (wire.has_description()) value.description = from_idl(wire.description(), reading.in("description"));
+  if (wire.has_state()) value.state = from_idl(wire.state(), reading.in("state"));
+  value.silent_s = reading.not_negative("silent_s", wire.silent_s());
+  value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
+  value.clock_skew_s = reading.finite("clock_skew_s", wire.clock_skew_s());
+  value.occupies = reading.text("occupies", wire.occupies(), kTextLength);
+  return value;
+}
+
+static idl::MapInfo info_to_idl(const msg::MapInfo& info) {
+  idl::MapInfo wire;
+  wire.revision(info.revision.value);
+  wire.epoch(info.epoch.value);
+  wire.experiences(info.experiences);
+  wire.places(info.places);
+  wire.stitches(info.stitches);
+  wire.contents(info.contents);
+  wire.content_bytes(info.content_bytes);
+  wire.batches_acknowledged(info.batches_acknowledged);
+  wire.batches_refused(info.batches_refused);
+  wire.disk_free_bytes(info.disk_free_bytes);
+  wire.software(info.software);
+  wire.vendor(info.vendor);
+  wire.engine(info.engine);
+  for (const auto& [name, count] : info.counters) {
+    idl::NamedCount counter;
+    counter.name(name);
+    counter.count(count);
+    wire.counters().push_back(std::move(counter));
+  }
+  return wire;
+}
+
+static msg::MapInfo from_idl(const idl::MapInfo& wire, Reading reading) {
+  msg::MapInfo value;
+  value.revision = Revision{wire.revision()};
+  value.epoch = Epoch{wire.epoch()};
+  value.experiences = wire.experiences();
+  value.places = wire.places();
+  value.stitches = wire.stitches();
+  value.contents = wire.contents();
+  value.content_bytes = wire.content_bytes();
+  value.batches_acknowledged = wire.batches_acknowledged();
+  value.batches_refused = wire.batches_refused();
+  value.disk_free_bytes = wire.disk_free_bytes();
+  value.software = reading.text("software", wire.software(), kNameLength);
+  value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
+  value.engine = reading.text("engine", wire.engine(), kNameLength);
+  for (const idl::NamedCount& counter : reading.list("counters", wire.counters(), kCounters)) {
+    value.counters.emplace_back(reading.text("counters.name", counter.name(), kTextLength), counter.count());
+  }
+  return value;
+}
+
+idl::QueryReply to_idl(const msg::QueryReply& message) {
+  idl::QueryReply wire;
+  wire.header(to_idl(message.header));
+  wire.to(message.to.bytes);
+  wire.request(message.request);
+  wire.part(message.part);
+  wire.parts(message.parts);
+  for (const msg::RobotRow& row : message.robots) wire.robots().push_back(row_to_idl(row));
+  for (const Goal& goal : message.goals) wire.goals().push_back(goal_to_idl(goal));
+  wire.routes(list_to_idl<idl::Route>(message.routes));
+  for (const msg::Event& event : message.events) wire.events().push_back(event_to_idl(event));
+  wire.info(info_to_idl(message.info));
+  return wire;
+}
+
+Result<msg::QueryReply> from_idl(const idl::QueryReply& wire) {
+  Reading reading("QueryReply");
+  msg::QueryReply value;
+  value.header = from_idl(wire.header(), reading.in("header"));
+  value.to = reading.some("to", id_from<PeerId>(wire.to()));
+  value.request = wire.request();
+  value.part = wire.part();
+  value.parts = wire.parts();
+  reading.require(value.parts >= 1 && value.parts <= kParts, "parts", "must be from 1 to " + std::to_string(kParts));
+  reading.require(value.part < value.parts, "part", "must be below parts");
+  value.robots = list_from_idl<msg::RobotRow>(wire.robots(), reading, "robots", kRows);
+  value.goals = list_from_idl<Goal>(wire.goals(), reading, "goals", kRows);
+  value.routes = list_from_idl<Route>(wire.routes(), reading, "routes", kRows);
+  value.events = list_from_idl<msg::Event>(wire.events(), reading, "events", kEvents);
+  value.info = from_idl(wire.info(), reading.in("info"));
+  return reading.finish(std::move(value));
+}
+
+idl::EventNote to_idl(const msg::EventNote& message) {
+  idl::EventNote wire;
+  wire.header(to_idl(message.header));
+  wire.event(event_to_idl(message.event));
+  return wire;
+}
+
+Result<msg::EventNote> from_idl(const idl::EventNote& wire) {
+  Reading reading("EventNote");
+  msg::EventNote value;
+  value.header = from_idl(wire.header(), reading.in("header"));
+  value.event = from_idl(wire.event(), reading.in("event"));
+  return reading.finish(std::move(value));
+}
+
+}  // namespace weft::convert

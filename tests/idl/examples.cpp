@@ -1,0 +1,272 @@
+#include "tests/idl/examples.hpp"
+
+#include <cmath>
+
+namespace weft::bus {
+namespace {
+
+/// Bytes that count up from `first`.
+template <class Id>
+Id id_of(std::uint8_t first) {
+  Id id;
+  for (std::uint8_t& byte : id.bytes) byte = first++;
+  return id;
+}
+
+PlaceId place_id(std::uint64_t experience, std::uint32_t index) {
+  return {ExperienceId{experience}, index};
+}
+
+msg::Header header() {
+  return {id_of<PeerId>(0x10), 0x1122334455667788, Epoch{7}, 42, {0xaa, 0xbb, 0xcc}};
+}
+
+Relation metric2() {
+  Metric2 relation{{1.5, -0.25, 0.5}, Eigen::Matrix3d::Identity() * 0.01};
+  relation.covariance(0, 1) = relation.covariance(1, 0) = 0.002;
+  return relation;
+}
+
+Relation metric3() {
+  Metric3 relation;
+  relation.a_from_b.rotation = Eigen::Quaterniond(0.8, 0.0, 0.0, 0.6);
+  relation.a_from_b.translation = {1.0, 2.0, 3.0};
+  relation.covariance = Matrix6d::Identity() * 0.25;
+  return relation;
+}
+
+Place place(std::uint32_t index) {
+  return {place_id(0xabcdef, index),
+          3,
+          "floor",
+          2,
+          {id_of<ContentHash>(0x40), 123456},
+          id_of<RobotId>(0x10),
+          900 + index,
+          SensorTime(Duration(5'000'000'123))};
+}
+
+Edge edge(const Relation& relation, Origin origin) {
+  return {{place_id(0xabcdef, 1), place_id(0xfedcba, 2)}, 4, relation, origin, "floor", Drivable::both, 87, 0.75F};
+}
+
+Route route() {
+  Route made;
+  made.goal = id_of<GoalId>(0x60);
+  made.id = id_of<RouteId>(0x70);
+  made.version = 3;
+  made.made_of = Revision{99};
+  made.robot = id_of<RobotId>(0x10);
+  made.places = {place_id(1, 5), place_id(1, 6), place_id(2, 0), place_id(2, 1)};
+  made.relations = {metric2(), metric3(), AlongPath{2.0, 0.5, -0.1, 0.02}};
+  made.released = 2;
+  made.reason = "waits for r2 at 0000000000000002:1";
+  return made;
+}
+
+msg::RobotDescription description() {
+  return {header(),
+          "r1",
+          "sim",
+          {"floor", "marks"},
+          0.35,
+          true,
+          {{"down", 752, 480, "f = 460"}, {"front", 640, 400, ""}}};
+}
+
+msg::RobotState state() {
+  msg::RobotState made;
+  made.header = header();
+  made.name = "r1";
+  made.mode = msg::RobotMode::driving;
+  made.localised = true;
+  made.place = place_id(0xabcdef, 17);
+  made.place_from_robot = metric2();
+  made.blind_m = 0.125;
+  made.speed_m_s = 0.5;
+  made.frame = 4711;
+  made.experience = ExperienceId{0xabcdef};
+  made.goal = id_of<GoalId>(0x60);
+  made.route = id_of<RouteId>(0x70);
+  made.route_version = 3;
+  made.window_revision = Revision{98};
+  made.window_digest = id_of<Digest>(0x80);
+  made.contents_missing = 12;
+  made.reason = "window is incomplete";
+  return made;
+}
+
+msg::Event event() {
+  return {WallTime(Duration(1'700'000'000'000'000'001)),
+          "goal.assigned",
+          id_of<RobotId>(0x10),
+          id_of<GoalId>(0x60),
+          "shortest route",
+          "dispatcher"};
+}
+
+Goal goal() {
+  Goal made;
+  made.id = id_of<GoalId>(0x60);
+  made.label = "dock";
+  made.to = place_id(2, 1);
+  made.wanted = id_of<RobotId>(0x10);
+  made.robot = id_of<RobotId>(0x10);
+  made.state = GoalState::executing;
+  made.number = 5;
+  made.route = id_of<RouteId>(0x70);
+  made.route_version = 3;
+  made.history = {{WallTime(Duration(10)), GoalState::pending, "asked for", "alice"},
+                  {WallTime(Duration(20)), GoalState::executing, "route accepted", "r1"}};
+  return made;
+}
+
+msg::WindowPatch patch() {
+  msg::WindowPatch made{header(), example_addressee(), 77, 1, 3, {}};
+  made.patch.base = Revision{90};
+  made.patch.target = Revision{99};
+  made.patch.added = {place(1), place(2)};
+  made.patch.changed = {place(3)};
+  made.patch.removed = {place_id(9, 9)};
+  made.patch.edges = {edge(metric2(), Origin::stitch), edge(metric3(), Origin::blind)};
+  made.patch.edges_removed = {{place_id(9, 8), place_id(9, 9)}};
+  made.patch.labels = {{"dock", place_id(2, 1)}, {"gate", place_id(1, 5)}};
+  made.patch.labels_removed = {"old"};
+  made.patch.digest = id_of<Digest>(0x80);
+  return made;
+}
+
+msg::QueryReply query_reply() {
+  msg::QueryReply made;
+  made.header = header();
+  made.to = example_addressee();
+  made.request = 31;
+  made.part = 0;
+  made.parts = 2;
+  made.robots = {{description(), state(), 0.5, "cyclonedds", -0.001, "0000000000000001:5 to 0000000000000002:0"}};
+  made.goals = {goal()};
+  made.routes = {route()};
+  made.events = {event()};
+  made.info = {Revision{99},
+               Epoch{7},
+               2,
+               400,
+               12,
+               380,
+               9'000'000,
+               55,
+               1,
+               1ULL << 40U,
+               "weft 0.1.0",
+               "fastdds",
+               "sqlite",
+               {{"weft/1/query: Query.kind must be from 1 to 4", 2}}};
+  return made;
+}
+
+void add_session(std::vector<Example>& all) {
+  using msg::Role;
+  all.push_back({"hello", Role::agent,
+                 msg::Hello{id_of<PeerId>(0x10), 0x1122334455667788, Role::agent, 1, 2, Epoch{7}, "r1", "weft 0.1.0",
+                            "fastdds"}});
+  all.push_back({"robot_description", Role::agent, description()});
+  all.push_back({"robot_state", Role::agent, state()});
+  all.push_back({"clock_probe", Role::server,
+                 msg::ClockProbe{header(), example_addressee(), 13, WallTime(Duration(1'700'000'000'123'456'789))}});
+  all.push_back({"clock_reply", Role::agent,
+                 msg::ClockReply{header(), 13, WallTime(Duration(1'700'000'000'123'456'789)),
+                                 WallTime(Duration(1'700'000'000'223'456'789)),
+                                 WallTime(Duration(1'700'000'000'223'456'999))}});
+}
+
+void add_network(std::vector<Example>& all) {
+  using msg::Role;
+  Batch batch{ExperienceId{0xabcdef},
+              8,
+              id_of<RobotId>(0x10),
+              "loop",
+              "floor",
+              {place(1), place(2)},
+              {edge(metric2(), Origin::odometry), edge(AlongPath{2.0, 0.5, -0.1, 0.02}, Origin::stitch)},
+              true,
+              "stopped"};
+  all.push_back({"experience_batch", Role::agent, msg::ExperienceBatch{header(), std::move(batch)}});
+  all.push_back({"batch_ack", Role::server,
+                 msg::BatchAck{header(),
+                               example_addressee(),
+                               ExperienceId{0xabcdef},
+                               7,
+                               {id_of<ContentHash>(0x40), id_of<ContentHash>(0x50)},
+                               8,
+                               "gap after place 12"}});
+  const msg::Chunk chunk{header(), example_addressee(),  msg::ContentKind::cloud, id_of<ContentHash>(0x40), 1000,
+                         64,       {1, 2, 3, 4, 5, 6, 7}};
+  all.push_back({"chunk_up", Role::agent, chunk});
+  all.push_back({"chunk_down", Role::server, chunk});
+  const msg::ContentRequest request{
+      header(), example_addressee(), {{id_of<ContentHash>(0x40), 64}, {id_of<ContentHash>(0x50), 0}}};
+  all.push_back({"content_request_up", Role::client, request});
+  all.push_back({"content_request_down", Role::server, request});
+  all.push_back({"window_request", Role::agent,
+                 msg::WindowRequest{header(),
+                                    77,
+                                    {place_id(0xabcdef, 17), 25, 2000, {place_id(1, 5), place_id(1, 6)}},
+                                    Revision{90},
+                                    id_of<Digest>(0x80)}});
+  all.push_back({"window_patch", Role::server, patch()});
+}
+
+void add_driving(std::vector<Example>& all) {
+  using msg::Role;
+  all.push_back({"route_order", Role::server, msg::RouteOrder{header(), example_addressee(), route()}});
+  all.push_back({"route_progress", Role::agent,
+                 msg::RouteProgress{header(), id_of<GoalId>(0x60), id_of<RouteId>(0x70), 3, msg::RoutePhase::arrived,
+                                    3, 2, 3, metric2(), "there"}});
+  all.push_back({"agent_command", Role::server,
+                 msg::AgentCommand{header(),
+                                   example_addressee(),
+                                   19,
+                                   msg::AgentCommand::Kind::teach_start,
+                                   "loop",
+                                   place_id(1, 5),
+                                   {{0.5, 1.5}, {2.5, -3.5}}}});
+  all.push_back({"agent_reply", Role::agent,
+                 msg::AgentReply{header(), 19, true, "teaching", place_id(1, 5), ExperienceId{0xabcdef}}});
+}
+
+void add_operating(std::vector<Example>& all) {
+  using msg::Role;
+  all.push_back({"operator_request", Role::client,
+                 msg::OperatorRequest{header(),
+                                      30,
+                                      msg::OperatorRequest::Kind::goal_send,
+                                      "r1",
+                                      "dock",
+                                      place_id(2, 1),
+                                      id_of<GoalId>(0x60),
+                                      {{0.5, 1.5}}}});
+  all.push_back({"operator_reply", Role::server,
+                 msg::OperatorReply{header(), example_addressee(), 30, msg::Outcome::refused, "no label 'dock'",
+                                    id_of<GoalId>(0x60), place_id(2, 1), ExperienceId{0xabcdef}}});
+  all.push_back(
+      {"query", Role::client, msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1"}});
+  all.push_back({"query_reply", Role::server, query_reply()});
+  all.push_back({"event_note", Role::server, msg::EventNote{header(), event()}});
+}
+
+}  // namespace
+
+PeerId example_addressee() {
+  return id_of<PeerId>(0xa0);
+}
+
+std::vector<Example> examples() {
+  std::vector<Example> all;
+  add_session(all);
+  add_network(all);
+  add_driving(all);
+  add_operating(all);
+  return all;
+}
+
+}  // namespace weft::bus

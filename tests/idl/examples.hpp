@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+
+namespace weft::bus {
+
+/// One message of each type, every field filled with a value of its own, and who sends it.
+struct Example {
+  std::string name;  ///< of its golden file
+  msg::Role sender = msg::Role::server;
+  msg::Message message;
+};
+std::vector<Example> examples();
+
+/// The peer that addressed examples are for.
+PeerId example_addressee();
+
+}  // namespace weft::bus

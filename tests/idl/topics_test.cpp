@@ -1,0 +1,58 @@
+#include "idl/bus/topics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "idl/bus/link.hpp"
+
+namespace weft::bus {
+namespace {
+
+TEST(Topics, DocumentIsTheCommittedOne) {
+  std::ifstream file(WEFT_WIRE_DOCUMENT);
+  const std::string committed{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(committed, wire_document()) << "run: build/dev/bin/weft-wire-doc > docs/wire.md";
+}
+
+TEST(Topics, NamesAreUniqueAndFitBothVendors) {
+  std::set<std::string_view> names;
+  for (const Topic& topic : topics()) {
+    EXPECT_TRUE(names.insert(topic.name).second) << topic.name;
+    for (const char c : topic.name) {
+      EXPECT_TRUE((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '/') << topic.name;
+    }
+    const bool is_hello = topic.id == TopicId::hello;
+    EXPECT_EQ(topic.name.starts_with("weft/1/"), !is_hello) << topic.name;
+  }
+  EXPECT_EQ(topic(TopicId::hello).name, "weft/hello");
+}
+
+TEST(Topics, OneEndOfEachIsTheServer) {
+  for (const Topic& topic : topics()) {
+    if (topic.id == TopicId::hello) continue;
+    EXPECT_NE(topic.writers.has(msg::Role::server), topic.readers.has(msg::Role::server)) << topic.name;
+    EXPECT_TRUE(!topic.addressed || topic.writers.has(msg::Role::server)) << topic.name;
+  }
+}
+
+TEST(Topics, StateIsKeyed) {
+  for (const Topic& topic : topics()) EXPECT_EQ(topic.keyed, topic.delivering == Delivering::state) << topic.name;
+}
+
+TEST(Topics, LargestChunkFits) {
+  msg::Chunk chunk;
+  chunk.header.sender.bytes.fill(1);
+  chunk.header.signature.resize(64);
+  chunk.to.bytes.fill(2);
+  chunk.data.resize(msg::kChunkBytes);
+  chunk.total = chunk.data.size();
+  chunk.hash.bytes.fill(3);
+  EXPECT_TRUE(encode(chunk, msg::Role::server));
+  EXPECT_TRUE(encode(chunk, msg::Role::agent));
+}
+
+}  // namespace
+}  // namespace weft::bus
