@@ -39,6 +39,9 @@ class Service {
   /// Refusals seen by the wire, to be shown in `map info`.
   virtual void count(const std::string& what, std::uint64_t times) = 0;
 
+  /// Another server has taken over the store: this one has nothing to say any more, and its process ends.
+  virtual std::optional<Error> broken() const = 0;
+
   /// For invariants and records, never for deciding elsewhere.
   virtual const Snapshot& snapshot() const = 0;
   virtual std::vector<Goal> goals() const = 0;

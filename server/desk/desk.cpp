@@ -1,0 +1,247 @@
+#include "server/desk/desk.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+using Kind = msg::OperatorRequest::Kind;
+
+/// Within this a robot stands exactly on a place.
+constexpr double kOnPlace_m = 0.03;
+constexpr double kOnPlace_rad = 0.035;
+
+bool stands_on_its_place(const msg::RobotState& state) {
+  return state.localised && state.place && distance_m(state.place_from_robot) <= kOnPlace_m &&
+         std::abs(heading_rad(state.place_from_robot)) <= kOnPlace_rad;
+}
+
+}  // namespace
+
+void Desk::answer(const Key& key, msg::OperatorReply reply) {
+  reply.to = key.first;
+  reply.request = key.second;
+  ledger_.answered(key, reply);
+  context_.out.send(std::move(reply));
+}
+
+void Desk::answer(const Key& key, msg::Outcome outcome, const std::string& message) {
+  msg::OperatorReply reply;
+  reply.outcome = outcome;
+  reply.message = message;
+  answer(key, std::move(reply));
+}
+
+void Desk::on_request(const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Key key = {request.header.sender, request.request};
+  switch (ledger_.see(key)) {
+    case RequestLedger::Seen::under_way:
+      return;
+    case RequestLedger::Seen::answered:
+      context_.out.send(ledger_.answer(key));
+      return;
+    case RequestLedger::Seen::fresh:
+      break;
+  }
+  switch (request.kind) {
+    case Kind::goal_send:
+      answer(key, dispatcher_.send(request, who, now));
+      return;
+    case Kind::goal_cancel:
+      answer(key, dispatcher_.cancel(request.goal, who, now));
+      return;
+    case Kind::stop:
+    case Kind::resume:
+      stop_or_resume(key, request, who, now);
+      return;
+    case Kind::label:
+      label(key, request, who, now);
+      return;
+    case Kind::label_here:
+      label_here(key, request, who, now);
+      return;
+    case Kind::clear:
+      clear(key, request, who, now);
+      return;
+    case Kind::teach_start:
+    case Kind::teach_stop:
+    case Kind::localise:
+      command_one(key, request, who, now);
+      return;
+  }
+}
+
+Result<const Robot*> Desk::reachable(const std::string& name) const {
+  const Result<RobotId> id = fleet_.by_name(name);
+  if (!id) return fail(id.error());
+  const Robot* const robot = fleet_.find(*id);
+  if (std::string why = unreachable_reason(*robot); !why.empty()) return fail(ErrorCode::unavailable, std::move(why));
+  return robot;
+}
+
+Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request, const Robot& robot) const {
+  msg::AgentCommand command;
+  command.to = robot.id;
+  command.along = request.along;
+  if (request.place) command.seed = request.place;
+  if (request.kind == Kind::teach_stop) {
+    command.kind = msg::AgentCommand::Kind::teach_stop;
+    return command;
+  }
+  if (const Goal* const goal = dispatcher_.goal_of(robot.id)) {
+    return fail(ErrorCode::refused, robot.name + " has goal " + to_string(goal->id) + ": cancel it first");
+  }
+  if (request.kind == Kind::teach_start) {
+    command.kind = msg::AgentCommand::Kind::teach_start;
+    command.name = request.label;
+    if (!request.along.empty() && !robot.description->can_be_taught_along) {
+      return fail(ErrorCode::refused, robot.name + "'s body (" + robot.description->body +
+                                          ") has no hand that follows a polyline: teach it without --along");
+    }
+    return command;
+  }
+  command.kind = msg::AgentCommand::Kind::localise;
+  if (command.seed || request.label.empty()) return command;
+  const Snapshot::Labels& labels = context_.snapshots.current().labels();
+  const auto label = labels.find(request.label);
+  if (label == labels.end()) return fail(ErrorCode::not_found, "the map has no label " + request.label);
+  command.seed = label->second;
+  return command;
+}
+
+void Desk::command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Result<const Robot*> robot = reachable(request.robot);
+  if (!robot) return answer(key, msg::Outcome::refused, robot.error().message);
+  if (request.place && context_.snapshots.current().place(request.place) == nullptr) {
+    return answer(key, msg::Outcome::refused, "the map has no place " + to_string(request.place));
+  }
+  Result<msg::AgentCommand> command = command_for(request, **robot);
+  if (!command) return answer(key, msg::Outcome::refused, command.error().message);
+  const char* const kind = request.kind == Kind::teach_start  ? "robot.teach_asked"
+                           : request.kind == Kind::teach_stop ? "robot.teach_end_asked"
+                                                              : "robot.localise_asked";
+  context_.record.note(
+      {.at = {}, .kind = kind, .robot = (*robot)->id, .goal = {}, .cause = request.label, .who = who}, now);
+  send_for(key, *std::move(command), now.steady);
+}
+
+void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
+  const std::uint64_t number = commands_.give(std::move(command), now);
+  asked_for_[number] = key;
+  waiting_[key].commands.insert(number);
+}
+
+std::string Desk::stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now) {
+  const Result<std::string> done = stops ? dispatcher_.pause(robot, who, now) : dispatcher_.resume(robot, who, now);
+  // The robot is told all the same: standing is more urgent than writing it down.
+  return fleet_.name_of(robot) + ": " +
+         (done ? *done : "its goal's state could not be stored: " + done.error().message);
+}
+
+void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const bool stops = request.kind == Kind::stop;
+  std::vector<RobotId> robots;
+  if (request.robot.empty()) {
+    for (const auto& [id, robot] : fleet_.robots()) robots.push_back(id);
+  } else {
+    const Result<RobotId> id = fleet_.by_name(request.robot);
+    if (!id) return answer(key, msg::Outcome::refused, id.error().message);
+    robots.push_back(*id);
+  }
+  if (robots.empty()) return answer(key, msg::Outcome::done, "there is no robot");
+  std::string message;
+  bool waits = false;
+  for (const RobotId& id : robots) {
+    const Robot& robot = *fleet_.find(id);
+    message += message.empty() ? "" : "; ";
+    if (!stops && robot.incarnations.twins()) {
+      message += unreachable_reason(robot);
+      continue;
+    }
+    context_.record.note({.at = {},
+                          .kind = stops ? "robot.stop_asked" : "robot.resume_asked",
+                          .robot = id,
+                          .goal = {},
+                          .cause = request.robot.empty() ? "all robots" : "",
+                          .who = who},
+                         now);
+    message += stop_or_resume_goal(stops, id, who, now);
+    msg::AgentCommand command;
+    command.to = id;
+    command.kind = stops ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;
+    if (robot.silent) {
+      message += " (not heard; it is told when it is)";
+      commands_.give(std::move(command), now.steady);
+    } else {
+      send_for(key, std::move(command), now.steady);
+      waits = true;
+    }
+  }
+  if (waits) {
+    waiting_[key].message = message;
+  } else {
+    answer(key, msg::Outcome::accepted, message);
+  }
+}
+
+Result<void> Desk::put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now) {
+  if (const Result<void> good = check_label(label); !good) return fail(good.error());
+  const Snapshot& snapshot = context_.snapshots.current();
+  if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
+  const auto known = snapshot.labels().find(label);
+  if (known != snapshot.labels().end() && known->second == place) return {};
+  const Result<Revision> done =
+      context_.record.commit({{storage::PutLabel{.label = label, .place = place},
+                               storage::PutEvent{{.at = {},
+                                                  .kind = "map.label",
+                                                  .robot = {},
+                                                  .goal = {},
+                                                  .cause = label + " is " + to_string(place),
+                                                  .who = who}}}},
+                             now);
+  if (!done) return fail(done.error());
+  context_.snapshots.push(with_label(snapshot, label, place));
+  return {};
+}
+
+void Desk::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Result<void> done = put_label(request.label, request.place, who, now);
+  if (!done) return answer(key, msg::Outcome::refused, done.error().message);
+  msg::OperatorReply reply;
+  reply.message = request.label + " is " + to_string(request.place);
+  reply.place = request.place;
+  answer(key, std::move(reply));
+}
+
+void Desk::label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  if (const Result<void> good = check_label(request.label); !good) {
+    return answer(key, msg::Outcome::refused, good.error().message);
+  }
+  const Result<const Robot*> robot = reachable(request.robot);
+  if (!robot) return answer(key, msg::Outcome::refused, robot.error().message);
+  const std::optional<msg::RobotState>& state = (*robot)->state;
+  const bool stands_there = state && stands_on_its_place(*state) && state->mode != msg::RobotMode::teaching &&
+                            context_.snapshots.current().place(state->place) != nullptr;
+  if (stands_there) {
+    msg::OperatorRequest named = request;
+    named.place = state->place;
+    return label(key, named, who, now);
+  }
+  msg::AgentCommand command;
+  command.to = (*robot)->id;
+  command.kind = msg::AgentCommand::Kind::keep_place;
+  command.name = request.label;
+  asked_by_[key] = who;
+  send_for(key, std::move(command), now.steady);
+}
+
+void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Result<RobotId> id = fleet_.by_name(request.robot);
+  if (!id) return answer(key, msg::Outcome::refused, id.error().message);
+  const Result<std::string> done = dispatcher_.clear(*id, who, now);
+  if (!done) return answer(key, msg::Outcome::refused, done.error().message);
+  answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
+}
+
+}  // namespace weft::server

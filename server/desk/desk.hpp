@@ -1,0 +1,78 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+#include "server/desk/commands.hpp"
+#include "server/desk/request_ledger.hpp"
+#include "server/dispatcher/dispatcher.hpp"
+#include "server/fleet/fleet.hpp"
+
+namespace weft::server {
+
+/// Where operators are served: what the server can do itself is done at once, the rest is taken to the robot, and
+/// the operator is answered when the robot has answered.
+class Desk {
+ public:
+  Desk(Context& context, Fleet& fleet, Dispatcher& dispatcher)
+      : context_(context), fleet_(fleet), dispatcher_(dispatcher), commands_(context) {}
+
+  /// `who`: the client's name.
+  void on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
+  void on_reply(const msg::AgentReply& reply, Now now);
+  /// Tells a robot again what it should know: a paused goal's robot stands, that of another goal drives.
+  void on_state(const Robot& robot, SteadyTime now);
+  void on_silence(const RobotId& robot);
+  /// Two live agents share the robot's id.
+  void on_twins(const RobotId& robot, Now now);
+  void joined(const Batch& batch, Now now);
+
+  void tick(SteadyTime now) { commands_.tick(now); }
+  std::optional<SteadyTime> next() const { return commands_.next(); }
+
+ private:
+  using Key = RequestLedger::Key;
+  /// A request that waits for one or more robots.
+  struct Waiting {
+    std::set<std::uint64_t> commands;
+    std::string message;  ///< so far
+    bool failed = false;
+  };
+
+  void answer(const Key& key, msg::OperatorReply reply);
+  void answer(const Key& key, msg::Outcome outcome, const std::string& message);
+  void command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  Result<msg::AgentCommand> command_for(const msg::OperatorRequest& request, const Robot& robot) const;
+  Result<const Robot*> reachable(const std::string& name) const;
+  Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
+  std::string stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now);
+  void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
+  void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
+  void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
+
+  struct LabelToBe {
+    Key key;
+    std::string label;
+    std::string who;
+  };
+
+  Context& context_;
+  Fleet& fleet_;
+  Dispatcher& dispatcher_;
+  Commands commands_;
+  RequestLedger ledger_;
+  std::map<Key, Waiting> waiting_;
+  std::map<std::uint64_t, Key> asked_for_;     ///< by command
+  std::map<Key, std::string> asked_by_;        ///< names, of those that wait for a kept place
+  std::map<PlaceId, LabelToBe> labels_to_be_;  ///< places that were kept and have not come yet
+};
+
+}  // namespace weft::server

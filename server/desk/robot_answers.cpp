@@ -1,0 +1,112 @@
+#include <utility>
+
+#include "server/desk/desk.hpp"
+
+namespace weft::server {
+
+void Desk::on_reply(const msg::AgentReply& reply, Now now) {
+  const std::optional<msg::AgentCommand> command = commands_.on_reply(reply, now.steady);
+  if (command) robot_answered(*command, reply, now);
+}
+
+void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
+  const auto asked = asked_for_.find(command.command);
+  if (asked == asked_for_.end()) return;
+  const Key key = asked->second;
+  asked_for_.erase(asked);
+  const auto found = waiting_.find(key);
+  if (found == waiting_.end()) return;
+  Waiting& waiting = found->second;
+  waiting.commands.erase(command.command);
+  const std::string robot = fleet_.name_of(command.to);
+  if (!reply.done) {
+    waiting.failed = true;
+    waiting.message += (waiting.message.empty() ? "" : "; ") + robot + " refused: " + reply.reason;
+  } else if (!reply.reason.empty()) {
+    waiting.message += (waiting.message.empty() ? "" : "; ") + robot + ": " + reply.reason;
+  }
+  if (!waiting.commands.empty()) return;
+  const Waiting done = std::move(waiting);
+  waiting_.erase(found);
+  if (command.kind == msg::AgentCommand::Kind::keep_place && reply.done) {
+    label_kept_place(key, command, reply, now);
+    return;
+  }
+  asked_by_.erase(key);
+  msg::OperatorReply answered;
+  answered.outcome = done.failed ? msg::Outcome::refused : msg::Outcome::done;
+  answered.message = done.message.empty() ? robot + " has done it" : done.message;
+  answered.place = reply.place;
+  answered.experience = reply.experience;
+  answer(key, std::move(answered));
+}
+
+/// The robot has kept a place; the label is set once that place is on disk.
+void Desk::label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
+  std::string who = std::move(asked_by_[key]);
+  asked_by_.erase(key);
+  if (context_.snapshots.current().place(reply.place) == nullptr) {
+    labels_to_be_[reply.place] = {.key = key, .label = command.name, .who = std::move(who)};
+    return;
+  }
+  const Result<void> done = put_label(command.name, reply.place, who, now);
+  msg::OperatorReply answered;
+  answered.outcome = done ? msg::Outcome::done : msg::Outcome::failed;
+  answered.message = done ? command.name + " is " + to_string(reply.place) : done.error().message;
+  answered.place = reply.place;
+  answer(key, std::move(answered));
+}
+
+void Desk::joined(const Batch& batch, Now now) {
+  if (labels_to_be_.empty()) return;
+  for (const Place& place : batch.places) {
+    const auto found = labels_to_be_.find(place.id);
+    if (found == labels_to_be_.end()) continue;
+    const LabelToBe to_be = std::move(found->second);
+    labels_to_be_.erase(found);
+    msg::AgentCommand command;
+    command.name = to_be.label;
+    msg::AgentReply reply;
+    reply.place = place.id;
+    asked_by_[to_be.key] = to_be.who;
+    label_kept_place(to_be.key, command, reply, now);
+  }
+}
+
+void Desk::on_state(const Robot& robot, SteadyTime now) {
+  const Goal* const goal = dispatcher_.goal_of(robot.id);
+  if (goal == nullptr || commands_.is_busy(robot.id)) return;
+  const msg::RobotMode mode = robot.state->mode;
+  const bool drives = mode == msg::RobotMode::driving || mode == msg::RobotMode::waiting;
+  const bool is_to_stop = goal->state == GoalState::paused && drives;
+  const bool is_to_go = goal->state == GoalState::executing && mode == msg::RobotMode::stopped;
+  if (!is_to_stop && !is_to_go) return;
+  msg::AgentCommand command;
+  command.to = robot.id;
+  command.kind = is_to_stop ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;
+  commands_.give(std::move(command), now);
+}
+
+void Desk::on_silence(const RobotId& robot) {
+  for (const msg::AgentCommand& command : commands_.give_up(robot)) {
+    const auto asked = asked_for_.find(command.command);
+    if (asked == asked_for_.end()) continue;
+    const Key key = asked->second;
+    asked_for_.erase(asked);
+    if (waiting_.erase(key) == 0) continue;
+    asked_by_.erase(key);
+    answer(key, msg::Outcome::failed,
+           fleet_.name_of(robot) + " fell silent before it answered; is its agent running?");
+  }
+}
+
+void Desk::on_twins(const RobotId& robot, Now now) {
+  // Told to stand in any case; the goal shows it as soon as it can be stored.
+  std::ignore = dispatcher_.pause(robot, "server", now);
+  msg::AgentCommand command;
+  command.to = robot;
+  command.kind = msg::AgentCommand::Kind::stop;
+  commands_.give(std::move(command), now.steady);
+}
+
+}  // namespace weft::server

@@ -1,0 +1,148 @@
+#include <chrono>
+#include <utility>
+
+#include "server/dispatcher/dispatcher.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+constexpr Duration kBetweenPlans = 1s;
+
+std::string metres(double length_m) {
+  const auto centimetres = static_cast<std::int64_t>(length_m * 100 + 0.5);
+  const std::string cents = std::to_string(centimetres % 100);
+  return std::to_string(centimetres / 100) + (cents.size() == 1 ? ".0" : ".") + cents + " m";
+}
+
+std::set<std::string> methods_of(const Robot& robot) {
+  return {robot.description->methods.begin(), robot.description->methods.end()};
+}
+
+}  // namespace
+
+/// Why the robot cannot be given a goal; empty when it can.
+std::string Dispatcher::not_ready(const Robot& robot) const {
+  if (std::string why = unreachable_reason(robot); !why.empty()) return why;
+  if (errands_.contains(robot.id)) return robot.name + " has goal " + to_string(errands_.at(robot.id).goal);
+  if (!robot.state) return robot.name + " has not said yet where it is";
+  if (!robot.state->localised || !robot.state->place) {
+    return robot.name + " does not know where it is: weft localise " + robot.name;
+  }
+  if (robot.state->mode != msg::RobotMode::idle) return robot.name + " is " + to_string(robot.state->mode);
+  return {};
+}
+
+std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why_none) const {
+  std::vector<Candidate> ready;
+  for (const auto& [id, robot] : fleet_.robots()) {
+    if (goal.wanted && *goal.wanted != id) continue;
+    std::string why = not_ready(robot);
+    if (why.empty()) {
+      ready.push_back({.robot = id, .at = robot.state->place, .methods = methods_of(robot)});
+    } else if (goal.wanted) {
+      why_none = std::move(why);
+    }
+  }
+  return ready;
+}
+
+void Dispatcher::assign_waiting(Now now) {
+  const Snapshot& snapshot = context_.snapshots.current();
+  if (tried_at_ != snapshot.revision()) tried_.clear();
+  tried_at_ = snapshot.revision();
+  const std::map<std::uint64_t, GoalId> alive = book_.alive();
+  for (const auto& [number, id] : alive) {
+    const Goal& goal = *book_.find(id);
+    if (goal.state != GoalState::pending) continue;
+    std::string why_none = "no robot is idle and knows where it is";
+    const std::vector<Candidate> ready = candidates(goal, why_none);
+    if (ready.empty()) {
+      still_pending(goal, why_none, now);
+      continue;
+    }
+    const auto tried = tried_.find(id);
+    if (tried != tried_.end() && tried->second == ready) continue;
+    const Result<Choice> choice = choose(snapshot, ready, goal.to);
+    if (!choice) {
+      tried_[id] = ready;
+      still_pending(goal, choice.error().message, now);
+      continue;
+    }
+    if (assign(goal, *choice, now)) tried_.erase(id);
+  }
+}
+
+void Dispatcher::still_pending(const Goal& goal, const std::string& why, Now now) {
+  if (goal.history.back().cause == why) return;
+  // What cannot be kept now is tried again when it is looked at next.
+  std::ignore =
+      book_.write(goal, {.state = GoalState::pending, .cause = why, .who = "dispatcher", .kind = "goal.waits"},
+                  std::nullopt, {}, now);
+}
+
+Route Dispatcher::route_of(const Goal& goal, const Choice& choice) {
+  Route route;
+  route.goal = goal.id;
+  if (goal.route) {
+    route.id = *goal.route;
+  } else {
+    for (std::uint8_t& byte : route.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
+  }
+  route.version = goal.route_version + 1;
+  route.made_of = context_.snapshots.current().revision();
+  route.robot = choice.robot;
+  route.places = choice.path.places;
+  route.relations = choice.path.relations;
+  return route;
+}
+
+bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
+  Goal next = goal;
+  next.robot = choice.robot;
+  const GoalBook::Step step = {.state = GoalState::assigned,
+                               .cause = "to " + fleet_.name_of(choice.robot) + ", " + metres(choice.path.length_m) +
+                                        " away by " + std::to_string(choice.path.places.size()) + " places",
+                               .who = "dispatcher"};
+  if (!book_.write(next, step, route_of(goal, choice), {}, now)) return false;
+  Errand errand;
+  errand.goal = goal.id;
+  errand.send_at = now.steady;
+  errand.plan_at = now.steady;
+  release(choice.robot, errands_[choice.robot] = errand, now);
+  return true;
+}
+
+/// The robot has lost its route: the same goal, from where it stands, as the next version of the route. What it held
+/// stays held until the new version is released.
+void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
+  const Robot* const known = fleet_.find(robot);
+  const Goal& goal = *book_.find(errand.goal);
+  if (errand.plan_at > now.steady || goal.state == GoalState::paused) return;
+  if (known == nullptr || !unreachable_reason(*known).empty() || !known->state) return;
+  const msg::RobotState& state = *known->state;
+  if (!state.localised || !state.place) return;
+  errand.plan_at = now.steady + kBetweenPlans;
+  const Result<Choice> choice = choose(context_.snapshots.current(),
+                                       {{.robot = robot, .at = state.place, .methods = methods_of(*known)}}, goal.to);
+  if (!choice) {
+    if (goal.history.back().cause == choice.error().message) return;
+    std::ignore = book_.write(
+        goal, {.state = goal.state, .cause = choice.error().message, .who = "dispatcher", .kind = "goal.waits"},
+        std::nullopt, {}, now);
+    return;
+  }
+  const GoalBook::Step step = {.state = goal.state,
+                               .cause = known->name + " lost its route; planned anew from " + to_string(state.place) +
+                                        ", " + metres(choice->path.length_m),
+                               .who = "dispatcher",
+                               .kind = "goal.planned_anew"};
+  if (!book_.write(goal, step, route_of(goal, *choice), {}, now)) return;
+  errand.lost = false;
+  errand.has_latest_order = false;
+  errand.heard_of_it.reset();
+  errand.missing_since.reset();
+  errand.traffic_looked = 0;
+  release(robot, errand, now);
+}
+
+}  // namespace weft::server

@@ -1,0 +1,180 @@
+#include "server/dispatcher/dispatcher.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+msg::OperatorReply reply(msg::Outcome outcome, const GoalId& goal, const std::string& message) {
+  msg::OperatorReply answer;
+  answer.outcome = outcome;
+  answer.goal = goal;
+  answer.message = message;
+  return answer;
+}
+
+msg::OperatorReply state_reply(const Goal& goal) {
+  const bool is_rejected = goal.state == GoalState::rejected;
+  return reply(is_rejected ? msg::Outcome::refused : msg::Outcome::accepted, goal.id,
+               std::string(to_string(goal.state)) + ": " + goal.history.back().cause);
+}
+
+std::string known_labels(const Snapshot& snapshot) {
+  if (snapshot.labels().empty()) return "; the map has no label yet: weft map label";
+  std::string text = "; known:";
+  std::size_t listed = 0;
+  for (const auto& [label, place] : snapshot.labels()) {
+    text += " " + label;
+    if (++listed == 10) break;
+  }
+  return text;
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Random random, std::map<GoalId, Goal> goals,
+                       std::map<GoalId, Route> routes, SteadyTime now)
+    : context_(context),
+      fleet_(fleet),
+      traffic_(traffic),
+      random_(random),
+      book_(context, std::move(goals), std::move(routes)),
+      look_at_(now) {
+  for (const auto& [id, goal] : book_.goals()) {
+    const Route* const route = book_.route(id);
+    if (!goal.robot || route == nullptr) continue;
+    const bool is_over = is_terminal(goal.state);
+    // Over, and what it held is still held: the robot may not know yet.
+    if (is_over && !is_told(*goal.robot, *route)) continue;
+    Errand errand;
+    errand.goal = id;
+    errand.ending = is_over;
+    errand.send_at = now;
+    errand.plan_at = now;
+    if (is_over) errand.ordered_at = now;
+    errands_[*goal.robot] = errand;
+  }
+}
+
+const Goal* Dispatcher::goal_of(const RobotId& robot) const {
+  const auto found = errands_.find(robot);
+  return found == errands_.end() ? nullptr : book_.find(found->second.goal);
+}
+
+msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const std::string& who, Now now) {
+  if (!request.goal) {
+    return reply(msg::Outcome::refused, {}, "a goal needs an id, drawn at random by who asks for it");
+  }
+  if (const Goal* const known = book_.find(request.goal)) {
+    if (known->label == request.label) return state_reply(*known);
+    return reply(msg::Outcome::refused, request.goal,
+                 "goal " + to_string(request.goal) + " exists and goes to " + known->label + ": draw another id");
+  }
+  Goal goal;
+  goal.id = request.goal;
+  goal.label = request.label;
+  goal.number = book_.next_number();
+  GoalBook::Step step = {.state = GoalState::pending, .cause = "asked for", .who = who};
+  const Snapshot& snapshot = context_.snapshots.current();
+  const auto label = snapshot.labels().find(request.label);
+  if (label == snapshot.labels().end()) {
+    step.state = GoalState::rejected;
+    step.cause = "the map has no label " + request.label + known_labels(snapshot);
+  } else {
+    goal.to = label->second;
+  }
+  if (step.state == GoalState::pending && !request.robot.empty()) {
+    const Result<RobotId> wanted = fleet_.by_name(request.robot);
+    if (wanted) {
+      goal.wanted = *wanted;
+    } else {
+      step.state = GoalState::rejected;
+      step.cause = wanted.error().message;
+    }
+  }
+  const GoalId id = goal.id;
+  if (const Result<void> stored = book_.write(std::move(goal), step, std::nullopt, {}, now); !stored) {
+    return reply(msg::Outcome::refused, id, "the goal could not be stored: " + stored.error().message);
+  }
+  look_again_ = true;
+  look_at_ = now.steady;
+  return state_reply(*book_.find(id));
+}
+
+msg::OperatorReply Dispatcher::cancel(const GoalId& id, const std::string& who, Now now) {
+  const Goal* const goal = book_.find(id);
+  if (goal == nullptr) {
+    return reply(msg::Outcome::refused, id, "there is no goal " + to_string(id) + ": weft goal list");
+  }
+  if (goal->state == GoalState::cancelled) return reply(msg::Outcome::done, id, "it is cancelled");
+  if (is_terminal(goal->state)) {
+    return reply(msg::Outcome::refused, id, std::string("it is over already: ") + to_string(goal->state));
+  }
+  const std::string cause = "cancelled";
+  const auto errand = goal->robot ? errands_.find(*goal->robot) : errands_.end();
+  if (errand != errands_.end() && errand->second.goal == id) {
+    finish(errand->first, errand->second, GoalState::cancelled, cause, who, now);
+  } else {
+    const GoalBook::Step step = {.state = GoalState::cancelled, .cause = cause, .who = who};
+    // Seen below: the state changes only once it is stored.
+    std::ignore = book_.write(*goal, step, std::nullopt, {}, now);
+  }
+  if (book_.find(id)->state != GoalState::cancelled) {
+    return reply(msg::Outcome::failed, id, "the store takes nothing at the moment: try again");
+  }
+  tried_.erase(id);
+  return reply(msg::Outcome::done, id, "cancelled");
+}
+
+Result<std::string> Dispatcher::pause(const RobotId& robot, const std::string& who, Now now) {
+  const Goal* const goal = goal_of(robot);
+  if (goal == nullptr || is_terminal(goal->state)) return std::string("it has no goal");
+  if (goal->state == GoalState::paused) return "its goal " + to_string(goal->id) + " is paused";
+  const GoalBook::Step step = {.state = GoalState::paused, .cause = "its robot is told to stop", .who = who};
+  if (const Result<void> stored = book_.write(*goal, step, std::nullopt, {}, now); !stored) {
+    return fail(stored.error());
+  }
+  return "its goal " + to_string(goal->id) + " is paused";
+}
+
+Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& who, Now now) {
+  const auto errand = errands_.find(robot);
+  const Goal* const goal = goal_of(robot);
+  if (goal == nullptr || goal->state != GoalState::paused) return std::string("it has no paused goal");
+  const bool was_executing = std::any_of(goal->history.begin(), goal->history.end(),
+                                         [](const GoalEvent& event) { return event.state == GoalState::executing; });
+  const GoalBook::Step step = {.state = was_executing ? GoalState::executing : GoalState::assigned,
+                               .cause = "its robot is told to go on",
+                               .who = who};
+  if (const Result<void> stored = book_.write(*goal, step, std::nullopt, {}, now); !stored) {
+    return fail(stored.error());
+  }
+  errand->second.send_at = now.steady;
+  errand->second.traffic_looked = 0;
+  return "its goal " + to_string(goal->id) + " goes on";
+}
+
+Result<std::string> Dispatcher::clear(const RobotId& robot, const std::string& who, Now now) {
+  const auto errand = errands_.find(robot);
+  const Robot* const known = fleet_.find(robot);
+  if (errand != errands_.end()) {
+    const bool is_heard = known != nullptr && !known->silent;
+    if (is_heard && known->state && known->state->route) {
+      return fail(ErrorCode::refused,
+                  known->name + " is heard and follows a route; cancel its goal, or end its agent first");
+    }
+    if (!errand->second.ending) {
+      finish(robot, errand->second, GoalState::failed, "its robot was cleared away", who, now);
+    }
+    const auto still = errands_.find(robot);
+    if (still != errands_.end() && !still->second.ending) {
+      return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
+    }
+    errands_.erase(robot);
+  }
+  look_again_ = true;
+  return traffic_.clear(robot, who, now);
+}
+
+}  // namespace weft::server

@@ -1,0 +1,98 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "core/random.hpp"
+#include "server/context.hpp"
+#include "server/dispatcher/choice.hpp"
+#include "server/dispatcher/goal_book.hpp"
+#include "server/fleet/fleet.hpp"
+#include "server/traffic/traffic.hpp"
+
+namespace weft::server {
+
+/// Leads every goal through its life (docs/path-of-a-goal.md): gives it to a robot, plans its route, has it released
+/// by traffic, sends the order until the robot has it, and follows its progress to the end.
+class Dispatcher {
+ public:
+  /// Goals that were under way are taken up where they were.
+  Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Random random, std::map<GoalId, Goal> goals,
+             std::map<GoalId, Route> routes, SteadyTime now);
+
+  // What operators ask for. Each leaves the request's number, sender and header to the caller.
+  msg::OperatorReply send(const msg::OperatorRequest& request, const std::string& who, Now now);
+  msg::OperatorReply cancel(const GoalId& id, const std::string& who, Now now);
+  /// The robot's goal, if it has one; says what happened.
+  Result<std::string> pause(const RobotId& robot, const std::string& who, Now now);
+  Result<std::string> resume(const RobotId& robot, const std::string& who, Now now);
+  /// The robot is vouched to be away: its goal fails, and what it held is free. refused while it is heard and drives.
+  Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
+
+  // What robots report.
+  void on_state(const Robot& robot, Now now);
+  void on_progress(const msg::RouteProgress& progress, Now now);
+  /// Its agent was restarted and has forgotten its route.
+  void on_restart(const RobotId& robot);
+
+  void network_changed() { look_again_ = true; }
+  void tick(Now now);
+  std::optional<SteadyTime> next() const;
+
+  const GoalBook& book() const { return book_; }
+  /// The goal that keeps the robot busy; none when it is free for another.
+  const Goal* goal_of(const RobotId& robot) const;
+
+ private:
+  /// What the server and a robot have to settle about one route.
+  struct Errand {
+    GoalId goal;
+    bool ending = false;                       ///< the goal is over, the robot is still to forget the route
+    bool has_latest_order = false;             ///< it answered to this version and release
+    std::optional<std::uint64_t> heard_of_it;  ///< sequence of its latest report on this version
+    std::optional<SteadyTime> ordered_at;      ///< last order to follow it
+    SteadyTime send_at;
+    Duration wait{};
+    bool lost = false;  ///< the robot has no such route any more: plan from where it stands
+    std::optional<SteadyTime> missing_since;
+    SteadyTime plan_at;
+    std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
+    std::optional<RobotId> waits_for;
+  };
+
+  // assign.cpp
+  void assign_waiting(Now now);
+  bool assign(const Goal& goal, const Choice& choice, Now now);
+  void still_pending(const Goal& goal, const std::string& why, Now now);
+  std::string not_ready(const Robot& robot) const;
+  std::vector<Candidate> candidates(const Goal& goal, std::string& why_none) const;
+  void plan_anew(const RobotId& robot, Errand& errand, Now now);
+  Route route_of(const Goal& goal, const Choice& choice);
+
+  // follow.cpp
+  bool is_told(const RobotId& robot, const Route& route) const;
+  void release(const RobotId& robot, Errand& errand, Now now);
+  void note_waiting(const RobotId& robot, Errand& errand, const std::optional<RobotId>& blocker, Now now);
+  void send_order(const RobotId& robot, Errand& errand, SteadyTime now);
+  void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
+  void finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause, const std::string& who,
+              Now now);
+  bool has_forgotten(const Errand& errand, const msg::RobotState& state, const Route& route, SteadyTime now) const;
+  void watch_for_loss(Errand& errand, const Route& route, const msg::RobotState& state, SteadyTime now);
+
+  Context& context_;
+  Fleet& fleet_;
+  Traffic& traffic_;
+  Random random_;
+  GoalBook book_;
+  std::map<RobotId, Errand> errands_;
+  std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
+  Revision tried_at_;
+  bool look_again_ = true;
+  SteadyTime look_at_;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "server/dispatcher/dispatcher.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kFirstRepeat = 500ms;
+constexpr Duration kLastRepeat = 4s;
+constexpr Duration kBetweenLooks = 500ms;
+/// No order is longer on its way than this.
+constexpr Duration kLongestWay = 3s;
+/// A robot that says for this long that it has no such route has lost it.
+constexpr Duration kLostAfter = 2s;
+}  // namespace
+
+/// Whether the robot may know of this version of the route: then what it holds is of it.
+bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
+  const storage::PutOccupancy* const held = traffic_.held(robot);
+  return held != nullptr && held->held.id == route.id && held->held.version == route.version;
+}
+
+/// As far as nobody else is in the way: what is granted is stored before it is sent.
+void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
+  const Goal& goal = *book_.find(errand.goal);
+  const Route& route = *book_.route(errand.goal);
+  if (errand.ending || errand.lost || goal.state == GoalState::paused) return;
+  const bool told = is_told(robot, route);
+  const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
+  if (told && route.released == last) return;
+  if (errand.traffic_looked == traffic_.version()) return;
+  errand.traffic_looked = traffic_.version();
+  const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
+  if (way.through) {
+    Route next = route;
+    next.released = *way.through;
+    next.reason = way.blocked_by ? "waits for " + fleet_.name_of(*way.blocked_by) : "";
+    const std::uint32_t from = told ? traffic_.held(robot)->from : 0;
+    const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, from, next.released);
+    storage::Transaction transaction;
+    for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
+    if (!book_.write(next, std::move(transaction), now)) {
+      errand.traffic_looked = 0;
+      return;
+    }
+    traffic_.committed(claims);
+    errand.has_latest_order = false;
+    errand.wait = Duration{};
+    send_order(robot, errand, now.steady);
+  }
+  note_waiting(robot, errand, way.blocked_by, now);
+}
+
+void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const std::optional<RobotId>& blocker, Now now) {
+  if (errand.waits_for == blocker) return;
+  const std::optional<RobotId> before = std::exchange(errand.waits_for, blocker);
+  const Goal& goal = *book_.find(errand.goal);
+  const std::string cause =
+      blocker ? fleet_.name_of(robot) + " waits until " + fleet_.name_of(*blocker) + " has left its way"
+              : fleet_.name_of(*before) + " has left the way";
+  // Lost only if the store takes nothing; the next change of blocker is told again.
+  std::ignore = book_.write(
+      goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = blocker ? "goal.waits" : "goal.goes_on"},
+      std::nullopt, {}, now);
+}
+
+void Dispatcher::send_order(const RobotId& robot, Errand& errand, SteadyTime now) {
+  Route route = *book_.route(errand.goal);
+  if (errand.ending) {
+    // To end it, the robot needs to know which, and why.
+    route.places.resize(1);
+    route.relations.clear();
+    route.released = 0;
+  } else {
+    errand.ordered_at = now;
+  }
+  errand.wait = errand.wait == Duration{} ? kFirstRepeat : std::min(errand.wait * 2, kLastRepeat);
+  errand.send_at = now + errand.wait;
+  context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
+}
+
+/// It follows a route that it should not: one of a goal that is over, or that this server never gave out.
+void Dispatcher::end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& id) {
+  const Route* const known = book_.route(goal);
+  Route route;
+  route.goal = goal;
+  route.id = id;
+  route.version = known != nullptr ? known->version : 1;
+  route.robot = robot;
+  route.ended = true;
+  route.reason = "its goal is over";
+  const Goal* const found = book_.find(goal);
+  route.places = {found != nullptr && found->to ? found->to : PlaceId{.experience = {1}, .index = 0}};
+  context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
+}
+
+void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
+  const RobotId robot = progress.header.sender;
+  const auto found = errands_.find(robot);
+  const Route* const route = found == errands_.end() ? nullptr : book_.route(found->second.goal);
+  if (route == nullptr || route->id != progress.route) {
+    end_unknown(robot, progress.goal, progress.route);
+    return;
+  }
+  Errand& errand = found->second;
+  // The order to end it is repeated by the clock, not by its reports.
+  if (errand.ending || progress.version != route->version) return;
+  errand.lost = false;
+  errand.missing_since.reset();
+  errand.heard_of_it = std::max(errand.heard_of_it.value_or(0), progress.header.sequence);
+  errand.has_latest_order = progress.released >= route->released;
+  traffic_.freed(robot, route->id, progress.freed);
+  const std::string who = fleet_.name_of(robot);
+  if (progress.phase == msg::RoutePhase::arrived) {
+    const auto last = static_cast<std::uint32_t>(route->places.size() - 1);
+    if (route->released < last) {
+      ++context_.counters["dispatcher: arrived beyond what was released"];
+      return;
+    }
+    traffic_.freed(robot, route->id, last);
+    finish(robot, errand, GoalState::succeeded, "arrived", who, now);
+    return;
+  }
+  if (progress.phase == msg::RoutePhase::failed) {
+    finish(robot, errand, GoalState::failed, progress.reason.empty() ? "the robot gave up" : progress.reason, who,
+           now);
+    return;
+  }
+  const Goal& goal = *book_.find(errand.goal);
+  if (goal.state != GoalState::assigned) return;
+  // Not stored: the next report brings it again.
+  std::ignore = book_.write(goal, {.state = GoalState::executing, .cause = "the robot has its route", .who = who},
+                            std::nullopt, {}, now);
+}
+
+/// The goal is over; the route ends where it was released to. What the robot holds stays held until it has forgotten
+/// the route and says where it stands.
+void Dispatcher::finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause,
+                        const std::string& who, Now now) {
+  const Goal& goal = *book_.find(errand.goal);
+  Route route = *book_.route(errand.goal);
+  route.ended = true;
+  route.reason = cause;
+  const bool told = is_told(robot, route) || traffic_.holds_route(robot, route.id);
+  if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, {}, now)) return;
+  look_again_ = true;
+  if (!told) {
+    errands_.erase(robot);
+    return;
+  }
+  errand.ending = true;
+  errand.wait = Duration{};
+  send_order(robot, errand, now.steady);
+}
+
+bool Dispatcher::has_forgotten(const Errand& errand, const msg::RobotState& state, const Route& route,
+                               SteadyTime now) const {
+  if (state.route == route.id) return false;
+  // It had the route and says now that it has not; or no order to follow it can be on the way any more.
+  const bool had_it = errand.heard_of_it && *errand.heard_of_it < state.header.sequence;
+  return had_it || !errand.ordered_at || now - *errand.ordered_at > kLongestWay;
+}
+
+void Dispatcher::watch_for_loss(Errand& errand, const Route& route, const msg::RobotState& state, SteadyTime now) {
+  const bool has_it = state.route == route.id;
+  if (has_it) {
+    errand.missing_since.reset();
+    if (state.route_version == route.version) errand.lost = false;
+    return;
+  }
+  const bool had_it = errand.heard_of_it && *errand.heard_of_it < state.header.sequence;
+  if (!had_it || errand.lost) return;
+  if (!errand.missing_since) errand.missing_since = now;
+  if (now - *errand.missing_since >= kLostAfter) errand.lost = true;
+}
+
+void Dispatcher::on_state(const Robot& robot, Now now) {
+  const msg::RobotState& state = *robot.state;
+  look_again_ = true;
+  const auto found = errands_.find(robot.id);
+  if (found == errands_.end()) {
+    traffic_.stands(state, now);
+    if (state.route) end_unknown(robot.id, state.goal, state.route);
+    return;
+  }
+  Errand& errand = found->second;
+  const Route& route = *book_.route(errand.goal);
+  if (errand.ending) {
+    if (!has_forgotten(errand, state, route, now.steady)) return;
+    errands_.erase(found);
+    traffic_.stands(state, now);
+    return;
+  }
+  if (!is_told(robot.id, route) && !traffic_.holds_route(robot.id, route.id)) {
+    traffic_.stands(state, now);
+    return;
+  }
+  watch_for_loss(errand, route, state, now.steady);
+  if (errand.lost) plan_anew(robot.id, errand, now);
+}
+
+void Dispatcher::on_restart(const RobotId& robot) {
+  const auto found = errands_.find(robot);
+  if (found == errands_.end() || found->second.ending) return;
+  found->second.lost = true;
+  found->second.has_latest_order = false;
+  found->second.heard_of_it.reset();
+}
+
+void Dispatcher::tick(Now now) {
+  for (auto& [robot, errand] : errands_) {
+    if (!errand.lost) release(robot, errand, now);
+    const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
+    const bool has_something_to_send = errand.ending || (!errand.has_latest_order && !errand.lost && !is_paused &&
+                                                         is_told(robot, *book_.route(errand.goal)));
+    if (has_something_to_send && errand.send_at <= now.steady) send_order(robot, errand, now.steady);
+  }
+  if (!look_again_ || look_at_ > now.steady) return;
+  look_again_ = false;
+  look_at_ = now.steady + kBetweenLooks;
+  assign_waiting(now);
+}
+
+std::optional<SteadyTime> Dispatcher::next() const {
+  std::optional<SteadyTime> next;
+  const auto sooner = [&next](SteadyTime at) { next = next ? std::min(*next, at) : at; };
+  for (const auto& [robot, errand] : errands_) {
+    const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
+    const bool sends = errand.ending || (!errand.has_latest_order && !errand.lost && !is_paused &&
+                                         is_told(robot, *book_.route(errand.goal)));
+    if (sends) sooner(errand.send_at);
+  }
+  const bool anybody_waits = std::any_of(book_.alive().begin(), book_.alive().end(), [this](const auto& entry) {
+    return book_.find(entry.second)->state == GoalState::pending;
+  });
+  if (look_again_ && anybody_waits) sooner(look_at_);
+  return next;
+}
+
+}  // namespace weft::server

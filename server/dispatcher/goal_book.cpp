@@ -1,0 +1,72 @@
+#include "server/dispatcher/goal_book.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+/// A goal that waits for long keeps how it began and what happened last.
+constexpr std::size_t kHistory = 100;
+}  // namespace
+
+GoalBook::GoalBook(Context& context, std::map<GoalId, Goal> goals, std::map<GoalId, Route> routes)
+    : context_(context), goals_(std::move(goals)), routes_(std::move(routes)) {
+  for (const auto& [id, goal] : goals_) index(goal);
+}
+
+void GoalBook::index(const Goal& goal) {
+  next_number_ = std::max(next_number_, goal.number + 1);
+  if (is_terminal(goal.state)) {
+    alive_.erase(goal.number);
+  } else {
+    alive_[goal.number] = goal.id;
+  }
+}
+
+Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Route>& route,
+                             storage::Transaction transaction, Now now) {
+  goal.state = step.state;
+  goal.history.push_back({.at = now.wall, .state = step.state, .cause = step.cause, .who = step.who});
+  if (goal.history.size() > kHistory) goal.history.erase(goal.history.begin() + 1);
+  if (route) {
+    goal.route = route->id;
+    goal.route_version = route->version;
+    transaction.changes.emplace_back(storage::PutRoute{*route});
+  }
+  transaction.changes.emplace_back(storage::PutGoal{goal});
+  const std::string kind = step.kind != nullptr ? step.kind : std::string("goal.") + to_string(step.state);
+  transaction.changes.emplace_back(storage::PutEvent{{.at = {},
+                                                      .kind = kind,
+                                                      .robot = goal.robot.value_or(RobotId{}),
+                                                      .goal = goal.id,
+                                                      .cause = step.cause,
+                                                      .who = step.who}});
+  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+    return fail(done.error());
+  }
+  if (route) routes_[goal.id] = *route;
+  index(goal);
+  goals_[goal.id] = std::move(goal);
+  return {};
+}
+
+Result<void> GoalBook::write(const Route& route, storage::Transaction transaction, Now now) {
+  transaction.changes.emplace_back(storage::PutRoute{route});
+  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+    return fail(done.error());
+  }
+  routes_[route.goal] = route;
+  return {};
+}
+
+const Goal* GoalBook::find(const GoalId& id) const {
+  const auto found = goals_.find(id);
+  return found == goals_.end() ? nullptr : &found->second;
+}
+
+const Route* GoalBook::route(const GoalId& id) const {
+  const auto found = routes_.find(id);
+  return found == routes_.end() ? nullptr : &found->second;
+}
+
+}  // namespace weft::server

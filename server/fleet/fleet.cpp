@@ -1,0 +1,206 @@
+#include "server/fleet/fleet.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "server/fleet/protocol.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kBetweenProbes = 10s;
+constexpr std::size_t kMostRobots = 10'000;
+}  // namespace
+
+std::string unreachable_reason(const Robot& robot) {
+  if (robot.incarnations.twins()) {
+    return robot.name + " runs twice: two live agents share its id; end one of them";
+  }
+  if (robot.silent) return robot.name + " is not heard: is its agent running?";
+  if (!robot.description) return robot.name + " has not said yet what it can do";
+  return {};
+}
+
+Fleet::Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now)
+    : context_(context), random_(random), silent_after_(from_seconds(context.config.robot_silent_after_s)) {
+  for (const auto& [id, name] : stored) {
+    Robot& robot = robots_[id];
+    robot.id = id;
+    robot.name = name;
+    robot.heard = now;
+    robot.next_probe = now;
+  }
+}
+
+Robot& Fleet::entry(const RobotId& id, Now now) {
+  const auto [at, is_new] = robots_.try_emplace(id);
+  if (is_new) {
+    at->second.id = id;
+    at->second.heard = now.steady;
+    at->second.next_probe = now.steady;
+  }
+  return at->second;
+}
+
+bool Fleet::on_hello(const msg::Hello& hello, Now now) {
+  const Result<std::uint16_t> version = negotiate(hello);
+  if (!version) {
+    ++context_.counters["hello: no protocol version in common"];
+    const bool is_new = refused_.size() < kMostRobots && refused_.insert(hello.peer).second;
+    if (is_new) {
+      context_.record.note({.at = {},
+                            .kind = "peer.refused",
+                            .robot = hello.role == msg::Role::agent ? hello.peer : PeerId{},
+                            .goal = {},
+                            .cause = version.error().message,
+                            .who = hello.name},
+                           now);
+    }
+    return false;
+  }
+  refused_.erase(hello.peer);
+  if (hello.role != msg::Role::agent) return true;
+  if (robots_.size() >= kMostRobots && !robots_.contains(hello.peer)) return false;
+  Robot& robot = entry(hello.peer, now);
+  robot.vendor = hello.vendor;
+  named(robot, hello.name, now);
+  return true;
+}
+
+void Fleet::named(Robot& robot, const std::string& name, Now now) {
+  if (robot.name == name || name.empty()) return;
+  // If it cannot be kept, the next description brings it again.
+  if (!context_.record.commit({{storage::PutRobot{robot.id, name}}}, now)) {
+    if (robot.name.empty()) robot.name = name;
+    return;
+  }
+  robot.name = name;
+}
+
+void Fleet::on_description(const msg::RobotDescription& description, Now now) {
+  const auto found = robots_.find(description.header.sender);
+  if (found == robots_.end()) return;
+  named(found->second, description.name, now);
+  found->second.description = description;
+}
+
+std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool says_it_is_a_robot, Now now) {
+  const bool is_known = robots_.contains(from.sender);
+  if (!is_known && (!says_it_is_a_robot || robots_.size() >= kMostRobots)) return std::nullopt;
+  Robot& robot = entry(from.sender, now);
+  const bool were_twins = robot.incarnations.twins();
+  const Incarnations::Verdict verdict = robot.incarnations.hear(from.incarnation, now.steady);
+  if (verdict == Incarnations::Verdict::late) return verdict;
+  robot.heard = now.steady;
+  if (robot.silent) {
+    robot.silent = false;
+    note("robot.heard", robot, "it speaks", now);
+  }
+  if (verdict == Incarnations::Verdict::fresh) {
+    robot.state.reset();
+    robot.skew = ClockSkew{};
+    robot.next_probe = now.steady;
+  }
+  if (robot.incarnations.twins() && !were_twins) {
+    robot.state.reset();
+    note("robot.twins", robot, "two live agents share one id; both are held: end one of them, then resume the robot",
+         now);
+  }
+  return verdict;
+}
+
+const Robot* Fleet::on_state(const msg::RobotState& state, Now now) {
+  const auto found = robots_.find(state.header.sender);
+  if (found == robots_.end()) return nullptr;
+  Robot& robot = found->second;
+  if (robot.state && robot.state->header.sequence >= state.header.sequence) return nullptr;
+  changed(robot, state, now);
+  robot.state = state;
+  return &robot;
+}
+
+void Fleet::changed(const Robot& robot, const msg::RobotState& next, Now now) {
+  const bool was_lost = robot.state && robot.state->mode == msg::RobotMode::lost;
+  const bool was_faulted = robot.state && robot.state->mode == msg::RobotMode::faulted;
+  const bool is_lost = next.mode == msg::RobotMode::lost;
+  const bool is_faulted = next.mode == msg::RobotMode::faulted;
+  if (is_lost && !was_lost) note("robot.lost", robot, next.reason, now);
+  if (was_lost && !is_lost) note("robot.found", robot, "it knows again where it is", now);
+  if (is_faulted && !was_faulted) note("robot.faulted", robot, next.reason, now);
+}
+
+void Fleet::on_clock_reply(const msg::ClockReply& reply, Now now) {
+  const auto found = robots_.find(reply.header.sender);
+  if (found != robots_.end()) found->second.skew.answered(reply, now);
+}
+
+std::vector<RobotId> Fleet::tick(Now now) {
+  std::vector<RobotId> fell_silent;
+  for (auto& [id, robot] : robots_) {
+    if (robot.silent) continue;
+    if (now.steady - robot.heard >= silent_after_) {
+      robot.silent = true;
+      note("robot.silent", robot,
+           "nothing heard of it for " + std::to_string(context_.config.robot_silent_after_s) + " s", now);
+      fell_silent.push_back(id);
+      continue;
+    }
+    if (robot.incarnations.settle(now.steady, silent_after_)) {
+      note("robot.twins_ended", robot, "only one agent of this id is heard", now);
+    }
+    if (robot.next_probe > now.steady) continue;
+    robot.next_probe = now.steady + kBetweenProbes;
+    const std::uint64_t probe = random_.next() | 1U;
+    robot.skew.sent(probe, now.steady);
+    context_.out.send(msg::ClockProbe{.header = {}, .to = id, .probe = probe, .sent = now.wall});
+  }
+  return fell_silent;
+}
+
+std::optional<SteadyTime> Fleet::next() const {
+  std::optional<SteadyTime> next;
+  for (const auto& [id, robot] : robots_) {
+    if (robot.silent) continue;
+    const SteadyTime due = std::min(robot.heard + silent_after_, robot.next_probe);
+    if (!next || due < *next) next = due;
+  }
+  return next;
+}
+
+const Robot* Fleet::find(const RobotId& id) const {
+  const auto found = robots_.find(id);
+  return found == robots_.end() ? nullptr : &found->second;
+}
+
+std::string Fleet::name_of(const RobotId& id) const {
+  const Robot* const robot = find(id);
+  return robot == nullptr || robot->name.empty() ? to_string(id) : robot->name;
+}
+
+Result<RobotId> Fleet::by_name(const std::string& text) const {
+  RobotId id;
+  if (text.size() == 2 * id.bytes.size() && parse_hex(text, id.bytes.data(), id.bytes.size()) && find(id)) return id;
+  const Robot* named = nullptr;
+  std::string known;
+  for (const auto& [each, robot] : robots_) {
+    known += (known.empty() ? "" : ", ") + robot.name;
+    if (robot.name != text) continue;
+    if (named != nullptr) {
+      return fail(ErrorCode::refused, "two robots are named " + text + ": " + to_string(named->id) + " and " +
+                                          to_string(each) + "; name it by its id");
+    }
+    named = &robot;
+  }
+  if (named != nullptr) return named->id;
+  return fail(ErrorCode::not_found,
+              "no robot is named " + text + (known.empty() ? "; none was ever heard" : "; known: " + known));
+}
+
+void Fleet::note(const char* kind, const Robot& robot, const std::string& cause, Now now) {
+  context_.record.note({.at = {}, .kind = kind, .robot = robot.id, .goal = {}, .cause = cause, .who = robot.name},
+                       now);
+}
+
+}  // namespace weft::server

@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "core/random.hpp"
+#include "server/context.hpp"
+#include "server/fleet/incarnations.hpp"
+#include "server/fleet/skew.hpp"
+
+namespace weft::server {
+
+/// One robot as the server knows it.
+struct Robot {
+  RobotId id;
+  std::string name;  ///< a label; from the store until the robot says it
+  std::string vendor;
+  std::optional<msg::RobotDescription> description;
+  std::optional<msg::RobotState> state;  ///< the latest of the current incarnation
+  Incarnations incarnations;
+  SteadyTime heard;  ///< or when the server started
+  bool silent = true;
+  ClockSkew skew;
+  SteadyTime next_probe;
+};
+
+/// Why a robot cannot be given anything to do now; empty when it can be talked to.
+std::string unreachable_reason(const Robot& robot);
+
+/// Who is there: hellos, descriptions, states, silence, clocks. Decides nothing about goals.
+class Fleet {
+ public:
+  Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now);
+
+  /// False: the peer speaks no common protocol version and is not listened to.
+  bool on_hello(const msg::Hello& hello, Now now);
+  void on_description(const msg::RobotDescription& description, Now now);
+  /// The robot, when this state is news; null when it is an old one that came late.
+  const Robot* on_state(const msg::RobotState& state, Now now);
+  void on_clock_reply(const msg::ClockReply& reply, Now now);
+
+  /// Before anything else is done with a peer's message. none: it is not known to be a robot, and this message is
+  /// not one that only robots send.
+  std::optional<Incarnations::Verdict> hear(const msg::Header& from, bool says_it_is_a_robot, Now now);
+  bool is_refused(const PeerId& peer) const { return refused_.contains(peer); }
+
+  /// Silence, ended twins, clock probes. Returns robots that fell silent just now.
+  std::vector<RobotId> tick(Now now);
+  std::optional<SteadyTime> next() const;
+
+  const std::map<RobotId, Robot>& robots() const { return robots_; }
+  const Robot* find(const RobotId& id) const;
+  /// The robot's name, or its id when it has none.
+  std::string name_of(const RobotId& id) const;
+  /// By name or by 32 hex digits. not_found: lists who there is. refused: two have the name; gives both ids.
+  Result<RobotId> by_name(const std::string& text) const;
+
+ private:
+  Robot& entry(const RobotId& id, Now now);
+  void named(Robot& robot, const std::string& name, Now now);
+  void changed(const Robot& robot, const msg::RobotState& next, Now now);
+  void note(const char* kind, const Robot& robot, const std::string& cause, Now now);
+
+  Context& context_;
+  Random random_;
+  Duration silent_after_;
+  std::map<RobotId, Robot> robots_;
+  std::set<PeerId> refused_;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,317 @@
+#include "server/intake/intake.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kRetry = 2s;
+constexpr std::size_t kAhead = 16;                      ///< batches of one experience that may wait
+constexpr std::uint64_t kWaitingBytes = 256ULL << 20U;  ///< contents that may wait for the rest of their batch
+constexpr std::size_t kMissingInAck = 256;
+constexpr std::size_t kMostWaitingLines = 1024;
+}  // namespace
+
+Intake::Intake(Context& context, std::map<ExperienceId, std::uint64_t> durable_through) : context_(context) {
+  for (const auto& [experience, through] : durable_through) {
+    Line& line = lines_[experience];
+    line.durable_through = through;
+    const Experience* const known = context.snapshots.current().experience(experience);
+    if (known != nullptr) line.robot = known->robot;
+  }
+}
+
+std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, Now now) {
+  const Batch& batch = message.batch;
+  const RobotId sender = message.header.sender;
+  if (batch.robot != sender || !batch.experience || batch.sequence == 0) {
+    ++context_.counters["intake: batch without an id, or of another robot"];
+    return {};
+  }
+  const bool is_new = !lines_.contains(batch.experience);
+  if (is_new && lines_.size() >= kMostWaitingLines + context_.snapshots.current().experiences().size()) {
+    ++context_.counters["intake: too many unfinished experiences"];
+    return {};
+  }
+  Line& line = lines_[batch.experience];
+  if (is_new) line.robot = sender;
+  if (line.robot != sender) {
+    ++context_.counters["intake: experience of another robot"];
+    return {};
+  }
+  const ContentHash hash = weft::hash(batch);
+  if (batch.sequence <= line.durable_through) {
+    if (context_.store.batch_hash(batch.experience, batch.sequence) != hash) {
+      refuse(line, batch, hash, {ErrorCode::conflict, "it is on disk with another hash"}, now);
+    }
+  } else if (const Result<void> taken = accept(line, message, hash); !taken) {
+    if (taken.error().code == ErrorCode::exhausted) {
+      ++context_.counters["intake: no room, batch to be repeated"];
+    } else {
+      refuse(line, batch, hash, taken.error(), now);
+    }
+  }
+  std::vector<Batch> joined = advance(batch.experience, now);
+  answer(batch.experience, line);
+  return joined;
+}
+
+/// exhausted: no room now, it will be repeated. Anything else: refused for good.
+Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, const ContentHash& hash) {
+  const Batch& batch = message.batch;
+  const auto found = line.waiting.find(batch.sequence);
+  if (found != line.waiting.end()) {
+    if (found->second.hash == hash) return {};
+    return fail(ErrorCode::conflict, "it came before with another hash, and that one waits for its contents");
+  }
+  if (batch.sequence > line.durable_through + kAhead) return fail(ErrorCode::exhausted, "too far ahead");
+  for (const Place& place : batch.places) {
+    if (place.content.size == 0 || place.content.size > msg::kContentBytes) {
+      return fail(ErrorCode::invalid, "content of place " + to_string(place.id) + " has " +
+                                          std::to_string(place.content.size) + " bytes; 1 to " +
+                                          std::to_string(msg::kContentBytes) + " are taken");
+    }
+  }
+  std::map<ContentHash, std::uint64_t> needs = contents_needed(batch);
+  if (const Result<void> room = make_room(needs); !room) return room;
+  for (const auto& [content, size] : needs) {
+    const auto [at, is_new] = incoming_.try_emplace(content, Incoming{.size = size, .assembly = Assembly(size)});
+    ++at->second.wanted_by;
+    if (is_new) bytes_ += size;
+  }
+  line.waiting.emplace(
+      batch.sequence,
+      Waiting{.batch = batch, .hash = hash, .needs = std::move(needs), .incarnation = message.header.incarnation});
+  return {};
+}
+
+std::map<ContentHash, std::uint64_t> Intake::contents_needed(const Batch& batch) const {
+  std::map<ContentHash, std::uint64_t> needs;
+  for (const Place& place : batch.places) {
+    if (!context_.store.has_content(place.content.hash)) needs.emplace(place.content.hash, place.content.size);
+  }
+  return needs;
+}
+
+Result<void> Intake::make_room(const std::map<ContentHash, std::uint64_t>& needs) {
+  std::uint64_t more = 0;
+  for (const auto& [content, size] : needs) {
+    const auto found = incoming_.find(content);
+    if (found == incoming_.end()) {
+      more += size;
+    } else if (found->second.size != size) {
+      return fail(ErrorCode::invalid, "content " + to_string(content) + " is stated with two sizes");
+    }
+  }
+  if (more > kWaitingBytes) {
+    return fail(ErrorCode::invalid, "the batch's contents have " + std::to_string(more) + " bytes; at most " +
+                                        std::to_string(kWaitingBytes) + " are taken at once: send smaller batches");
+  }
+  if (bytes_ + more > kWaitingBytes) return fail(ErrorCode::exhausted, "contents of other batches wait");
+  return {};
+}
+
+std::vector<Batch> Intake::on_chunk(const msg::Chunk& chunk, Now now) {
+  const auto found = incoming_.find(chunk.hash);
+  if (chunk.kind != msg::ContentKind::content || found == incoming_.end()) {
+    ++context_.counters["intake: chunk that no batch waits for"];
+    return {};
+  }
+  Incoming& incoming = found->second;
+  if (incoming.done) return {};
+  if (!incoming.assembly.add(chunk)) {
+    ++context_.counters["intake: chunk outside of its content"];
+    return {};
+  }
+  if (!incoming.assembly.is_complete()) return {};
+  Result<Bytes> bytes = std::move(incoming.assembly).take(chunk.hash);
+  incoming.assembly = Assembly(bytes ? 0 : incoming.size);
+  if (!bytes) {
+    ++context_.counters["intake: content with a wrong hash"];
+    context_.record.note({.at = {},
+                          .kind = "intake.content_refused",
+                          .robot = chunk.header.sender,
+                          .goal = {},
+                          .cause = bytes.error().message,
+                          .who = "server"},
+                         now);
+    return {};
+  }
+  incoming.done = *std::move(bytes);
+  std::vector<Batch> joined;
+  for (auto& [experience, line] : lines_) {
+    if (line.waiting.empty() || !line.waiting.begin()->second.needs.contains(chunk.hash)) continue;
+    std::vector<Batch> more = advance_and_answer(experience, line, now);
+    joined.insert(joined.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+  return joined;
+}
+
+bool Intake::is_ready(const Waiting& waiting) const {
+  return std::all_of(waiting.needs.begin(), waiting.needs.end(), [this](const auto& need) {
+    const auto found = incoming_.find(need.first);
+    return (found != incoming_.end() && found->second.done) || context_.store.has_content(need.first);
+  });
+}
+
+std::vector<Batch> Intake::advance_and_answer(ExperienceId experience, Line& line, Now now) {
+  std::vector<Batch> joined = advance(experience, now);
+  if (!joined.empty() || line.refusal) answer(experience, line);
+  return joined;
+}
+
+std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
+  std::vector<Batch> joined;
+  Line& line = lines_.at(experience);
+  while (true) {
+    const auto next = line.waiting.find(line.durable_through + 1);
+    if (next == line.waiting.end()) return joined;
+    const std::uint64_t sequence = next->first;
+    const std::vector<Error> issues = check(context_.snapshots.current(), next->second.batch);
+    if (!issues.empty()) {
+      refuse_waiting(line, sequence, issues.front(), now);
+      return joined;
+    }
+    if (!is_ready(next->second)) return joined;
+    if (const Result<void> done = commit(line, next->second, now); !done) {
+      const bool never_fits = done.error().code == ErrorCode::conflict || done.error().code == ErrorCode::invalid;
+      if (never_fits) {
+        refuse_waiting(line, sequence, done.error(), now);
+      } else {
+        retry_at_ = now.steady + kRetry;
+      }
+      return joined;
+    }
+    seal_abandoned(next->second, now);
+    joined.push_back(next->second.batch);
+    forget(line, sequence);
+  }
+}
+
+Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
+  storage::Transaction transaction;
+  for (const auto& [content, size] : waiting.needs) {
+    if (context_.store.has_content(content)) continue;
+    transaction.changes.emplace_back(storage::PutContent{
+        .hash = content, .kind = msg::ContentKind::content, .bytes = *incoming_.at(content).done});
+  }
+  transaction.changes.emplace_back(storage::AppendBatch{.batch = waiting.batch, .hash = waiting.hash});
+  if (waiting.batch.sequence == 1 || waiting.batch.seal) {
+    transaction.changes.emplace_back(
+        storage::PutEvent{{.at = {},
+                           .kind = waiting.batch.seal ? "experience.sealed" : "experience.begun",
+                           .robot = waiting.batch.robot,
+                           .goal = {},
+                           .cause = to_string(waiting.batch.experience) + " " + waiting.batch.name +
+                                    (waiting.batch.seal ? ": " + waiting.batch.seal_reason : ""),
+                           .who = "server"}});
+  }
+  const Result<Revision> done = context_.record.commit(std::move(transaction), now);
+  if (!done) return fail(done.error());
+  context_.snapshots.push(with(context_.snapshots.current(), waiting.batch));
+  line.durable_through = waiting.batch.sequence;
+  line.incarnation = waiting.incarnation;
+  ++acknowledged_;
+  return {};
+}
+
+/// A robot that begins another experience after a restart has given up what it had left open: its agent sends what
+/// it still has of older ones first.
+void Intake::seal_abandoned(const Waiting& waiting, Now now) {
+  if (waiting.batch.sequence != 1) return;
+  std::vector<ExperienceId> open;
+  for (const auto& [id, experience] : context_.snapshots.current().experiences()) {
+    if (id == waiting.batch.experience || experience->sealed || experience->robot != waiting.batch.robot) continue;
+    const Line& line = lines_[id];
+    if (line.waiting.empty() && line.incarnation != waiting.incarnation) open.push_back(id);
+  }
+  for (const ExperienceId id : open) {
+    const std::string reason = "its robot began " + to_string(waiting.batch.experience) + " after a restart";
+    if (!context_.record.commit({{storage::SealExperience{.experience = id, .reason = reason},
+                                  storage::PutEvent{{.at = {},
+                                                     .kind = "experience.sealed",
+                                                     .robot = waiting.batch.robot,
+                                                     .goal = {},
+                                                     .cause = to_string(id) + ": " + reason,
+                                                     .who = "server"}}}},
+                                now)) {
+      return;
+    }
+    context_.snapshots.push(with_seal(context_.snapshots.current(), id, reason));
+  }
+}
+
+void Intake::refuse(Line& line, const Batch& batch, const ContentHash& hash, const Error& why, Now now) {
+  line.refusal = why;
+  line.refusal_of = batch.sequence;
+  if (line.last_refused == hash) return;
+  line.last_refused = hash;
+  ++refused_;
+  ++context_.counters[std::string("intake: batch refused, ") + to_string(why.code)];
+  context_.record.note(
+      {.at = {},
+       .kind = "intake.refused",
+       .robot = batch.robot,
+       .goal = {},
+       .cause = to_string(batch.experience) + " batch " + std::to_string(batch.sequence) + ": " + why.message,
+       .who = "server"},
+      now);
+}
+
+void Intake::refuse_waiting(Line& line, std::uint64_t sequence, const Error& why, Now now) {
+  const Waiting& wrong = line.waiting.at(sequence);
+  refuse(line, wrong.batch, wrong.hash, why, now);
+  // What follows a batch that never comes is never taken either.
+  while (!line.waiting.empty()) forget(line, line.waiting.begin()->first);
+}
+
+void Intake::forget(Line& line, std::uint64_t sequence) {
+  const auto found = line.waiting.find(sequence);
+  if (found == line.waiting.end()) return;
+  for (const auto& [content, size] : found->second.needs) {
+    const auto incoming = incoming_.find(content);
+    if (incoming == incoming_.end() || --incoming->second.wanted_by > 0) continue;
+    bytes_ -= size;
+    incoming_.erase(incoming);
+  }
+  line.waiting.erase(found);
+}
+
+void Intake::answer(ExperienceId experience, Line& line) {
+  msg::BatchAck ack;
+  ack.to = line.robot;
+  ack.experience = experience;
+  ack.durable_through = line.durable_through;
+  if (line.refusal) {
+    ack.refused_sequence = line.refusal_of;
+    ack.refusal = line.refusal->message;
+    line.refusal.reset();
+  }
+  const auto next = line.waiting.find(line.durable_through + 1);
+  if (next != line.waiting.end()) {
+    for (const auto& [content, size] : next->second.needs) {
+      const auto found = incoming_.find(content);
+      if (found != incoming_.end() && !found->second.done) ack.missing.push_back(content);
+      if (ack.missing.size() == kMissingInAck) break;
+    }
+  }
+  context_.out.send(std::move(ack));
+}
+
+std::vector<Batch> Intake::tick(Now now) {
+  std::vector<Batch> joined;
+  if (!retry_at_ || *retry_at_ > now.steady) return joined;
+  retry_at_.reset();
+  for (auto& [experience, line] : lines_) {
+    if (line.waiting.empty()) continue;
+    std::vector<Batch> more = advance_and_answer(experience, line, now);
+    joined.insert(joined.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    if (retry_at_) return joined;
+  }
+  return joined;
+}
+
+}  // namespace weft::server

@@ -1,0 +1,93 @@
+#include "server/keeper/subscriptions.hpp"
+
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "server/keeper/parts.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kBetweenPatches = 500ms;
+constexpr std::size_t kMostAskers = 1024;
+}  // namespace
+
+void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now) {
+  const PeerId peer = request.header.sender;
+  if (askers_.size() >= kMostAskers && !askers_.contains(peer)) {
+    ++context_.counters["keeper: too many askers"];
+    return;
+  }
+  Asker& asker = askers_[peer];
+  asker.definition_id = request.definition_id;
+  asker.definition = request.definition;
+  // A window of another definition is as good a base, as long as both know it.
+  const bool holds_what_we_think =
+      asker.held && asker.held->revision == request.held && asker.held_digest == request.held_digest;
+  if (!holds_what_we_think) asker.held = window_at(request.held, request.definition, request.held_digest);
+  asker.held_digest = request.held_digest;
+  asker.behind = true;
+  asker.asked = true;
+  if (asker.next_patch <= now) serve(peer, asker, now);
+}
+
+std::shared_ptr<const Window> Subscriptions::window_at(Revision revision, const WindowDefinition& definition,
+                                                       const Digest& held_digest) const {
+  if (revision == Revision{}) return nullptr;
+  const std::shared_ptr<const Snapshot> kept = context_.snapshots.at(revision);
+  // A revision that is not kept any more may still look the same from there.
+  const Snapshot& snapshot = kept ? *kept : context_.snapshots.current();
+  Window window = make_window(snapshot, definition);
+  // A window of another definition, or one that went wrong, is no base: the asker gets a fresh one.
+  if (digest(window) != held_digest) return nullptr;
+  window.revision = revision;
+  return std::make_shared<const Window>(std::move(window));
+}
+
+void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
+  asker.behind = false;
+  auto target = std::make_shared<const Window>(make_window(context_.snapshots.current(), asker.definition));
+  const Digest target_digest = digest(*target);
+  const bool holds_it = asker.held != nullptr && asker.held_digest == target_digest;
+  // An asker is answered even if nothing changed: it may be waiting for its new definition to be confirmed.
+  if (holds_it && !asker.asked) return;
+  asker.asked = false;
+  const Window empty;
+  Patch patch = difference(asker.held ? *asker.held : empty, *target);
+  patch.digest = target_digest;
+  std::vector<Patch> parts = parts_of(patch, msg::kPatchEntities);
+  const auto count = static_cast<std::uint32_t>(parts.size());
+  for (std::uint32_t part = 0; part < count; ++part) {
+    context_.out.send(msg::WindowPatch{.header = {},
+                                       .to = peer,
+                                       .definition_id = asker.definition_id,
+                                       .part = part,
+                                       .parts = count,
+                                       .patch = std::move(parts[part])});
+  }
+  asker.held = std::move(target);
+  asker.held_digest = target_digest;
+  asker.next_patch = now + kBetweenPatches;
+}
+
+void Subscriptions::network_changed() {
+  for (auto& [peer, asker] : askers_) asker.behind = true;
+}
+
+void Subscriptions::tick(SteadyTime now) {
+  for (auto& [peer, asker] : askers_) {
+    if (asker.behind && asker.next_patch <= now) serve(peer, asker, now);
+  }
+}
+
+std::optional<SteadyTime> Subscriptions::next() const {
+  std::optional<SteadyTime> next;
+  for (const auto& [peer, asker] : askers_) {
+    if (asker.behind && (!next || asker.next_patch < *next)) next = asker.next_patch;
+  }
+  return next;
+}
+
+}  // namespace weft::server

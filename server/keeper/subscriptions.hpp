@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+
+namespace weft::server {
+
+/// Keeps every asker's window as the network has it. At most two patches a second for each asker; none unasked while
+/// its window is right. What was sent is taken for received until the asker says that it holds something else.
+class Subscriptions {
+ public:
+  explicit Subscriptions(Context& context) : context_(context) {}
+
+  void on_request(const msg::WindowRequest& request, SteadyTime now);
+  /// The network has a new revision.
+  void network_changed();
+  void tick(SteadyTime now);
+  std::optional<SteadyTime> next() const;
+
+ private:
+  struct Asker {
+    std::uint64_t definition_id = 0;
+    WindowDefinition definition;
+    std::shared_ptr<const Window> held;  ///< as far as we know; null: nothing, or nothing we can build on
+    Digest held_digest;
+    SteadyTime next_patch;  ///< not earlier
+    bool behind = true;     ///< its window may have changed
+    bool asked = true;      ///< it asked, and has no answer yet
+  };
+
+  void serve(const PeerId& peer, Asker& asker, SteadyTime now);
+  /// The window that somebody with this digest holds; null when we cannot tell what it is.
+  std::shared_ptr<const Window> window_at(Revision revision, const WindowDefinition& definition,
+                                          const Digest& held_digest) const;
+
+  Context& context_;
+  std::map<PeerId, Asker> askers_;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,118 @@
+#include "server/library/shelf.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+constexpr double kBytesPerSecond = 4.0 * (1U << 20U);  ///< for each asker
+constexpr double kBurstBytes = 8.0 * msg::kChunkBytes;
+constexpr std::size_t kMostWanted = 8192;
+constexpr std::size_t kMostAskers = 1024;
+
+}  // namespace
+
+Shelf::Shelf(Context& context) : context_(context) {
+  for (const auto& [id, experience] : context.snapshots.current().experiences()) {
+    for (const Place& place : experience->places) sizes_.emplace(place.content.hash, place.content.size);
+  }
+}
+
+void Shelf::joined(const Batch& batch) {
+  for (const Place& place : batch.places) sizes_.emplace(place.content.hash, place.content.size);
+}
+
+void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
+  if (askers_.size() >= kMostAskers && !askers_.contains(request.header.sender)) {
+    ++context_.counters["library: too many askers"];
+    return;
+  }
+  const auto [at, is_new] = askers_.try_emplace(request.header.sender);
+  Asker& asker = at->second;
+  if (is_new) {
+    asker.budget = kBurstBytes;
+    asker.budget_at = now;
+  }
+  for (const msg::ContentRequest::Item& item : request.items) {
+    const auto known = sizes_.find(item.hash);
+    if (known == sizes_.end()) {
+      ++context_.counters["library: content that nobody handed in"];
+      continue;
+    }
+    if (item.offset >= known->second || asker.wanted.size() >= kMostWanted) continue;
+    // Asked again while it is being sent: those bytes are on their way.
+    asker.wanted.emplace(Key{known->second, item.hash}, item.offset);
+  }
+}
+
+void Shelf::refill(Asker& asker, SteadyTime now) const {
+  asker.budget = std::min(kBurstBytes, asker.budget + kBytesPerSecond * seconds(now - asker.budget_at));
+  asker.budget_at = now;
+}
+
+std::shared_ptr<const Bytes> Shelf::fetch(const ContentHash& hash, Now now) {
+  if (open_ != nullptr && open_hash_ == hash) return open_;
+  Result<Bytes> bytes = context_.store.content(hash);
+  if (!bytes) {
+    ++context_.counters["library: content cannot be read"];
+    context_.record.note({.at = {},
+                          .kind = "library.content_damaged",
+                          .robot = {},
+                          .goal = {},
+                          .cause = bytes.error().message,
+                          .who = "server"},
+                         now);
+    sizes_.erase(hash);
+    return nullptr;
+  }
+  open_hash_ = hash;
+  open_ = std::make_shared<const Bytes>(*std::move(bytes));
+  return open_;
+}
+
+void Shelf::serve(const PeerId& peer, Asker& asker, Now now) {
+  refill(asker, now.steady);
+  while (!asker.wanted.empty() && asker.budget >= 0.0) {
+    const auto first = asker.wanted.begin();
+    const ContentHash hash = std::get<1>(first->first);
+    const std::shared_ptr<const Bytes> bytes = fetch(hash, now);
+    if (bytes == nullptr || first->second >= bytes->size()) {
+      asker.wanted.erase(first);
+      continue;
+    }
+    const std::uint64_t offset = first->second;
+    const std::uint64_t size = std::min<std::uint64_t>(msg::kChunkBytes, bytes->size() - offset);
+    const auto begin = bytes->begin() + static_cast<std::ptrdiff_t>(offset);
+    context_.out.send(msg::Chunk{.header = {},
+                                 .to = peer,
+                                 .kind = msg::ContentKind::content,
+                                 .hash = hash,
+                                 .total = bytes->size(),
+                                 .offset = offset,
+                                 .data = Bytes(begin, begin + static_cast<std::ptrdiff_t>(size))});
+    asker.budget -= static_cast<double>(size);
+    first->second += size;
+    if (first->second == bytes->size()) asker.wanted.erase(first);
+  }
+}
+
+void Shelf::tick(Now now) {
+  for (auto& [peer, asker] : askers_) {
+    if (!asker.wanted.empty()) serve(peer, asker, now);
+  }
+}
+
+std::optional<SteadyTime> Shelf::next() const {
+  std::optional<SteadyTime> next;
+  for (const auto& [peer, asker] : askers_) {
+    if (asker.wanted.empty()) continue;
+    // When a quarter of the burst can be sent at once: fewer, fuller wake-ups.
+    const double lacking = std::max(0.0, kBurstBytes / 4 - asker.budget);
+    const SteadyTime due = asker.budget_at + from_seconds(lacking / kBytesPerSecond);
+    if (!next || due < *next) next = due;
+  }
+  return next;
+}
+
+}  // namespace weft::server

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+
+namespace weft::server {
+
+/// Lends contents: each asker gets what it asked for in chunks, small contents first, within a budget of bytes a
+/// second, so that nothing small ever waits behind something big.
+class Shelf {
+ public:
+  explicit Shelf(Context& context);
+
+  void on_request(const msg::ContentRequest& request, SteadyTime now);
+  /// These contents can be asked for from now on.
+  void joined(const Batch& batch);
+  void tick(Now now);
+  std::optional<SteadyTime> next() const;
+
+ private:
+  using Key = std::tuple<std::uint64_t, ContentHash>;  ///< size first: small before big
+  struct Asker {
+    std::map<Key, std::uint64_t> wanted;  ///< and from which offset on
+    double budget = 0.0;                  ///< bytes that may be sent now
+    SteadyTime budget_at;
+  };
+
+  void refill(Asker& asker, SteadyTime now) const;
+  void serve(const PeerId& peer, Asker& asker, Now now);
+  std::shared_ptr<const Bytes> fetch(const ContentHash& hash, Now now);
+
+  Context& context_;
+  std::map<ContentHash, std::uint64_t> sizes_;
+  std::map<PeerId, Asker> askers_;
+  ContentHash open_hash_;  ///< the content read last, so that its chunks do not read it again each
+  std::shared_ptr<const Bytes> open_;
+};
+
+}  // namespace weft::server

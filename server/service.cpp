@@ -1,0 +1,249 @@
+#include "server/service.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "server/context.hpp"
+#include "server/desk/answers.hpp"
+#include "server/desk/desk.hpp"
+#include "server/dispatcher/dispatcher.hpp"
+#include "server/fleet/fleet.hpp"
+#include "server/fleet/protocol.hpp"
+#include "server/intake/intake.hpp"
+#include "server/keeper/subscriptions.hpp"
+#include "server/library/shelf.hpp"
+#include "server/traffic/traffic.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kBetweenHellos = 5s;
+constexpr std::size_t kMostClients = 1024;
+
+/// Wires the parts: who hears which message, and who has to know when something changed. Decides nothing itself.
+class FleetMapServer final : public Service {
+ public:
+  FleetMapServer(const ServiceConfig& config, storage::MapStore& store, storage::Stored stored, Random random,
+                 Now now)
+      : config_(config),
+        out_(config.self, config.incarnation, stored.epoch),
+        record_(store, out_, counters_),
+        snapshots_(std::move(stored.snapshot)),
+        context_{config_, store, out_, counters_, record_, snapshots_},
+        fleet_(context_, random.fork(1), stored.robots, now.steady),
+        intake_(context_, std::move(stored.durable_through)),
+        subscriptions_(context_),
+        shelf_(context_),
+        traffic_(context_, std::move(stored.occupancies)),
+        dispatcher_(context_, fleet_, traffic_, random.fork(2), std::move(stored.goals), std::move(stored.routes),
+                    now.steady),
+        desk_(context_, fleet_, dispatcher_),
+        answers_(context_, fleet_, traffic_, dispatcher_.book(), intake_),
+        next_hello_(now.steady) {
+    for (const std::string& damaged : stored.quarantined) {
+      record_.note(
+          {.at = {}, .kind = "store.quarantined", .robot = {}, .goal = {}, .cause = damaged, .who = "server"}, now);
+    }
+    record_.note({.at = {},
+                  .kind = "server.started",
+                  .robot = {},
+                  .goal = {},
+                  .cause = "epoch " + std::to_string(stored.epoch.value) + ", revision " +
+                           std::to_string(snapshots_.current().revision().value),
+                  .who = config.name},
+                 now);
+  }
+
+  std::vector<msg::Message> handle(const msg::Message& message, Now now) override {
+    std::visit([&](const auto& one) { receive(one, now); }, message);
+    settle(now);
+    return out_.take();
+  }
+
+  std::vector<msg::Message> tick(Now now) override {
+    if (next_hello_ <= now.steady) say_hello(now.steady);
+    for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot);
+    after(intake_.tick(now), now);
+    subscriptions_.tick(now.steady);
+    shelf_.tick(now);
+    desk_.tick(now.steady);
+    settle(now);
+    return out_.take();
+  }
+
+  std::optional<SteadyTime> next_tick() const override {
+    SteadyTime next = next_hello_;
+    for (const std::optional<SteadyTime>& due :
+         {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(), dispatcher_.next(), desk_.next()}) {
+      if (due) next = std::min(next, *due);
+    }
+    return next;
+  }
+
+  void count(const std::string& what, std::uint64_t times) override { counters_[what] += times; }
+  const Snapshot& snapshot() const override { return snapshots_.current(); }
+  std::vector<Goal> goals() const override {
+    std::vector<Goal> goals;
+    for (const auto& [id, goal] : dispatcher_.book().goals()) goals.push_back(goal);
+    return goals;
+  }
+  std::optional<Error> broken() const override { return record_.broken(); }
+
+ private:
+  using Verdict = Incarnations::Verdict;
+
+  void settle(Now now) {
+    const Revision revision = snapshots_.current().revision();
+    if (revision != told_revision_) {
+      told_revision_ = revision;
+      subscriptions_.network_changed();
+      subscriptions_.tick(now.steady);
+      dispatcher_.network_changed();
+    }
+    dispatcher_.tick(now);
+  }
+
+  void say_hello(SteadyTime now) {
+    next_hello_ = now + kBetweenHellos;
+    msg::Hello hello;
+    hello.peer = config_.self;
+    hello.incarnation = config_.incarnation;
+    hello.role = msg::Role::server;
+    hello.epoch = out_.epoch();
+    hello.name = config_.name;
+    hello.software = config_.software;
+    hello.vendor = config_.vendor;
+    out_.send(std::move(hello));
+  }
+
+  void after(const std::vector<Batch>& joined, Now now) {
+    for (const Batch& batch : joined) {
+      shelf_.joined(batch);
+      traffic_.joined(batch);
+      desk_.joined(batch, now);
+    }
+  }
+
+  /// True when the message comes from somebody who may speak.
+  bool admit(const msg::Header& from, bool says_it_is_a_robot, Now now) {
+    if (fleet_.is_refused(from.sender)) {
+      ++counters_["message from a peer without a common protocol version"];
+      return false;
+    }
+    if (from.epoch > out_.epoch()) ++counters_["message that knows a newer server"];
+    const Robot* const before = fleet_.find(from.sender);
+    const bool were_twins = before != nullptr && before->incarnations.twins();
+    const std::optional<Verdict> verdict = fleet_.hear(from, says_it_is_a_robot, now);
+    if (!verdict) return !says_it_is_a_robot;
+    if (*verdict == Verdict::fresh) dispatcher_.on_restart(from.sender);
+    if (*verdict == Verdict::twin && !were_twins) desk_.on_twins(from.sender, now);
+    if (*verdict == Verdict::late) ++counters_["message of a robot's earlier incarnation"];
+    if (*verdict == Verdict::twin) ++counters_["message of a robot that runs twice"];
+    return *verdict == Verdict::first || *verdict == Verdict::fresh || *verdict == Verdict::current;
+  }
+
+  std::string who_is(const PeerId& client) const {
+    const auto known = clients_.find(client);
+    return known == clients_.end() ? to_string(client) : known->second;
+  }
+
+  void receive(const msg::Hello& hello, Now now) {
+    if (hello.role == msg::Role::server) {
+      ++counters_["hello of another server"];
+      return;
+    }
+    if (!fleet_.on_hello(hello, now)) return;
+    if (hello.role == msg::Role::client && (clients_.size() < kMostClients || clients_.contains(hello.peer))) {
+      clients_[hello.peer] = hello.name;
+    }
+    const bool is_agent = hello.role == msg::Role::agent;
+    if (is_agent) std::ignore = admit({hello.peer, hello.incarnation, {}, 0, {}}, true, now);
+    say_hello(now.steady);
+  }
+  void receive(const msg::RobotDescription& description, Now now) {
+    if (!admit(description.header, true, now)) return;
+    fleet_.on_description(description, now);
+    traffic_.set_footprint(description.header.sender, description.footprint_radius_m);
+  }
+  void receive(const msg::RobotState& state, Now now) {
+    if (!admit(state.header, true, now)) return;
+    const Robot* const robot = fleet_.on_state(state, now);
+    if (robot == nullptr) return;
+    dispatcher_.on_state(*robot, now);
+    desk_.on_state(*robot, now.steady);
+  }
+  void receive(const msg::ExperienceBatch& batch, Now now) {
+    // What was seen stays true whichever incarnation hands it in.
+    std::ignore = admit(batch.header, true, now);
+    if (!fleet_.is_refused(batch.header.sender)) after(intake_.on_batch(batch, now), now);
+  }
+  void receive(const msg::Chunk& chunk, Now now) {
+    if (!fleet_.is_refused(chunk.header.sender)) after(intake_.on_chunk(chunk, now), now);
+  }
+  void receive(const msg::ContentRequest& request, Now now) {
+    if (!admit(request.header, false, now)) return;
+    shelf_.on_request(request, now.steady);
+    shelf_.tick(now);
+  }
+  void receive(const msg::WindowRequest& request, Now now) {
+    if (admit(request.header, false, now)) subscriptions_.on_request(request, now.steady);
+  }
+  void receive(const msg::RouteProgress& progress, Now now) {
+    if (admit(progress.header, true, now)) dispatcher_.on_progress(progress, now);
+  }
+  void receive(const msg::AgentReply& reply, Now now) {
+    if (admit(reply.header, true, now)) desk_.on_reply(reply, now);
+  }
+  void receive(const msg::ClockReply& reply, Now now) {
+    if (admit(reply.header, false, now)) fleet_.on_clock_reply(reply, now);
+  }
+  void receive(const msg::OperatorRequest& request, Now now) {
+    if (admit(request.header, false, now)) desk_.on_request(request, who_is(request.header.sender), now);
+  }
+  void receive(const msg::Query& query, Now now) {
+    if (admit(query.header, false, now)) answers_.on_query(query, now.steady);
+  }
+  /// Everything else is what servers say.
+  template <class M>
+  void receive(const M& /*message*/, Now /*now*/) {
+    ++counters_["message that only a server sends"];
+  }
+
+  const ServiceConfig config_;
+  Counters counters_;
+  Outbox out_;
+  Recorder record_;
+  Snapshots snapshots_;
+  Context context_;
+  Fleet fleet_;
+  Intake intake_;
+  Subscriptions subscriptions_;
+  Shelf shelf_;
+  Traffic traffic_;
+  Dispatcher dispatcher_;
+  Desk desk_;
+  Answers answers_;
+  std::map<PeerId, std::string> clients_;
+  Revision told_revision_;
+  SteadyTime next_hello_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Service>> start(const ServiceConfig& config, storage::MapStore& store, Random random,
+                                       Now now) {
+  const bool is_bound = config.robot_silent_after_s > 0 && config.robot_silent_after_s <= 3600;
+  if (!is_bound) {
+    return fail(ErrorCode::invalid, "robot_silent_after_s is " + std::to_string(config.robot_silent_after_s) +
+                                        "; it must be over 0 and at most 3600");
+  }
+  Result<storage::Stored> stored = store.open();
+  if (!stored) return fail(stored.error());
+  return std::make_unique<FleetMapServer>(config, store, *std::move(stored), random, now);
+}
+
+}  // namespace weft::server

@@ -1,0 +1,231 @@
+#include "server/traffic/traffic.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+/// Until a robot has described itself. Larger than usual robots, so that a restart gives nothing away.
+constexpr double kUnknownFootprint_m = 0.6;
+/// A standing robot whose nearest place changes within this is still at the place it was at.
+constexpr double kSameStand_m = 0.2;
+
+storage::PutOccupancy standing_at(const RobotId& robot, const PlaceId& place) {
+  storage::PutOccupancy occupancy;
+  occupancy.robot = robot;
+  occupancy.held.robot = robot;
+  occupancy.held.places = {place};
+  return occupancy;
+}
+
+storage::PutOccupancy nothing_held(const RobotId& robot) {
+  storage::PutOccupancy occupancy;
+  occupancy.robot = robot;
+  return occupancy;
+}
+
+/// `place` is where it stands; further off it than the usual slack only if it says so.
+Touched standing(const msg::RobotState& state, double footprint_m) {
+  return {.place = state.place, .reach_m = footprint_m + std::max(kLeastSlack_m, distance_m(state.place_from_robot))};
+}
+
+}  // namespace
+
+Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored)
+    : context_(context), nearness_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m) {
+  for (auto& [robot, occupancy] : stored) holder(robot).occupancy = std::move(occupancy);
+}
+
+Traffic::Holder& Traffic::holder(const RobotId& robot) {
+  const auto [at, is_new] = holders_.try_emplace(robot);
+  if (is_new) {
+    at->second.occupancy = nothing_held(robot);
+    at->second.footprint_m = kUnknownFootprint_m;
+  }
+  return at->second;
+}
+
+std::vector<Touched> Traffic::touched(const Holder& holder) const {
+  std::vector<Touched> all = touched_by(holder.occupancy, holder.footprint_m);
+  if (holder.intruding) all.push_back(*holder.intruding);
+  return all;
+}
+
+void Traffic::set_footprint(const RobotId& robot, double radius_m) {
+  Holder& known = holder(robot);
+  if (known.footprint_m == radius_m) return;
+  known.footprint_m = radius_m;
+  nearness_.look_at_least(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
+  ++version_;
+}
+
+void Traffic::joined(const Batch& batch) {
+  nearness_.joined(batch);
+  ++version_;
+}
+
+std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
+  std::vector<Other> others;
+  for (const auto& [other, holder] : holders_) {
+    if (other == robot) continue;
+    others.push_back({other, look(context_.snapshots.current(), nearness_, touched(holder))});
+  }
+  return others;
+}
+
+std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Touched& place) {
+  const Looked here = look(context_.snapshots.current(), nearness_, place);
+  const auto found = std::find_if(others.begin(), others.end(), [&](const Other& other) {
+    return std::any_of(other.touched.begin(), other.touched.end(),
+                       [&](const Looked& there) { return overlap(here, there); });
+  });
+  if (found == others.end()) return std::nullopt;
+  return found->robot;
+}
+
+Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
+  Way way;
+  const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
+  const std::vector<Other> others = others_of(route.robot);
+  const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
+  for (std::uint32_t i = 0; i < wanted.size(); ++i) {
+    way.blocked_by = holder_near(others, wanted[i]);
+    if (way.blocked_by) return way;
+    way.through = from + i;
+  }
+  return way;
+}
+
+std::vector<storage::PutOccupancy> Traffic::claim(const Route& route, std::uint32_t from,
+                                                  std::uint32_t through) const {
+  std::vector<storage::PutOccupancy> changes;
+  // What others gave up goes first: at no point does the store hold two stretches that overlap.
+  for (const auto& [robot, holder] : holders_) {
+    if (!holder.is_stored && robot != route.robot) changes.push_back(holder.occupancy);
+  }
+  changes.push_back({.robot = route.robot, .held = route, .from = from, .to = through});
+  return changes;
+}
+
+void Traffic::committed(const std::vector<storage::PutOccupancy>& occupancies) {
+  for (const storage::PutOccupancy& occupancy : occupancies) {
+    Holder& known = holder(occupancy.robot);
+    known.occupancy = occupancy;
+    known.is_stored = true;
+    if (occupancy.held.id) known.cleared_at.reset();
+  }
+}
+
+void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t from) {
+  Holder& known = holder(robot);
+  storage::PutOccupancy& held = known.occupancy;
+  if (held.held.places.empty() || held.held.id != route || from <= held.from) return;
+  // The robot stays at least at the end of what it was given.
+  held.from = std::min(from, held.to);
+  known.is_stored = false;
+  ++version_;
+}
+
+bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) {
+  const storage::PutOccupancy& held = known.occupancy;
+  if (held.held.places.empty() || held.from != held.to) return false;
+  const PlaceId at = held.held.places[held.from];
+  if (at == state.place) return true;
+  // Between two places the nearest one flickers.
+  const std::vector<Near>& around = nearness_.around(context_.snapshots.current(), at);
+  const auto found = std::lower_bound(around.begin(), around.end(), state.place,
+                                      [](const Near& near, const PlaceId& id) { return near.place < id; });
+  return found != around.end() && found->place == state.place &&
+         found->clearance_m + distance_m(state.place_from_robot) <= kSameStand_m;
+}
+
+void Traffic::stands(const msg::RobotState& state, Now now) {
+  if (!state.localised || !state.place) return;
+  Holder& known = holder(state.header.sender);
+  if (known.cleared_at == state.place) return;
+  if (known.intruding) {
+    const bool nothing_new = known.intruding->place == state.place && known.intruding_looked == version_;
+    if (nothing_new) return;
+  } else if (is_there_still(known, state)) {
+    return;
+  }
+  // A place that was taught a moment ago and is not here yet tells us nothing.
+  if (context_.snapshots.current().place(state.place) == nullptr) return;
+  known.cleared_at.reset();
+  settle(state.header.sender, known, state, now);
+}
+
+void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState& state, Now now) {
+  const Touched here = standing(state, known.footprint_m);
+  const std::optional<RobotId> other = holder_near(others_of(robot), here);
+  if (!other) {
+    if (!store(robot, known, standing_at(robot, state.place), now)) return;
+    known.intruding.reset();
+    ++version_;
+    return;
+  }
+  if (!known.intruding) {
+    // It has left what it held, and stands where somebody else may drive. Nobody is released towards it.
+    if (!store(robot, known, nothing_held(robot), now)) return;
+    context_.record.note(
+        {.at = {},
+         .kind = "traffic.too_close",
+         .robot = robot,
+         .goal = {},
+         .cause = "it stands at " + to_string(state.place) + ", within what robot " + to_string(*other) + " holds",
+         .who = "server"},
+        now);
+    ++version_;
+  }
+  known.intruding = here;
+  known.intruding_looked = version_;
+}
+
+bool Traffic::store(const RobotId& robot, Holder& known, storage::PutOccupancy next, Now now) {
+  storage::Transaction transaction;
+  for (const auto& [other, holder] : holders_) {
+    if (!holder.is_stored && other != robot) transaction.changes.emplace_back(holder.occupancy);
+  }
+  transaction.changes.emplace_back(next);
+  if (!context_.record.commit(std::move(transaction), now)) return false;
+  for (auto& [other, holder] : holders_) holder.is_stored = true;
+  known.occupancy = std::move(next);
+  return true;
+}
+
+Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who, Now now) {
+  Holder& known = holder(robot);
+  if (known.occupancy.held.places.empty() && !known.intruding) return std::string("it held nothing");
+  const PlaceId at = known.intruding ? known.intruding->place : known.occupancy.held.places[known.occupancy.from];
+  storage::Transaction transaction;
+  transaction.changes.emplace_back(nothing_held(robot));
+  transaction.changes.emplace_back(storage::PutEvent{{.at = {},
+                                                      .kind = "traffic.cleared",
+                                                      .robot = robot,
+                                                      .goal = {},
+                                                      .cause = "from " + to_string(at),
+                                                      .who = who}});
+  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+    return fail(done.error());
+  }
+  known.occupancy = nothing_held(robot);
+  known.is_stored = true;
+  known.intruding.reset();
+  known.cleared_at = at;
+  ++version_;
+  return "nothing is held for it any more, from " + to_string(at) + " on";
+}
+
+const storage::PutOccupancy* Traffic::held(const RobotId& robot) const {
+  const auto found = holders_.find(robot);
+  if (found == holders_.end() || found->second.occupancy.held.places.empty()) return nullptr;
+  return &found->second.occupancy;
+}
+
+bool Traffic::holds_route(const RobotId& robot, const RouteId& route) const {
+  const storage::PutOccupancy* const occupancy = held(robot);
+  return occupancy != nullptr && occupancy->held.id == route;
+}
+
+}  // namespace weft::server

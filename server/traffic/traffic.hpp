@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+#include "server/traffic/nearness.hpp"
+#include "server/traffic/stretch.hpp"
+#include "storage/map_store.hpp"
+
+namespace weft::server {
+
+/// Who may touch what. A robot holds a stretch of the network: of its route what is released and not yet freed, else
+/// the place where it stands. What two robots hold never overlaps. A stretch is given up by its holder's report or by
+/// an operator, never because time has passed. A robot that never knew where it is holds nothing.
+class Traffic {
+ public:
+  Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored);
+
+  /// How far a route can be released for its robot.
+  struct Way {
+    std::optional<std::uint32_t> through;  ///< none: not even its first place is free
+    std::optional<RobotId> blocked_by;     ///< who holds what comes next; none: free to the end
+  };
+  Way way(const Route& route, std::uint32_t from);
+
+  /// What has to be committed with a release: the new stretch, and what others have given up meanwhile. Nothing
+  /// changes here until `committed`.
+  std::vector<storage::PutOccupancy> claim(const Route& route, std::uint32_t from, std::uint32_t through) const;
+  void committed(const std::vector<storage::PutOccupancy>& occupancies);
+
+  /// The holder's report: nothing before `from` is touched any more.
+  void freed(const RobotId& robot, const RouteId& route, std::uint32_t from);
+  /// The holder's report: it stands there, and follows no route (any more).
+  void stands(const msg::RobotState& state, Now now);
+  /// An operator vouches that the robot is not there. It holds nothing until it reports another place.
+  Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
+
+  void set_footprint(const RobotId& robot, double radius_m);
+  void joined(const Batch& batch);
+
+  /// None: it holds nothing.
+  const storage::PutOccupancy* held(const RobotId& robot) const;
+  bool holds_route(const RobotId& robot, const RouteId& route) const;
+  /// Counts up whenever somebody gave something up or the network changed: waiting routes are to be looked at again.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  struct Holder {
+    storage::PutOccupancy occupancy;  ///< empty places: nothing
+    double footprint_m = 0.0;
+    bool is_stored = true;               ///< the store has it like this
+    std::optional<Touched> intruding;    ///< where it stands although somebody else holds that
+    std::uint64_t intruding_looked = 0;  ///< version at which that was looked at
+    std::optional<PlaceId> cleared_at;   ///< where an operator says that it is not
+  };
+
+  struct Other {
+    RobotId robot;
+    std::vector<Looked> touched;
+  };
+
+  Holder& holder(const RobotId& robot);
+  std::vector<Touched> touched(const Holder& holder) const;
+  std::vector<Other> others_of(const RobotId& robot);
+  std::optional<RobotId> holder_near(const std::vector<Other>& others, const Touched& place);
+  bool is_there_still(const Holder& holder, const msg::RobotState& state);
+  void settle(const RobotId& robot, Holder& holder, const msg::RobotState& state, Now now);
+  bool store(const RobotId& robot, Holder& holder, storage::PutOccupancy next, Now now);
+
+  Context& context_;
+  Nearness nearness_;
+  std::map<RobotId, Holder> holders_;
+  std::uint64_t version_ = 1;
+};
+
+}  // namespace weft::server
