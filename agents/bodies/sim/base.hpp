@@ -1,0 +1,62 @@
+#pragma once
+#include <deque>
+
+#include "agents/bodies/sim/site.hpp"
+#include "agents/perception/motion.hpp"
+#include "core/geometry/pose2.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents::sim {
+
+/// Errors of one robot's own wheels as its base reports them: reported / rolled.
+struct WheelErrors {
+  double left_scale = 1.0;
+  double right_scale = 1.0;
+};
+/// Scale error and asymmetry of at least the stated sizes, at most a fifth more; signs and sizes from `random`.
+WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random);
+
+/// A differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same motion.
+class Base {
+ public:
+  Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,
+       const WheelErrors& wheels, const Pose2& site_from_robot, Random random);
+
+  /// Drives with `command` for `duration_s`, integrated in steps of at most 5 ms.
+  void advance(const Twist& command, double duration_s);
+
+  const Pose2& site_from_robot() const { return site_from_robot_; }
+  /// True motion now; zero against a box.
+  Twist velocity() const { return velocity_; }
+  /// Nothing rolls and nothing that was commanded waits.
+  bool at_rest() const;
+  /// What the wheels reported since the last call.
+  WheelStep take_wheel_step();
+
+ private:
+  void substep(const Twist& command, double dt_s);
+  bool touches_box(const Pose2& site_from_robot) const;
+
+  struct Delayed {
+    double due_s = 0.0;
+    Twist command;
+  };
+  BaseSetup setup_;
+  double slip_sigma_ = 0.0;
+  std::vector<Box> boxes_;
+  WheelErrors wheels_;
+  Pose2 site_from_robot_;
+  Random random_;
+  double now_s_ = 0.0;
+  std::deque<Delayed> waiting_;
+  Twist in_force_;
+  double left_m_s_ = 0.0, right_m_s_ = 0.0;    ///< rims
+  double left_slip_ = 0.0, right_slip_ = 0.0;  ///< share of the rim's way that is lost
+  Twist velocity_;
+  WheelStep reported_;
+};
+
+/// Distance from a point (site frame) to a box's footprint, metres; 0 inside.
+double distance_to(const Box& box, double x, double y);
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,286 @@
+#include "agents/bodies/sim/camera.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "agents/perception/lens.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+constexpr double kFarthestM = 6.0;  // the floor is drawn no further; the horizon is out of view
+constexpr double kMarginM = 0.1;    // of what is fetched around each grid node
+constexpr int kBlock = 64;          // pixels a side that are sampled together: their texels share cache lines
+constexpr std::size_t kNoise = 1U << 18U;
+
+TileKey tile_of(double x, double y) {
+  return {static_cast<std::int32_t>(std::floor(x / kTileM)), static_cast<std::int32_t>(std::floor(y / kTileM))};
+}
+
+}  // namespace
+
+Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::shared_ptr<const FloorSource> floor,
+               std::shared_ptr<const Scene> scene, const Light& light)
+    : camera_(camera),
+      options_(options),
+      columns_(camera.width / kShadeCell + 1),
+      rows_(camera.height / kShadeCell + 2),
+      rays_(camera),
+      floor_(std::move(floor), reach_m(), options.cache_bytes),
+      scene_(std::move(scene)),
+      light_(light) {
+  assert(camera_.width % kShadeCell == 0);
+  choose_levels();
+  make_noise();
+  const auto nodes = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  nodes_.resize(nodes);
+  gain_.resize(nodes);
+  add_.resize(nodes);
+  albedo_.resize(rays_.x.size());
+  const double corner = std::hypot(camera_.width / 2.0, camera_.height / 2.0);
+  for (int j = 0; j < rows_; ++j) {
+    for (int i = 0; i < columns_; ++i) {
+      const double r = std::hypot(i * kShadeCell - camera_.cx, j * kShadeCell - camera_.cy) / corner;
+      vignette_.push_back(static_cast<float>(1.0 - options_.vignetting * r * r));
+    }
+  }
+}
+
+Camera::Rays::Rays(const CameraModel& camera) {
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const Eigen::Vector2d ray = normalised_from_pixel(camera, {u, v});
+      x.push_back(static_cast<float>(ray.x()));
+      y.push_back(static_cast<float>(ray.y()));
+    }
+  }
+}
+
+FloorFromRay Camera::floor_from_ray(const Pose3& site_from_camera, double origin_x, double origin_y, double right_px,
+                                    double down_px) const {
+  const Eigen::Matrix3d r = site_from_camera.rotation.toRotationMatrix();
+  const Eigen::Vector3d& c = site_from_camera.translation;
+  // Camera centre + t * ray on z = 0: t = c.z / w with w = -(third row) . ray.
+  Eigen::Matrix3d m;
+  m.row(2) = -r.row(2);
+  m.row(0) = c.z() * r.row(0) + (c.x() - origin_x) * m.row(2);
+  m.row(1) = c.z() * r.row(1) + (c.y() - origin_y) * m.row(2);
+  m.col(2) += m.col(0) * (right_px / camera_.fx) + m.col(1) * (down_px / camera_.fy);
+  FloorFromRay h;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      h.m[3 * i + j] = static_cast<float>(m(i, j));
+    }
+  }
+  h.least_w = static_cast<float>(c.z() / kFarthestM);
+  return h;
+}
+
+namespace {
+
+Eigen::Vector2d floor_point(const FloorFromRay& h, float x, float y) {
+  const double w = std::max(h.least_w, h.m[6] * x + h.m[7] * y + h.m[8]);
+  return {(h.m[0] * x + h.m[1] * y + h.m[2]) / w, (h.m[3] * x + h.m[4] * y + h.m[5]) / w};
+}
+
+}  // namespace
+
+double Camera::reach_m() const {
+  const FloorFromRay h = floor_from_ray(camera_.robot_from_camera, 0.0, 0.0, 0.0, 0.0);
+  std::vector<Eigen::Vector2d> rim;
+  const auto add = [&](int u, int v) {
+    const auto at =
+        static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
+    rim.push_back(floor_point(h, rays_.x[at], rays_.y[at]));
+  };
+  for (int v = 0; v < camera_.height; v += 20) {
+    add(0, v);
+    add(camera_.width - 1, v);
+  }
+  for (int u = 0; u < camera_.width; u += 20) {
+    add(u, 0);
+    add(u, camera_.height - 1);
+  }
+  double most = 0.0;
+  for (const Eigen::Vector2d& a : rim) {
+    for (const Eigen::Vector2d& b : rim) {
+      most = std::max(most, (a - b).norm());
+    }
+  }
+  return most + 2 * kMarginM + 0.2;
+}
+
+void Camera::choose_levels() {
+  const FloorFromRay h = floor_from_ray(camera_.robot_from_camera, 0.0, 0.0, 0.0, 0.0);
+  const int u = camera_.width / 2;
+  for (int v = 0; v < camera_.height; ++v) {
+    const int row = std::min(v, camera_.height - 2);
+    const auto at =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
+    const Eigen::Vector2d here = floor_point(h, rays_.x[at], rays_.y[at]);
+    const Eigen::Vector2d right = floor_point(h, rays_.x[at + 1], rays_.y[at + 1]);
+    const std::size_t under = at + static_cast<std::size_t>(camera_.width);
+    const Eigen::Vector2d below = floor_point(h, rays_.x[under], rays_.y[under]);
+    // Across, one sample covers the pixel; along, four share it.
+    const double across = (right - here).norm();
+    const double along = (below - here).norm();
+    const double level = std::log2(std::max(across, along / kSubsamples) / kTexelM);
+    std::array<std::uint8_t, kSubsamples> row_levels{};
+    for (int k = 0; k < kSubsamples; ++k) {
+      // Each subsample changes level at another row: between levels the mean fades from one to the next.
+      const double own = std::floor(level + (k + 0.5) / kSubsamples);
+      row_levels[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::clamp(own, 0.0, kLevels - 1.0));
+    }
+    levels_.push_back(row_levels);
+  }
+}
+
+void Camera::make_noise() {
+  Random random(0x6e6f697365ULL);
+  noise_.resize(kNoise + static_cast<std::size_t>(camera_.width));
+  for (float& value : noise_) {
+    value = static_cast<float>(random.normal());
+  }
+}
+
+void Camera::look_at_grid(const Exposure& exposure) {
+  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+  const FloorFromRay h = floor_from_ray(exposure.site_from_camera_mid, eye.x(), eye.y(), 0.0, 0.0);
+  for (int j = 0; j < rows_; ++j) {
+    const int v = std::min(j * kShadeCell, camera_.height - 1);
+    for (int i = 0; i < columns_; ++i) {
+      const int u = std::min(i * kShadeCell, camera_.width - 1);
+      const auto at =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
+      const Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]);
+      nodes_[static_cast<std::size_t>(j * columns_ + i)] = {static_cast<float>(p.x() + eye.x()),
+                                                            static_cast<float>(p.y() + eye.y())};
+    }
+  }
+}
+
+void Camera::fetch_floor() {
+  for (int j = 0; j < rows_; ++j) {
+    int least = kLevels;
+    int most = 0;
+    for (int v = (j - 1) * kShadeCell; v <= (j + 1) * kShadeCell; ++v) {
+      for (const int level : levels_[static_cast<std::size_t>(std::clamp(v, 0, camera_.height - 1))]) {
+        least = std::min(least, level);
+        most = std::max(most, level);
+      }
+    }
+    TileKey last_low{INT32_MIN, 0};
+    TileKey last_high{};
+    for (int i = 0; i < columns_; ++i) {
+      const Node& node = nodes_[static_cast<std::size_t>(j * columns_ + i)];
+      const TileKey low = tile_of(node.x - kMarginM, node.y - kMarginM);
+      const TileKey high = tile_of(node.x + kMarginM, node.y + kMarginM);
+      if (low == last_low && high == last_high) {
+        continue;
+      }
+      last_low = low;
+      last_high = high;
+      for (TileKey key = low; key.y <= high.y; ++key.y) {
+        for (key.x = low.x; key.x <= high.x; ++key.x) {
+          for (int level = least; level <= most; ++level) {
+            floor_.need(level, key);
+          }
+        }
+      }
+    }
+  }
+}
+
+void Camera::sample_floor(const Exposure& exposure) {
+  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+  const TileKey origin = tile_of(eye.x(), eye.y());
+  std::array<FloorFromRay, kSubsamples> floor_from_ray_of{};
+  std::array<LevelPixels, kLevels> pixels{};
+  for (std::size_t k = 0; k < kSubsamples; ++k) {
+    floor_from_ray_of[k] = floor_from_ray(exposure.site_from_camera[k], origin.x * kTileM, origin.y * kTileM,
+                                          kSubsampleRight[k], kSubsampleDown[k]);
+  }
+  for (int l = 0; l < kLevels; ++l) {
+    pixels[static_cast<std::size_t>(l)] = floor_.level(l, origin);
+  }
+  for (int v0 = 0; v0 < camera_.height; v0 += kBlock) {
+    for (int u0 = 0; u0 < camera_.width; u0 += kBlock) {
+      for (int v = v0; v < std::min(v0 + kBlock, camera_.height); ++v) {
+        const auto at =
+            static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u0);
+        RowJob job;
+        job.ray_x = rays_.x.data() + at;
+        job.ray_y = rays_.y.data() + at;
+        job.count = std::min(kBlock, camera_.width - u0);
+        job.out = albedo_.data() + at;
+        for (std::size_t k = 0; k < kSubsamples; ++k) {
+          job.floor_from_ray[k] = &floor_from_ray_of[k];
+          job.level[k] = &pixels[levels_[static_cast<std::size_t>(v)][k]];
+        }
+        kernels().sample_row(job);
+      }
+    }
+  }
+}
+
+void Camera::light_grid(const Exposure& exposure) {
+  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+  light_.look_around(eye.x(), eye.y());
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const Light::AtPoint light =
+        light_.on_floor(nodes_[n].x, nodes_[n].y, eye.x(), eye.y(), eye.z(), exposure.body, options_.shadow);
+    const float gain = static_cast<float>(exposure.gain) * vignette_[n];
+    gain_[n] = gain * light.gain;
+    add_[n] = gain * light.shine;
+  }
+}
+
+std::size_t Camera::pixel(int u, int v) const {
+  return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
+}
+
+Camera::PixelLight Camera::light_at(int u, int v, double exposure_gain) const {
+  const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
+  const auto below = n + static_cast<std::size_t>(columns_);
+  const float s = static_cast<float>(u % kShadeCell) / kShadeCell;
+  const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
+  const auto between = [&](const std::vector<float>& grid) {
+    return (1 - t) * ((1 - s) * grid[n] + s * grid[n + 1]) + t * ((1 - s) * grid[below] + s * grid[below + 1]);
+  };
+  return {between(gain_), between(add_), static_cast<float>(exposure_gain) * between(vignette_)};
+}
+
+Bytes Camera::develop(const Exposure& exposure) const {
+  Bytes image(rays_.x.size());
+  Random random(exposure.noise_seed);
+  for (int v = 0; v < camera_.height; ++v) {
+    const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width);
+    const auto node = static_cast<std::ptrdiff_t>(v / kShadeCell) * columns_;
+    ShadeJob job;
+    job.albedo = albedo_.data() + at;
+    job.gain_above = gain_.data() + node;
+    job.gain_below = job.gain_above + columns_;
+    job.add_above = add_.data() + node;
+    job.add_below = job.add_above + columns_;
+    job.below = static_cast<float>(v % kShadeCell) / kShadeCell;
+    job.noise = noise_.data() + random.below(kNoise);
+    job.noise_scale = static_cast<float>(options_.noise_grey);
+    job.count = camera_.width;
+    job.out = image.data() + at;
+    kernels().shade_row(job);
+  }
+  return image;
+}
+
+Bytes Camera::render(const Exposure& exposure) {
+  look_at_grid(exposure);
+  fetch_floor();
+  sample_floor(exposure);
+  light_grid(exposure);
+  draw_boxes(exposure);
+  return develop(exposure);
+}
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,99 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "agents/bodies/sim/floor/floor_window.hpp"
+#include "agents/bodies/sim/light.hpp"
+#include "agents/bodies/sim/scene.hpp"
+#include "agents/perception/camera_model.hpp"
+#include "core/bytes.hpp"
+
+namespace weft::agents::sim {
+
+// Subsamples in time order, at -3/8 ... 3/8 of the exposure. Their places within the pixel are orthogonal to time
+// and to each other (the cubic and the quadratic contrast), so that filtering does not depend on the motion.
+inline constexpr std::array<double, kSubsamples> kSubsampleTime = {-0.375, -0.125, 0.125, 0.375};
+inline constexpr std::array<double, kSubsamples> kSubsampleDown = {-0.125, 0.375, -0.375, 0.125};
+inline constexpr std::array<double, kSubsamples> kSubsampleRight = {0.25, -0.25, -0.25, 0.25};
+
+/// One image's circumstances.
+struct Exposure {
+  std::array<Pose3, kSubsamples> site_from_camera;  ///< in the middle of each quarter of the exposure
+  Pose3 site_from_camera_mid;
+  ShadowBody body;
+  double gain = 1.0;
+  std::uint64_t noise_seed = 0;
+};
+
+struct CameraOptions {
+  double vignetting = 0.0;  ///< loss in the corners
+  double noise_grey = 0.0;
+  double shadow = 0.0;
+  std::size_t cache_bytes = 160'000'000;
+};
+
+/// A camera that sees the site. Not for several threads.
+class Camera {
+ public:
+  /// `camera` is the true one; its width a multiple of 8.
+  Camera(const CameraModel& camera, const CameraOptions& options, std::shared_ptr<const FloorSource> floor,
+         std::shared_ptr<const Scene> scene, const Light& light);
+  void set_light(const Light& light) { light_ = light; }
+
+  /// 8-bit grey, row-major.
+  Bytes render(const Exposure& exposure);
+
+  const FloorWindow& floor() const { return floor_; }
+
+ private:
+  struct Node {
+    float x, y;  ///< floor point, site frame
+  };
+  /// Normalised, without distortion, of each pixel.
+  struct Rays {
+    explicit Rays(const CameraModel& camera);
+    std::vector<float> x, y;
+  };
+  /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
+  struct PixelLight {
+    float gain, add, camera_gain;
+  };
+  void choose_levels();
+  void make_noise();
+  double reach_m() const;
+  FloorFromRay floor_from_ray(const Pose3& site_from_camera, double origin_x, double origin_y, double right_px,
+                              double down_px) const;
+  void look_at_grid(const Exposure& exposure);
+  void fetch_floor();
+  void sample_floor(const Exposure& exposure);
+  void light_grid(const Exposure& exposure);
+  PixelLight light_at(int u, int v, double exposure_gain) const;
+  std::size_t pixel(int u, int v) const;
+
+  // camera_boxes.cpp
+  void draw_boxes(const Exposure& exposure);
+  std::vector<std::uint8_t> cells_with_boxes(const Eigen::Vector3d& eye) const;
+  void cast_cells(const std::vector<std::uint8_t>& cells, const Pose3& site_from_camera);
+  bool at_edge(int u, int v) const;
+  Bytes develop(const Exposure& exposure) const;
+
+  CameraModel camera_;
+  CameraOptions options_;
+  int columns_ = 0, rows_ = 0;  ///< of the light grid
+  Rays rays_;
+  std::vector<float> vignette_;                                ///< of each grid node
+  std::vector<std::array<std::uint8_t, kSubsamples>> levels_;  ///< of each image row
+  std::vector<float> noise_;
+  FloorWindow floor_;
+  std::shared_ptr<const Scene> scene_;
+  Light light_;
+
+  // Of the image being made.
+  std::vector<Node> nodes_;
+  std::vector<float> albedo_, gain_, add_;
+  std::vector<BoxHit> hits_;
+};
+
+}  // namespace weft::agents::sim

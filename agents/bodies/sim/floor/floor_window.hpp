@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "agents/bodies/sim/floor/kernels.hpp"
+#include "agents/bodies/sim/floor/tile_cache.hpp"
+
+namespace weft::agents::sim {
+
+/// The floor around the robot at every level, as one wrapping picture a level that the sampling loop can read without
+/// looking tiles up (a clipmap: Tanner, Migdal & Jones 1998).
+class FloorWindow {
+ public:
+  /// `reach_m`: the largest extent along x or y of what one image looks at; `budget_bytes` for window and cache.
+  FloorWindow(std::shared_ptr<const FloorSource> source, double reach_m, std::size_t budget_bytes);
+
+  /// The tile is in the window afterwards; another one a window's length away is not.
+  void need(int level, TileKey key);
+  /// To sample around tile `origin`; its lower corner is the origin of sampling coordinates.
+  LevelPixels level(int level, TileKey origin) const;
+  std::size_t bytes() const;
+  const TileCache& cache() const { return cache_; }
+
+ private:
+  struct Level {
+    int tile_side = 0;  ///< texels
+    int stride = 0;
+    std::vector<std::uint8_t> texels;             ///< one more column and row, which repeat the first
+    std::vector<std::optional<TileKey>> holding;  ///< of each slot
+  };
+  void place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key) const;
+  int slot_of(TileKey key) const;
+
+  int tiles_ = 0;  ///< a side; power of two
+  std::array<Level, kLevels> levels_;
+  TileCache cache_;
+};
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+
+/// The loops that touch every pixel or texel, in two builds: one for any x86-64 and one for AVX2, chosen at run time.
+/// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
+namespace weft::agents::sim {
+
+/// One level of the floor around the robot; addresses wrap at mask + 1.
+struct LevelPixels {
+  const std::uint8_t* texels = nullptr;
+  int stride = 0;
+  int mask = 0;
+  int x0 = 0, y0 = 0;  ///< texel of the sampling origin
+  float texels_per_m = 0.0F;
+};
+
+/// Floor coordinates (metres from the sampling origin) from a normalised ray (x, y, 1): row-major 3x3, and the least
+/// denominator, which keeps rays near the horizon finite.
+struct FloorFromRay {
+  float m[9] = {};
+  float least_w = 1e-3F;
+};
+
+inline constexpr int kSubsamples = 4;
+
+/// A run of pixels of one row: the mean of kSubsamples bilinear samples each, spread over exposure and pixel.
+struct RowJob {
+  const float* ray_x = nullptr;
+  const float* ray_y = nullptr;
+  int count = 0;  ///< a multiple of 8
+  const FloorFromRay* floor_from_ray[kSubsamples] = {};
+  const LevelPixels* level[kSubsamples] = {};
+  float* out = nullptr;
+};
+
+/// Light and camera gain of a run of pixels, bilinear between grid nodes `cell` pixels apart:
+/// out = (albedo * gain + add) + noise * noise_scale, rounded and cut to 0..255.
+struct ShadeJob {
+  const float* albedo = nullptr;
+  const float* gain_above = nullptr;  ///< nodes of the grid row above, and below
+  const float* gain_below = nullptr;
+  const float* add_above = nullptr;
+  const float* add_below = nullptr;
+  float below = 0.0F;  ///< share of the row below
+  const float* noise = nullptr;
+  float noise_scale = 0.0F;
+  int count = 0;
+  std::uint8_t* out = nullptr;
+};
+inline constexpr int kShadeCell = 8;
+
+struct Kernels {
+  void (*sample_row)(const RowJob& job);
+  void (*shade_row)(const ShadeJob& job);
+  /// Mean of 2 x 2; `side` of the result.
+  void (*halve)(const std::uint8_t* from, int side, std::uint8_t* to);
+  /// to[i] += amplitude * noise, noise of unit variance (sum of four bytes), a pure function of (x0 + i, y, seed).
+  void (*add_noise_row)(std::int32_t x0, std::int32_t y, std::uint32_t seed, int count, float amplitude, float* to);
+  /// Doubles a row of a lattice: even and odd children weigh their parents 3 : 1. `from` has count / 2 + 2 values,
+  /// the first is the parent before.
+  void (*double_row)(const float* from_near, const float* from_far, int count, float* to);
+};
+const Kernels& kernels();
+
+namespace plain {
+Kernels make_kernels();
+}
+namespace avx2 {
+Kernels make_kernels();
+}
+
+}  // namespace weft::agents::sim

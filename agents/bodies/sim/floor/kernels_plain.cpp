@@ -1,0 +1,61 @@
+#include <cmath>
+#include <cstddef>
+
+#include "agents/bodies/sim/floor/kernels.hpp"
+
+namespace weft::agents::sim {
+namespace plain {
+namespace {
+
+#include "agents/bodies/sim/floor/kernels_body.hpp"
+
+float sample(const LevelPixels& level, float x_m, float y_m) {
+  const float u = x_m * level.texels_per_m - 0.5F;
+  const float v = y_m * level.texels_per_m - 0.5F;
+  const float u_floor = std::floor(u);
+  const float v_floor = std::floor(v);
+  const float fu = u - u_floor;
+  const float fv = v - v_floor;
+  const int x = (static_cast<int>(u_floor) + level.x0) & level.mask;
+  const int y = (static_cast<int>(v_floor) + level.y0) & level.mask;
+  const std::uint8_t* top = level.texels + static_cast<std::ptrdiff_t>(y) * level.stride + x;
+  const std::uint8_t* bottom = top + level.stride;
+  const auto t0 = static_cast<float>(top[0]);
+  const auto b0 = static_cast<float>(bottom[0]);
+  const float t = t0 + fu * (static_cast<float>(top[1]) - t0);
+  const float b = b0 + fu * (static_cast<float>(bottom[1]) - b0);
+  return t + fv * (b - t);
+}
+
+void sample_row(const RowJob& job) {
+  for (int i = 0; i < job.count; ++i) {
+    const float x = job.ray_x[i];
+    const float y = job.ray_y[i];
+    float sum = 0.0F;
+    for (int k = 0; k < kSubsamples; ++k) {
+      const FloorFromRay& h = *job.floor_from_ray[k];
+      float w = h.m[6] * x + h.m[7] * y + h.m[8];
+      w = w > h.least_w ? w : h.least_w;
+      const float inverse = 1.0F / w;
+      const float floor_x = (h.m[0] * x + h.m[1] * y + h.m[2]) * inverse;
+      const float floor_y = (h.m[3] * x + h.m[4] * y + h.m[5]) * inverse;
+      sum += sample(*job.level[k], floor_x, floor_y);
+    }
+    job.out[i] = sum * (1.0F / kSubsamples);
+  }
+}
+
+}  // namespace
+
+Kernels make_kernels() {
+  return {sample_row, shade_row, halve, add_noise_row, double_row};
+}
+
+}  // namespace plain
+
+const Kernels& kernels() {
+  static const Kernels chosen = __builtin_cpu_supports("avx2") ? avx2::make_kernels() : plain::make_kernels();
+  return chosen;
+}
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,21 @@
+#pragma once
+#include <functional>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace weft::agents::sim {
+
+/// A photograph of floor, grey, at kTexelM a pixel.
+struct Photograph {
+  std::string name;  ///< of the file, without ending
+  cv::Mat grey;      ///< CV_8U
+};
+
+/// Errors and `warn` as make_photographed_floor says; sorted by name.
+Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
+                                                 const std::function<void(const std::string&)>& warn);
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace weft::agents::sim {
+
+/// The floor is an endless plane of square tiles; tile (x, y) covers [x, x+1) x [y, y+1) tile lengths of the site
+/// frame. Texel (i, j) of a tile, row-major with j along y, is the albedo about its centre ((i + 0.5), (j + 0.5))
+/// texels on.
+inline constexpr int kTileTexels = 1024;
+inline constexpr double kTexelM = 0.625e-3;
+inline constexpr double kTileM = kTileTexels * kTexelM;
+
+struct TileKey {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  auto operator<=>(const TileKey&) const = default;
+};
+
+/// What the floor looks like.
+class FloorSource {
+ public:
+  virtual ~FloorSource() = default;
+  /// Fills one tile of kTileTexels x kTileTexels grey levels. Deterministic; neighbours fit together.
+  virtual void fill(TileKey key, std::span<std::uint8_t> texels) const = 0;
+  /// Strength of the mirrored lamps, grey levels at their middle for a lamp of brightness 1.
+  virtual double gloss() const = 0;
+};
+
+}  // namespace weft::agents::sim

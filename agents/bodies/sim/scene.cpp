@@ -1,0 +1,235 @@
+#include "agents/bodies/sim/scene.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "agents/bodies/sim/base.hpp"
+
+namespace weft::agents::sim {
+
+struct Scene::Embree {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  ~Embree() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+};
+
+namespace {
+
+constexpr std::size_t kFaces = 5;
+
+/// Corners of a box, lower four then upper four, anticlockwise from (+, -).
+std::array<Eigen::Vector3f, 8> corners_of(const Box& box) {
+  std::array<Eigen::Vector3f, 8> corners;
+  const std::array<Eigen::Vector2d, 4> around = {{{0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Eigen::Vector2d half = around[i % 4];
+    const Eigen::Vector2d p = box.site_from_box * Eigen::Vector2d(half.x() * box.length_m, half.y() * box.width_m);
+    corners[i] = Eigen::Vector3d(p.x(), p.y(), i < 4 ? 0.0 : box.height_m).cast<float>();
+  }
+  return corners;
+}
+
+constexpr std::array<std::array<unsigned, 4>, kFaces> kFaceCorners = {
+    {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
+
+}  // namespace
+
+Scene::Scene(std::vector<Box> boxes) : boxes_(std::move(boxes)), embree_(std::make_unique<Embree>()) {
+  embree_->device = rtcNewDevice("threads=1");
+  embree_->scene = rtcNewScene(embree_->device);
+  if (!boxes_.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_QUAD);
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), boxes_.size() * 8));
+    auto* faces = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
+                                                                 4 * sizeof(unsigned), boxes_.size() * kFaces));
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      for (const Eigen::Vector3f& corner : corners_of(boxes_[b])) {
+        for (int axis = 0; axis < 3; ++axis) {
+          *vertices++ = corner[axis];
+        }
+      }
+      for (const auto& face : kFaceCorners) {
+        for (const unsigned corner : face) {
+          *faces++ = static_cast<unsigned>(b) * 8 + corner;
+        }
+      }
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(embree_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(embree_->scene);
+}
+
+Scene::~Scene() = default;
+
+void Scene::cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions,
+                 std::span<BoxHit> hits) const {
+  alignas(64) std::array<int, kPacket> valid{};
+  alignas(64) RTCRayHit16 packet;
+  const Eigen::Vector3f from = eye.cast<float>();
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    valid[i] = i < directions.size() ? -1 : 0;
+    const Eigen::Vector3f direction = i < directions.size() ? directions[i] : Eigen::Vector3f(0.0F, 0.0F, 1.0F);
+    packet.ray.org_x[i] = from.x();
+    packet.ray.org_y[i] = from.y();
+    packet.ray.org_z[i] = from.z();
+    packet.ray.dir_x[i] = direction.x();
+    packet.ray.dir_y[i] = direction.y();
+    packet.ray.dir_z[i] = direction.z();
+    packet.ray.tnear[i] = 0.0F;
+    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.ray.time[i] = 0.0F;
+    packet.ray.mask[i] = ~0U;
+    packet.ray.id[i] = 0;
+    packet.ray.flags[i] = 0;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid.data(), embree_->scene, &context, &packet);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    hits[i] = {};
+    // The floor lies at z = 0: what a ray meets under it is not seen.
+    if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
+      const auto prim = static_cast<std::int32_t>(packet.hit.primID[i]);
+      hits[i] = {prim / static_cast<std::int32_t>(kFaces), prim % static_cast<std::int32_t>(kFaces),
+                 packet.ray.tfar[i]};
+    }
+  }
+}
+
+std::vector<std::int32_t> Scene::boxes_near(double x, double y, double reach_m) const {
+  std::vector<std::int32_t> near;
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    if (distance_to(boxes_[b], x, y) < reach_m) {
+      near.push_back(static_cast<std::int32_t>(b));
+    }
+  }
+  return near;
+}
+
+bool Scene::crosses(std::int32_t box_index, double eye_x, double eye_y, double x, double y) const {
+  const Box& box = boxes_[static_cast<std::size_t>(box_index)];
+  const double c = std::cos(box.site_from_box.heading);
+  const double s = std::sin(box.site_from_box.heading);
+  const auto local = [&](double px, double py) {
+    const double dx = px - box.site_from_box.x;
+    const double dy = py - box.site_from_box.y;
+    return std::array<double, 2>{c * dx + s * dy, c * dy - s * dx};
+  };
+  const auto a = local(eye_x, eye_y);
+  const auto b = local(x, y);
+  const std::array<double, 2> half = {box.length_m / 2, box.width_m / 2};
+  double enter = 0.0;
+  double leave = 1.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis];
+    if (std::abs(way) < 1e-12) {
+      if (std::abs(a[axis]) > half[axis]) {
+        return false;
+      }
+      continue;
+    }
+    const double t0 = (-half[axis] - a[axis]) / way;
+    const double t1 = (half[axis] - a[axis]) / way;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  return enter <= leave;
+}
+
+namespace {
+
+double noise_at(std::int64_t x, std::int64_t y, std::int64_t salt) {
+  auto h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL ^
+           static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FULL ^
+           static_cast<std::uint64_t>(salt) * 0x165667B19E3779F9ULL;
+  h ^= h >> 31U;
+  h *= 0xBF58476D1CE4E5B9ULL;
+  h ^= h >> 29U;
+  return static_cast<double>(h >> 11U) * 0x1.0p-53;
+}
+
+/// Smooth noise in [-1, 1].
+double smooth_noise(double x, double y, std::int64_t salt) {
+  const double fx = std::floor(x);
+  const double fy = std::floor(y);
+  const auto ix = static_cast<std::int64_t>(fx);
+  const auto iy = static_cast<std::int64_t>(fy);
+  const double u = x - fx;
+  const double v = y - fy;
+  const double top = noise_at(ix, iy, salt) * (1 - u) + noise_at(ix + 1, iy, salt) * u;
+  const double bottom = noise_at(ix, iy + 1, salt) * (1 - u) + noise_at(ix + 1, iy + 1, salt) * u;
+  return 2.0 * (top * (1 - v) + bottom * v) - 1.0;
+}
+
+/// 1 within [low, high], 0 outside, fading over `soft`.
+double band(double x, double low, double high, double soft) {
+  const double inside = std::min(x - low, high - x);
+  return std::clamp(0.5 + inside / soft, 0.0, 1.0);
+}
+
+double mix(double a, double b, double share) {
+  return a + share * (b - a);
+}
+
+double rack_grey(std::int64_t salt, double along, double up, double soft) {
+  constexpr double kBay = 2.7;
+  constexpr double kLoad = 0.9;
+  // Pallets with loads of their own grey, gaps between, under a beam every 1.5 m.
+  const double load = std::floor(along / kLoad);
+  const double in_load = along - load * kLoad;
+  const double shelf = std::floor((up - 0.05) / 1.5);
+  const auto cell = static_cast<std::int64_t>(load);
+  const double own = 60.0 + 120.0 * noise_at(cell, static_cast<std::int64_t>(shelf), salt);
+  double grey = mix(28.0, own, band(in_load, 0.05, 0.85, soft));
+  const double on_shelf = up - 0.05 - shelf * 1.5;
+  grey = mix(grey, 95.0, band(on_shelf, 0.12, 0.24, soft) * band(in_load, 0.05, 0.85, soft));  // pallet boards
+  grey = mix(grey, 40.0, band(on_shelf, 0.15, 0.21, soft) * (std::fmod(in_load, 0.4) > 0.1 ? 1.0 : 0.0));
+  grey = mix(grey, 165.0, band(on_shelf, 0.0, 0.11, soft));  // beam
+  const double in_bay = along - std::floor(along / kBay) * kBay;
+  grey = mix(grey, 75.0, band(in_bay, 0.0, 0.09, soft));  // post
+  return mix(grey, 22.0, band(up, -1.0, 0.04, soft) * band(in_bay, 0.14, kBay, soft));
+}
+
+}  // namespace
+
+float face_albedo(const Box& box, std::int32_t box_index, std::int32_t face, double along_m, double up_m,
+                  double pixel_m) {
+  const std::int64_t salt = box_index * 8 + face;
+  const double soft = std::max(pixel_m, 0.002);
+  double grey = 120.0;
+  switch (box.kind) {
+    case Box::Kind::rack:
+      grey = face == 4 ? 90.0 : rack_grey(salt, along_m, up_m, soft);
+      break;
+    case Box::Kind::wall:
+      grey = mix(165.0, 80.0, band(up_m, -1.0, 0.12, soft));
+      break;
+    case Box::Kind::pillar: {
+      const double stripe = (along_m + up_m) / 0.28;
+      const double yellow = band(stripe - std::floor(stripe), 0.0, 0.5, soft / 0.28);
+      grey = up_m < 1.2 ? mix(35.0, 185.0, yellow) : 150.0;
+      break;
+    }
+  }
+  // Dirt of a few sizes, none finer than a pixel.
+  for (const double size : {0.4, 0.08, 0.02}) {
+    if (size > 2.0 * pixel_m) {
+      grey += (size > 0.1 ? 7.0 : 5.0) * smooth_noise(along_m / size, up_m / size, salt + 1000);
+    }
+  }
+  return static_cast<float>(std::clamp(grey, 0.0, 255.0));
+}
+
+}  // namespace weft::agents::sim

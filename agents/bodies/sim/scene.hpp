@@ -1,0 +1,48 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "agents/bodies/sim/site.hpp"
+
+namespace weft::agents::sim {
+
+/// Where a ray meets a box first.
+struct BoxHit {
+  std::int32_t box = -1;  ///< index into the site's boxes; -1: none
+  std::int32_t face = 0;  ///< 0..3: the sides at +x, +y, -x, -y of the box's frame; 4: its top
+  float distance = 0.0F;  ///< in lengths of the ray's direction
+};
+
+/// The things that stand on the floor, for ray queries. May be used by several cameras, one thread each.
+class Scene {
+ public:
+  explicit Scene(std::vector<Box> boxes);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  static constexpr std::size_t kPacket = 16;
+  /// Rays from one eye (site frame), at most kPacket of them; `hits` has as many.
+  void cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions, std::span<BoxHit> hits) const;
+
+  const std::vector<Box>& boxes() const { return boxes_; }
+  /// Boxes that come within `reach_m` of a floor point.
+  std::vector<std::int32_t> boxes_near(double x, double y, double reach_m) const;
+  /// Does the line of sight from (eye_x, eye_y) to (x, y) pass over the box's footprint?
+  bool crosses(std::int32_t box, double eye_x, double eye_y, double x, double y) const;
+
+ private:
+  struct Embree;
+  std::vector<Box> boxes_;
+  std::unique_ptr<Embree> embree_;
+};
+
+/// Grey level, as albedo, of a place on a face: `along_m` from the face's middle, `up_m` above the floor; details
+/// finer than `pixel_m` are left out.
+float face_albedo(const Box& box, std::int32_t box_index, std::int32_t face, double along_m, double up_m,
+                  double pixel_m);
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,250 @@
+#include "agents/bodies/sim/sim_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/calibration.hpp"
+#include "agents/bodies/sim/camera.hpp"
+#include "agents/bodies/sim/floor/photographs.hpp"
+#include "agents/bodies/sim/floor/procedural.hpp"
+#include "agents/bodies/sim/hand.hpp"
+#include "agents/bodies/sim/truth.hpp"
+#include "agents/bodies/sim/wave.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+/// Streams of randomness, so that more of one does not change another.
+enum Part : std::uint64_t { wheels = 1, calibration, slip, vibration, exposure, timing, hand, light, noise };
+
+std::uint64_t seed_of(std::uint64_t seed, const RobotStart& robot) {
+  std::uint64_t h = 0xcbf29ce484222325ULL ^ (seed * 0x9E3779B97F4A7C15ULL);
+  for (const char c : robot.name) {
+    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  }
+  return h ^ (robot.seed * 0xC2B2AE3D27D4EB4FULL);
+}
+
+Random random_of(std::uint64_t robot_seed, Part part, std::uint64_t more = 0) {
+  return Random(robot_seed).fork(part).fork(more);
+}
+
+struct Shake {
+  Wave pitch, roll, height;
+};
+Shake shake_from(const Disturbances& d, Random random) {
+  const auto wave = [&](double rms, std::uint64_t stream) {
+    return Wave(d.vibration_low_hz, d.vibration_high_hz, rms, random.fork(stream));
+  };
+  return {wave(d.vibration_rad, 1), wave(d.vibration_rad, 2), wave(d.vibration_m, 3)};
+}
+
+class SimBody final : public Body {
+ public:
+  SimBody(const SimBodyConfig& config, const RobotStart& start, std::shared_ptr<const FloorSource> floor,
+          std::optional<TruthFile> truth);
+
+  Result<Sample> step(const Twist& command) override;
+  Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
+  void stop_hand() override;
+  std::vector<CameraModel> cameras() const override { return {given_}; }
+  std::string kind() const override { return "sim"; }
+
+ private:
+  bool at_rest(const Twist& command) const;
+  Light light_now() const;
+  void next_run();
+  Exposure exposure_now();
+  Duration stamp_now();
+  View view_now(SensorTime time);
+
+  std::uint64_t hands_ = 0;
+  std::uint64_t run_ = 0;  ///< one more when a hand begins or ends: another light, as teach and repeat have
+  std::uint64_t frame_ = 0;
+  double now_s_ = 0.0;
+  Duration last_stamp_{};
+  Site site_;
+  std::uint64_t seed_ = 0;
+  std::uint64_t day_ = 0;
+  std::string robot_;
+  CameraModel given_;
+  CameraModel true_;
+  double gloss_ = 0.0;
+  Base base_;
+  Shake shake_;
+  BoundedWave exposure_drift_;
+  Random timing_;
+  Camera camera_;
+  std::optional<TruthFile> truth_;
+  std::optional<Hand> hand_;
+  bool hand_done_ = false;
+};
+
+SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start, std::shared_ptr<const FloorSource> floor,
+                 std::optional<TruthFile> truth)
+    : site_(config.site),
+      seed_(seed_of(config.seed, start)),
+      day_(config.day),
+      robot_(start.name),
+      given_(given_camera_from(site_.camera, robot_, day_)),
+      true_(true_camera_from(given_, site_.disturbances, random_of(seed_, calibration, day_))),
+      gloss_(floor->gloss()),
+      base_(site_.base, site_.disturbances, site_.boxes,
+            wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,
+            random_of(seed_, slip, day_)),
+      shake_(shake_from(site_.disturbances, random_of(seed_, vibration, day_))),
+      exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
+      timing_(random_of(seed_, timing, day_)),
+      camera_(true_,
+              CameraOptions{site_.disturbances.vignetting, site_.disturbances.noise_grey, site_.disturbances.shadow,
+                            static_cast<std::size_t>(site_.floor.cache_mb * 1e6)},
+              std::move(floor), std::make_shared<const Scene>(site_.boxes), light_now()),
+      truth_(std::move(truth)) {}
+
+Light SimBody::light_now() const {
+  return Light(site_, gloss_, random_of(seed_, light, day_ * 0x10000 + run_));
+}
+
+void SimBody::next_run() {
+  ++run_;
+  camera_.set_light(light_now());
+}
+
+Result<void> SimBody::drive_by_hand(const std::vector<SitePoint>& along) {
+  auto led = Hand::along(along, site_, base_.site_from_robot(), random_of(seed_, hand, day_ * 0x10000 + hands_));
+  if (!led) {
+    return fail(led.error());
+  }
+  hand_ = std::move(*led);
+  hand_done_ = false;
+  ++hands_;
+  next_run();
+  return {};
+}
+
+void SimBody::stop_hand() {
+  if (hand_) {
+    hand_.reset();
+    next_run();
+  }
+  hand_done_ = false;
+}
+
+bool SimBody::at_rest(const Twist& command) const {
+  return !hand_ && command == Twist{} && base_.at_rest();
+}
+
+Exposure SimBody::exposure_now() {
+  const Disturbances& d = site_.disturbances;
+  const Twist moving = base_.velocity();
+  // Standing still nothing shakes; from a slow walk on everything does.
+  const double shaking = std::min(1.0, (std::abs(moving.linear_m_s) + 0.3 * std::abs(moving.angular_rad_s)) / 0.2);
+  const auto site_from_camera_at = [&](double from_now_s) {
+    const double t = now_s_ + from_now_s;
+    const Pose2 now_from_then =
+        exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
+    Pose3 robot_from_camera = true_.robot_from_camera;
+    robot_from_camera.translation.z() += shaking * shake_.height.at(t);
+    const Eigen::AngleAxisd pitch(shaking * shake_.pitch.at(t), Eigen::Vector3d::UnitY());
+    const Eigen::AngleAxisd roll(shaking * shake_.roll.at(t), Eigen::Vector3d::UnitX());
+    robot_from_camera.rotation = (roll * pitch * robot_from_camera.rotation).normalized();
+    return lift(base_.site_from_robot() * now_from_then) * robot_from_camera;
+  };
+  Exposure exposure;
+  for (std::size_t k = 0; k < kSubsamples; ++k) {
+    exposure.site_from_camera[k] = site_from_camera_at(kSubsampleTime[k] * d.exposure_s);
+  }
+  exposure.site_from_camera_mid = site_from_camera_at(0.0);
+  exposure.body = {base_.site_from_robot().x, base_.site_from_robot().y, site_.base.radius_m,
+                   site_.base.body_height_m};
+  exposure.gain = 1.0 + exposure_drift_.at(now_s_);
+  exposure.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
+  return exposure;
+}
+
+Duration SimBody::stamp_now() {
+  const double jitter = std::clamp(timing_.normal(), -3.0, 3.0) * site_.disturbances.time_jitter_s;
+  // Stamps never run backwards, however large the jitter of a site file.
+  return std::max(last_stamp_ + std::chrono::microseconds(100), from_seconds(now_s_ + jitter));
+}
+
+View SimBody::view_now(SensorTime time) {
+  View view;
+  view.frame = frame_;
+  view.time = time;
+  view.camera = "floor";
+  view.calibration = given_.id;
+  view.data = Image{true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(exposure_now()))};
+  return view;
+}
+
+Result<Sample> SimBody::step(const Twist& command) {
+  Sample sample;
+  sample.motion.command = hand_ ? hand_->command(base_.site_from_robot(), now_s_) : command;
+  const double period_s = 1.0 / (at_rest(command) ? site_.camera.fps_at_rest : site_.camera.fps);
+  base_.advance(sample.motion.command, period_s);
+  now_s_ += period_s;
+  ++frame_;
+  const Duration stamp = stamp_now();
+  sample.motion.elapsed = stamp - last_stamp_;
+  sample.motion.wheels = base_.take_wheel_step();
+  last_stamp_ = stamp;
+  sample.frame = frame_;
+  sample.time = SensorTime(stamp);
+  sample.hand = hand_.has_value();
+  if (hand_ && hand_->at_end() && base_.at_rest()) {
+    hand_.reset();
+    hand_done_ = true;
+  }
+  sample.hand_done = hand_done_;
+  const bool dropped = timing_.chance(site_.disturbances.dropped_frames);
+  if (!dropped) {
+    sample.view = view_now(sample.time);
+  }
+  if (sample.hand && hand_done_) {
+    next_run();
+  }
+  if (truth_) {
+    if (auto written = truth_->write(robot_, frame_, now_s_, base_.site_from_robot()); !written) {
+      return fail(written.error());
+    }
+  }
+  return sample;
+}
+
+Result<RobotStart> find_robot(const Site& site, const std::string& name) {
+  std::string names;
+  for (const RobotStart& robot : site.robots) {
+    if (robot.name == name) {
+      return robot;
+    }
+    names += (names.empty() ? "" : ", ") + robot.name;
+  }
+  return fail(ErrorCode::not_found, "site " + site.name + " has no robot \"" + name + "\"; there are " + names);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Body>> make_sim_body(const SimBodyConfig& config) {
+  auto start = find_robot(config.site, config.robot);
+  if (!start) {
+    return fail(start.error());
+  }
+  auto floor = config.floors_dir ? make_photographed_floor(config.site.floor, *config.floors_dir, config.warn)
+                                 : make_procedural_floor(config.site.floor);
+  if (!floor) {
+    return fail(floor.error());
+  }
+  std::optional<TruthFile> truth;
+  if (config.truth_path) {
+    auto opened = TruthFile::open(*config.truth_path);
+    if (!opened) {
+      return fail(opened.error());
+    }
+    truth = std::move(*opened);
+  }
+  return std::unique_ptr<Body>(std::make_unique<SimBody>(config, *start, std::move(*floor), std::move(truth)));
+}
+
+}  // namespace weft::agents::sim
