@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,13 +37,22 @@ struct FixRecord {
   Fix fix;
 };
 
+/// A batch that the server has on disk.
+struct AckRecord {
+  ExperienceId experience;
+  std::uint64_t sequence = 0;
+  std::uint32_t first = 0;   ///< index of its first place
+  std::uint32_t places = 0;  ///< how many; a batch that only seals has none
+};
+
 struct AgentOutput {
-  Twist command;
+  Twist command;  ///< in force from now on, whichever call it came from
   std::vector<msg::Message> send;
   std::optional<std::vector<SitePoint>> hand_start;  ///< the body's hand is to drive this
   bool hand_stop = false;
   std::vector<FixRecord> fixes;
-  std::vector<msg::BatchAck> acks;  ///< as they came in
+  std::vector<AckRecord> acks;     ///< newly acknowledged
+  std::vector<std::string> notes;  ///< for the log: what changed and why
 };
 
 /// One robot's agent without its edges: session with the server, spool, window and contents, mission. No clock,
@@ -63,9 +73,12 @@ class Agent {
   virtual const Window& window() const = 0;
   virtual std::optional<Route> route() const = 0;
   virtual std::optional<Estimate> estimate() const = 0;
+  /// Refused and ignored messages, by name.
+  virtual std::map<std::string, std::uint64_t> counters() const = 0;
 };
 
-/// The spool is read and what is pending is sent again. Errors of the spool are passed on.
+/// The spool is read and what is pending is sent again. invalid: a setting breaks its bound; errors of the spool are
+/// passed on.
 Result<std::unique_ptr<Agent>> start(const AgentConfig& config, std::unique_ptr<Navigator> navigator,
                                      storage::Spool& spool, Random random, SteadyTime now);
 

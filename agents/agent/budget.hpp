@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+
+#include "core/time.hpp"
+
+namespace weft::agents {
+
+/// Token bucket: at most `bytes_per_second` on average, and `burst_bytes` at once. Starts full.
+class Budget {
+ public:
+  Budget(std::uint64_t bytes_per_second, std::uint64_t burst_bytes, SteadyTime now);
+
+  /// Spends `bytes` if they are there. More than the burst is never there.
+  bool take(std::uint64_t bytes, SteadyTime now);
+  /// When `bytes` (at most the burst) will be there, if nobody else takes any.
+  SteadyTime when(std::uint64_t bytes) const;
+
+ private:
+  double bytes_per_second_;
+  double burst_;
+  double filled_;
+  SteadyTime at_;
+};
+
+}  // namespace weft::agents

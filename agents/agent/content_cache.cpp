@@ -1,0 +1,136 @@
+#include "agents/agent/content_cache.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kRetry = 2s;
+constexpr Duration kRetryMost = 8s;
+constexpr std::size_t kItems = 64;
+constexpr std::size_t kUnwanted = std::numeric_limits<std::size_t>::max();
+constexpr std::uint64_t kUnderWayLeast = 256 * 1024;
+}  // namespace
+
+ContentCache::ContentCache(std::uint64_t most_bytes, std::uint64_t bytes_per_second)
+    : most_bytes_(most_bytes), under_way_most_(std::max(kUnderWayLeast, bytes_per_second / 2)) {}
+
+std::shared_ptr<const Bytes> ContentCache::find(const ContentHash& hash) const {
+  const auto found = held_.find(hash);
+  return found == held_.end() ? nullptr : found->second.bytes;
+}
+
+void ContentCache::want(const std::vector<ContentRef>& nearest_first, SteadyTime now) {
+  rank_.clear();
+  missing_.clear();
+  std::uint64_t sum = 0;
+  for (const ContentRef& content : nearest_first) {
+    sum += content.size;
+    if (sum > most_bytes_) break;
+    rank_.emplace(content.hash, rank_.size());
+    if (!held_.contains(content.hash) && !incoming_.contains(content.hash)) missing_.push_back(content);
+  }
+  std::erase_if(incoming_, [this](const auto& entry) {
+    if (rank_.contains(entry.first)) return false;
+    under_way_ -= entry.second.assembly.total();
+    return true;
+  });
+  for (auto& [hash, held] : held_) {
+    const auto wanted = rank_.find(hash);
+    held.rank = wanted == rank_.end() ? kUnwanted : wanted->second;
+  }
+  if (!missing_.empty()) ask_at_ = now;
+}
+
+void ContentCache::put(const ContentHash& hash, Bytes bytes) {
+  const auto wanted = rank_.find(hash);
+  keep(hash, std::move(bytes), wanted == rank_.end() ? kUnwanted : wanted->second);
+}
+
+void ContentCache::keep(const ContentHash& hash, Bytes bytes, std::size_t rank) {
+  if (held_.contains(hash)) return;
+  bytes_ += bytes.size();
+  held_.emplace(hash, Held{std::make_shared<const Bytes>(std::move(bytes)), rank});
+  shrink();
+}
+
+void ContentCache::shrink() {
+  while (bytes_ > most_bytes_ && held_.size() > 1) {
+    const auto farthest = std::max_element(
+        held_.begin(), held_.end(), [](const auto& a, const auto& b) { return a.second.rank < b.second.rank; });
+    bytes_ -= farthest->second.bytes->size();
+    held_.erase(farthest);
+  }
+}
+
+bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
+  const auto found = incoming_.find(chunk.hash);
+  if (found == incoming_.end()) {
+    if (!held_.contains(chunk.hash)) ++counters_["chunk: not asked for"];
+    return false;
+  }
+  Incoming& incoming = found->second;
+  if (Result<void> added = incoming.assembly.add(chunk); !added) {
+    ++counters_["chunk: out of bounds"];
+    return false;
+  }
+  incoming.wait = kRetry;
+  incoming.ask_at = now + incoming.wait;
+  if (!incoming.assembly.complete()) return false;
+  const std::uint64_t total = incoming.assembly.total();
+  Result<Bytes> bytes = std::move(incoming.assembly).finish(chunk.hash);
+  if (!bytes) {
+    ++counters_["content: hash differs"];
+    incoming.assembly = Assembly(total);
+    return false;
+  }
+  incoming_.erase(found);
+  under_way_ -= total;
+  ask_at_ = std::min(ask_at_, now);
+  put(chunk.hash, std::move(*bytes));
+  return true;
+}
+
+void ContentCache::server_restarted(SteadyTime now) {
+  for (auto& [hash, incoming] : incoming_) {
+    incoming.ask_at = now;
+    incoming.wait = kRetry;
+  }
+}
+
+std::optional<msg::ContentRequest> ContentCache::due(SteadyTime now) {
+  msg::ContentRequest request;
+  for (auto& [hash, incoming] : incoming_) {
+    if (incoming.ask_at > now || request.items.size() == kItems) continue;
+    request.items.push_back({.hash = hash, .offset = incoming.assembly.contiguous()});
+    incoming.wait = std::min(incoming.wait * 2, kRetryMost);
+    incoming.ask_at = now + incoming.wait;
+  }
+  while (!missing_.empty() && request.items.size() < kItems) {
+    const ContentRef next = missing_.front();
+    if (under_way_ > 0 && under_way_ + next.size > under_way_most_) break;
+    missing_.pop_front();
+    if (held_.contains(next.hash) || next.size > msg::kContentBytes) continue;
+    under_way_ += next.size;
+    incoming_.emplace(next.hash, Incoming{Assembly(next.size), now + kRetry, kRetry});
+    request.items.push_back({.hash = next.hash, .offset = 0});
+  }
+  if (request.items.empty()) return std::nullopt;
+  return request;
+}
+
+std::optional<SteadyTime> ContentCache::next() const {
+  std::optional<SteadyTime> next;
+  for (const auto& [hash, incoming] : incoming_) {
+    next = next.has_value() ? std::min(*next, incoming.ask_at) : incoming.ask_at;
+  }
+  const bool room = !missing_.empty() && (under_way_ == 0 || under_way_ + missing_.front().size <= under_way_most_);
+  if (room) next = next.has_value() ? std::min(*next, ask_at_) : ask_at_;
+  return next;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,170 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/agent/agent.hpp"
+#include "agents/agent/budget.hpp"
+#include "agents/agent/commands.hpp"
+#include "agents/agent/content_cache.hpp"
+#include "agents/agent/replica.hpp"
+#include "agents/agent/route_task.hpp"
+#include "agents/agent/session.hpp"
+#include "agents/agent/spooler.hpp"
+
+namespace weft::agents {
+
+/// A run that is being taught, from the command to the sealed experience.
+struct Teaching {
+  enum class Phase {
+    preparing,  ///< waits for the map around the seed
+    hand,       ///< waits for the body's hand to say whether it can drive this
+    on,
+    ending  ///< waits for one more view: the last place
+  };
+  Phase phase = Phase::preparing;
+  ExperienceId experience;
+  std::string name;
+  std::optional<PlaceId> seed;
+  std::vector<SitePoint> along;
+  CommandKey started_by;
+  std::optional<CommandKey> stopped_by;
+  SteadyTime deadline{};  ///< of preparing and ending
+  bool hand_done = false;
+};
+
+/// A search for oneself that somebody waits for.
+struct Localising {
+  std::optional<CommandKey> asked_by;  ///< none: the agent's own idea
+  std::optional<PlaceId> seed;
+  bool seeking = false;  ///< false: waits for the map
+  SteadyTime deadline{};
+};
+
+/// The agent put together from its parts: what comes in goes to the part that it concerns, and after each call
+/// everything that is due goes out, small before big.
+class RobotAgent final : public Agent {
+ public:
+  RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, Spooler spooler, Random random,
+             SteadyTime now);
+
+  AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) override;
+  AgentOutput tick(SteadyTime now) override;
+  std::optional<SteadyTime> next_tick() const override;
+  AgentOutput step(const Sample& sample, SteadyTime now) override;
+  AgentOutput body_failed(const Error& error, SteadyTime now) override;
+  AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) override;
+
+  const Window& window() const override { return replica_.window(); }
+  std::optional<Route> route() const override { return task_.route(); }
+  std::optional<Estimate> estimate() const override { return navigator_->estimate(); }
+  Counters counters() const override;
+
+ private:
+  // Messages (robot_agent_messages.cpp).
+  bool admit(const msg::Header& header, const PeerId& to, SteadyTime now);
+  void heard(Session::Heard heard, SteadyTime now);
+  void on(const msg::Hello& hello, SteadyTime now);
+  void on(const msg::BatchAck& ack, SteadyTime now);
+  void on(const msg::Chunk& chunk, SteadyTime now);
+  void on(const msg::ContentRequest& request, SteadyTime now);
+  void on(const msg::WindowPatch& patch, SteadyTime now);
+  void on(const msg::RouteOrder& order, SteadyTime now);
+  void on(const msg::AgentCommand& command, SteadyTime now);
+  void answer(const msg::ClockProbe& probe, SteadyTime now, WallTime wall);
+
+  // What operators want (robot_agent_commands.cpp).
+  void teach_start(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
+  void teach_stop(const CommandKey& key, SteadyTime now);
+  void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
+  void keep_place(const CommandKey& key);
+  void stop(const CommandKey& key, SteadyTime now);
+  void resume(const CommandKey& key, SteadyTime now);
+  void reply(const CommandKey& key, const msg::AgentReply& reply);
+  void refuse(const CommandKey& key, std::string reason);
+
+  // What takes longer than one message (robot_agent_work.cpp).
+  void work(SteadyTime now);
+  void prepare_teaching(SteadyTime now);
+  void begin_teaching();
+  void end_teaching(SteadyTime now);
+  void stop_teaching(const std::string& reason);
+  void abandon_teaching(const std::string& reason);
+  void keep(const std::vector<Kept>& kept, SteadyTime now);
+  void prepare_localising(SteadyTime now);
+  void start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed, SteadyTime now);
+  void note_fix(const Fix& fix);
+  void search_when_of_use(SteadyTime now);
+  void try_follow(SteadyTime now);
+  void note_following(const Navigated& navigated, SteadyTime now);
+  void recentre(SteadyTime now);
+  void want_contents(SteadyTime now);
+
+  // What is said of oneself (robot_agent_state.cpp).
+  msg::RobotMode mode() const;
+  std::string reason() const;
+  msg::RobotDescription description();
+  msg::RobotState state();
+  bool state_due(SteadyTime now);
+
+  void pump(SteadyTime now);
+  AgentOutput finish(SteadyTime now);
+  template <class M>
+  void send(M message) {
+    message.header = session_.header();
+    output_.send.emplace_back(std::move(message));
+  }
+
+  AgentConfig config_;
+  std::unique_ptr<Navigator> navigator_;
+  Random random_;
+  Session session_;
+  Spooler spooler_;
+  Replica replica_;
+  ContentCache cache_;
+  Budget budget_;
+  CommandLedger ledger_;
+  RouteTask task_;
+  AgentOutput output_;
+
+  std::optional<Teaching> teaching_;
+  std::optional<Localising> localising_;
+  std::vector<CommandKey> keeping_;  ///< who waits for the next kept place
+  std::string teaching_failed_;      ///< why teaching ended by itself; until the next command
+  bool stopped_ = false;             ///< by an operator
+  bool lost_ = false;
+  std::string fault_;
+  bool follow_pending_ = false;  ///< the route waits for the map or for a localisation
+  SteadyTime follow_at_latest_{};
+  std::string waits_for_;   ///< why a pending route waits
+  std::string stands_for_;  ///< the navigator's reason at the last sample
+  Twist command_;
+  std::uint64_t frame_ = 0;
+  double speed_m_s_ = 0.0;
+
+  PlaceId focus_;  ///< believed place when contents and centre were last looked at
+  SteadyTime focused_at_{};
+  bool searched_ = false;  ///< has looked for itself since the start
+  SteadyTime search_at_{};
+
+  SteadyTime describe_at_;
+  SteadyTime state_at_;       ///< next state without a change
+  SteadyTime state_sent_at_;  ///< last one
+  struct Shown {
+    msg::RobotMode mode{};
+    bool localised = false;
+    RouteId route;
+    std::uint32_t version = 0;
+    ExperienceId experience;
+    Digest window;
+    bool complete = false;
+    std::string reason;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown shown() const;
+  Shown said_;
+};
+
+}  // namespace weft::agents

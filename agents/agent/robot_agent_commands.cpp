@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+#include "agents/agent/robot_agent.hpp"
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kMapAtMost = 20s;
+constexpr Duration kLastViewAtMost = 3s;
+/// As near as this, a label on an existing place means here.
+constexpr double kHereM = 0.05;
+constexpr double kHereRad = 3.0 * std::numbers::pi / 180.0;
+
+std::string where(const Estimate& estimate) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%.2f m and %.1f degrees from place %s",
+                distance_m(estimate.place_from_robot),
+                heading_rad(estimate.place_from_robot) * 180.0 / std::numbers::pi, to_string(estimate.place).c_str());
+  return text.data();
+}
+}  // namespace
+
+void RobotAgent::reply(const CommandKey& key, const msg::AgentReply& given) {
+  msg::AgentReply answer = given;
+  answer.command = key.command;
+  ledger_.answered(key, answer);
+  send(std::move(answer));
+}
+
+void RobotAgent::refuse(const CommandKey& key, std::string reason) {
+  msg::AgentReply refusal;
+  refusal.reason = std::move(reason);
+  reply(key, refusal);
+}
+
+void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
+  if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
+  if (teaching_.has_value()) {
+    // A server that was restarted in between has forgotten that it asked.
+    const bool again =
+        !command.name.empty() && command.name == teaching_->name && teaching_->phase == Teaching::Phase::on;
+    if (!again) return refuse(key, config_.name + " is being taught '" + teaching_->name + "': stop that first");
+    msg::AgentReply done;
+    done.done = true;
+    done.experience = teaching_->experience;
+    return reply(key, done);
+  }
+  if (task_.route().has_value()) {
+    return refuse(key, config_.name + " has a goal: cancel it, or wait until it is there");
+  }
+  if (!command.along.empty() && !config_.can_be_taught_along) {
+    return refuse(key, "this body (" + config_.body + ") has no hand that drives along a file: leave out --along");
+  }
+  if (stopped_) return refuse(key, config_.name + " is stopped: resume it first");
+  Teaching teaching;
+  do {
+    teaching.experience = ExperienceId{random_.next()};
+  } while (!teaching.experience);
+  teaching.name = command.name;
+  teaching.seed = command.seed;
+  for (const msg::AgentCommand::Point& point : command.along) teaching.along.push_back({point.x, point.y});
+  teaching.started_by = key;
+  teaching.deadline = now + kMapAtMost;
+  localising_.reset();
+  if (command.seed.has_value()) {
+    WindowDefinition definition = replica_.definition();
+    definition.centre = command.seed;
+    replica_.define(std::move(definition), now);
+  }
+  teaching_ = std::move(teaching);
+}
+
+void RobotAgent::teach_stop(const CommandKey& key, SteadyTime now) {
+  if (!teaching_.has_value()) return refuse(key, config_.name + " is not being taught");
+  if (teaching_->phase == Teaching::Phase::ending) return refuse(key, config_.name + " is ending that already");
+  if (teaching_->phase != Teaching::Phase::on) {
+    refuse(teaching_->started_by, "stopped before the map around the seed was there");
+    teaching_.reset();
+    msg::AgentReply done;
+    done.done = true;
+    done.reason = "nothing was taught yet";
+    return reply(key, done);
+  }
+  output_.hand_stop = true;
+  teaching_->phase = Teaching::Phase::ending;
+  teaching_->stopped_by = key;
+  teaching_->deadline = now + kLastViewAtMost;
+  keep(navigator_->end_teach(), now);
+}
+
+void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
+  if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
+  if (teaching_.has_value()) return refuse(key, config_.name + " is being taught: stop that first");
+  if (task_.route().has_value() && !lost_ && navigator_->estimate().has_value()) {
+    return refuse(key, config_.name + " is on its way and knows where it is: stop or cancel first");
+  }
+  if (localising_.has_value() && localising_->asked_by.has_value()) {
+    refuse(*localising_->asked_by, "another search was asked for meanwhile");
+  }
+  start_localising(key, command.seed, now);
+}
+
+void RobotAgent::keep_place(const CommandKey& key) {
+  if (teaching_.has_value()) {
+    if (teaching_->phase != Teaching::Phase::on) return refuse(key, "teaching has not begun or is ending: try again");
+    keeping_.push_back(key);
+    navigator_->keep_place();
+    return;
+  }
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (!estimate.has_value() || lost_) {
+    return refuse(key, config_.name + " does not know where it is: localise it, or label while teaching");
+  }
+  const bool here = distance_m(estimate->place_from_robot) <= kHereM &&
+                    std::abs(heading_rad(estimate->place_from_robot)) <= kHereRad;
+  if (!here || replica_.window().place(estimate->place) == nullptr) {
+    return refuse(key, config_.name + " is " + where(*estimate) +
+                           ": label that place by its id, or label here while teaching, which makes a place");
+  }
+  msg::AgentReply done;
+  done.done = true;
+  done.place = estimate->place;
+  reply(key, done);
+}
+
+void RobotAgent::stop(const CommandKey& key, SteadyTime now) {
+  stopped_ = true;
+  navigator_->stop();
+  follow_pending_ = task_.route().has_value() && !task_.arrived();
+  task_.set(msg::RoutePhase::stopped, "stopped by an operator", now);
+  if (teaching_.has_value()) output_.hand_stop = true;
+  msg::AgentReply done;
+  done.done = true;
+  reply(key, done);
+}
+
+void RobotAgent::resume(const CommandKey& key, SteadyTime now) {
+  if (stopped_) follow_at_latest_ = now;
+  stopped_ = false;
+  msg::AgentReply done;
+  done.done = true;
+  reply(key, done);
+}
+
+}  // namespace weft::agents

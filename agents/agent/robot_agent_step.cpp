@@ -1,0 +1,102 @@
+#include <cmath>
+#include <utility>
+
+#include "agents/agent/robot_agent.hpp"
+#include "agents/agent/surroundings.hpp"
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t kDriftHops = 8;  ///< the window moves when the robot is farther than this from its centre
+constexpr Duration kBetweenMoves = 1s;   ///< of the window
+
+double speed(const Motion& motion) {
+  const double elapsed = seconds(motion.elapsed);
+  if (motion.wheels.has_value() && elapsed > 0.0) return motion.wheels->distance_m / elapsed;
+  return motion.command.linear_m_s;
+}
+}  // namespace
+
+AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
+  frame_ = sample.frame;
+  speed_m_s_ = speed(sample.motion);
+  const View* const view = sample.view.has_value() ? &*sample.view : nullptr;
+  const Navigated navigated = navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand,
+                                               MapView{replica_.window(), cache_});
+  lost_ = navigated.lost;
+  stands_for_ = navigated.reason;
+  command_ = navigated.command;
+  keep(navigated.kept, now);
+  if (teaching_.has_value()) {
+    teaching_->hand_done = sample.hand_done;
+    if (teaching_->phase == Teaching::Phase::ending && view != nullptr) end_teaching(now);
+  }
+  if (navigated.fix.has_value()) note_fix(*navigated.fix);
+  note_following(navigated, now);
+  recentre(now);
+  return finish(now);
+}
+
+void RobotAgent::note_following(const Navigated& navigated, SteadyTime now) {
+  if (!task_.route().has_value() || follow_pending_ || stopped_) return;
+  task_.set_progress(navigated.route_at, navigated.route_freed, now);
+  const std::string why(navigated.reason);
+  if (navigated.lost) return task_.set(msg::RoutePhase::stopped, "lost: " + why, now);
+  switch (navigated.following) {
+    case Following::none:
+      return;
+    case Following::driving:
+      return task_.set(msg::RoutePhase::driving, {}, now);
+    case Following::waiting:
+      return task_.set(msg::RoutePhase::waiting, task_.route()->reason.empty() ? why : task_.route()->reason, now);
+    case Following::stopped:
+      return task_.set(msg::RoutePhase::stopped, why, now);
+    case Following::arrived:
+      break;
+  }
+  if (task_.arrived()) return;
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (estimate.has_value()) {
+    const std::optional<Relation> seen =
+        seen_from(replica_.window(), task_.route()->places.back(), estimate->place, estimate->place_from_robot);
+    if (seen.has_value()) task_.set_arrival(*seen);
+  }
+  task_.set(msg::RoutePhase::arrived, {}, now);
+}
+
+void RobotAgent::recentre(SteadyTime now) {
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (!estimate.has_value() || estimate->place == focus_ || now - focused_at_ < kBetweenMoves) return;
+  focus_ = estimate->place;
+  focused_at_ = now;
+  if (cache_.missing() > 0) want_contents(now);
+  const Window& window = replica_.window();
+  // While teaching, everything that the network has is of use, as long as it fits: any of it may be met.
+  const bool all_fits = !replica_.definition().centre.has_value() && window.places.size() < config_.window_cap;
+  if (!replica_.is_settled() || (teaching_.has_value() && all_fits)) return;
+  std::optional<PlaceId> centre;
+  if (window.place(focus_) != nullptr) {
+    centre = focus_;
+  } else if (const auto durable = spooler_.newest_durable(); durable && durable->experience == focus_.experience) {
+    centre = durable;
+  }
+  if (!centre.has_value()) return;
+  const std::optional<PlaceId>& old = replica_.definition().centre;
+  if (old.has_value() && is_near(window, *old, *centre, kDriftHops)) return;
+  WindowDefinition definition = replica_.definition();
+  definition.centre = centre;
+  replica_.define(std::move(definition), now);
+}
+
+void RobotAgent::want_contents(SteadyTime now) {
+  std::optional<PlaceId> focus;
+  if (replica_.window().place(focus_) != nullptr) {
+    focus = focus_;
+  } else {
+    focus = replica_.definition().centre;
+  }
+  cache_.want(nearest_first(replica_.window(), focus, task_.route(), 0), now);
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,206 @@
+#include <utility>
+
+#include "agents/agent/robot_agent.hpp"
+#include "agents/agent/surroundings.hpp"
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t kSeedHops = 3;      ///< map around a seed before looking for oneself there
+constexpr std::uint32_t kRouteAhead = 10;   ///< places of a route to have before driving it
+constexpr Duration kMapAtMost = 20s;        ///< then search with what there is
+constexpr Duration kSearchAtMost = 60s;     ///< then say that it was in vain
+constexpr Duration kBetweenSearches = 10s;  ///< of one's own accord
+}  // namespace
+
+void RobotAgent::work(SteadyTime now) {
+  prepare_teaching(now);
+  if (teaching_.has_value() && teaching_->phase == Teaching::Phase::ending && now >= teaching_->deadline) {
+    end_teaching(now);
+  }
+  prepare_localising(now);
+  search_when_of_use(now);
+  try_follow(now);
+}
+
+void RobotAgent::prepare_teaching(SteadyTime now) {
+  if (!teaching_.has_value() || teaching_->phase != Teaching::Phase::preparing) return;
+  const MapView map{replica_.window(), cache_};
+  const bool ready =
+      !teaching_->seed.has_value() || (replica_.is_settled() && is_covered(map, *teaching_->seed, kSeedHops));
+  if (!ready) {
+    if (now < teaching_->deadline) return;
+    refuse(teaching_->started_by, "the map around " + to_string(*teaching_->seed) +
+                                      " did not arrive in 20 s: is that place in `weft map info`?");
+    teaching_.reset();
+    return;
+  }
+  if (teaching_->along.empty()) return begin_teaching();
+  teaching_->phase = Teaching::Phase::hand;
+  teaching_->deadline = now + kMapAtMost;
+  output_.hand_start = teaching_->along;
+}
+
+AgentOutput RobotAgent::hand_answered(const Result<void>& answer, SteadyTime now) {
+  if (teaching_.has_value() && teaching_->phase == Teaching::Phase::hand) {
+    if (answer) {
+      begin_teaching();
+    } else {
+      refuse(teaching_->started_by, answer.error().message);
+      teaching_.reset();
+    }
+  }
+  return finish(now);
+}
+
+void RobotAgent::begin_teaching() {
+  teaching_->phase = Teaching::Phase::on;
+  if (teaching_->seed.has_value()) navigator_->seek(teaching_->seed);
+  navigator_->begin_teach({.experience = teaching_->experience, .robot = config_.self});
+  spooler_.begin(teaching_->experience, teaching_->name);
+  msg::AgentReply done;
+  done.done = true;
+  done.experience = teaching_->experience;
+  reply(teaching_->started_by, done);
+}
+
+void RobotAgent::end_teaching(SteadyTime now) {
+  msg::AgentReply done;
+  done.done = true;
+  done.experience = teaching_->experience;
+  if (Result<void> sealed = spooler_.seal("taught to its end", now); !sealed) {
+    done.done = false;
+    done.reason = sealed.error().message;
+    teaching_failed_ = "teaching ended: " + done.reason;
+  }
+  if (teaching_->stopped_by.has_value()) reply(*teaching_->stopped_by, done);
+  teaching_.reset();
+  for (const CommandKey& key : std::exchange(keeping_, {})) refuse(key, "teaching ended before a place was kept");
+}
+
+void RobotAgent::stop_teaching(const std::string& reason) {
+  std::ignore = navigator_->end_teach();
+  output_.hand_stop = true;
+  teaching_failed_ = reason;
+  output_.notes.push_back(reason);
+  if (teaching_->phase == Teaching::Phase::preparing || teaching_->phase == Teaching::Phase::hand) {
+    refuse(teaching_->started_by, reason);
+  }
+  if (teaching_->stopped_by.has_value()) refuse(*teaching_->stopped_by, reason);
+  for (const CommandKey& key : std::exchange(keeping_, {})) refuse(key, reason);
+  teaching_.reset();
+}
+
+void RobotAgent::abandon_teaching(const std::string& reason) {
+  if (teaching_.has_value()) stop_teaching("teaching ended: " + reason);
+}
+
+void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {
+  if (!teaching_.has_value()) return;
+  for (const Kept& one : kept) {
+    cache_.put(one.place.content.hash, one.content);
+    if (Result<void> added = spooler_.add(one, now); !added) return abandon_teaching(added.error().message);
+  }
+  if (kept.empty() || keeping_.empty()) return;
+  if (Result<void> flushed = spooler_.flush(now); !flushed) return abandon_teaching(flushed.error().message);
+  for (const CommandKey& key : std::exchange(keeping_, {})) {
+    msg::AgentReply done;
+    done.done = true;
+    done.place = kept.back().place.id;
+    done.experience = teaching_->experience;
+    reply(key, done);
+  }
+}
+
+void RobotAgent::start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed,
+                                  SteadyTime now) {
+  localising_ = Localising{.asked_by = asked_by, .seed = seed, .seeking = false, .deadline = now + kMapAtMost};
+  searched_ = true;
+  search_at_ = now + kBetweenSearches;
+  if (task_.route().has_value() && !task_.arrived()) {
+    follow_pending_ = true;
+    follow_at_latest_ = now + kMapAtMost;
+  }
+  WindowDefinition definition = replica_.definition();
+  if (seed.has_value()) {
+    definition.centre = seed;
+  } else if (replica_.window().places.empty()) {
+    definition.centre.reset();
+  }
+  replica_.define(std::move(definition), now);
+}
+
+void RobotAgent::prepare_localising(SteadyTime now) {
+  if (!localising_.has_value()) return;
+  if (localising_->seeking) {
+    if (now < localising_->deadline) return;
+    const std::optional<CommandKey> asked_by = localising_->asked_by;
+    localising_.reset();
+    if (asked_by.has_value()) {
+      refuse(*asked_by, config_.name + " did not find itself among " +
+                            std::to_string(replica_.window().places.size()) +
+                            " places: give --at LABEL, or move it near a place that was taught");
+    }
+    return;
+  }
+  const MapView map{replica_.window(), cache_};
+  const bool covered = localising_->seed.has_value() ? is_covered(map, *localising_->seed, kSeedHops)
+                                                     : !map.window.places.empty() && cache_.missing() == 0;
+  if ((!replica_.is_settled() || !covered) && now < localising_->deadline) return;
+  const bool empty =
+      map.window.places.empty() || (localising_->seed.has_value() && map.window.place(*localising_->seed) == nullptr);
+  if (empty) {
+    const std::optional<CommandKey> asked_by = localising_->asked_by;
+    const std::string what =
+        localising_->seed.has_value() ? "the map around " + to_string(*localising_->seed) : "any part of the network";
+    localising_.reset();
+    if (asked_by.has_value())
+      refuse(*asked_by, what + " did not arrive in 20 s: teach first, or check `weft map info`");
+    return;
+  }
+  localising_->seeking = true;
+  localising_->deadline = now + kSearchAtMost;
+  navigator_->seek(localising_->seed);
+}
+
+void RobotAgent::note_fix(const Fix& fix) {
+  output_.fixes.push_back({.frame = frame_, .fix = fix});
+  if (!localising_.has_value() || !localising_->seeking) return;
+  const std::optional<CommandKey> asked_by = localising_->asked_by;
+  localising_.reset();
+  if (!asked_by.has_value()) return;
+  msg::AgentReply done;
+  done.done = true;
+  done.place = fix.place;
+  reply(*asked_by, done);
+}
+
+void RobotAgent::search_when_of_use(SteadyTime now) {
+  if (localising_.has_value() || teaching_.has_value() || !fault_.empty() || now < search_at_) return;
+  const bool knows = navigator_->estimate().has_value() && !lost_;
+  if (knows || replica_.window().places.empty() || cache_.missing() > 0) return;
+  if (searched_ && !lost_ && !task_.route().has_value()) return;
+  start_localising(std::nullopt, std::nullopt, now);
+}
+
+void RobotAgent::try_follow(SteadyTime now) {
+  waits_for_.clear();
+  if (!follow_pending_ || stopped_ || !fault_.empty() || teaching_.has_value()) return;
+  if (!navigator_->estimate().has_value()) {
+    waits_for_ = "does not know where it is: looks for itself";
+    follow_at_latest_ = now + kMapAtMost;
+  } else {
+    const MapView map{replica_.window(), cache_};
+    const bool covered = replica_.is_settled() && is_covered(map, *task_.route(), 0, kRouteAhead);
+    if (covered || now >= follow_at_latest_) {
+      follow_pending_ = false;
+      navigator_->follow(*task_.route());
+      return;
+    }
+    waits_for_ = "waits for the map of its route";
+  }
+  task_.set(msg::RoutePhase::waiting, waits_for_, now);
+}
+
+}  // namespace weft::agents

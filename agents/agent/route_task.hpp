@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "agents/navigation/navigator.hpp"
+#include "core/network/goal.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/time.hpp"
+
+namespace weft::agents {
+
+/// The route that the server gave this robot, and what the robot tells about it. Orders come doubled, late and out of
+/// order: a lower version and a route that is over are ignored, what has been released is never taken back.
+class RouteTask {
+ public:
+  enum class Took {
+    ignored,   ///< nothing new
+    renewed,   ///< another route or version: follow it
+    extended,  ///< released further: follow it
+    ended,     ///< no route any more: stand
+  };
+  Took take(const Route& order, SteadyTime now);
+
+  const std::optional<Route>& route() const { return route_; }
+  msg::RoutePhase phase() const { return phase_; }
+  bool arrived() const { return phase_ == msg::RoutePhase::arrived; }
+
+  /// What the robot does with it now. Having arrived, and having failed, last until another version or the end.
+  void set(msg::RoutePhase phase, const std::string& reason, SteadyTime now);
+  /// How far it is; never goes back within a version.
+  void set_progress(std::uint32_t at, std::uint32_t freed, SteadyTime now);
+  /// goal_from_robot as believed, on arrival.
+  void set_arrival(const Relation& goal_from_robot) { goal_from_robot_ = goal_from_robot; }
+
+  /// A report without its header: on a change at most five times a second, and every other second without one.
+  std::optional<msg::RouteProgress> due(SteadyTime now);
+  std::optional<SteadyTime> next() const;
+  void server_restarted(SteadyTime now) { touch(now); }
+
+ private:
+  void touch(SteadyTime now);
+  void end(const RouteId& id);
+
+  std::optional<Route> route_;
+  msg::RoutePhase phase_ = msg::RoutePhase::accepted;
+  std::string reason_;
+  std::uint32_t at_ = 0;
+  std::uint32_t freed_ = 0;
+  Relation goal_from_robot_;
+  std::deque<RouteId> over_;
+  SteadyTime report_at_{};
+  SteadyTime reported_at_{};
+};
+
+}  // namespace weft::agents

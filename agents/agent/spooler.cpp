@@ -1,0 +1,198 @@
+#include "agents/agent/spooler.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::agents {
+
+Spooler::Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self)
+    : spool_(&spool), config_(config), self_(self) {}
+
+Result<Spooler> Spooler::open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now) {
+  Spooler spooler(spool, config, self);
+  Result<std::vector<Batch>> pending = spool.pending();
+  if (!pending) return fail(pending.error());
+  for (Batch& batch : *pending) {
+    spooler.pending_.push_back({.batch = std::move(batch), .send_at = now, .wait = config.retry});
+  }
+  if (Result<void> sealed = spooler.seal_what_a_crash_left_open(now); !sealed) return fail(sealed.error());
+  return spooler;
+}
+
+Result<void> Spooler::seal_what_a_crash_left_open(SteadyTime now) {
+  std::map<ExperienceId, Batch> seals;
+  for (const Pending& pending : pending_) {
+    const Batch& last = pending.batch;
+    seals.erase(last.experience);
+    if (last.seal) continue;
+    Batch seal;
+    seal.experience = last.experience;
+    seal.sequence = last.sequence + 1;
+    seal.robot = last.robot;
+    seal.name = last.name;
+    seal.method = last.method;
+    seal.seal = true;
+    seal.seal_reason = "the agent was restarted while it was being taught";
+    seals.emplace(last.experience, std::move(seal));
+  }
+  for (auto& [experience, seal] : seals) {
+    if (Result<void> appended = spool_->append(seal, {}); !appended) return appended;
+    pending_.push_back({.batch = std::move(seal), .send_at = now, .wait = config_.retry});
+  }
+  return {};
+}
+
+void Spooler::begin(ExperienceId experience, const std::string& name) {
+  Open open;
+  open.batch.experience = experience;
+  open.batch.sequence = 1;
+  open.batch.robot = self_;
+  open.batch.name = name;
+  open_ = std::move(open);
+}
+
+Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
+  if (open_->batch.places.empty()) open_->since = now;
+  open_->batch.method = kept.place.method;
+  open_->batch.places.push_back(kept.place);
+  open_->batch.edges.insert(open_->batch.edges.end(), kept.edges.begin(), kept.edges.end());
+  open_->contents.push_back(kept.content);
+  ++open_->places;
+  if (open_->batch.places.size() >= config_.batch_places) return flush(now);
+  return {};
+}
+
+Result<void> Spooler::flush(SteadyTime now) {
+  if (!open_.has_value() || (open_->batch.places.empty() && !open_->batch.seal)) return {};
+  Batch& batch = open_->batch;
+  if (Result<void> appended = spool_->append(batch, open_->contents); !appended) {
+    open_.reset();
+    return appended;
+  }
+  pending_.push_back({.batch = batch, .send_at = now, .wait = config_.retry});
+  if (batch.seal) {
+    unsealed_.erase(batch.experience);
+    open_.reset();
+    return {};
+  }
+  unsealed_[batch.experience] = batch.sequence;
+  ++batch.sequence;
+  batch.places.clear();
+  batch.edges.clear();
+  open_->contents.clear();
+  return {};
+}
+
+Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
+  if (!open_.has_value()) return {};
+  if (open_->places == 0) {
+    open_.reset();
+    return {};
+  }
+  open_->batch.seal = true;
+  open_->batch.seal_reason = reason;
+  return flush(now);
+}
+
+void Spooler::drop(ExperienceId experience, std::uint64_t through) {
+  std::erase_if(pending_, [&](const Pending& pending) {
+    return pending.batch.experience == experience && pending.batch.sequence <= through;
+  });
+}
+
+Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
+  Heard heard;
+  for (const Pending& pending : pending_) {
+    const Batch& batch = pending.batch;
+    if (batch.experience != ack.experience || batch.sequence > ack.durable_through) continue;
+    AckRecord record{.experience = batch.experience, .sequence = batch.sequence, .first = 0, .places = 0};
+    if (!batch.places.empty()) {
+      record.first = batch.places.front().id.index;
+      record.places = static_cast<std::uint32_t>(batch.places.size());
+      newest_durable_ = batch.places.back().id;
+    }
+    heard.acknowledged.push_back(record);
+  }
+  drop(ack.experience, ack.durable_through);
+  const auto unsealed = unsealed_.find(ack.experience);
+  std::uint64_t forget = ack.durable_through;
+  if (unsealed != unsealed_.end()) forget = std::min(forget, unsealed->second - 1);
+  // What the spool fails to forget it offers again at the next start: a repeat, harmless.
+  if (forget > 0) std::ignore = spool_->acknowledged(ack.experience, forget);
+  for (Pending& pending : pending_) {
+    if (pending.batch.experience != ack.experience || pending.batch.sequence != ack.durable_through + 1) continue;
+    for (const Place& place : pending.batch.places) {
+      const bool missing = std::find(ack.missing.begin(), ack.missing.end(), place.content.hash) != ack.missing.end();
+      if (missing) chunks_.push(place.content.hash, 0, now);
+    }
+  }
+  if (ack.refused_sequence == 0) return heard;
+  for (const Pending& pending : pending_) {
+    const Batch& batch = pending.batch;
+    const bool only_seals =
+        batch.experience == ack.experience && batch.sequence == ack.refused_sequence && batch.places.empty();
+    // The server has sealed it itself. What holds places is kept for people to look at.
+    if (only_seals) std::ignore = spool_->acknowledged(ack.experience, batch.sequence);
+  }
+  drop(ack.experience, UINT64_MAX);
+  unsealed_.erase(ack.experience);
+  heard.refused = open_.has_value() && open_->batch.experience == ack.experience;
+  if (heard.refused) open_.reset();
+  heard.reason = "the server refused batch " + std::to_string(ack.refused_sequence) + ": " + ack.refusal;
+  return heard;
+}
+
+void Spooler::on_request(const msg::ContentRequest& request, SteadyTime now) {
+  for (const msg::ContentRequest::Item& item : request.items) chunks_.push(item.hash, item.offset, now);
+}
+
+void Spooler::server_restarted(SteadyTime now) {
+  chunks_.clear();
+  for (Pending& pending : pending_) {
+    pending.send_at = now;
+    pending.wait = config_.retry;
+    pending.contents_queued = false;
+  }
+}
+
+void Spooler::queue_contents(Pending& pending, SteadyTime now) {
+  pending.contents_queued = true;
+  for (const Place& place : pending.batch.places) chunks_.push(place.content.hash, 0, now);
+}
+
+Result<std::vector<Batch>> Spooler::due(SteadyTime now) {
+  std::vector<Batch> batches;
+  const bool aged = open_.has_value() && !open_->batch.places.empty() && now - open_->since >= config_.batch_age;
+  if (aged) {
+    if (Result<void> flushed = flush(now); !flushed) return fail(flushed.error());
+  }
+  std::size_t in_flight = 0;
+  for (Pending& pending : pending_) {
+    if (in_flight++ == config_.in_flight) break;
+    if (pending.send_at > now) continue;
+    batches.push_back(pending.batch);
+    if (!pending.contents_queued) queue_contents(pending, now);
+    pending.send_at = now + pending.wait;
+    pending.wait = std::min(pending.wait * 2, config_.retry_most);
+  }
+  return batches;
+}
+
+Result<std::optional<msg::Chunk>> Spooler::next_chunk(Budget& budget, SteadyTime now) {
+  return chunks_.next(
+      budget, [this](const ContentHash& hash) { return spool_->content(hash); }, now);
+}
+
+std::optional<SteadyTime> Spooler::next() const {
+  std::optional<SteadyTime> next;
+  const auto sooner = [&next](SteadyTime at) { next = next.has_value() ? std::min(*next, at) : at; };
+  if (open_.has_value() && !open_->batch.places.empty()) sooner(open_->since + config_.batch_age);
+  std::size_t in_flight = 0;
+  for (const Pending& pending : pending_) {
+    if (in_flight++ == config_.in_flight) break;
+    sooner(pending.send_at);
+  }
+  return next;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,94 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/agent/agent.hpp"
+#include "agents/agent/chunks.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "storage/spool.hpp"
+
+namespace weft::agents {
+
+struct SpoolerConfig {
+  std::size_t batch_places = 5;                   ///< a batch is closed at this many places
+  Duration batch_age = std::chrono::seconds(2);   ///< or when its first place is this old
+  Duration retry = std::chrono::seconds(1);       ///< first repeat of a batch that is not acknowledged; doubles
+  Duration retry_most = std::chrono::seconds(8);  ///< up to this
+  std::size_t in_flight = 8;                      ///< most batches sent and not acknowledged
+};
+
+/// Takes what teaching keeps to the server. A batch is in the robot's own spool before it is sent, and is sent again
+/// until the server has it on disk. Of an experience that is not sealed, the last batch stays in the spool even when
+/// acknowledged: it is from there that a restarted agent knows what it has to seal.
+class Spooler {
+ public:
+  /// Reads what is pending; experiences that a crash left open are sealed. Errors of the spool are passed on.
+  static Result<Spooler> open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now);
+
+  void begin(ExperienceId experience, const std::string& name);
+  bool is_open() const { return open_.has_value(); }
+  /// exhausted and other errors of the spool: the experience ends before this batch; the caller stops teaching.
+  Result<void> add(const Kept& kept, SteadyTime now);
+  /// Closes the batch under way, so that its places are in the spool when this returns.
+  Result<void> flush(SteadyTime now);
+  /// Closes the experience. One without any place leaves no trace.
+  Result<void> seal(const std::string& reason, SteadyTime now);
+
+  struct Heard {
+    bool refused = false;  ///< of the experience being taught: teaching is over
+    std::string reason;    ///< of any refusal
+    std::vector<AckRecord> acknowledged;
+  };
+  Heard on_ack(const msg::BatchAck& ack, SteadyTime now);
+  /// The server asks for (the rest of) a content.
+  void on_request(const msg::ContentRequest& request, SteadyTime now);
+  /// Whatever was under way to the old server is sent again.
+  void server_restarted(SteadyTime now);
+
+  /// Closes an old batch, and gives the batches whose time to be sent has come.
+  Result<std::vector<Batch>> due(SteadyTime now);
+  Result<std::optional<msg::Chunk>> next_chunk(Budget& budget, SteadyTime now);
+  bool has_chunks() const { return !chunks_.empty(); }
+  std::optional<SteadyTime> next() const;
+
+  /// The newest place of this robot's experiences that the server is known to have.
+  std::optional<PlaceId> newest_durable() const { return newest_durable_; }
+  std::size_t pending() const { return pending_.size(); }
+
+ private:
+  struct Pending {
+    Batch batch;
+    SteadyTime send_at;
+    Duration wait{};
+    bool contents_queued = false;
+  };
+  struct Open {
+    Batch batch;  ///< under way
+    std::vector<Bytes> contents;
+    SteadyTime since;
+    std::uint32_t places = 0;  ///< of the experience so far
+  };
+
+  Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self);
+  Result<void> seal_what_a_crash_left_open(SteadyTime now);
+  void queue_contents(Pending& pending, SteadyTime now);
+  void drop(ExperienceId experience, std::uint64_t through);
+
+  storage::Spool* spool_;
+  SpoolerConfig config_;
+  RobotId self_;
+  std::optional<Open> open_;
+  std::deque<Pending> pending_;
+  std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
+  ChunkQueue chunks_;
+  std::optional<PlaceId> newest_durable_;
+};
+
+}  // namespace weft::agents

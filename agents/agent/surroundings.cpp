@@ -1,0 +1,67 @@
+#include "agents/agent/surroundings.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/network/search.hpp"
+
+namespace weft::agents {
+namespace {
+constexpr std::uint32_t kArrivalHops = 12;
+
+bool has_content(const MapView& map, const PlaceId& id) {
+  const Place* const place = map.window.place(id);
+  return place != nullptr && map.contents.find(place->content.hash) != nullptr;
+}
+}  // namespace
+
+std::vector<ContentRef> nearest_first(const Window& window, const std::optional<PlaceId>& focus,
+                                      const std::optional<Route>& route, std::uint32_t route_at) {
+  std::vector<ContentRef> contents;
+  std::set<ContentHash> seen;
+  const auto take = [&](const PlaceId& id) {
+    const Place* const place = window.place(id);
+    if (place != nullptr && seen.insert(place->content.hash).second) contents.push_back(place->content);
+  };
+  if (route.has_value()) {
+    for (std::size_t i = route_at; i < route->places.size(); ++i) take(route->places[i]);
+  }
+  if (focus.has_value()) {
+    const auto all = static_cast<std::uint32_t>(window.places.size());
+    for (const Reached& reached : breadth_first(window, *focus, all, all)) take(reached.id);
+  }
+  for (const auto& [id, place] : window.places) take(id);
+  return contents;
+}
+
+bool is_covered(const MapView& map, const PlaceId& place, std::uint32_t hops) {
+  const auto all = static_cast<std::uint32_t>(map.window.places.size());
+  const std::vector<Reached> around = breadth_first(map.window, place, hops, all);
+  return !around.empty() && std::all_of(around.begin(), around.end(),
+                                        [&](const Reached& reached) { return has_content(map, reached.id); });
+}
+
+bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::uint32_t count) {
+  const std::size_t end = std::min<std::size_t>(route.places.size(), static_cast<std::size_t>(at) + count);
+  for (std::size_t i = at; i < end; ++i) {
+    if (!has_content(map, route.places[i])) return false;
+  }
+  return true;
+}
+
+bool is_near(const Window& window, const PlaceId& centre, const PlaceId& place, std::uint32_t hops) {
+  const auto all = static_cast<std::uint32_t>(window.places.size());
+  const std::vector<Reached> around = breadth_first(window, centre, hops, all);
+  return std::any_of(around.begin(), around.end(), [&](const Reached& reached) { return reached.id == place; });
+}
+
+std::optional<Relation> seen_from(const Window& window, const PlaceId& goal, const PlaceId& place,
+                                  const Relation& place_from_robot) {
+  const auto all = static_cast<std::uint32_t>(window.places.size());
+  for (const Reached& reached : breadth_first(window, goal, kArrivalHops, all)) {
+    if (reached.id == place) return compose(reached.centre_from_place, place_from_robot);
+  }
+  return std::nullopt;
+}
+
+}  // namespace weft::agents

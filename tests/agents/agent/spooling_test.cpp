@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/agents/agent/rig.hpp"
+
+namespace weft::agents::test {
+namespace {
+using namespace std::chrono_literals;
+using Kind = msg::AgentCommand::Kind;
+
+/// Teaches for so long, ten places a second, and ends it.
+void teach(Rig& rig, Duration duration) {
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(duration);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(1s);
+}
+
+/// Every place once, in order, sealed at its end.
+void expect_whole(const Rig& rig, ExperienceId experience, std::uint32_t places) {
+  const Experience* const found = rig.server.snapshot.experience(experience);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->places.size(), places);
+  EXPECT_EQ(found->chain.size(), places - 1);
+  EXPECT_EQ(rig.server.times_joined.at(experience), static_cast<int>(places));
+  EXPECT_TRUE(found->sealed);
+  EXPECT_TRUE(rig.disk->records.empty());
+}
+
+TEST(Spooling, WhatIsTaughtArrivesWholeAndLeavesTheDisk) {
+  Rig rig;
+  teach(rig, 3s);
+  ASSERT_EQ(rig.script->taught.size(), 1U);
+  expect_whole(rig, rig.script->taught.front().experience, rig.script->index);
+  std::uint32_t acknowledged = 0;
+  for (const AckRecord& ack : rig.seen.acks) {
+    EXPECT_EQ(ack.first, acknowledged);
+    acknowledged += ack.places;
+  }
+  EXPECT_EQ(acknowledged, rig.script->index);
+}
+
+TEST(Spooling, BatchesAreOnDiskBeforeTheyAreSent) {
+  Rig rig;
+  rig.run(4s);
+  std::uint64_t on_disk = 0;
+  std::uint64_t batches = 0;
+  rig.lost_up = [&](const msg::Message& message) {
+    const auto* const batch = std::get_if<msg::ExperienceBatch>(&message);
+    if (batch == nullptr) return false;
+    ++batches;
+    for (const storage::SpoolRecord& record : rig.disk->records)
+      on_disk += record.batch.sequence == batch->batch.sequence;
+    return false;
+  };
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(3s);
+  EXPECT_GE(batches, 4U);
+  EXPECT_EQ(on_disk, batches);
+}
+
+TEST(Spooling, LostBatchesAndAcknowledgementsAreRepeatedUntilDurable) {
+  Rig rig;
+  Random random(5);
+  rig.doubled = true;
+  rig.lost_up = [&](const msg::Message&) { return random.chance(0.5); };
+  rig.lost_down = [&](const msg::Message&) { return random.chance(0.5); };
+  rig.run(5s);
+  for (std::uint64_t number = 1; rig.script->taught.empty(); ++number) rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(3s);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(120s);
+  expect_whole(rig, rig.script->taught.front().experience, rig.script->index);
+}
+
+TEST(Spooling, MissingContentsAreSentWhenAskedFor) {
+  Rig rig;
+  rig.script->content_bytes = 3 * msg::kChunkBytes;
+  std::set<ContentHash> lost_once;
+  rig.lost_up = [&](const msg::Message& message) {  // The first try of every content fails.
+    const auto* const chunk = std::get_if<msg::Chunk>(&message);
+    if (chunk == nullptr) return false;
+    if (chunk->offset + chunk->data.size() == chunk->total) return lost_once.insert(chunk->hash).second;
+    return !lost_once.contains(chunk->hash);
+  };
+  teach(rig, 2s);
+  rig.run(60s);
+  expect_whole(rig, rig.script->taught.front().experience, rig.script->index);
+}
+
+TEST(Spooling, RestartedAgentSendsItsSpoolAndSealsWhatItLeftOpen) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  const ExperienceId experience = rig.script->taught.front().experience;
+  rig.connected = false;
+  rig.run(3s);
+  const std::uint64_t spooled = rig.disk->records.size();
+  ASSERT_GE(spooled, 5U);
+  rig.restart_agent();
+  rig.connected = true;
+  rig.run(30s);
+  const Experience* const found = rig.server.snapshot.experience(experience);
+  ASSERT_NE(found, nullptr);
+  EXPECT_TRUE(found->sealed);
+  EXPECT_NE(found->seal_reason.find("restarted"), std::string::npos);
+  EXPECT_EQ(rig.server.times_joined.at(experience), static_cast<int>(found->places.size()));
+  EXPECT_TRUE(rig.disk->records.empty());
+  EXPECT_EQ(rig.last<msg::RobotState>()->mode, msg::RobotMode::idle);
+}
+
+TEST(Spooling, CrashWithEverythingAcknowledgedStillSeals) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(2s);
+  const ExperienceId experience = rig.script->taught.front().experience;
+  EXPECT_EQ(rig.disk->records.size(), 1U);  // All acknowledged; the last one is kept to know of the open experience.
+  rig.restart_agent();
+  rig.run(10s);
+  EXPECT_EQ(rig.server.sealed, std::vector<ExperienceId>{experience});
+}
+
+TEST(Spooling, RestartedServerGetsWhatItDidNotAcknowledge) {
+  Rig rig;
+  rig.server.acknowledges = false;
+  teach(rig, 2s);
+  rig.server.restart();
+  rig.server.acknowledges = true;
+  rig.tell(rig.server.hello());
+  rig.run(10s);
+  expect_whole(rig, rig.script->taught.front().experience, rig.script->index);
+}
+
+TEST(Spooling, RefusedBatchEndsTeachingWithItsReason) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  msg::BatchAck refusal;
+  refusal.experience = rig.script->taught.front().experience;
+  refusal.durable_through = rig.server.durable_through[refusal.experience];
+  refusal.refused_sequence = refusal.durable_through + 1;
+  refusal.refusal = "places are not contiguous";
+  rig.tell(rig.server.say(refusal));
+  rig.run(1s);
+  EXPECT_FALSE(rig.script->teaching);
+  EXPECT_GE(rig.hand_stops, 1);
+  const auto state = rig.last<msg::RobotState>();
+  EXPECT_EQ(state->mode, msg::RobotMode::idle);
+  EXPECT_NE(state->reason.find("not contiguous"), std::string::npos);
+}
+
+TEST(Spooling, FullDiskEndsTeachingWithItsReason) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.disk->faults.full = true;
+  rig.run(2s);
+  const auto state = rig.last<msg::RobotState>();
+  EXPECT_EQ(state->mode, msg::RobotMode::idle);
+  EXPECT_NE(state->reason.find("teaching ended"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::agents::test

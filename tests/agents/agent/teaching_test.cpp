@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/agents/agent/rig.hpp"
+
+namespace weft::agents::test {
+namespace {
+using namespace std::chrono_literals;
+using Kind = msg::AgentCommand::Kind;
+
+TEST(Teaching, AlongAFileStartsTheHandAndAnswersWithItsWord) {
+  Rig rig;
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.along = {{0.0, 0.0}, {3.0, 0.0}};
+  rig.tell(command);
+  EXPECT_EQ(rig.hand_starts, 1);
+  EXPECT_EQ(rig.hand.size(), 2U);
+  EXPECT_TRUE(rig.script->taught.empty());
+  rig.take(rig.agent->hand_answered(fail(ErrorCode::invalid, "the second point is in rack A"), rig.now));
+  ASSERT_TRUE(rig.last<msg::AgentReply>().has_value());
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->reason, "the second point is in rack A");
+  command.command = 2;
+  rig.tell(command);
+  rig.take(rig.agent->hand_answered({}, rig.now));
+  EXPECT_EQ(rig.script->taught.size(), 1U);
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->experience, rig.script->taught.front().experience);
+}
+
+TEST(Teaching, BodyWithoutAHandRefusesAFile) {
+  Rig rig;
+  rig.config.can_be_taught_along = false;
+  rig.config.body = "replay";
+  rig.restart_agent();
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.along = {{0.0, 0.0}, {3.0, 0.0}};
+  rig.tell(command);
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("replay"), std::string::npos);
+}
+
+TEST(Teaching, HandDoneIsShown) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.sample.hand = true;
+  rig.run(1s);
+  EXPECT_EQ(rig.last<msg::RobotState>()->mode, msg::RobotMode::teaching);
+  EXPECT_EQ(rig.last<msg::RobotState>()->reason, "");
+  rig.sample.hand_done = true;
+  rig.run(1s);
+  EXPECT_EQ(rig.last<msg::RobotState>()->reason, "hand_done");
+}
+
+TEST(Teaching, SeedWaitsForItsMapAndThenLooksThere) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 10);
+  rig.lost_down = [](const msg::Message& message) { return std::holds_alternative<msg::Chunk>(message); };
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.seed = PlaceId{laid, 4};
+  rig.tell(command);
+  rig.run(3s);
+  EXPECT_TRUE(rig.script->taught.empty());
+  rig.lost_down = [](const msg::Message&) { return false; };
+  rig.run(10s);
+  ASSERT_EQ(rig.script->taught.size(), 1U);
+  EXPECT_EQ(rig.script->sought.back(), (PlaceId{laid, 4}));
+}
+
+TEST(Teaching, SeedThatIsNowhereIsRefused) {
+  Rig rig;
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.seed = PlaceId{ExperienceId{5}, 4};
+  rig.tell(command);
+  rig.run(25s);
+  ASSERT_TRUE(rig.last<msg::AgentReply>().has_value());
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::RobotState>()->mode, msg::RobotMode::idle);
+}
+
+TEST(Teaching, LabelHereKeepsAPlaceAndAnswersOnceItIsOnDisk) {
+  Rig rig;
+  rig.script->keep_each_step = false;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.tell(rig.command(Kind::keep_place, 2));
+  EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
+  std::uint64_t on_disk = 0;
+  rig.lost_up = [&](const msg::Message& message) {
+    if (std::holds_alternative<msg::AgentReply>(message)) on_disk = rig.disk->records.size();
+    return false;
+  };
+  rig.connected = false;
+  rig.run(200ms);
+  ASSERT_EQ(rig.sent<msg::AgentReply>().size(), 2U);
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->place, (PlaceId{rig.script->taught.front().experience, 0}));
+  EXPECT_EQ(rig.disk->records.size(), 1U);
+}
+
+TEST(Teaching, LabelHereWithoutTeachingNeedsAPlaceUnderTheRobot) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 10);
+  rig.run(4s);
+  rig.tell(rig.command(Kind::keep_place, 1));
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("does not know where it is"), std::string::npos);
+  rig.script->estimate = Estimate{{laid, 3}, Metric2{Pose2{0.2, 0.0, 0.0}, Eigen::Matrix3d::Zero()}, 0.0};
+  rig.tell(rig.command(Kind::keep_place, 2));
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("0.20 m"), std::string::npos);
+  const double turned = 2.0 * std::numbers::pi / 180.0;
+  rig.script->estimate->place_from_robot = Metric2{Pose2{0.03, 0.0, turned}, Eigen::Matrix3d::Zero()};
+  rig.tell(rig.command(Kind::keep_place, 3));
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->place, (PlaceId{laid, 3}));
+}
+
+TEST(Teaching, StopTakesTheLastViewAndSeals) {
+  Rig rig;
+  rig.script->keep_each_step = false;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  EXPECT_EQ(rig.hand_stops, 1);
+  EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
+  rig.run(500ms);
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  rig.run(3s);
+  EXPECT_EQ(rig.server.sealed.size(), 1U);
+  EXPECT_EQ(rig.script->index, 1U);
+}
+
+TEST(Teaching, NothingTaughtLeavesNoTrace) {
+  Rig rig;
+  rig.sample.view.reset();
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(5s);
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  EXPECT_TRUE(rig.sent<msg::ExperienceBatch>().empty());
+}
+
+TEST(Teaching, RobotWithAGoalIsNotTaught) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 10);
+  rig.script->estimate = Estimate{{laid, 3}, Relation{}, 0.0};
+  rig.run(4s);
+  rig.tell(rig.order(a_route(laid, 10, 1)));
+  rig.tell(rig.command(Kind::teach_start, 1));
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_TRUE(rig.script->taught.empty());
+}
+
+TEST(Teaching, RepeatedAfterAServersRestartIsTheSameTeaching) {
+  Rig rig;
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.name = "loop";
+  rig.tell(command);
+  rig.run(1s);
+  rig.server.restart();
+  rig.tell(rig.server.hello());
+  msg::AgentCommand again = rig.command(Kind::teach_start, 5);
+  again.name = "loop";
+  rig.tell(again);
+  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->experience, rig.script->taught.front().experience);
+  EXPECT_EQ(rig.script->taught.size(), 1U);
+}
+
+}  // namespace
+}  // namespace weft::agents::test
