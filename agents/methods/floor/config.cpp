@@ -1,0 +1,109 @@
+#include "agents/methods/floor/config.hpp"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace weft::agents {
+namespace {
+
+template <class T>
+struct Field {
+  std::string_view name;
+  T FloorConfig::*member;
+  T low;
+  T high;
+};
+
+// One list for `check` and for the reader; the header says the same beside each setting.
+constexpr auto integers = std::to_array<Field<int>>({
+    {"corners", &FloorConfig::corners, 40, 1000},
+    {"window_px", &FloorConfig::window_px, 7, 31},
+    {"pyramid_levels", &FloorConfig::pyramid_levels, 0, 5},
+    {"fewest_tracks", &FloorConfig::fewest_tracks, 12, 500},
+    {"features", &FloorConfig::features, 100, 2000},
+    {"fewest_features", &FloorConfig::fewest_features, 30, 1000},
+    {"most_bits", &FloorConfig::most_bits, 10, 128},
+    {"fewest_matches", &FloorConfig::fewest_matches, 8, 1000},
+    {"hypotheses", &FloorConfig::hypotheses, 50, 20000},
+    {"fewest_inliers", &FloorConfig::fewest_inliers, 12, 1000},
+});
+constexpr auto numbers = std::to_array<Field<double>>({
+    {"fewest_tracks_share", &FloorConfig::fewest_tracks_share, 0, 1},
+    {"homography_px", &FloorConfig::homography_px, 0.2, 10},
+    {"track_sigma_px", &FloorConfig::track_sigma_px, 0.01, 2},
+    {"keyframe_m", &FloorConfig::keyframe_m, 0.01, 1},
+    {"keyframe_rad", &FloorConfig::keyframe_rad, 0.01, 1},
+    {"keyframe_share", &FloorConfig::keyframe_share, 0.1, 0.95},
+    {"vibration_tilt_rad", &FloorConfig::vibration_tilt_rad, 1e-6, 0.05},
+    {"vibration_height_m", &FloorConfig::vibration_height_m, 1e-6, 0.05},
+    {"mount_tilt_rad", &FloorConfig::mount_tilt_rad, 1e-6, 0.1},
+    {"mount_height_m", &FloorConfig::mount_height_m, 1e-6, 0.1},
+    {"mount_position_m", &FloorConfig::mount_position_m, 1e-6, 0.1},
+    {"scale_sigma", &FloorConfig::scale_sigma, 1e-6, 0.1},
+    {"scale_memory_m", &FloorConfig::scale_memory_m, 1e-6, 100},
+    {"normal_angle_rad", &FloorConfig::normal_angle_rad, 1e-6, 1.2},
+    {"along_normal_heights", &FloorConfig::along_normal_heights, 1e-6, 1},
+    {"decompose_from_heights", &FloorConfig::decompose_from_heights, 0, 1},
+    {"wheels_share", &FloorConfig::wheels_share, 1e-6, 2},
+    {"wheels_m", &FloorConfig::wheels_m, 1e-6, 1},
+    {"wheels_rad", &FloorConfig::wheels_rad, 1e-6, 1},
+    {"command_factor", &FloorConfig::command_factor, 1, 20},
+    {"blind_share", &FloorConfig::blind_share, 1e-6, 1},
+    {"blind_m", &FloorConfig::blind_m, 1e-6, 0.1},
+    {"blind_rad", &FloorConfig::blind_rad, 1e-6, 0.1},
+    {"far_m", &FloorConfig::far_m, 0.5, 4},
+    {"half_width_m", &FloorConfig::half_width_m, 0.2, 3},
+    {"metres_per_pixel", &FloorConfig::metres_per_pixel, 0.001, 0.02},
+    {"patch_metres_per_pixel", &FloorConfig::patch_metres_per_pixel, 0.005, 0.1},
+    {"gate_m", &FloorConfig::gate_m, 0.02, 1},
+    {"gate_rad", &FloorConfig::gate_rad, 0.02, 1.5},
+    {"widest_gate_m", &FloorConfig::widest_gate_m, 0.02, 2},
+    {"ratio", &FloorConfig::ratio, 1e-6, 1},
+    {"ratio_unguided", &FloorConfig::ratio_unguided, 1e-6, 1},
+    {"consensus_m", &FloorConfig::consensus_m, 1e-6, 0.2},
+    {"fewest_inliers_share", &FloorConfig::fewest_inliers_share, 0, 1},
+    {"feature_sigma_m", &FloorConfig::feature_sigma_m, 1e-6, 0.05},
+    {"inlier_sigmas", &FloorConfig::inlier_sigmas, 1, 10},
+    {"kappa", &FloorConfig::kappa, 0, 1},
+    {"most_tilt_rad", &FloorConfig::most_tilt_rad, 1e-6, 0.2},
+    {"most_lift_m", &FloorConfig::most_lift_m, 1e-6, 0.2},
+    {"eta_px", &FloorConfig::eta_px, 0.1, 1000},
+    {"most_residual", &FloorConfig::most_residual, 1e-6, 1e4},
+});
+
+template <class T>
+void require(const FloorConfig& config, const Field<T>& field, std::vector<std::string>& issues) {
+  const T value = config.*field.member;
+  if (value >= field.low && value <= field.high) return;
+  issues.push_back("floor." + std::string(field.name) + " = " + std::to_string(value) + " is not within [" +
+                   std::to_string(field.low) + ", " + std::to_string(field.high) + "]");
+}
+
+}  // namespace
+
+std::vector<std::string> check(const FloorConfig& config) {
+  std::vector<std::string> issues;
+  for (const auto& field : integers) require(config, field, issues);
+  for (const auto& field : numbers) require(config, field, issues);
+  if (config.window_px % 2 == 0) issues.emplace_back("floor.window_px is even; a window has a centre");
+  if (config.patch_metres_per_pixel < config.metres_per_pixel)
+    issues.emplace_back("floor.patch_metres_per_pixel is finer than floor.metres_per_pixel");
+  if (config.fewest_features > config.features) issues.emplace_back("floor.fewest_features exceeds floor.features");
+  return issues;
+}
+
+FloorConfig read_floor_config(const config::Table& table) {
+  FloorConfig config;
+  for (const auto& [name, member, low, high] : integers)
+    config.*member = static_cast<int>(table.integer(name, config.*member, low, high));
+  for (const auto& [name, member, low, high] : numbers)
+    config.*member = table.number(name, config.*member, low, high);
+  if (config.window_px % 2 == 0) table.refuse("window_px", "is even; a window has a centre");
+  if (config.patch_metres_per_pixel < config.metres_per_pixel)
+    table.refuse("patch_metres_per_pixel", "is finer than metres_per_pixel");
+  if (config.fewest_features > config.features) table.refuse("fewest_features", "exceeds features");
+  return config;
+}
+
+}  // namespace weft::agents

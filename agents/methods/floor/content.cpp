@@ -1,0 +1,196 @@
+#include "agents/methods/floor/content.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <string_view>
+
+#include "agents/perception/lens.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr std::uint32_t magic = 0x52464C57U;  // "WLFR", little-endian
+constexpr std::size_t longest_camera_id = 64;
+constexpr double grain_m = 1e-4;
+constexpr double turn = 2.0 * std::numbers::pi;
+
+class Writer {
+ public:
+  template <class T>
+  void number(T value) {
+    static_assert(std::endian::native == std::endian::little);
+    const std::size_t at = bytes_.size();
+    bytes_.resize(at + sizeof(T));
+    std::memcpy(bytes_.data() + at, &value, sizeof(T));
+  }
+  void raw(ByteView view) { bytes_.insert(bytes_.end(), view.begin(), view.end()); }
+  Bytes take() { return std::move(bytes_); }
+
+ private:
+  Bytes bytes_;
+};
+
+/// Reads in order; after the first fault every further read gives zero and the fault stays.
+class Reader {
+ public:
+  explicit Reader(ByteView bytes) : bytes_(bytes) {}
+
+  template <class T>
+  T number(std::string_view field) {
+    T value{};
+    if (const ByteView view = raw(field, sizeof(T)); !view.empty()) std::memcpy(&value, view.data(), sizeof(T));
+    return value;
+  }
+  double real(std::string_view field, double low, double high) {
+    const auto value = number<double>(field);
+    if (!(value >= low && value <= high)) fault(field, "is out of bounds");
+    return value;
+  }
+  ByteView raw(std::string_view field, std::size_t size) {
+    if (faulty() || bytes_.size() - at_ < size) {
+      fault(field, "is cut short");
+      return {};
+    }
+    field_at_ = at_;
+    at_ += size;
+    return bytes_.subspan(at_ - size, size);
+  }
+  void fault(std::string_view field, std::string_view what) {
+    if (faulty()) return;
+    message_ = "floor content: " + std::string(field) + " at offset " + std::to_string(field_at_) + " " +
+               std::string(what) + "; fetch the content again";
+  }
+  bool faulty() const { return !message_.empty(); }
+  bool at_end() const { return at_ == bytes_.size(); }
+  const std::string& message() const { return message_; }
+
+ private:
+  ByteView bytes_;
+  std::size_t at_ = 0;
+  std::size_t field_at_ = 0;
+  std::string message_;
+};
+
+std::int16_t grains(double metres) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(metres / grain_m, -32767.0, 32767.0)));
+}
+
+void write_camera(Writer& out, const CameraModel& camera) {
+  const std::size_t length = std::min(camera.id.size(), longest_camera_id);
+  out.number(static_cast<std::uint8_t>(length));
+  out.raw({reinterpret_cast<const std::uint8_t*>(camera.id.data()), length});
+  out.number(static_cast<std::uint16_t>(camera.width));
+  out.number(static_cast<std::uint16_t>(camera.height));
+  for (const double v : {camera.fx, camera.fy, camera.cx, camera.cy}) out.number(v);
+  for (const double v : camera.distortion) out.number(v);
+  const Eigen::Quaterniond& q = camera.robot_from_camera.rotation;
+  for (const double v : {q.w(), q.x(), q.y(), q.z()}) out.number(v);
+  for (const double v : camera.robot_from_camera.translation) out.number(v);
+}
+
+CameraModel read_camera(Reader& in) {
+  CameraModel camera;
+  const auto length = in.number<std::uint8_t>("camera.id length");
+  if (length > longest_camera_id) in.fault("camera.id length", "exceeds 64");
+  const ByteView id = in.raw("camera.id", length);
+  camera.id.assign(id.begin(), id.end());
+  camera.width = in.number<std::uint16_t>("camera.width");
+  camera.height = in.number<std::uint16_t>("camera.height");
+  for (double* v : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *v = in.real("camera.intrinsics", 0.0, 1e5);
+  for (double& v : camera.distortion) v = in.real("camera.distortion", -1.0, 1.0);
+  Eigen::Quaterniond& q = camera.robot_from_camera.rotation;
+  for (double* v : {&q.w(), &q.x(), &q.y(), &q.z()}) *v = in.real("camera.mount.rotation", -1.0, 1.0);
+  if (std::abs(q.norm() - 1.0) > 1e-9) in.fault("camera.mount.rotation", "is not a unit quaternion");
+  for (double& v : camera.robot_from_camera.translation) v = in.real("camera.mount.translation", -100.0, 100.0);
+  if (const Result<void> sound = check(camera); !in.faulty() && !sound) in.fault("camera", sound.error().message);
+  return camera;
+}
+
+void write_features(Writer& out, const std::vector<FloorFeature>& features) {
+  out.number(static_cast<std::uint16_t>(features.size()));
+  for (const FloorFeature& f : features) {
+    out.number(grains(f.on_floor.x()));
+    out.number(grains(f.on_floor.y()));
+    const double share = f.heading_rad / turn - std::floor(f.heading_rad / turn);
+    out.number(static_cast<std::uint8_t>(std::lround(share * 256.0) & 255));
+    for (const std::uint64_t word : f.descriptor) out.number(word);
+  }
+}
+
+std::vector<FloorFeature> read_features(Reader& in) {
+  const auto count = in.number<std::uint16_t>("features.count");
+  if (count > most_floor_features) in.fault("features.count", "exceeds 4096");
+  std::vector<FloorFeature> features;
+  for (std::size_t i = 0; i < count && !in.faulty(); ++i) {
+    FloorFeature f;
+    f.on_floor.x() = grain_m * in.number<std::int16_t>("feature.x");
+    f.on_floor.y() = grain_m * in.number<std::int16_t>("feature.y");
+    f.heading_rad = wrap_angle(turn / 256.0 * in.number<std::uint8_t>("feature.heading"));
+    for (std::uint64_t& word : f.descriptor) word = in.number<std::uint64_t>("feature.descriptor");
+    features.push_back(f);
+  }
+  return features;
+}
+
+void write_patch(Writer& out, const FloorPatch& patch) {
+  out.number(static_cast<std::uint16_t>(patch.width));
+  out.number(static_cast<std::uint16_t>(patch.height));
+  out.number(patch.metres_per_pixel);
+  out.number(patch.first_pixel_on_floor.x());
+  out.number(patch.first_pixel_on_floor.y());
+  out.raw(patch.pixels);
+}
+
+FloorPatch read_patch(Reader& in) {
+  FloorPatch patch;
+  patch.width = in.number<std::uint16_t>("patch.width");
+  if (patch.width > widest_floor_patch_px) in.fault("patch.width", "exceeds 512");
+  patch.height = in.number<std::uint16_t>("patch.height");
+  if (patch.height > widest_floor_patch_px) in.fault("patch.height", "exceeds 512");
+  patch.metres_per_pixel = in.real("patch.metres_per_pixel", 1e-4, 1.0);
+  for (double& v : patch.first_pixel_on_floor) v = in.real("patch.first_pixel", -100.0, 100.0);
+  const auto size = static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height);
+  const ByteView pixels = in.raw("patch.pixels", size);
+  patch.pixels.assign(pixels.begin(), pixels.end());
+  return patch;
+}
+
+}  // namespace
+
+Bytes encode_floor_content(const FloorContent& content) {
+  Writer out;
+  out.number(magic);
+  out.number(floor_content_format);
+  write_camera(out, content.camera);
+  for (const double v : content.sway.vector()) out.number(v);
+  for (const double v : content.sway_sigma) out.number(v);
+  write_features(out, content.features);
+  write_patch(out, content.patch);
+  return out.take();
+}
+
+Result<FloorContent> decode_floor_content(ByteView bytes) {
+  Reader in(bytes);
+  if (in.number<std::uint32_t>("magic") != magic) in.fault("magic", "is not that of a floor content");
+  const auto format = in.number<std::uint32_t>("format");
+  if (!in.faulty() && format > floor_content_format)
+    return fail(ErrorCode::newer, "floor content: format " + std::to_string(format) + " is newer than " +
+                                      std::to_string(floor_content_format) + "; update this program");
+  if (format != floor_content_format) in.fault("format", "is unknown");
+  FloorContent content;
+  content.camera = read_camera(in);
+  Eigen::Vector3d sway;
+  for (double& v : sway) v = in.real("sway", -1.0, 1.0);
+  content.sway = Sway::from(sway);
+  for (double& v : content.sway_sigma) v = in.real("sway_sigma", 1e-9, 1.0);
+  content.features = read_features(in);
+  content.patch = read_patch(in);
+  if (!in.faulty() && !in.at_end()) in.fault("end", "is followed by more bytes");
+  if (in.faulty()) return fail(ErrorCode::corrupt, in.message());
+  return content;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <cmath>
+
+#include "agents/methods/floor/floor.hpp"
+
+namespace weft::agents {
+
+OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) const {
+  const auto* image = std::get_if<Image>(&view.data);
+  if (image == nullptr) return tl::unexpected<Refusal>(Refusal{"not_an_image", 0.0, 1.0});
+  if (!is_whole(*image) || image->width != camera_.width || image->height != camera_.height)
+    return tl::unexpected<Refusal>(
+        Refusal{"wrong_size", static_cast<double>(image->width), static_cast<double>(camera_.width)});
+  RectifiedFloor seen = birds_eye_.rectify(*image, config_.features, config_.patch_metres_per_pixel);
+  if (seen.features.size() < static_cast<std::size_t>(config_.fewest_features))
+    return tl::unexpected<Refusal>(Refusal{"too_blank", static_cast<double>(seen.features.size()),
+                                           static_cast<double>(config_.fewest_features)});
+
+  FloorContent content;
+  content.camera = camera_;
+  content.features = std::move(seen.features);
+  content.patch = std::move(seen.patch);
+  const Eigen::Vector3d mount(config_.mount_tilt_rad, config_.mount_tilt_rad, config_.mount_height_m);
+  const Eigen::Vector3d vibration(config_.vibration_tilt_rad, config_.vibration_tilt_rad, config_.vibration_height_m);
+  content.sway_sigma = (mount.cwiseAbs2() + vibration.cwiseAbs2()).cwiseSqrt();
+  if (s.newest && s.frame == view.frame && s.inliers > 0) {
+    content.sway = s.sway;
+    // Each fit counts its neighbours' noise as its own: the estimate is never taken for better than vibration.
+    content.sway_sigma = s.sway_covariance.diagonal().cwiseSqrt().cwiseMax(vibration).cwiseMin(content.sway_sigma);
+  }
+  return content;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,29 @@
+#include "agents/methods/floor/floor.hpp"
+
+#include <utility>
+
+#include "agents/perception/lens.hpp"
+#include "agents/perception/overlap.hpp"
+
+namespace weft::agents {
+
+static_assert(Method<Floor>);
+
+Floor::Floor(const FloorConfig& config, const CameraModel& camera, BirdsEye birds_eye)
+    : config_(config), camera_(camera), birds_eye_(std::move(birds_eye)) {}
+
+Result<Floor> Floor::make(const FloorConfig& config, const CameraModel& camera) {
+  if (const Result<void> sound = check(camera); !sound) return fail(sound.error());
+  if (const std::vector<std::string> issues = check(config); !issues.empty()) {
+    std::string all;
+    for (const std::string& issue : issues) all += (all.empty() ? "" : "; ") + issue;
+    return fail(ErrorCode::invalid, all);
+  }
+  if (area(footprint(camera, Sway{}, config.far_m)) < 0.05)
+    return fail(ErrorCode::invalid, "camera \"" + camera.id +
+                                        "\" sees less than 0.05 m2 of floor within floor.far_m = " +
+                                        std::to_string(config.far_m) + " m; correct its mount");
+  return Floor(config, camera, BirdsEye(camera, {config.far_m, config.half_width_m, config.metres_per_pixel}));
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,78 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "agents/methods/floor/config.hpp"
+#include "agents/methods/floor/content.hpp"
+#include "agents/methods/method.hpp"
+#include "agents/perception/birds_eye.hpp"
+#include "agents/perception/corner_tracks.hpp"
+#include "agents/perception/planar_motion.hpp"
+#include "core/result.hpp"
+
+namespace weft::agents {
+
+/// Navigation by the floor's texture seen through one downward camera (Gadd & Newman, "A Framework for
+/// Infrastructure-Free Warehouse Navigation", as corrected in docs/decisions/0101-floor-as-corrected.md). A value:
+/// calibration and settings, fixed after construction; every call is pure.
+class Floor {
+ public:
+  static constexpr std::string_view name = "floor";
+  static constexpr std::uint32_t content_format = floor_content_format;
+
+  /// A corner of the keyframe that is still followed.
+  struct Tracked {
+    Eigen::Vector2d in_keyframe = Eigen::Vector2d::Zero();  ///< undistorted, normalised
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< in the newest view
+  };
+
+  /// Between samples. Motion is measured against a keyframe some frames back: standing still adds no drift.
+  struct Odometry {
+    TrackingImage newest;  ///< none: nothing has been seen since vision went blind
+    std::vector<Tracked> tracks;
+    std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
+    Pose2 keyframe_from_robot;        ///< at the newest sample
+    Sway keyframe_sway;
+    Eigen::Matrix3d keyframe_sway_covariance = Eigen::Matrix3d::Identity();
+    Sway sway;  ///< at the newest view
+    Eigen::Matrix3d sway_covariance = Eigen::Matrix3d::Identity();
+    std::uint64_t frame = 0;  ///< of the newest view
+    std::size_t inliers = 0;  ///< of the newest view's motion
+  };
+  using Content = FloorContent;
+
+  /// invalid: a setting or the calibration breaks its bound; every one is named.
+  static Result<Floor> make(const FloorConfig& config, const CameraModel& camera);
+
+  /// Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast, few_tracks,
+  /// homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.
+  Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
+
+  /// Refusals: not_an_image, wrong_size, too_blank (features found).
+  OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
+
+  Bytes encode(const Content& content) const { return encode_floor_content(content); }
+  Result<Content> decode(ByteView bytes) const { return decode_floor_content(bytes); }
+
+  /// Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it (III-C); without, every
+  /// heading and offset is possible. Refusals: no_overlap, few_matches, no_consensus, few_inliers,
+  /// few_inliers_share, not_rigid, little_overlap, large_residual, disagrees_with_guess.
+  OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  /// None: relating without a guess costs about a millisecond a candidate, a window is searched whole.
+  std::optional<Signature> sign(const Content&) const { return std::nullopt; }
+
+  const CameraModel& camera() const { return camera_; }
+  const FloorConfig& config() const { return config_; }
+
+ private:
+  Floor(const FloorConfig& config, const CameraModel& camera, BirdsEye birds_eye);
+
+  FloorConfig config_;
+  CameraModel camera_;
+  BirdsEye birds_eye_;
+};
+
+}  // namespace weft::agents

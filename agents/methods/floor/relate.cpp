@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <cmath>
+
+#include "agents/methods/floor/floor.hpp"
+#include "agents/perception/homography.hpp"
+#include "agents/perception/lens.hpp"
+#include "agents/perception/overlap.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents {
+namespace {
+
+template <class Number, class Bound>
+tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound bound) {
+  return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
+}
+
+/// How far the truth may lie from the guess.
+struct Gate {
+  Pose2 a_from_b;
+  double distance_m = 0.0;
+  double heading_rad = 0.0;
+};
+
+std::optional<Gate> gate_of(const FloorConfig& c, const std::optional<Relation>& guess) {
+  if (!guess) return std::nullopt;
+  const Eigen::Matrix3d covariance = planar_covariance(*guess);
+  const double spread = 3.0 * std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0}));
+  const double turn = 3.0 * std::sqrt(std::max(covariance(2, 2), 0.0));
+  return Gate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
+              std::clamp(turn, c.gate_rad, 1.6)};
+}
+
+/// Floor points with the estimated sway undone: where the robot's level frame has them.
+std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
+  const Eigen::Matrix3d floor_from_mount =
+      camera_from_floor(content.camera, content.sway).inverse() * camera_from_floor(content.camera, Sway{});
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(content.features.size());
+  for (const FloorFeature& f : content.features) points.push_back(apply(floor_from_mount, f.on_floor));
+  return points;
+}
+
+std::vector<Descriptor> descriptors_of(const FloorContent& content) {
+  std::vector<Descriptor> out;
+  out.reserve(content.features.size());
+  for (const FloorFeature& f : content.features) out.push_back(f.descriptor);
+  return out;
+}
+
+/// Guided matching (III-C): b's features are looked for where the guess puts them.
+std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
+                                  const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
+                                  const Gate& gate) {
+  // A feature's own heading is noisier than a robot's; half a radian keeps nine tenths of the right ones.
+  const double heading_gate = gate.heading_rad + 0.5;
+  std::vector<std::vector<std::uint32_t>> candidates(at_b.size());
+  for (std::size_t j = 0; j < at_b.size(); ++j) {
+    const Eigen::Vector2d expected = gate.a_from_b * at_b[j];
+    const double reach = gate.distance_m + std::sin(std::min(gate.heading_rad, 1.5)) * at_b[j].norm() + c.consensus_m;
+    const double heading = b.features[j].heading_rad + gate.a_from_b.heading;
+    for (std::uint32_t i = 0; i < at_a.size(); ++i)
+      if ((at_a[i] - expected).squaredNorm() < reach * reach &&
+          std::abs(wrap_angle(a.features[i].heading_rad - heading)) < heading_gate)
+        candidates[j].push_back(i);
+  }
+  return match_descriptors(descriptors_of(a), descriptors_of(b), {c.most_bits, c.ratio}, candidates);
+}
+
+/// SE(2) that takes two points of b to two of a.
+Pose2 pose_of_two(const Eigen::Vector2d& a1, const Eigen::Vector2d& a2, const Eigen::Vector2d& b1,
+                  const Eigen::Vector2d& b2) {
+  const Eigen::Vector2d da = a2 - a1;
+  const Eigen::Vector2d db = b2 - b1;
+  Pose2 pose;
+  pose.heading = wrap_angle(std::atan2(da.y(), da.x()) - std::atan2(db.y(), db.x()));
+  const Eigen::Vector2d turned = pose * Eigen::Vector2d(0.5 * (b1 + b2));
+  const Eigen::Vector2d offset = 0.5 * (a1 + a2) - turned;
+  pose.x = offset.x();
+  pose.y = offset.y();
+  return pose;
+}
+
+struct Consensus {
+  Pose2 a_from_b;
+  std::size_t count = 0;
+};
+
+/// The rigid planar motion that most matches agree with: pairs are drawn from a growing set of the best ones (the
+/// order of PROSAC, Chum & Matas 2005). Drawn from a fixed seed: equal contents give equal answers.
+Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches,
+                         const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b) {
+  constexpr double shortest_base_m = 0.15;
+  Random random(0x666C6F6F72ULL);
+  Consensus best;
+  const auto hypotheses = static_cast<std::size_t>(c.hypotheses);
+  for (std::size_t k = 0, tries = 0; k < hypotheses && tries < 20 * hypotheses; ++tries) {
+    const std::size_t pool = std::min(matches.size(), 20 + tries * matches.size() / hypotheses);
+    const Match& m = matches[random.below(pool)];
+    const Match& n = matches[random.below(pool)];
+    const double base_a = (at_a[m.a] - at_a[n.a]).norm();
+    const double base_b = (at_b[m.b] - at_b[n.b]).norm();
+    if (base_b < shortest_base_m || std::abs(base_a - base_b) > 1.5 * c.consensus_m) continue;
+    ++k;
+    const Pose2 pose = pose_of_two(at_a[m.a], at_a[n.a], at_b[m.b], at_b[n.b]);
+    const double cosine = std::cos(pose.heading);
+    const double sine = std::sin(pose.heading);
+    std::size_t count = 0;
+    for (const Match& match : matches) {
+      const Eigen::Vector2d& p = at_b[match.b];
+      const double dx = cosine * p.x() - sine * p.y() + pose.x - at_a[match.a].x();
+      const double dy = sine * p.x() + cosine * p.y() + pose.y - at_a[match.a].y();
+      count += dx * dx + dy * dy < c.consensus_m * c.consensus_m ? 1U : 0U;
+    }
+    if (count > best.count) best = {pose, count};
+  }
+  return best;
+}
+
+/// A feature's place in the undistorted image, from its place on the mount's floor plane, and how many pixels one
+/// metre on the floor is there (across the view: the finer direction).
+struct InImage {
+  Eigen::Vector2d normalised;
+  double px_per_m = 0.0;
+};
+
+InImage in_image(const CameraModel& camera, const Eigen::Matrix3d& mount_homography,
+                 const Eigen::Vector2d& on_floor) {
+  const Eigen::Vector3d ray = mount_homography * on_floor.homogeneous();
+  return {ray.hnormalized(), focal_px(camera) / ray.z()};
+}
+
+std::vector<FloorPair> pairs_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
+                                const std::vector<Match>& matches) {
+  constexpr double image_sigma_px = 0.5;
+  const Eigen::Matrix3d mount_a = camera_from_floor(a.camera, Sway{});
+  const Eigen::Matrix3d mount_b = camera_from_floor(b.camera, Sway{});
+  std::vector<FloorPair> pairs;
+  for (const Match& m : matches) {
+    const InImage at_a = in_image(a.camera, mount_a, a.features[m.a].on_floor);
+    const InImage at_b = in_image(b.camera, mount_b, b.features[m.b].on_floor);
+    // a's pixels reach b magnified by the ratio of the two scales.
+    const double magnified = image_sigma_px * at_b.px_per_m / at_a.px_per_m;
+    const double floor_px = std::sqrt(2.0) * c.feature_sigma_m * at_b.px_per_m;
+    pairs.push_back({at_a.normalised, at_b.normalised,
+                     std::sqrt(image_sigma_px * image_sigma_px + magnified * magnified + floor_px * floor_px)});
+  }
+  return pairs;
+}
+
+SwayPrior prior_of(const FloorContent& a, const FloorContent& b) {
+  SwayPrior prior;
+  prior.mean << a.sway.vector(), b.sway.vector();
+  Vector6d sigma;
+  sigma << a.sway_sigma, b.sway_sigma;
+  prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
+  return prior;
+}
+
+struct Refined {
+  PlanarFit fit;
+  std::vector<FloorPair> pairs;     ///< inliers
+  std::vector<double> residual_px;  ///< of the inliers
+};
+
+/// Fit, take every match that the fit explains, fit again: the gate narrows from the consensus to the noise.
+Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& b, const std::vector<FloorPair>& all,
+               const std::vector<std::size_t>& start, const Pose2& a_from_b) {
+  Refined out;
+  for (const std::size_t i : start) out.pairs.push_back(all[i]);
+  PlanarState state{a_from_b, a.sway, b.sway};
+  const SwayPrior prior = prior_of(a, b);
+  for (const double widened : {2.0, 1.0, 1.0}) {
+    out.fit = fit_planar_motion(a.camera, b.camera, out.pairs, prior, state);
+    state = out.fit.state;
+    out.pairs.clear();
+    out.residual_px.clear();
+    for (const FloorPair& pair : all) {
+      const Reprojection there = reproject(a.camera, b.camera, state, pair.in_a);
+      const double error = focal_px(b.camera) * (pair.in_b - there.in_b).norm();
+      if (!there.in_front || error > widened * c.inlier_sigmas * pair.sigma_px) continue;
+      out.pairs.push_back(pair);
+      out.residual_px.push_back(error);
+    }
+    if (out.pairs.size() < 8) break;
+  }
+  return out;
+}
+
+/// Besides the fit's own: the mounts' position and heading, which no view of a plane shows, where the cameras differ.
+Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
+                              const PlanarFit& fit) {
+  Eigen::Matrix3d covariance = fit.covariance.topLeftCorner<3, 3>();
+  const bool one_camera = a.camera.id == b.camera.id && a.camera.fx == b.camera.fx;
+  const double cameras = one_camera ? 0.0 : 2.0;
+  const double position = cameras * c.mount_position_m * c.mount_position_m + 1e-6;
+  const double heading = cameras * c.mount_tilt_rad * c.mount_tilt_rad + 1e-6;
+  covariance += Eigen::Vector3d(position, position, heading).asDiagonal();
+  return 0.5 * (covariance + covariance.transpose());
+}
+
+}  // namespace
+
+OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
+  const FloorConfig& c = config_;
+  const std::optional<Gate> gate = gate_of(c, guess);
+  const SeenFloor floor_a{footprint(a.camera, a.sway, c.far_m), camera_from_floor(a.camera, a.sway)};
+  const SeenFloor floor_b{footprint(b.camera, b.sway, c.far_m), camera_from_floor(b.camera, b.sway)};
+  if (gate) {
+    const double hoped = share_of_b_seen_in_a(floor_a, floor_b, gate->a_from_b);
+    if (hoped < 0.3 * c.kappa) return refuse("no_overlap", hoped, 0.3 * c.kappa);
+  }
+  const std::vector<Eigen::Vector2d> at_a = level_points(a);
+  const std::vector<Eigen::Vector2d> at_b = level_points(b);
+  const std::vector<Match> matches =
+      gate ? guided_matches(c, a, b, at_a, at_b, *gate)
+           : match_descriptors(descriptors_of(a), descriptors_of(b), {c.most_bits, c.ratio_unguided});
+  if (matches.size() < static_cast<std::size_t>(c.fewest_matches))
+    return refuse("few_matches", matches.size(), c.fewest_matches);
+
+  const Consensus consensus = find_consensus(c, matches, at_a, at_b);
+  const auto fewest = static_cast<std::size_t>(c.fewest_inliers);
+  if (consensus.count < fewest) return refuse("no_consensus", consensus.count, fewest);
+  std::vector<std::size_t> agreeing;
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    if ((consensus.a_from_b * at_b[matches[i].b] - at_a[matches[i].a]).norm() < c.consensus_m) agreeing.push_back(i);
+  const Refined refined = refine(c, a, b, pairs_of(c, a, b, matches), agreeing, consensus.a_from_b);
+
+  const std::size_t inliers = refined.pairs.size();
+  if (inliers < fewest) return refuse("few_inliers", inliers, fewest);
+  const double share = static_cast<double>(inliers) / static_cast<double>(matches.size());
+  if (share < c.fewest_inliers_share) return refuse("few_inliers_share", share, c.fewest_inliers_share);
+  const PlanarState& state = refined.fit.state;
+  const Eigen::Vector3d sway = (state.sway_a.vector() - state.sway_b.vector()).cwiseAbs();
+  if (!refined.fit.converged || sway.head<2>().maxCoeff() > c.most_tilt_rad)
+    return refuse("not_rigid", sway.head<2>().maxCoeff(), c.most_tilt_rad);
+  if (sway.z() > c.most_lift_m) return refuse("not_rigid", sway.z(), c.most_lift_m);
+  const double overlap = share_of_b_seen_in_a(floor_a, floor_b, state.a_from_b);
+  if (overlap < c.kappa) return refuse("little_overlap", overlap, c.kappa);
+  double residual = 0.0;
+  for (const double error : refined.residual_px) residual += huber_distance(error, c.eta_px);
+  residual /= static_cast<double>(inliers);
+  if (residual > c.most_residual) return refuse("large_residual", residual, c.most_residual);
+  if (gate) {
+    const Pose2 off = gate->a_from_b.inverse() * state.a_from_b;
+    if (off.translation().norm() > gate->distance_m)
+      return refuse("disagrees_with_guess", off.translation().norm(), gate->distance_m);
+    if (std::abs(off.heading) > gate->heading_rad)
+      return refuse("disagrees_with_guess", std::abs(off.heading), gate->heading_rad);
+  }
+  return Related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)}, static_cast<std::uint32_t>(inliers),
+                 overlap, residual};
+}
+
+}  // namespace weft::agents

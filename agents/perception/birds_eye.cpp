@@ -1,0 +1,163 @@
+#include "agents/perception/birds_eye.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/perception/lens.hpp"
+#include "agents/perception/opencv_view.hpp"
+#include "agents/perception/sway.hpp"
+
+namespace weft::agents {
+
+struct BirdsEye::Tables {
+  BirdsEyeArea area;
+  double near_m = 0.0;
+  int first_near_row = 0;        ///< rows from here on are read from the image at half size
+  cv::Mat far_xy, far_fraction;  ///< fixed-point remap tables
+  cv::Mat near_xy, near_fraction;
+  cv::Mat seen;       ///< 255 where the camera sees the floor
+  cv::Mat described;  ///< the same, less the border that descriptors need
+
+  Eigen::Vector2d on_floor(double column, double row) const {
+    return {area.far_m - row * area.metres_per_pixel, area.half_width_m - column * area.metres_per_pixel};
+  }
+};
+
+namespace {
+
+constexpr int descriptor_border_px = 20;
+
+/// Image metres per pixel across, at a floor point: where it is finer than the map, half the image is enough.
+double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_floor) {
+  const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
+  const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_floor.x(), on_floor.y(), 0.0);
+  return p.z() / focal_px(camera);
+}
+
+std::vector<cv::KeyPoint> spread(std::vector<cv::KeyPoint> found, const cv::Size& size, int count) {
+  constexpr int columns = 12;
+  constexpr int rows = 9;
+  std::vector<std::vector<cv::KeyPoint>> cells(static_cast<std::size_t>(columns * rows));
+  std::stable_sort(found.begin(), found.end(),
+                   [](const cv::KeyPoint& a, const cv::KeyPoint& b) { return a.response > b.response; });
+  for (const cv::KeyPoint& k : found) {
+    const int column = static_cast<int>(k.pt.x) * columns / size.width;
+    const int row = static_cast<int>(k.pt.y) * rows / size.height;
+    cells[static_cast<std::size_t>(row * columns + column)].push_back(k);
+  }
+  std::vector<cv::KeyPoint> kept;
+  const auto wanted = static_cast<std::size_t>(count);
+  for (std::size_t turn = 0; kept.size() < wanted; ++turn) {
+    const std::size_t before = kept.size();
+    for (const auto& cell : cells)
+      if (turn < cell.size() && kept.size() < wanted) kept.push_back(cell[turn]);
+    if (kept.size() == before) break;
+  }
+  return kept;
+}
+
+/// A direction in the map's image (x right, y down) as a heading in the robot frame: image right is robot -y,
+/// image down is robot -x.
+double heading_of(float angle_deg) {
+  const double image = angle_deg * M_PI / 180.0;
+  return std::atan2(-std::cos(image), -std::sin(image));
+}
+
+}  // namespace
+
+BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
+  const auto t = std::make_shared<Tables>();
+  t->area = area;
+  t->near_m = area.far_m;
+  for (const Eigen::Vector2d& p : footprint(camera, Sway{}, area.far_m)) t->near_m = std::min(t->near_m, p.x());
+  const int columns = static_cast<int>(2.0 * area.half_width_m / area.metres_per_pixel);
+  const int rows = std::max(64, static_cast<int>((area.far_m - t->near_m) / area.metres_per_pixel));
+  cv::Mat x(rows, columns, CV_32F);
+  cv::Mat y(rows, columns, CV_32F);
+  t->seen = cv::Mat::zeros(rows, columns, CV_8U);
+  t->first_near_row = rows;
+  const Eigen::Matrix3d homography = camera_from_floor(camera, Sway{});
+  for (int r = 0; r < rows; ++r) {
+    if (finest_m_per_px(camera, t->on_floor(columns / 2, r)) < 0.55 * area.metres_per_pixel)
+      t->first_near_row = std::min(t->first_near_row, r);
+    for (int c = 0; c < columns; ++c) {
+      const Eigen::Vector3d ray = homography * t->on_floor(c, r).homogeneous();
+      const Eigen::Vector2d pixel =
+          ray.z() > 1e-6 ? pixel_from_normalised(camera, ray.hnormalized()) : Eigen::Vector2d(-1e4, -1e4);
+      x.at<float>(r, c) = static_cast<float>(pixel.x());
+      y.at<float>(r, c) = static_cast<float>(pixel.y());
+      const bool inside =
+          pixel.x() >= 1.0 && pixel.y() >= 1.0 && pixel.x() <= camera.width - 2.0 && pixel.y() <= camera.height - 2.0;
+      t->seen.at<std::uint8_t>(r, c) = inside ? 255 : 0;
+    }
+  }
+  const auto split = [&](int from, int to, double scale, cv::Mat& xy, cv::Mat& fraction) {
+    if (from >= to) return;
+    // A half-size pixel covers two: its centre lies at 2 i + 0.5.
+    const double shift = scale == 1.0 ? 0.0 : -0.25;
+    cv::convertMaps(x.rowRange(from, to) * scale + shift, y.rowRange(from, to) * scale + shift, xy, fraction,
+                    CV_16SC2);
+  };
+  split(0, t->first_near_row, 1.0, t->far_xy, t->far_fraction);
+  split(t->first_near_row, rows, 0.5, t->near_xy, t->near_fraction);
+  const int border = 2 * descriptor_border_px + 1;
+  cv::Mat framed = cv::Mat::zeros(rows, columns, CV_8U);
+  const cv::Rect inner(descriptor_border_px, descriptor_border_px, columns - border, rows - border);
+  t->seen(inner).copyTo(framed(inner));
+  cv::erode(framed, t->described, cv::Mat::ones(border, border, CV_8U));
+  tables_ = t;
+}
+
+RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_metres_per_pixel) const {
+  const Tables& t = *tables_;
+  const cv::Mat grey = as_mat(image);
+  cv::Mat map(t.seen.size(), CV_8U);
+  if (!t.far_xy.empty())
+    cv::remap(grey, map.rowRange(0, t.first_near_row), t.far_xy, t.far_fraction, cv::INTER_LINEAR,
+              cv::BORDER_REPLICATE);
+  if (!t.near_xy.empty()) {
+    cv::Mat half;
+    cv::resize(grey, half, {grey.cols / 2, grey.rows / 2}, 0, 0, cv::INTER_AREA);
+    cv::remap(half, map.rowRange(t.first_near_row, map.rows), t.near_xy, t.near_fraction, cv::INTER_LINEAR,
+              cv::BORDER_REPLICATE);
+  }
+  RectifiedFloor out;
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(map, mean, deviation, t.seen);
+  out.contrast = deviation[0];
+  cv::Mat equal;
+  cv::createCLAHE(3.0, {8, 8})->apply(map, equal);
+
+  const cv::Ptr<cv::ORB> orb = cv::ORB::create(4 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
+  std::vector<cv::KeyPoint> keypoints;
+  orb->detect(equal, keypoints, t.described);
+  keypoints = spread(std::move(keypoints), equal.size(), count);
+  cv::Mat descriptors;
+  orb->compute(equal, keypoints, descriptors);
+  for (std::size_t i = 0; i < keypoints.size(); ++i) {
+    FloorFeature feature;
+    feature.on_floor = t.on_floor(keypoints[i].pt.x, keypoints[i].pt.y);
+    feature.heading_rad = heading_of(keypoints[i].angle);
+    std::memcpy(feature.descriptor.data(), descriptors.ptr(static_cast<int>(i)), sizeof(Descriptor));
+    out.features.push_back(feature);
+  }
+
+  const double shrink = t.area.metres_per_pixel / patch_metres_per_pixel;
+  cv::Mat visible = cv::Mat::zeros(map.size(), CV_8U);
+  equal.copyTo(visible, t.seen);
+  cv::Mat small;
+  cv::resize(visible, small, {}, shrink, shrink, cv::INTER_AREA);
+  out.patch.width = small.cols;
+  out.patch.height = small.rows;
+  out.patch.metres_per_pixel = patch_metres_per_pixel;
+  const double half = 0.5 * (1.0 / shrink - 1.0);
+  out.patch.first_pixel_on_floor = t.on_floor(half, half);
+  out.patch.pixels.assign(small.datastart, small.dataend);
+  return out;
+}
+
+}  // namespace weft::agents

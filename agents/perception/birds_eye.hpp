@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/hamming.hpp"
+#include "agents/perception/view.hpp"
+
+namespace weft::agents {
+
+/// The stretch of floor that is looked at from above, robot frame. Row 0 is the farthest, column 0 the leftmost.
+struct BirdsEyeArea {
+  double far_m = 1.5;
+  double half_width_m = 0.9;
+  double metres_per_pixel = 0.003;
+};
+
+struct FloorFeature {
+  Eigen::Vector2d on_floor = Eigen::Vector2d::Zero();  ///< robot frame, as the mount says (no sway)
+  double heading_rad = 0.0;                            ///< of the grey values around it, robot frame
+  Descriptor descriptor{};
+};
+
+struct FloorPatch {
+  int width = 0;
+  int height = 0;
+  double metres_per_pixel = 0.0;
+  Eigen::Vector2d first_pixel_on_floor = Eigen::Vector2d::Zero();
+  std::vector<std::uint8_t> pixels;  ///< equalised grey; 0 where the camera does not see
+};
+
+/// What a view shows of the floor, rectified.
+struct RectifiedFloor {
+  std::vector<FloorFeature> features;
+  FloorPatch patch;
+  double contrast = 0.0;  ///< standard deviation of the raw grey values
+};
+
+/// Rectifies the views of one camera to the floor plane of its mount (its lens undone), filtered by area where the
+/// image is finer than the map. The tables are made once; the object is immutable and cheap to copy.
+class BirdsEye {
+ public:
+  BirdsEye(const CameraModel& camera, const BirdsEyeArea& area);
+
+  /// Equalised (contrast-limited, in tiles: lamps and shadows change brightness locally), then at most `count`
+  /// oriented binary features spread over the area, and the patch at `patch_metres_per_pixel`. The image is whole
+  /// and of the camera's size.
+  RectifiedFloor rectify(const Image& image, int count, double patch_metres_per_pixel) const;
+
+ private:
+  struct Tables;
+  std::shared_ptr<const Tables> tables_;
+};
+
+}  // namespace weft::agents

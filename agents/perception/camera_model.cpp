@@ -1,0 +1,23 @@
+#include "agents/perception/camera_model.hpp"
+
+#include <cmath>
+
+namespace weft::agents {
+
+Pose3 downward_mount(double forward_m, double left_m, double height_m, double pitch_rad, double roll_rad,
+                     double yaw_rad) {
+  const double c = std::cos(pitch_rad);
+  const double s = std::sin(pitch_rad);
+  Eigen::Matrix3d robot_from_axes;
+  robot_from_axes.col(0) = Eigen::Vector3d(0.0, -1.0, 0.0);  // right
+  robot_from_axes.col(1) = Eigen::Vector3d(-s, 0.0, -c);     // down in the image
+  robot_from_axes.col(2) = Eigen::Vector3d(c, 0.0, -s);      // along the optical axis
+  const Eigen::AngleAxisd yaw(yaw_rad, Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd roll(roll_rad, Eigen::Vector3d::UnitZ());
+  Pose3 mount;
+  mount.rotation = Eigen::Quaterniond(yaw * robot_from_axes * roll).normalized();
+  mount.translation = {forward_m, left_m, height_m};
+  return mount;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "agents/perception/view.hpp"
+
+namespace weft::agents {
+
+/// True when the image holds width * height pixels.
+bool is_whole(const Image& image);
+
+/// An image prepared for tracking. Shares its levels; copying is cheap. Keeps its own pixels.
+class TrackingImage {
+ public:
+  TrackingImage() = default;
+  explicit operator bool() const { return levels_ != nullptr; }
+
+ private:
+  struct Levels;
+  std::shared_ptr<const Levels> levels_;
+
+  friend TrackingImage prepare_tracking(const Image&, int, int);
+  friend std::vector<Eigen::Vector2d> find_corners(const TrackingImage&, const struct CornerConfig&);
+  friend std::vector<struct Track> track_corners(const TrackingImage&, const TrackingImage&,
+                                                 const std::vector<Eigen::Vector2d>&,
+                                                 const std::vector<Eigen::Vector2d>&);
+};
+
+/// `window_px` is odd; `levels` >= 1 halvings. The image is whole.
+TrackingImage prepare_tracking(const Image& image, int window_px, int levels);
+
+struct CornerConfig {
+  int count = 160;     ///< wanted
+  int threshold = 16;  ///< grey levels of the FAST test (Rosten & Drummond 2006); halved down to `lowest`
+  int lowest = 4;      ///< when the floor is pale
+  int columns = 10;    ///< corners are spread over a grid, the strongest of each cell first
+  int rows = 7;
+  int border_px = 12;  ///< kept free
+};
+
+/// Pixels, the best first within each cell's turn.
+std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config);
+
+struct Track {
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double error = 0.0;  ///< mean grey level difference of the windows
+  bool found = false;
+};
+
+/// Pyramidal Lucas-Kanade (Bouguet 2001) from the pixels of one image to the next, starting at `expected`; both
+/// prepared alike.
+std::vector<Track> track_corners(const TrackingImage& from, const TrackingImage& to,
+                                 const std::vector<Eigen::Vector2d>& pixels,
+                                 const std::vector<Eigen::Vector2d>& expected);
+
+}  // namespace weft::agents

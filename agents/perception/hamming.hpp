@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace weft::agents {
+
+/// 256 comparisons of grey values around a keypoint (Rublee et al. 2011, ORB).
+using Descriptor = std::array<std::uint64_t, 4>;
+
+int hamming(const Descriptor& a, const Descriptor& b);
+
+/// Index pairs of the descriptors that are each other's nearest, best first.
+struct Match {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  int distance = 0;  ///< bits
+};
+
+struct MatchBounds {
+  int most_bits = 72;  ///< [0, 256]
+  double ratio = 0.9;  ///< (0, 1]: of the best to the second best candidate
+};
+
+/// `is_candidate(i, j)` says whether a[i] and b[j] may be one point at all; without it every pair may.
+std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
+                                     const MatchBounds& bounds);
+std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
+                                     const MatchBounds& bounds,
+                                     const std::vector<std::vector<std::uint32_t>>& candidates_of_b);
+
+}  // namespace weft::agents

@@ -1,0 +1,60 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/sway.hpp"
+#include "core/geometry/pose2.hpp"
+
+namespace weft::agents {
+
+using Vector9d = Eigen::Matrix<double, 9, 1>;
+using Matrix9d = Eigen::Matrix<double, 9, 9>;
+using Matrix29d = Eigen::Matrix<double, 2, 9>;
+
+/// One point of the floor seen in two views, undistorted normalised coordinates.
+struct FloorPair {
+  Eigen::Vector2d in_a;
+  Eigen::Vector2d in_b;
+  double sigma_px = 1.0;  ///< of the difference between both, in pixels of b's view
+};
+
+/// The state that two views determine: where b stands in the plane of a, and how both sway.
+struct PlanarState {
+  Pose2 a_from_b;
+  Sway sway_a;
+  Sway sway_b;
+};
+
+/// What is known before the points are looked at: mean and information of (sway_a, sway_b), each (pitch, roll,
+/// height).
+struct SwayPrior {
+  Vector6d mean = Vector6d::Zero();
+  Matrix6d information = Matrix6d::Zero();
+};
+
+struct PlanarFit {
+  PlanarState state;
+  Matrix9d covariance =
+      Matrix9d::Zero();             ///< of (xi in a_from_b * exp2(xi), sway_a, sway_b), scaled by the residuals
+  std::vector<double> residual_px;  ///< |b - predicted b| of each pair
+  double scale = 1.0;               ///< residuals over their stated sigma, robust; 1 when the sigmas are true
+  bool converged = false;
+};
+
+/// All six degrees of freedom, then projected: Gauss-Newton on reprojection errors in b with Huber weights (threshold
+/// `huber` sigmas) and the prior, from `start`. Rigid planar motion alone turns a bump of 0.05 degrees into 9 % of
+/// speed; the prior keeps what one pair of views cannot know (common tilt, height) where it was.
+PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
+                            const SwayPrior& prior, const PlanarState& start, double huber = 1.5);
+
+/// Where the point that a sees at `in_a` appears in b, and its derivative by (xi, sway_a, sway_b).
+struct Reprojection {
+  Eigen::Vector2d in_b;
+  Matrix29d jacobian;
+  bool in_front = false;
+};
+Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarState& state,
+                       const Eigen::Vector2d& in_a);
+
+}  // namespace weft::agents
