@@ -55,7 +55,8 @@ struct Fix {
   Related evidence;
 };
 
-/// A belief that is a single hypothesis; methods may have richer ones, as long as `estimate` gives this.
+/// What navigation believes: a single hypothesis. A method that localises in its own way may keep a richer belief; its
+/// fixes lead to this.
 struct Estimate {
   PlaceId place;
   Relation place_from_robot;
@@ -126,11 +127,10 @@ template <class M>
 concept ChartsItself = Method<M> &&
     requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& around, const typename M::Chart& chart,
              typename M::Belief belief, const Step& step, const typename M::Content& seen,
-             const std::optional<Estimate>& seed) {
+             const Estimate& seed) {
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;
-  { m.estimate(std::as_const(belief)) } -> std::same_as<std::optional<Estimate>>;
 };
 
 /// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).

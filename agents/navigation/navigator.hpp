@@ -53,7 +53,8 @@ class Navigator {
 
   /// From now on places are kept, the first at the next view.
   virtual void begin_teach(const TeachStart& start) = 0;
-  /// The last place is kept at the next call of `step` that has a view, or now if there is none to come.
+  /// Keeps the last place now, from the newest view, unless it lies at the place before or the newest frame was
+  /// dropped; nothing more is kept afterwards.
   virtual std::vector<Kept> end_teach() = 0;
   /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;

@@ -1,0 +1,38 @@
+#pragma once
+#include "agents/control/tracker.hpp"
+#include "agents/navigation/config.hpp"
+
+namespace weft::agents {
+
+/// The last centimetres: stands until the goal is seen, then creeps, steps aside or turns until position and heading
+/// are good enough. A value: the state between samples.
+class Arrival {
+ public:
+  struct Out {
+    Twist command;
+    bool arrived = false;
+    std::string_view reason;  ///< set when it gives up: "goal_not_reached"
+  };
+
+  /// Whether the last centimetres have begun; from then on the path is not followed any more.
+  bool begun() const { return phase_ != Phase::path; }
+  void begin();
+  void reset() { *this = Arrival{}; }
+  /// The robot stands and waits for a fix.
+  bool waits_for_fix() const { return phase_ == Phase::settle; }
+
+  /// `fresh`: there was a fix since the robot has stood still.
+  Out step(const FollowConfig& config, const TrackerConfig& tracker, const Pose2& robot_from_goal, bool fresh);
+
+ private:
+  enum class Phase : std::uint8_t { path, settle, creep, face, approach, turn };
+  Out settled(const FollowConfig& config, const Pose2& robot_from_goal);
+  Out act(const FollowConfig& config, const TrackerConfig& tracker, const Pose2& robot_from_goal);
+
+  Phase phase_ = Phase::path;
+  Tracker tracker_;
+  std::uint32_t standing_ = 0;
+  std::uint32_t moves_ = 0;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,153 @@
+#include "agents/navigation/belief.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/network/search.hpp"
+
+namespace weft::agents {
+
+namespace {
+
+constexpr double least_variance = 1e-10;  // keeps a covariance that claims certainty invertible
+
+Metric2 fuse_metric(const Metric2& predicted, const Metric2& measured) {
+  const Eigen::Matrix3d innovation =
+      predicted.covariance + measured.covariance + least_variance * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d gain = predicted.covariance * innovation.inverse();
+  const Eigen::Vector3d apart = log2(predicted.a_from_b.inverse() * measured.a_from_b);
+  const Eigen::Matrix3d left = (Eigen::Matrix3d::Identity() - gain) * predicted.covariance;
+  return {predicted.a_from_b * exp2(gain * apart), 0.5 * (left + left.transpose())};
+}
+
+Metric3 fuse_metric(const Metric3& predicted, const Metric3& measured) {
+  const Matrix6d innovation = predicted.covariance + measured.covariance + least_variance * Matrix6d::Identity();
+  const Matrix6d gain = predicted.covariance * innovation.inverse();
+  const Vector6d apart = log3(predicted.a_from_b.inverse() * measured.a_from_b);
+  const Matrix6d left = (Matrix6d::Identity() - gain) * predicted.covariance;
+  return {predicted.a_from_b * exp3(gain * apart), 0.5 * (left + left.transpose())};
+}
+
+AlongPath fuse_along(const AlongPath& predicted, const AlongPath& measured) {
+  const auto gain = [](double variance, double of_measured) {
+    return variance / (variance + of_measured + least_variance);
+  };
+  const double along = gain(predicted.distance_variance_m2, measured.distance_variance_m2);
+  const double turn = gain(predicted.heading_variance_rad2, measured.heading_variance_rad2);
+  const double shift = wrap_angle(measured.heading_shift_rad - predicted.heading_shift_rad);
+  return {predicted.distance_m + along * (measured.distance_m - predicted.distance_m),
+          (1.0 - along) * predicted.distance_variance_m2, wrap_angle(predicted.heading_shift_rad + turn * shift),
+          (1.0 - turn) * predicted.heading_variance_rad2};
+}
+
+}  // namespace
+
+Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad) {
+  const double variance_m2 = sigma_m * sigma_m;
+  const double variance_rad2 = sigma_rad * sigma_rad;
+  Relation noisy = relation;
+  if (auto* const flat = std::get_if<Metric2>(&noisy)) {
+    flat->covariance.diagonal() += Eigen::Vector3d(variance_m2, variance_m2, variance_rad2);
+  } else if (auto* const metric = std::get_if<Metric3>(&noisy)) {
+    metric->covariance.diagonal().head<3>().array() += variance_m2;
+    metric->covariance.diagonal().tail<3>().array() += variance_rad2;
+  } else {
+    auto& along = std::get<AlongPath>(noisy);
+    along.distance_variance_m2 += variance_m2;
+    along.heading_variance_rad2 += variance_rad2;
+  }
+  return noisy;
+}
+
+Relation moved(const BeliefConfig& config, const Relation& a_from_previous, const Relation& previous_from_current) {
+  const double metres = distance_m(previous_from_current);
+  const double radians = std::abs(heading_rad(previous_from_current));
+  return with_noise(compose(a_from_previous, previous_from_current), config.odometry_share_m * metres,
+                    config.odometry_share_rad * (metres + radians));
+}
+
+double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured) {
+  const Eigen::Vector3d apart = log2(planar(predicted).inverse() * planar(measured));
+  Eigen::Matrix3d covariance = planar_covariance(predicted) + planar_covariance(measured);
+  const double floor_m2 = config.gate_floor_m * config.gate_floor_m;
+  covariance.diagonal() += Eigen::Vector3d(floor_m2, floor_m2, config.gate_floor_rad * config.gate_floor_rad);
+  return std::sqrt(std::max(0.0, apart.dot(covariance.ldlt().solve(apart))));
+}
+
+Relation fuse(const Relation& predicted, const Relation& measured) {
+  if (predicted.index() != measured.index()) return measured;
+  if (const auto* const flat = std::get_if<Metric2>(&predicted))
+    return fuse_metric(*flat, std::get<Metric2>(measured));
+  if (const auto* const metric = std::get_if<Metric3>(&predicted)) {
+    return fuse_metric(*metric, std::get<Metric3>(measured));
+  }
+  return fuse_along(std::get<AlongPath>(predicted), std::get<AlongPath>(measured));
+}
+
+std::optional<Relation> between(const BeliefConfig& config, const Window& window, const PlaceId& a, const PlaceId& b,
+                                std::uint32_t hops) {
+  constexpr std::uint32_t cap = 2000;
+  for (const Reached& reached : breadth_first(window, a, hops, cap)) {
+    if (reached.id != b) continue;
+    const double edges = std::sqrt(static_cast<double>(reached.depth));
+    return with_noise(reached.centre_from_place, edges * config.map_sigma_m, edges * config.map_sigma_rad);
+  }
+  return std::nullopt;
+}
+
+void Belief::advance(const Step& step) {
+  if (estimate_) {
+    estimate_->place_from_robot = moved(config_, estimate_->place_from_robot, step.previous_from_current);
+    estimate_->blind_m += distance_m(step.previous_from_current);
+  }
+  if (proposed_) {
+    proposed_->place_from_robot = moved(config_, proposed_->place_from_robot, step.previous_from_current);
+  }
+}
+
+void Belief::set(const Fix& fix) {
+  estimate_ = Estimate{fix.place, fix.place_from_robot, 0.0};
+  proposed_.reset();
+  agreed_ = 0;
+}
+
+void Belief::forget() {
+  estimate_.reset();
+  proposed_.reset();
+  agreed_ = 0;
+}
+
+OrRefusal<Fix> Belief::correct(const Fix& fix, const Relation& predicted, const Window& window) {
+  const double sigmas = disagreement(config_, predicted, fix.place_from_robot);
+  if (sigmas > config_.gate_sigmas) {
+    // Fixes that contradict the prediction again and again, but never one another, show that the prediction is wrong.
+    OrRefusal<Fix> overruled = propose(fix, window, config_.overrule_fixes);
+    if (overruled) return overruled;
+    return tl::unexpected(Refusal{"disagrees_with_prediction", sigmas, config_.gate_sigmas});
+  }
+  Fix believed = fix;
+  if (config_.fuse) believed.place_from_robot = fuse(predicted, fix.place_from_robot);
+  set(believed);
+  return believed;
+}
+
+OrRefusal<Fix> Belief::propose(const Fix& fix, const Window& window, std::uint32_t needed) {
+  constexpr std::uint32_t hops = 25;
+  bool agrees = false;
+  if (proposed_) {
+    const auto here_from_there = between(config_, window, fix.place, proposed_->place, hops);
+    agrees = here_from_there && disagreement(config_, compose(*here_from_there, proposed_->place_from_robot),
+                                             fix.place_from_robot) <= config_.gate_sigmas;
+  }
+  agreed_ = agrees ? agreed_ + 1 : 1;
+  const std::uint32_t count = agreed_;
+  if (count >= needed) {
+    set(fix);
+    return fix;
+  }
+  proposed_ = fix;
+  return tl::unexpected(Refusal{"unconfirmed", static_cast<double>(count), static_cast<double>(needed)});
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+
+#include "agents/methods/method.hpp"
+#include "agents/navigation/config.hpp"
+#include "core/network/window.hpp"
+
+namespace weft::agents {
+
+/// `relation` with extra independent uncertainty (one sigma) at its b end.
+Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad);
+
+/// a_from_current from a_from_previous and a step, with the configured share of odometry noise on top of the step's
+/// own.
+Relation moved(const BeliefConfig& config, const Relation& a_from_previous, const Relation& previous_from_current);
+
+/// How far two relations between the same two frames lie apart, in sigmas (Mahalanobis over x, y, heading; the
+/// configured floor is part of the covariance).
+double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured);
+
+/// Covariance-weighted mean of a prediction and a measurement of the same relation: a Kalman update on SE(2) or SE(3)
+/// in the frame of the predicted pose, per component along a path. Of different kinds the measured one counts alone.
+Relation fuse(const Relation& predicted, const Relation& measured);
+
+/// a_from_b through at most `hops` edges of the window, with the map's own noise for each; none if they are not
+/// joined.
+std::optional<Relation> between(const BeliefConfig& config, const Window& window, const PlaceId& a, const PlaceId& b,
+                                std::uint32_t hops);
+
+/// Where the robot believes to be: one hypothesis, moved by odometry, corrected by fixes that agree with it, and
+/// overruled or found anew only by fixes that agree with one another. A value, pure.
+class Belief {
+ public:
+  explicit Belief(const BeliefConfig& config) : config_(config) {}
+
+  const std::optional<Estimate>& estimate() const { return estimate_; }
+  void advance(const Step& step);
+  /// Trust this from now on, as if it had just been seen.
+  void set(const Fix& fix);
+  void forget();
+
+  /// A fix of a robot that knows about where it is; `predicted` is of the same place. Gives the fix as believed
+  /// (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.
+  OrRefusal<Fix> correct(const Fix& fix, const Relation& predicted, const Window& window);
+  /// A fix of a robot that knows nothing: believed once `unseeded_fixes` in a row agree with one another under the
+  /// odometry between them. Refused until then: "unconfirmed".
+  OrRefusal<Fix> propose(const Fix& fix, const Window& window, std::uint32_t needed);
+  /// The last fix proposed and not believed, moved along with the robot.
+  const std::optional<Fix>& proposed() const { return proposed_; }
+
+ private:
+  BeliefConfig config_;
+  std::optional<Estimate> estimate_;
+  std::optional<Fix> proposed_;
+  std::uint32_t agreed_ = 0;  // fixes in a row behind proposed_
+};
+
+}  // namespace weft::agents

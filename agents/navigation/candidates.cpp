@@ -1,0 +1,44 @@
+#include "agents/navigation/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "agents/navigation/belief.hpp"
+#include "core/network/search.hpp"
+
+namespace weft::agents {
+
+std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
+                                  std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred) {
+  constexpr std::uint32_t cap = 2000;
+  std::vector<Candidate> found;
+  for (const Reached& reached : breadth_first(window, estimate.place, hops, cap)) {
+    const double edges = std::sqrt(static_cast<double>(reached.depth));
+    const Relation believed_from_place =
+        with_noise(reached.centre_from_place, edges * config.belief.map_sigma_m, edges * config.belief.map_sigma_rad);
+    Candidate candidate{reached.id, reached.depth, compose(inverse(believed_from_place), estimate.place_from_robot),
+                        0.0};
+    candidate.cost = norm(candidate.place_from_robot);
+    if (candidate.cost > reach_m) continue;
+    if (preferred.contains(reached.id)) candidate.cost *= config.locate.route_preference;
+    found.push_back(std::move(candidate));
+  }
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.cost, a.place) < std::tie(b.cost, b.place);
+  });
+  return found;
+}
+
+std::uint32_t search_hops(const NavigationConfig& config, double blind_m) {
+  constexpr double slack = 1.5;  // places may lie closer than the spacing where the robot turned
+  const double blind_hops = slack * blind_m / config.teach.spacing_m;
+  const double hops = config.locate.near_hops + std::min(blind_hops, 1000.0);
+  return std::min(static_cast<std::uint32_t>(hops), std::max(config.locate.most_hops, config.locate.near_hops));
+}
+
+double search_reach_m(const NavigationConfig& config, double blind_m) {
+  return config.locate.reach_m + config.locate.reach_share * blind_m;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,62 @@
+#pragma once
+#include <optional>
+#include <set>
+
+#include "agents/navigation/arrival.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "agents/navigation/route_ahead.hpp"
+
+namespace weft::agents {
+
+/// Follows a route as far as it is released (Gadd & Newman III-D): the places ahead are laid out from where the robot
+/// is believed to be, a spline joins them, the robot is steered along it and stops at the released place. A value,
+/// pure.
+class Follower {
+ public:
+  explicit Follower(const NavigationConfig& config) : config_(config) {}
+
+  /// A new route, or a new version: goes on from where the robot is.
+  void follow(const Route& route);
+  void stop();
+  const std::optional<Route>& route() const { return route_; }
+  /// Places of the route near the robot, which localising prefers.
+  const std::set<PlaceId>& near_places() const { return near_; }
+  /// Stands where a fix is waited for.
+  bool waits_for_fix() const { return arrival_.waits_for_fix(); }
+
+  struct Seen {
+    const Window& window;
+    const std::optional<Estimate>& estimate;
+    bool lost = false;
+    double speed_m_s = 0.0;  ///< measured
+    Duration elapsed{};
+  };
+  /// What to do with the path: for a method that steers itself, or the default.
+  struct Drive {
+    std::optional<Ahead> along;  ///< set: steer along this
+    Navigated navigated;         ///< the command where there is nothing to steer along, progress, state and reason
+  };
+  Drive look(const Seen& seen);
+  /// The default `steer`: spline, Hoffmann, PI.
+  Steering steer(const Ahead& ahead);
+
+ private:
+  void progress(const RouteAround& around);
+  void standing(Navigated& navigated, Following following, std::string_view reason);
+  Drive turn_on_the_spot(const RouteAround& around);
+  Drive end_of_path(const RouteAround& around, const Estimate& estimate);
+  void fill(Navigated& navigated) const;
+
+  NavigationConfig config_;
+  std::optional<Route> route_;
+  std::set<PlaceId> near_;
+  std::optional<std::uint32_t> at_;
+  std::uint32_t freed_ = 0;
+  bool arrived_ = false;
+  bool at_end_ = false;                      // the robot has stopped at the end of the released path
+  std::optional<std::uint32_t> turning_to_;  // on the spot, to this place's heading
+  Tracker tracker_;
+  Arrival arrival_;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,234 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "agents/navigation/belief.hpp"
+#include "agents/navigation/candidates.hpp"
+#include "agents/navigation/charted.hpp"
+#include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/seek.hpp"
+
+namespace weft::agents {
+
+/// Keeps a robot's belief: fixes while it is known where it is (the default `locate`, or the method's own), and the
+/// search when it is not.
+template <Method M>
+class Localiser {
+ public:
+  using Content = typename M::Content;
+  struct Outcome {
+    std::optional<Fix> fix;  ///< as believed
+    std::vector<Refusal> refusals;
+  };
+
+  Localiser(const M& method, const NavigationConfig& config)
+      : method_(&method), config_(config), belief_(config.belief), charted_(method) {}
+
+  const std::optional<Estimate>& estimate() const { return belief_.estimate(); }
+  bool seeking() const { return seek_.active(); }
+
+  void advance(const Step& step) {
+    belief_.advance(step);
+    charted_.advance(step);
+    since_m_ += distance_m(step.previous_from_current);
+    since_rad_ += std::abs(heading_rad(step.previous_from_current));
+    ++since_samples_;
+  }
+
+  /// Forgets what is believed and looks around a seed or everywhere.
+  void seek(const std::optional<PlaceId>& seed) {
+    belief_.forget();
+    charted_.forget();
+    seek_.start(seed);
+  }
+  /// Looks everywhere, nearest to what was believed last first.
+  void seek_again() { seek_.start(std::nullopt); }
+  void set(const Fix& fix) {
+    belief_.set(fix);
+    charted_.forget();
+    seek_.end();
+  }
+
+  /// Whether an attempt is worth its cost now. `soon`: standing where a fix is waited for.
+  bool due(bool soon) const {
+    if (seek_.active()) return true;
+    if (!estimate()) return false;
+    constexpr std::uint32_t soon_samples = 2;
+    return since_m_ >= config_.locate.every_m || since_rad_ >= config_.locate.every_rad ||
+           since_samples_ >=
+               (soon ? std::min(soon_samples, config_.locate.standing_samples) : config_.locate.standing_samples);
+  }
+
+  Outcome attempt(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+                  const std::set<PlaceId>& preferred) {
+    since_m_ = since_rad_ = 0.0;
+    since_samples_ = 0;
+    Outcome outcome;
+    if (seek_.active()) {
+      search(seen, map, bytes, decoded, outcome);
+    } else if (estimate()) {
+      if constexpr (ChartsItself<M>) {
+        chart(seen, map, bytes, decoded, outcome);
+      } else {
+        track(seen, map, bytes, decoded, preferred, outcome);
+      }
+    }
+    return outcome;
+  }
+
+ private:
+  /// The default `locate` (III-C): the best candidates by predicted norm, related with the prediction as guess.
+  void track(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+             const std::set<PlaceId>& preferred, Outcome& outcome) {
+    const double blind_m = estimate()->blind_m;
+    const std::vector<Candidate> near = candidates(config_, map, *estimate(), search_hops(config_, blind_m),
+                                                   search_reach_m(config_, blind_m), preferred);
+    if (near.empty()) {
+      outcome.refusals.push_back({"nothing_near", 0.0, search_reach_m(config_, blind_m)});
+      return;
+    }
+    std::uint32_t tries = config_.locate.tries;
+    for (const Candidate& candidate : near) {
+      if (tries == 0) return;
+      const auto content = decoded.find(*map.place(candidate.place), bytes);
+      if (!content) {
+        outcome.refusals.push_back(content.error());
+        continue;
+      }
+      --tries;
+      const OrRefusal<Related> related = method_->relate(**content, seen, candidate.place_from_robot);
+      if (!related) {
+        outcome.refusals.push_back(related.error());
+        continue;
+      }
+      if (take(belief_.correct({candidate.place, related->a_from_b, *related}, candidate.place_from_robot, map),
+               outcome)) {
+        return;
+      }
+    }
+  }
+
+  /// The method's own `locate`. Its fixes pass the same test as those of the default.
+  void chart(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+             Outcome& outcome) requires ChartsItself<M> {
+    charted_.prepare(config_, map, bytes, decoded, *estimate());
+    Located<typename M::Belief> located = charted_.locate(seen);
+    outcome.refusals.insert(outcome.refusals.end(), located.refusals.begin(), located.refusals.end());
+    if (!located.fix) return;
+    const auto fix_from_believed =
+        between(config_.belief, map, located.fix->place, estimate()->place, config_.locate.most_hops);
+    if (!fix_from_believed) {
+      outcome.refusals.push_back({"fix_not_joined"});
+      return;
+    }
+    take(belief_.correct(*located.fix, compose(*fix_from_believed, estimate()->place_from_robot), map), outcome);
+  }
+
+  void search(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+              Outcome& outcome) {
+    std::uint32_t tries = config_.locate.seek_tries;
+    if (belief_.proposed() && confirm(seen, map, bytes, decoded, tries, outcome)) return;
+    const OrRefusal<void> prepared = seek_.prepare(config_, map, estimate());
+    if (!prepared) {
+      outcome.refusals.push_back(prepared.error());
+      return;
+    }
+    if (!order_by_signature(seen, map, bytes, decoded)) return;
+    while (tries > 0) {
+      const std::optional<PlaceId> id = seek_.next();
+      if (!id) return;
+      if (try_place(*id, seen, map, bytes, decoded, tries, outcome)) return;
+    }
+  }
+
+  /// Looks for a second fix beside the one proposed: at its neighbours first, as the same two views would make the
+  /// same mistake again.
+  bool confirm(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+               std::uint32_t& tries, Outcome& outcome) {
+    constexpr std::uint32_t hops = 3;
+    constexpr std::size_t most = 5;
+    const Fix proposed = *belief_.proposed();
+    std::vector<Candidate> near =
+        candidates(config_, map, {proposed.place, proposed.place_from_robot, 0.0}, hops, config_.locate.reach_m, {});
+    std::stable_partition(near.begin(), near.end(),
+                          [&](const Candidate& candidate) { return candidate.place != proposed.place; });
+    if (near.size() > most) near.erase(near.begin() + most - 1, near.end() - 1);
+    for (const Candidate& candidate : near) {
+      if (tries == 0) return false;
+      if (try_place(candidate.place, seen, map, bytes, decoded, tries, outcome)) return true;
+    }
+    return false;
+  }
+
+  /// True when this sample is done: a fix was found, believed or not.
+  bool try_place(const PlaceId& id, const Content& seen, const Window& map, const Contents& bytes,
+                 DecodedContents<M>& decoded, std::uint32_t& tries, Outcome& outcome) {
+    const Place* const place = map.place(id);
+    if (place == nullptr) return false;
+    const auto content = decoded.find(*place, bytes);
+    if (!content) {
+      outcome.refusals.push_back(content.error());
+      return false;
+    }
+    --tries;
+    const OrRefusal<Related> related = method_->relate(**content, seen, std::nullopt);
+    if (!related) {
+      outcome.refusals.push_back(related.error());
+      return false;
+    }
+    const std::uint32_t needed = seek_.seeded() ? 1 : config_.belief.unseeded_fixes;
+    take(belief_.propose({id, related->a_from_b, *related}, map, needed), outcome);
+    return true;
+  }
+
+  bool take(const OrRefusal<Fix>& fix, Outcome& outcome) {
+    if (!fix) {
+      outcome.refusals.push_back(fix.error());
+      return false;
+    }
+    outcome.fix = *fix;
+    seek_.end();
+    return true;
+  }
+
+  /// With signatures, the likeliest places first. They are read over several samples; false until that is done.
+  bool order_by_signature(const Content& seen, const Window& map, const Contents& bytes,
+                          DecodedContents<M>& decoded) {
+    if (seek_.ordered()) return true;
+    const std::optional<Signature> here = method_->sign(seen);
+    if (!here) {
+      seek_.set_ordered();
+      return true;
+    }
+    std::uint32_t reads = config_.locate.seek_signs;
+    std::vector<std::pair<double, PlaceId>> by_distance;
+    for (const PlaceId& id : seek_.order()) {
+      const Place* const place = map.place(id);
+      if (place == nullptr) continue;
+      if (!decoded.has_signature(place->content.hash) && reads-- == 0) return false;
+      const std::optional<Signature>& there = decoded.signature(*place, bytes);
+      constexpr double unknown = 1e9;
+      by_distance.emplace_back(there ? distance2(*here, *there) : unknown, id);
+    }
+    std::sort(by_distance.begin(), by_distance.end(), std::greater<>());  // the next one stands last
+    seek_.order().clear();
+    for (const auto& [distance, id] : by_distance) seek_.order().push_back(id);
+    seek_.set_ordered();
+    return true;
+  }
+
+  const M* method_;
+  NavigationConfig config_;
+  Belief belief_;
+  Seek seek_;
+  Charted<M> charted_;
+  double since_m_ = 0.0;
+  double since_rad_ = 0.0;
+  std::uint32_t since_samples_ = 0;
+};
+
+}  // namespace weft::agents

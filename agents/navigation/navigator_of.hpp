@@ -1,0 +1,219 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "agents/navigation/follower.hpp"
+#include "agents/navigation/localiser.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "agents/navigation/own_map.hpp"
+#include "agents/navigation/stitcher.hpp"
+#include "agents/navigation/teacher.hpp"
+
+namespace weft::agents {
+
+/// Teach, localise, recover and follow with method M.
+template <Method M>
+class NavigatorOf final : public Navigator {
+ public:
+  NavigatorOf(M method, const NavigationConfig& config)
+      : method_(std::move(method)),
+        config_(config),
+        decoded_(method_, config.locate.decoded_contents),
+        localiser_(method_, config),
+        stitcher_(method_, config),
+        follower_(config) {}
+  NavigatorOf(const NavigatorOf&) = delete;  // its parts point to method_
+  NavigatorOf& operator=(const NavigatorOf&) = delete;
+
+  std::string_view method() const override { return M::name; }
+  std::optional<Estimate> estimate() const override { return localiser_.estimate(); }
+
+  Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
+                 const MapView& map) override {
+    const Step step = method_.observe(odometry_, view, motion);
+    measure_speed(step, motion);
+    localiser_.advance(step);
+    latest_ = Latest{view != nullptr ? std::optional(*view) : std::nullopt, frame, time, std::nullopt};
+
+    Navigated navigated;
+    if (!step.seen) navigated.refusals.push_back({step.blind_reason});
+    own_.update(map.window, !teacher_);
+    if (teacher_) {
+      teacher_->advance(step);
+      if (view != nullptr && teacher_->due()) keep(map, navigated);
+    } else if (view != nullptr) {
+      localise(map, navigated);
+    }
+    navigated.lost = lost();
+    if (navigated.lost && !localiser_.seeking()) localiser_.seek_again();
+    if (hand || teacher_) {
+      navigated.reason = "hand";
+    } else {
+      drive(map, motion, navigated);
+    }
+    return navigated;
+  }
+
+  void begin_teach(const TeachStart& start) override {
+    anchor_.reset();
+    if (estimate() && !lost()) anchor_ = estimate();
+    own_.clear();
+    stitcher_.clear();
+    follower_.stop();
+    teacher_.emplace(config_.teach, start, M::name, M::content_format);
+  }
+
+  std::vector<Kept> end_teach() override {
+    std::vector<Kept> kept;
+    if (!teacher_) return kept;
+    if (latest_ && latest_->view && teacher_->worth_an_end()) {
+      Navigated last;
+      if (const auto content = seen(last)) kept.push_back(keep_here(content));
+    }
+    teacher_.reset();
+    return kept;
+  }
+
+  void keep_place() override {
+    if (teacher_) teacher_->ask();
+  }
+
+  void seek(const std::optional<PlaceId>& seed) override {
+    localiser_.seek(seed);
+    anchor_.reset();
+  }
+
+  void follow(const Route& route) override { follower_.follow(route); }
+  void stop() override { follower_.stop(); }
+
+ private:
+  using Content = typename M::Content;
+  using Pointer = std::shared_ptr<const Content>;
+
+  /// The newest sample; its content is extracted at most once.
+  struct Latest {
+    std::optional<View> view;
+    std::uint64_t frame = 0;
+    SensorTime time{};
+    std::optional<OrRefusal<Pointer>> content;
+  };
+
+  /// Null when there is nothing to remember here; the refusal is noted once.
+  Pointer seen(Navigated& navigated) {
+    if (!latest_->content) {
+      OrRefusal<Content> content = method_.extract(std::as_const(odometry_), *latest_->view);
+      if (content) {
+        latest_->content = std::make_shared<const Content>(std::move(*content));
+      } else {
+        latest_->content = tl::unexpected(content.error());
+        navigated.refusals.push_back(content.error());
+      }
+    }
+    return *latest_->content ? **latest_->content : nullptr;
+  }
+
+  void measure_speed(const Step& step, const Motion& motion) {
+    const double elapsed_s = seconds(motion.elapsed);
+    if (elapsed_s <= 0.0) return;
+    constexpr double smooth_s = 0.15;
+    const double now = planar(step.previous_from_current).x / elapsed_s;
+    speed_m_s_ += std::min(1.0, elapsed_s / smooth_s) * (now - speed_m_s_);
+  }
+
+  bool lost() const { return !teacher_ && estimate() && estimate()->blind_m > config_.follow.blind_limit_m; }
+
+  Kept keep_here(const Pointer& content) {
+    Kept kept = teacher_->keep(method_.encode(*content), latest_->frame, latest_->time);
+    decoded_.keep(kept.place.content.hash, content);
+    own_.add(kept.place, kept.edges);
+    localiser_.set(Fix{kept.place.id, Metric2{}, {}});
+    return kept;
+  }
+
+  void keep(const MapView& map, Navigated& navigated) {
+    const Pointer content = seen(navigated);
+    if (!content) return;
+    Kept kept = keep_here(content);
+    own_.update(map.window, false);
+    if (anchor_) own_.anchor(anchor_edge(*anchor_, kept.place.id));
+    anchor_.reset();
+    auto found = stitcher_.look(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
+    for (const Edge& edge : found.edges) own_.anchor(edge);
+    kept.edges.insert(kept.edges.end(), found.edges.begin(), found.edges.end());
+    navigated.fix = found.fix;
+    navigated.refusals.insert(navigated.refusals.end(), found.refusals.begin(), found.refusals.end());
+    navigated.kept.push_back(std::move(kept));
+  }
+
+  /// What is believed, not handed in: stitches are found from it.
+  Edge anchor_edge(const Estimate& believed, const PlaceId& kept) const {
+    Edge edge;
+    edge.id = {believed.place, kept};
+    edge.a_from_b = with_noise(believed.place_from_robot, config_.belief.map_sigma_m, config_.belief.map_sigma_rad);
+    edge.origin = Origin::stitch;
+    edge.drivable = Drivable::none;
+    return edge;
+  }
+
+  void localise(const MapView& map, Navigated& navigated) {
+    if (!localiser_.due(follower_.waits_for_fix())) return;
+    const Pointer content = seen(navigated);
+    if (!content) return;
+    auto outcome =
+        localiser_.attempt(*content, own_.map(map.window), map.contents, decoded_, follower_.near_places());
+    navigated.fix = std::move(outcome.fix);
+    navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
+  }
+
+  void drive(const MapView& map, const Motion& motion, Navigated& navigated) {
+    const std::optional<Estimate> believed = localiser_.estimate();
+    Follower::Drive drive =
+        follower_.look({own_.map(map.window), believed, navigated.lost, speed_m_s_, motion.elapsed});
+    navigated.command = drive.navigated.command;
+    navigated.following = drive.navigated.following;
+    navigated.reason = drive.navigated.reason;
+    navigated.route_at = drive.navigated.route_at;
+    navigated.route_freed = drive.navigated.route_freed;
+    if (!drive.along) return;
+    const Steering steering = steer(*drive.along);
+    if (steering) {
+      navigated.command = *steering;
+    } else {
+      navigated.following = Following::stopped;
+      navigated.reason = steering.error().reason;
+    }
+  }
+
+  Steering steer(const Ahead& ahead) {
+    if constexpr (SteersItself<M>) {
+      return method_.steer(ahead);
+    } else {
+      return follower_.steer(ahead);
+    }
+  }
+
+  const M method_;
+  const NavigationConfig config_;
+  typename M::Odometry odometry_{};
+  DecodedContents<M> decoded_;
+  Localiser<M> localiser_;
+  Stitcher<M> stitcher_;
+  Follower follower_;
+  std::optional<Teacher> teacher_;
+  OwnMap own_;
+  std::optional<Estimate> anchor_;  // where teaching began, until the first place is kept
+  std::optional<Latest> latest_;
+  double speed_m_s_ = 0.0;
+};
+
+/// The caller has checked `config` (check(config) is empty).
+template <Method M>
+std::unique_ptr<Navigator> make_navigator(M method, const NavigationConfig& config) {
+  return std::make_unique<NavigatorOf<M>>(std::move(method), config);
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,48 @@
+#include "agents/navigation/own_map.hpp"
+
+namespace weft::agents {
+
+namespace {
+
+void insert(Window& window, const Edge& edge) {
+  if (window.place(edge.id.a) == nullptr || window.place(edge.id.b) == nullptr) return;
+  if (!window.edges.emplace(edge.id, edge).second) return;
+  window.edges_at.emplace(edge.id.a, edge.id);
+  window.edges_at.emplace(edge.id.b, edge.id);
+}
+
+}  // namespace
+
+void OwnMap::clear() {
+  *this = OwnMap{};
+}
+
+void OwnMap::add(const Place& place, const std::vector<Edge>& edges) {
+  places_.push_back(place);
+  edges_.insert(edges_.end(), edges.begin(), edges.end());
+  if (!joined_) return;
+  joined_->places.emplace(place.id, place);
+  for (const Edge& edge : edges) insert(*joined_, edge);
+}
+
+void OwnMap::anchor(const Edge& edge) {
+  edges_.push_back(edge);
+  if (joined_) insert(*joined_, edge);
+}
+
+void OwnMap::update(const Window& window, bool done) {
+  if (places_.empty()) return;
+  if (done && window.place(places_.back().id) != nullptr) return clear();
+  const Seen now{window.revision, window.places.size(), window.edges.size()};
+  if (joined_ && now == seen_) return;
+  seen_ = now;
+  join(window);
+}
+
+void OwnMap::join(const Window& window) {
+  joined_ = window;
+  for (const Place& place : places_) joined_->places.emplace(place.id, place);
+  for (const Edge& edge : edges_) insert(*joined_, edge);
+}
+
+}  // namespace weft::agents

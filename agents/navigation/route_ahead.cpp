@@ -1,0 +1,165 @@
+#include "agents/navigation/route_ahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/network/search.hpp"
+
+namespace weft::agents {
+
+namespace {
+
+constexpr double on_the_spot_m = 0.05;    // a hop shorter than this that turns is no driving
+constexpr double turn_counts_rad = 0.35;  // less than this is driven, not turned
+
+/// Whether `next` can be driven to from `from`, both headings kept, without a sharp bend: ahead, and no steeper to
+/// the side than the turn itself explains. In front of a stitch the next places are tried instead.
+bool drivable(const Pose2& from, const Pose2& next) {
+  constexpr double least_ahead_m = 0.04;
+  constexpr double steepest_rad = 0.45;
+  const Pose2 step = from.inverse() * next;
+  if (step.x < least_ahead_m) return false;
+  return std::abs(std::atan2(step.y, step.x)) <= steepest_rad + 0.5 * std::abs(step.heading);
+}
+
+/// [first, last] positions in `poses` between which the robot turns on the spot; first == last: none.
+struct Spot {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+Spot next_spot(const std::vector<RoutePose>& poses, std::size_t from) {
+  // The robot may stand in the middle of a turn.
+  const auto stays = [&](std::size_t i) {
+    const Pose2 hop = poses[i].robot_from_place.inverse() * poses[i + 1].robot_from_place;
+    return hop.translation().norm() < on_the_spot_m && std::abs(hop.heading) > 0.5 * on_the_spot_m;
+  };
+  for (std::size_t i = from; i + 1 < poses.size(); ++i) {
+    if (!stays(i)) continue;
+    Spot spot{i, i + 1};
+    while (spot.last + 1 < poses.size() && stays(spot.last)) ++spot.last;
+    const double turn = wrap_angle(poses[spot.last].robot_from_place.heading - poses[i].robot_from_place.heading);
+    if (std::abs(turn) > turn_counts_rad) return spot;
+    i = spot.last - 1;
+  }
+  return {};
+}
+
+void append_end(std::vector<Pose2>& path, const Pose2& end) {
+  while (path.size() > 1 && !drivable(path.back(), end)) path.pop_back();
+  constexpr double least_m = 0.005;
+  if (!path.empty() && (path.back().translation() - end.translation()).norm() < least_m) path.pop_back();
+  // Beyond the end, or beside it with nothing left to drive on: the end alone says where to stand.
+  if (path.size() == 1 && !drivable(path.back(), end)) path.pop_back();
+  path.push_back(end);
+}
+
+}  // namespace
+
+Pose2 laid_out(const Relation& a_from_b) {
+  if (const auto* const along = std::get_if<AlongPath>(&a_from_b)) {
+    return exp2({along->distance_m, 0.0, along->heading_shift_rad});
+  }
+  return planar(a_from_b);
+}
+
+std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
+                           const Estimate& estimate, std::uint32_t from) {
+  std::optional<std::uint32_t> own;
+  for (std::uint32_t i = 0; i < route.places.size(); ++i) {
+    if (route.places[i] != estimate.place) continue;
+    const auto apart = [&](std::uint32_t index) { return index > from ? index - from : from - index; };
+    if (!own || apart(i) < apart(*own)) own = i;
+  }
+  if (own) return Joint{*own, Metric2{}};
+
+  std::map<PlaceId, std::uint32_t> index_of;
+  for (auto i = static_cast<std::uint32_t>(route.places.size()); i-- > from;) index_of[route.places[i]] = i;
+  constexpr std::uint32_t cap = 2000;
+  std::optional<Joint> best;
+  double nearest = 0.0;
+  for (const Reached& reached : breadth_first(window, estimate.place, config.locate.most_hops, cap)) {
+    const auto found = index_of.find(reached.id);
+    if (found == index_of.end()) continue;
+    const double apart = norm(compose(inverse(estimate.place_from_robot), reached.centre_from_place));
+    if (best && apart >= nearest) continue;
+    best = Joint{found->second, reached.centre_from_place};
+    nearest = apart;
+  }
+  return best;
+}
+
+RouteAround around(const NavigationConfig& config, const Route& route, const Joint& joint,
+                   const Relation& believed_from_robot, std::optional<std::uint32_t> at) {
+  constexpr std::uint32_t behind = 10;
+  const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
+  const std::uint32_t anchor = std::min(joint.index, static_cast<std::uint32_t>(route.places.size() - 1));
+  std::vector<RoutePose> back{
+      {anchor, laid_out(believed_from_robot).inverse() * laid_out(joint.believed_from_route)}};
+  while (back.back().index > 0 && anchor - back.back().index < behind) {
+    const std::uint32_t index = back.back().index - 1;
+    back.push_back({index, back.back().robot_from_place * laid_out(route.relations[index]).inverse()});
+  }
+  RouteAround result;
+  result.poses.assign(back.rbegin(), back.rend());
+  // As far as the segment reaches beyond the nearest place.
+  double nearest = std::numeric_limits<double>::infinity();
+  double since_nearest_m = 0.0;
+  const auto weigh = [&](std::size_t position) {
+    const RoutePose& pose = result.poses[position];
+    if (at && (pose.index < *at || pose.index > *at + behind)) return;
+    if (pose.index > last) return;
+    constexpr double lever_m = 0.3;
+    const double apart =
+        std::hypot(pose.robot_from_place.translation().norm(), lever_m * pose.robot_from_place.heading);
+    if (apart >= nearest) return;
+    nearest = apart;
+    result.nearest = position;
+    since_nearest_m = 0.0;
+  };
+  for (std::size_t i = 0; i < result.poses.size(); ++i) weigh(i);
+  for (std::uint32_t index = anchor; index < last && since_nearest_m < config.follow.segment_m; ++index) {
+    const Pose2 hop = laid_out(route.relations[index]);
+    result.poses.push_back({index + 1, result.poses.back().robot_from_place * hop});
+    since_nearest_m += hop.translation().norm();
+    weigh(result.poses.size() - 1);
+  }
+  while (result.poses.size() > 1 && result.poses.back().index > last) result.poses.pop_back();
+  result.nearest = std::min(result.nearest, result.poses.size() - 1);
+  return result;
+}
+
+PathAhead path_ahead(const NavigationConfig& config, const Route& route, const RouteAround& around) {
+  const std::vector<RoutePose>& poses = around.poses;
+  PathAhead ahead;
+  const Spot spot = next_spot(poses, around.nearest);
+  const std::size_t end = spot.first < spot.last ? spot.first : poses.size() - 1;
+  // A bend of the path may need the place before the nearest one; more would only be behind the robot.
+  std::size_t first = around.nearest > 0 ? around.nearest - 1 : 0;
+  if (first < around.nearest && !drivable(poses[first].robot_from_place, poses[around.nearest].robot_from_place))
+    ++first;
+  first = std::min(first, end);
+
+  std::vector<Pose2> path{poses[first].robot_from_place};
+  double length_m = 0.0;
+  for (std::size_t i = first + 1; i < end; ++i) {
+    const Pose2& next = poses[i].robot_from_place;
+    if (!drivable(path.back(), next)) continue;
+    length_m += (next.translation() - path.back().translation()).norm();
+    path.push_back(next);
+    if (i > around.nearest && length_m > config.follow.segment_m) break;
+  }
+  const bool cut = length_m > config.follow.segment_m;
+  const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
+  if (!cut && first < end) append_end(path, poses[end].robot_from_place);
+  ahead.reaches_end = !cut && (end < poses.size() - 1 || poses[end].index == last);
+  if (!cut && spot.first < spot.last) {
+    ahead.turn_to_rad = poses[spot.last].robot_from_place.heading;
+    ahead.turn_reaches = poses[spot.last].index;
+  }
+  ahead.robot_from_path = std::move(path);
+  return ahead;
+}
+
+}  // namespace weft::agents

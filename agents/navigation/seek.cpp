@@ -1,0 +1,81 @@
+#include "agents/navigation/seek.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "agents/navigation/candidates.hpp"
+#include "core/network/search.hpp"
+
+namespace weft::agents {
+
+namespace {
+
+constexpr std::uint32_t cap = 2000;  // places of one pass
+constexpr std::uint32_t pause_samples = 5;
+
+std::vector<PlaceId> around_seed(const NavigationConfig& config, const Window& window, const PlaceId& seed) {
+  std::vector<PlaceId> order;
+  for (const Reached& reached : breadth_first(window, seed, config.locate.seed_hops, cap))
+    order.push_back(reached.id);
+  return order;
+}
+
+std::vector<PlaceId> everywhere(const NavigationConfig& config, const Window& window,
+                                const std::optional<Estimate>& last) {
+  constexpr double reach_m = 10.0;
+  std::vector<PlaceId> order;
+  std::set<PlaceId> placed;
+  if (last) {
+    for (const Candidate& candidate : candidates(config, window, *last, config.locate.most_hops, reach_m, {})) {
+      order.push_back(candidate.place);
+      placed.insert(candidate.place);
+    }
+  }
+  for (const auto& [id, place] : window.places) {
+    if (order.size() >= cap) break;
+    if (!placed.contains(id)) order.push_back(id);
+  }
+  return order;
+}
+
+}  // namespace
+
+void Seek::start(const std::optional<PlaceId>& seed) {
+  *this = Seek{};
+  active_ = true;
+  seed_ = seed;
+}
+
+OrRefusal<void> Seek::prepare(const NavigationConfig& config, const Window& window,
+                              const std::optional<Estimate>& last) {
+  if (pause_ > 0) {
+    --pause_;
+    return tl::unexpected(Refusal{"seek_pause", static_cast<double>(pause_), 0.0});
+  }
+  if (!order_.empty()) return {};
+  if (window.places.empty()) return tl::unexpected(Refusal{"window_empty", 0.0, 1.0});
+  ordered_ = seed_.has_value() || last.has_value();
+  order_ = seed_ ? around_seed(config, window, *seed_) : everywhere(config, window, last);
+  if (order_.empty()) return tl::unexpected(Refusal{"seed_not_in_window", 0.0, 1.0});
+  std::reverse(order_.begin(), order_.end());
+  return {};
+}
+
+std::optional<PlaceId> Seek::next() {
+  if (order_.empty()) return std::nullopt;
+  const PlaceId id = order_.back();
+  order_.pop_back();
+  if (order_.empty()) pause_ = pause_samples;
+  return id;
+}
+
+double distance2(const Signature& a, const Signature& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const double apart = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += apart * apart;
+  }
+  return sum;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "agents/methods/method.hpp"
+#include "agents/navigation/config.hpp"
+#include "core/network/window.hpp"
+
+namespace weft::agents {
+
+/// The order in which places are tried by a robot that does not know where it is. A value, pure.
+class Seek {
+ public:
+  /// Around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last believed and then in
+  /// the whole window.
+  void start(const std::optional<PlaceId>& seed);
+  void end() { active_ = false; }
+  bool active() const { return active_; }
+  bool seeded() const { return seed_.has_value(); }
+
+  /// Makes the order when there is none. Refused: "window_empty", "seed_not_in_window"; "seek_pause" for some samples
+  /// after a pass over all places.
+  OrRefusal<void> prepare(const NavigationConfig& config, const Window& window, const std::optional<Estimate>& last);
+  /// What is still to be tried in this pass, in order.
+  std::vector<PlaceId>& order() { return order_; }
+  std::optional<PlaceId> next();
+  /// Signatures have been used to order this pass.
+  bool ordered() const { return ordered_; }
+  void set_ordered() { ordered_ = true; }
+
+ private:
+  bool active_ = false;
+  std::optional<PlaceId> seed_;
+  std::vector<PlaceId> order_;  // the next one last
+  bool ordered_ = false;
+  std::uint32_t pause_ = 0;
+};
+
+/// Squared distance of two signatures of one method.
+double distance2(const Signature& a, const Signature& b);
+
+}  // namespace weft::agents

@@ -1,0 +1,139 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "agents/navigation/agreement.hpp"
+#include "agents/navigation/belief.hpp"
+#include "agents/navigation/candidates.hpp"
+#include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/teacher.hpp"
+
+namespace weft::agents {
+
+/// Joins a place just kept to places of the map (III-C: "an edge is created"). Each stitch is a relation of the two
+/// contents themselves that agrees with the way there, or, where the way is too uncertain to judge (a loop closing),
+/// one that agrees with the stitch found at the kept place before.
+template <Method M>
+class Stitcher {
+ public:
+  using Content = typename M::Content;
+  struct Found {
+    std::vector<Edge> edges;
+    std::optional<Fix> fix;  ///< of the robot standing at the kept place: the first stitch
+    std::vector<Refusal> refusals;
+  };
+
+  Stitcher(const M& method, const NavigationConfig& config) : method_(&method), config_(config) {}
+
+  void clear() { pending_.reset(); }
+
+  /// `map` holds the kept place already; `teacher` has just kept it.
+  Found look(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Teacher& teacher,
+             const Place& kept, const Content& content) {
+    Found found;
+    if (!config_.stitch.enabled) return found;
+    std::set<ExperienceId> joined;
+    std::uint32_t tries = config_.stitch.tries;
+    for (const Candidate& candidate : worth_comparing(map, teacher, kept.id)) {
+      if (tries == 0 || found.edges.size() >= config_.stitch.most_a_place) break;
+      if (joined.contains(candidate.place.experience)) continue;
+      const auto other = decoded.find(*map.place(candidate.place), bytes);
+      if (!other) {
+        found.refusals.push_back(other.error());
+        continue;
+      }
+      --tries;
+      const OrRefusal<Related> related = verified(map, **other, content, candidate, kept.id);
+      if (!related) {
+        found.refusals.push_back(related.error());
+        continue;
+      }
+      joined.insert(candidate.place.experience);
+      found.edges.push_back(edge(candidate.place, kept.id, *related));
+      if (!found.fix) found.fix = Fix{candidate.place, related->a_from_b, *related};
+    }
+    return found;
+  }
+
+ private:
+  /// A relation over an uncertain way, waiting for a second one.
+  struct Pending {
+    PlaceId place;
+    PlaceId kept;
+    Relation place_from_kept;
+  };
+
+  std::vector<Candidate> worth_comparing(const Window& map, const Teacher& teacher, const PlaceId& kept) const {
+    constexpr std::uint32_t everywhere = 100'000;  // hops; the number of places is bounded by the window's cap
+    const StitchConfig& stitch = config_.stitch;
+    const Estimate here{kept, Metric2{}, 0.0};
+    std::vector<Candidate> near = candidates(config_, map, here, everywhere, stitch.most_reach_m, {});
+    std::erase_if(near, [&](const Candidate& candidate) {
+      if (candidate.place.experience == kept.experience &&
+          (candidate.place.index + 1 >= kept.index ||
+           teacher.driven_since_m(candidate.place.index) < stitch.own_distance_m)) {
+        return true;
+      }
+      constexpr double sigmas = 3.0;
+      return candidate.cost > stitch.reach_m + sigmas * spread_of(candidate.place_from_robot).metres;
+    });
+    return near;
+  }
+
+  OrRefusal<Related> verified(const Window& map, const Content& other, const Content& content,
+                              const Candidate& candidate, const PlaceId& kept) {
+    const Spread spread = spread_of(candidate.place_from_robot);
+    const bool trusted = spread.metres <= config_.stitch.trusted_sigma_m;
+    const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
+    OrRefusal<Related> related = method_->relate(other, content, guess);
+    if (!related) return related;
+    const auto agrees = [&](const Relation& predicted, const Spread& allowance) {
+      return agreement(predicted, related->a_from_b, config_.stitch.agree_m + allowance.metres,
+                       config_.stitch.agree_rad + allowance.radians);
+    };
+    if (trusted) {
+      const std::optional<Refusal> refusal = agrees(candidate.place_from_robot, spread);
+      if (refusal) return tl::unexpected(*refusal);
+      return related;
+    }
+    const std::optional<Relation> expected = through_pending(map, candidate.place, kept);
+    const bool confirmed = expected && !agrees(*expected, {});
+    pending_ = Pending{candidate.place, kept, related->a_from_b};
+    if (confirmed) return related;
+    return tl::unexpected(Refusal{"stitch_unconfirmed", spread.metres, config_.stitch.trusted_sigma_m});
+  }
+
+  /// place_from_kept as the pending stitch and the chains between both pairs of places say.
+  std::optional<Relation> through_pending(const Window& map, const PlaceId& place, const PlaceId& kept) const {
+    constexpr std::uint32_t hops = 8;
+    if (!pending_ || pending_->kept == kept) return std::nullopt;
+    const auto place_from_there = between(config_.belief, map, place, pending_->place, hops);
+    const auto there_from_kept = between(config_.belief, map, pending_->kept, kept, hops);
+    if (!place_from_there || !there_from_kept) return std::nullopt;
+    return compose(compose(*place_from_there, pending_->place_from_kept), *there_from_kept);
+  }
+
+  Edge edge(const PlaceId& older, const PlaceId& kept, const Related& related) const {
+    Edge edge;
+    edge.id = {older, kept};
+    edge.a_from_b = related.a_from_b;
+    edge.origin = Origin::stitch;
+    edge.method = std::string(M::name);
+    const bool level = std::abs(heading_rad(related.a_from_b)) < config_.stitch.drivable_rad;
+    const bool near = distance_m(related.a_from_b) <= config_.stitch.drivable_m;
+    edge.drivable = level && near ? Drivable::both : Drivable::none;
+    edge.inliers = related.inliers;
+    edge.overlap = static_cast<float>(std::clamp(related.overlap, 0.0, 1.0));
+    return edge;
+  }
+
+  const M* method_;
+  NavigationConfig config_;
+  std::optional<Pending> pending_;
+};
+
+}  // namespace weft::agents

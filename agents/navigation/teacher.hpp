@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "agents/navigation/config.hpp"
+#include "agents/navigation/navigator.hpp"
+
+namespace weft::agents {
+
+/// Decides when a place is kept and joins it to the one before (Gadd & Newman III-B: by xi_t and xi_R). A value.
+class Teacher {
+ public:
+  Teacher(const TeachConfig& config, const TeachStart& start, std::string_view method, std::uint32_t content_format)
+      : config_(config), start_(start), method_(method), content_format_(content_format) {}
+
+  void advance(const Step& step);
+  /// The first view, enough travelled or turned since the last place, or asked for.
+  bool due() const;
+  void ask() { asked_ = true; }
+  /// The run ends here: is this far enough from the last place to be one of its own?
+  bool worth_an_end() const;
+
+  /// Keeps a place here: its odometry edge is blind if any step since the last place was.
+  Kept keep(Bytes content, std::uint64_t frame, SensorTime time);
+
+  /// Where the robot is on its own chain: the last place kept and the way since. None before the first.
+  std::optional<Estimate> estimate() const;
+  /// Metres driven from own place `index` to the last one.
+  double driven_since_m(std::uint32_t index) const { return driven_m_.back() - driven_m_[index]; }
+  const TeachStart& start() const { return start_; }
+
+ private:
+  TeachConfig config_;
+  TeachStart start_;
+  std::string method_;
+  std::uint32_t content_format_ = 1;
+  std::vector<double> driven_m_;  // up to each place kept
+  std::optional<PlaceId> last_;
+  std::optional<Relation> last_from_robot_;  // none: has not moved since
+  double since_m_ = 0.0;
+  bool blind_ = false;
+  bool asked_ = false;
+};
+
+}  // namespace weft::agents
