@@ -1,0 +1,129 @@
+#pragma once
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "agents/control/tracker.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "tests/support/little_server.hpp"
+#include "tests/support/marks_world.hpp"
+
+namespace weft::test {
+
+/// Where places truly are: for judging only.
+using Truth = std::map<PlaceId, Pose2>;
+
+/// A robot on a floor of marks with a navigator, and a hand that can drive it along a path in the site frame.
+class NavigatedRobot {
+ public:
+  NavigatedRobot(const MarksWorld& world, const MarksRobotConfig& config, const Pose2& start, std::uint64_t seed,
+                 std::unique_ptr<agents::Navigator> navigator)
+      : body_(world, config, start, seed), navigator_(std::move(navigator)) {}
+
+  agents::Navigator& navigator() { return *navigator_; }
+  const Pose2& world_from_robot() const { return body_.world_from_robot(); }
+
+  /// One sample: the body moves by the last command, then the navigator sees.
+  agents::Navigated step(const agents::MapView& map, bool hand = false) {
+    const MarksRobot::Sample sample = body_.step(command_);
+    agents::Navigated navigated = navigator_->step(sample.dropped ? nullptr : &sample.view, sample.view.frame,
+                                                   sample.view.time, sample.motion, hand, map);
+    if (!hand) command_ = navigated.command;
+    for (const agents::Refusal& refusal : navigated.refusals) ++refusals[std::string(refusal.reason)];
+    return navigated;
+  }
+
+  /// Teaches an experience along `path` (site frame); hands it in place by place when `live`, else at the end.
+  void teach(LittleServer& server, ExperienceId experience, const std::vector<Pose2>& path, Truth& truth,
+             bool live = true) {
+    const RobotId robot{{static_cast<std::uint8_t>(experience.value)}};
+    navigator_->begin_teach({experience, robot});
+    std::vector<agents::Kept> all;
+    const auto take = [&](std::vector<agents::Kept> kept) {
+      for (const agents::Kept& one : kept) truth[one.place.id] = world_from_robot();
+      if (live) server.take(experience, robot, navigator_->method(), kept);
+      std::move(kept.begin(), kept.end(), std::back_inserter(all));
+    };
+    hand(path, [&] { take(step(server.map(), true).kept); });
+    take(navigator_->end_teach());
+    if (!live) server.take(experience, robot, navigator_->method(), all);
+  }
+
+  /// A hand drives along the path and stops at its end.
+  template <class Step>
+  void hand(const std::vector<Pose2>& path, Step&& one_step) {
+    agents::Tracker tracker;
+    const agents::TrackerConfig config;
+    double speed = 0.0;
+    std::size_t passed = 0;
+    int standing = 0;
+    for (int i = 0; i < 20'000 && standing < 8; ++i) {
+      const Pose2 robot_from_world = world_from_robot().inverse();
+      std::vector<Pose2> near;
+      while (passed + 2 < path.size() && (path[passed + 1].inverse() * world_from_robot()).x > 0.1) ++passed;
+      for (std::size_t k = passed; k < path.size() && k < passed + 15; ++k)
+        near.push_back(robot_from_world * path[k]);
+      const auto spline = agents::Spline::through(near);
+      const auto tracked = tracker.track(config, spline.value(), 0.5, speed, from_seconds(body_.elapsed_s()));
+      standing = tracked.at_end && passed + 15 >= path.size() ? standing + 1 : 0;
+      const Pose2 before = world_from_robot();
+      command_ = tracked.command;
+      one_step();
+      speed = (before.inverse() * world_from_robot()).x / body_.elapsed_s();
+    }
+    command_ = {};
+  }
+
+  std::map<std::string, int> refusals;
+
+ private:
+  MarksRobot body_;
+  std::unique_ptr<agents::Navigator> navigator_;
+  agents::Twist command_;
+};
+
+/// Poses every 0.2 m (0.13 rad) along straights and arcs.
+class Course {
+ public:
+  explicit Course(const Pose2& start) { poses.push_back(start); }
+  Course& straight(double metres) { return arc(metres, 0.0); }
+  /// Left for positive turns.
+  Course& turn(double radius_m, double radians) { return arc(radius_m * std::abs(radians), radians); }
+  /// The same path `metres` to the left.
+  std::vector<Pose2> beside(double metres) const {
+    std::vector<Pose2> moved;
+    for (const Pose2& pose : poses) moved.push_back(pose * Pose2{0.0, metres, 0.0});
+    return moved;
+  }
+  std::vector<Pose2> poses;
+
+ private:
+  Course& arc(double metres, double radians) {
+    const int steps = std::max(
+        {1, static_cast<int>(std::ceil(metres / 0.2)), static_cast<int>(std::ceil(std::abs(radians) / 0.13))});
+    for (int i = 0; i < steps; ++i) poses.push_back(poses.back() * exp2({metres / steps, 0.0, radians / steps}));
+    return *this;
+  }
+};
+
+inline double distance(const Pose2& a, const Pose2& b) {
+  return (a.translation() - b.translation()).norm();
+}
+inline double turned(const Pose2& a, const Pose2& b) {
+  return std::abs(wrap_angle(a.heading - b.heading));
+}
+/// Distance of a point to a chain of poses, joined by straight lines.
+inline double distance_to(const std::vector<Pose2>& path, const Pose2& pose) {
+  double best = 1e9;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Eigen::Vector2d a = path[i].translation();
+    const Eigen::Vector2d chord = path[i + 1].translation() - a;
+    const double share = std::clamp((pose.translation() - a).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    best = std::min(best, (pose.translation() - a - share * chord).norm());
+  }
+  return best;
+}
+
+}  // namespace weft::test
