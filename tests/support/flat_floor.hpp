@@ -101,7 +101,7 @@ class FlatFloor {
   friend class FloorCamera;
 };
 
-/// Renders views of a floor through a camera: exact geometry with the lens, filtered by area (6 samples a pixel).
+/// Renders views of a floor through a camera: exact geometry with the lens, filtered by area (4 samples a pixel).
 class FloorCamera {
  public:
   explicit FloorCamera(const agents::CameraModel& truth) : truth_(truth) {
@@ -146,7 +146,7 @@ class FloorCamera {
 
  private:
   static constexpr int across = 2;
-  static constexpr int down = 3;
+  static constexpr int down = 2;
 
   cv::Mat look(const FlatFloor& floor, const Pose2& floor_from_robot, const agents::Sway& sway,
                const Shot& shot) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace weft::agents {
 namespace {
@@ -49,9 +50,6 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"wheels_m", &FloorConfig::wheels_m, 1e-6, 1},
     {"wheels_rad", &FloorConfig::wheels_rad, 1e-6, 1},
     {"command_factor", &FloorConfig::command_factor, 1, 20},
-    {"blind_share", &FloorConfig::blind_share, 1e-6, 1},
-    {"blind_m", &FloorConfig::blind_m, 1e-6, 0.1},
-    {"blind_rad", &FloorConfig::blind_rad, 1e-6, 0.1},
     {"far_m", &FloorConfig::far_m, 0.5, 4},
     {"half_width_m", &FloorConfig::half_width_m, 0.2, 3},
     {"metres_per_pixel", &FloorConfig::metres_per_pixel, 0.001, 0.02},
@@ -72,6 +70,13 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"most_residual", &FloorConfig::most_residual, 1e-6, 1e4},
 });
 
+constexpr auto blind_shares = std::to_array<std::pair<std::string_view, double DeadReckoningConfig::*>>({
+    {"wheel_distance_share", &DeadReckoningConfig::wheel_distance_share},
+    {"wheel_heading_share", &DeadReckoningConfig::wheel_heading_share},
+    {"command_distance_share", &DeadReckoningConfig::command_distance_share},
+    {"command_heading_share", &DeadReckoningConfig::command_heading_share},
+});
+
 template <class T>
 void require(const FloorConfig& config, const Field<T>& field, std::vector<std::string>& issues) {
   const T value = config.*field.member;
@@ -86,6 +91,9 @@ std::vector<std::string> check(const FloorConfig& config) {
   std::vector<std::string> issues;
   for (const auto& field : integers) require(config, field, issues);
   for (const auto& field : numbers) require(config, field, issues);
+  for (const auto& [name, member] : blind_shares)
+    if (!(config.blind.*member > 0.0 && config.blind.*member <= 1.0))
+      issues.push_back("floor.blind." + std::string(name) + " is not within (0, 1]");
   if (config.window_px % 2 == 0) issues.emplace_back("floor.window_px is even; a window has a centre");
   if (config.patch_metres_per_pixel < config.metres_per_pixel)
     issues.emplace_back("floor.patch_metres_per_pixel is finer than floor.metres_per_pixel");
@@ -99,6 +107,9 @@ FloorConfig read_floor_config(const config::Table& table) {
     config.*member = static_cast<int>(table.integer(name, config.*member, low, high));
   for (const auto& [name, member, low, high] : numbers)
     config.*member = table.number(name, config.*member, low, high);
+  const config::Table blind = table.table("blind");
+  for (const auto& [name, member] : blind_shares)
+    config.blind.*member = blind.number(name, config.blind.*member, 1e-6, 1.0);
   if (config.window_px % 2 == 0) table.refuse("window_px", "is even; a window has a centre");
   if (config.patch_metres_per_pixel < config.metres_per_pixel)
     table.refuse("patch_metres_per_pixel", "is finer than metres_per_pixel");

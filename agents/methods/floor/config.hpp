@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/methods/dead_reckoning.hpp"
 #include "core/config/config.hpp"
 
 namespace weft::agents {
@@ -39,10 +40,7 @@ struct FloorConfig {
   double wheels_rad = 0.06;     ///< [1e-6, 1] plus this
   double command_factor = 3.0;  ///< [1, 20] looser by this where only the command is known
 
-  // Blind integration
-  double blind_share = 0.10;  ///< [1e-6, 1] 1 sigma of distance and heading, share of the motion
-  double blind_m = 0.003;     ///< [1e-6, 0.1] plus this, a step
-  double blind_rad = 0.004;   ///< [1e-6, 0.1] plus this, a step
+  DeadReckoningConfig blind;  ///< when vision is blind
 
   // Content
   int features = 600;                     ///< [100, 2000] kept of a view

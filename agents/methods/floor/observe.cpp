@@ -9,18 +9,10 @@
 namespace weft::agents {
 namespace {
 
-/// What wheels, or else the command, say about the motion since the last sample.
-Pose2 integrated(const Motion& motion) {
-  const double t = seconds(motion.elapsed);
-  return motion.wheels ? exp2({motion.wheels->distance_m, 0.0, motion.wheels->heading_rad})
-                       : exp2({motion.command.linear_m_s * t, 0.0, motion.command.angular_rad_s * t});
-}
-
-Step blind(const FloorConfig& c, Floor::Odometry& s, const Pose2& moved, std::string_view reason) {
-  const double along = c.blind_m + c.blind_share * moved.translation().norm();
-  const double turn = c.blind_rad + c.blind_share * std::abs(moved.heading);
-  s.keyframe_from_robot = s.keyframe_from_robot * moved;
-  return {Metric2{moved, Eigen::Vector3d(along * along, along * along, turn * turn).asDiagonal()}, false, reason};
+/// The shared fallback, kept in the keyframe's account so that the next tracked view takes its error back.
+Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
+  s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
+  return {reckoned.previous_from_current, false, reason};
 }
 
 /// The newest view becomes the keyframe.
@@ -169,12 +161,13 @@ Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fit
 }  // namespace
 
 Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
-  const Pose2 moved = integrated(motion);
-  if (view == nullptr) return blind(config_, s, moved, "dropped_frame");
+  const Step reckoned = dead_reckon(config_.blind, motion, {});
+  const Pose2 moved = planar(reckoned.previous_from_current);
+  if (view == nullptr) return blind(s, reckoned, "dropped_frame");
   const auto* image = std::get_if<Image>(&view->data);
-  if (image == nullptr) return blind(config_, s, moved, "not_an_image");
+  if (image == nullptr) return blind(s, reckoned, "not_an_image");
   if (!is_whole(*image) || image->width != camera_.width || image->height != camera_.height)
-    return blind(config_, s, moved, "wrong_size");
+    return blind(s, reckoned, "wrong_size");
 
   const TrackingImage now = prepare_tracking(*image, config_.window_px, config_.pyramid_levels);
   const bool first = !s.newest;
@@ -200,7 +193,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   s.newest = now;
   s.frame = view->frame;
   if (!refused.empty()) {
-    const Step step = blind(config_, s, moved, refused);
+    const Step step = blind(s, reckoned, refused);
     s.inliers = 0;
     begin_keyframe_unseen(config_, camera_, s);
     return step;

@@ -1,0 +1,91 @@
+#pragma once
+// Drives a robot with the method `floor` over a test floor and says how its odometry did.
+#include <map>
+#include <string>
+
+#include "agents/methods/floor/floor.hpp"
+#include "tests/support/flat_floor.hpp"
+
+namespace weft::test {
+
+struct Drive {
+  double speed_m_s = 0.6;
+  double turn_rad_s = 0.0;
+  double duration_s = 5.0;
+  double frames_per_second = 30.0;
+  double vibration = 1.0;   ///< times 0.05 degrees and 1 mm
+  bool wheels = true;       ///< 3 % long, 2 % too much turn
+  bool blur = false;        ///< 5 ms of open shutter; renders three times as much
+  double drop_share = 0.0;  ///< of the frames
+  Pose2 start{1.2, 2.0, 0.0};
+  Shot shot;  ///< seed and blur are set for each frame
+  std::uint64_t seed = 1;
+};
+
+struct Driven {
+  Pose2 true_motion;
+  Pose2 seen_motion;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double length_m = 0.0;
+  int blind = 0;  ///< without the first view
+  std::map<std::string, int, std::less<>> reasons;
+  agents::Floor::Odometry odometry;
+
+  /// Share of the distance, signed.
+  double distance_error() const { return seen_motion.translation().norm() / true_motion.translation().norm() - 1.0; }
+  double heading_error_deg_per_m() const {
+    return std::abs(wrap_angle(seen_motion.heading - true_motion.heading)) * 180.0 / M_PI / length_m;
+  }
+  double off_m() const { return (true_motion.inverse() * seen_motion).translation().norm(); }
+};
+
+inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const FlatFloor& floor, const Drive& how) {
+  Driven out;
+  Random random(how.seed * 31U + 7U);
+  const Vibration vibration(how.seed, how.vibration * 0.05 * M_PI / 180.0, how.vibration * 0.001);
+  const double dt = 1.0 / how.frames_per_second;
+  const Pose2 step = exp2({how.speed_m_s * dt, 0.0, how.turn_rad_s * dt});
+  Relation start_from_robot = Metric2{};
+  Pose2 floor_from_robot = how.start;
+  const int frames = static_cast<int>(how.duration_s * how.frames_per_second);
+  for (int i = 0; i <= frames; ++i) {
+    agents::Motion motion;
+    if (i > 0) {
+      floor_from_robot = floor_from_robot * step;
+      out.length_m += std::abs(how.speed_m_s) * dt;
+      motion.elapsed = from_seconds(dt);
+      motion.command = {how.speed_m_s, how.turn_rad_s};
+    }
+    if (how.wheels)
+      motion.wheels =
+          agents::WheelStep{1.03 * motion.command.linear_m_s * dt, 1.02 * motion.command.angular_rad_s * dt};
+    Shot shot = how.shot;
+    shot.seed = how.seed * 100003U + static_cast<std::uint64_t>(i);
+    if (how.blur) shot.blur = exp2({how.speed_m_s * 0.005, 0.0, how.turn_rad_s * 0.005});
+    agents::View view;
+    view.frame = static_cast<std::uint64_t>(i);
+    const bool dropped = i > 0 && i < frames && random.chance(how.drop_share);
+    if (!dropped) view.data = eye.render(floor, floor_from_robot, vibration.at(i * dt), shot);
+    const agents::Step seen = method.observe(out.odometry, dropped ? nullptr : &view, motion);
+    if (i > 0 && !seen.seen) {
+      ++out.blind;
+      ++out.reasons[std::string(seen.blind_reason)];
+    }
+    start_from_robot = compose(start_from_robot, seen.previous_from_current);
+  }
+  out.true_motion = how.start.inverse() * floor_from_robot;
+  out.seen_motion = planar(start_from_robot);
+  out.covariance = planar_covariance(start_from_robot);
+  return out;
+}
+
+/// A view of the floor from a pose, and the content that the method keeps of it.
+inline agents::OrRefusal<agents::FloorContent> look(const agents::Floor& method, const FloorCamera& eye,
+                                                    const FlatFloor& floor, const Pose2& floor_from_robot,
+                                                    const agents::Sway& sway, const Shot& shot) {
+  agents::View view;
+  view.data = eye.render(floor, floor_from_robot, sway, shot);
+  return method.extract({}, view);
+}
+
+}  // namespace weft::test
