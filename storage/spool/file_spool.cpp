@@ -43,7 +43,7 @@ class FileSpool final : public Spool {
     std::error_code failed;
     std::filesystem::create_directories(directory_, failed);
     if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot make it: " + failed.message());
-    std::filesystem::directory_iterator entries(directory_, failed);
+    const std::filesystem::directory_iterator entries(directory_, failed);
     if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot read it: " + failed.message());
     std::vector<std::uint64_t> orders;
     for (const auto& entry : entries) {
@@ -78,6 +78,7 @@ class FileSpool final : public Spool {
 
   Result<std::vector<Batch>> pending() const override {
     std::vector<Batch> batches;
+    batches.reserve(kept_.size());
     for (const auto& [order, kept] : kept_) batches.push_back(kept.batch);
     return batches;
   }
@@ -124,6 +125,7 @@ class FileSpool final : public Spool {
 
   void keep(std::uint64_t order, const SpoolRecord& record) {
     Kept kept{record.batch, {}};
+    kept.contents.reserve(record.contents.size());
     for (const auto& [hash, bytes] : record.contents) kept.contents.push_back(hash);
     kept_.emplace(order, std::move(kept));
   }

@@ -28,6 +28,7 @@ class MemorySpool final : public Spool {
 
   Result<std::vector<Batch>> pending() const override {
     std::vector<Batch> batches;
+    batches.reserve(disk_->records.size());
     for (const SpoolRecord& record : disk_->records) batches.push_back(record.batch);
     return batches;
   }

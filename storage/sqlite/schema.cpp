@@ -140,7 +140,7 @@ Result<void> prepare_schema(const Database& database, const std::filesystem::pat
                                       "; start a newer weft-server on it");
   }
   // The journal's mode stands in the file, so it is set before the first table; the rest holds for this connection.
-  const auto modes = database.run(
+  auto modes = database.run(
       "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA journal_size_limit = 67108864;"
       "PRAGMA cache_size = -32768; PRAGMA temp_store = MEMORY");
   if (!modes) return modes;

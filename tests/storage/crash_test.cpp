@@ -51,7 +51,7 @@ TEST(Crash, KilledServerHasEveryAcknowledgedBatchOnceAndNothingHalf) {
     ASSERT_TRUE(store) << store.error().message;
     const auto stored = (*store)->open();
     ASSERT_TRUE(stored) << stored.error().message;
-    EXPECT_EQ(stored->epoch, Epoch{2U * static_cast<unsigned>(round)});
+    EXPECT_EQ(stored->epoch, Epoch{std::uint64_t{2} * static_cast<unsigned>(round)});
     EXPECT_TRUE(stored->quarantined.empty());
     const std::uint64_t durable = stored->durable_through.at({1});
     EXPECT_GE(durable, acknowledged);

@@ -1,0 +1,157 @@
+/// The map store beside plain SQLite: the same bytes in the same transactions. build/release/bench/storage_bench
+#include <benchmark/benchmark.h>
+
+#include "core/network/codec.hpp"
+#include "storage/sqlite/database.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+#include "tests/storage/sample_map.hpp"
+#include "tests/storage/temporary_directory.hpp"
+
+namespace weft::storage {
+namespace {
+
+constexpr std::uint32_t kPlaces = 20;
+constexpr std::size_t kContentBytes = 20'000;
+
+std::unique_ptr<MapStore> open_store(const std::filesystem::path& directory, benchmark::State& state) {
+  auto store = open_sqlite(directory);
+  if (!store || !(*store)->open()) {
+    state.SkipWithError("cannot open the store");
+    return nullptr;
+  }
+  return std::move(*store);
+}
+
+void count_bytes(benchmark::State& state) {
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * kPlaces * kContentBytes);
+}
+
+void intake_store(benchmark::State& state) {
+  const TemporaryDirectory directory;
+  const auto store = open_store(directory.path(), state);
+  if (!store) return;
+  sample::Run run(1, 1);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const Transaction transaction = sample::transaction(run.next(kPlaces, kContentBytes));
+    state.ResumeTiming();
+    if (!store->commit(transaction)) state.SkipWithError("commit failed");
+  }
+  count_bytes(state);
+}
+
+/// What anyone would write first: a table of blobs, by key, WAL, synchronous = FULL.
+class PlainStore {
+ public:
+  explicit PlainStore(const std::filesystem::path& directory)
+      : database_(sqlite::Database::open(directory / "plain.sqlite", "").value()) {
+    const auto made = database_.run(
+        "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; CREATE TABLE blobs (hash BLOB PRIMARY KEY, bytes "
+        "BLOB)");
+    insert_ = database_.prepare("INSERT INTO blobs VALUES (?, ?)").value();
+    select_ = database_.prepare("SELECT bytes FROM blobs WHERE hash = ?").value();
+    is_open_ = made.has_value();
+  }
+  bool insert(const Transaction& transaction) {
+    auto write = sqlite::WriteTransaction::begin(database_);
+    bool is_done = is_open_ && write;
+    for (const auto& change : transaction.changes) {
+      if (const auto* put = std::get_if<PutContent>(&change)) {
+        sqlite::Query query(insert_);
+        query << put->hash << ByteView(put->bytes);
+        is_done = is_done && query.run();
+      }
+    }
+    return is_done && write->commit();
+  }
+  Bytes read(const ContentHash& hash) {
+    sqlite::Query query(select_);
+    query << hash;
+    if (!query.step().value_or(false)) return {};
+    const ByteView bytes = query.blob(0);
+    return {bytes.begin(), bytes.end()};
+  }
+
+ private:
+  sqlite::Database database_;
+  sqlite::Statement insert_;
+  sqlite::Statement select_;
+  bool is_open_ = false;
+};
+
+void intake_plain_sqlite(benchmark::State& state) {
+  const TemporaryDirectory directory;
+  PlainStore plain(directory.path());
+  sample::Run run(1, 1);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const Transaction transaction = sample::transaction(run.next(kPlaces, kContentBytes));
+    state.ResumeTiming();
+    if (!plain.insert(transaction)) state.SkipWithError("insert failed");
+  }
+  count_bytes(state);
+}
+
+constexpr std::size_t kNeighbourhood = 50;
+
+std::vector<Transaction> neighbourhood() {
+  sample::Run run(1, 1);
+  std::vector<Transaction> transactions;
+  for (std::size_t at = 0; at < kNeighbourhood; ++at) {
+    transactions.push_back(sample::transaction(run.next(1, kContentBytes)));
+  }
+  return transactions;
+}
+
+void read_50_store(benchmark::State& state) {
+  const TemporaryDirectory directory;
+  const auto store = open_store(directory.path(), state);
+  if (!store) return;
+  const auto transactions = neighbourhood();
+  for (const Transaction& transaction : transactions) benchmark::DoNotOptimize(store->commit(transaction));
+  for (auto _ : state) {
+    for (const Transaction& transaction : transactions) {
+      const auto bytes = store->content(std::get<PutContent>(transaction.changes.front()).hash);
+      if (!bytes || bytes->size() != kContentBytes) state.SkipWithError("read failed");
+    }
+  }
+}
+
+void read_50_plain_sqlite(benchmark::State& state) {
+  const TemporaryDirectory directory;
+  PlainStore plain(directory.path());
+  const auto transactions = neighbourhood();
+  for (const Transaction& transaction : transactions) benchmark::DoNotOptimize(plain.insert(transaction));
+  for (auto _ : state) {
+    for (const Transaction& transaction : transactions) {
+      const Bytes bytes = plain.read(std::get<PutContent>(transaction.changes.front()).hash);
+      if (bytes.size() != kContentBytes) state.SkipWithError("read failed");
+    }
+  }
+}
+
+void open_100k_places(benchmark::State& state) {
+  const TemporaryDirectory directory;
+  {
+    const auto store = open_store(directory.path(), state);
+    if (!store) return;
+    for (std::uint64_t experience = 1; experience <= 100; ++experience) {
+      sample::Run run(experience, experience);
+      if (!store->commit(sample::transaction(run.next(1000, 32)))) state.SkipWithError("commit failed");
+    }
+  }
+  for (auto _ : state) {
+    auto store = open_sqlite(directory.path());
+    const auto stored = (*store)->open();
+    if (!stored || stored->snapshot.place_count() != 100'000) state.SkipWithError("places are missing");
+  }
+}
+
+BENCHMARK(intake_plain_sqlite)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
+BENCHMARK(intake_store)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
+BENCHMARK(read_50_plain_sqlite)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_50_store)->Unit(benchmark::kMillisecond);
+BENCHMARK(open_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace weft::storage
