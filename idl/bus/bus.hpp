@@ -22,6 +22,8 @@ struct Delivery {
   Bytes cdr;
 };
 
+inline constexpr std::size_t kInboxBulkBytes = 64U << 20U;
+
 struct BusConfig {
   msg::Role role = msg::Role::agent;  ///< which topics are written and which are read
   PeerId self;
@@ -29,8 +31,9 @@ struct BusConfig {
   std::string listen = "127.0.0.1";  ///< address of the interface to bind to; never all of them by accident
   std::vector<std::string> servers;  ///< agents and clients: addresses of the server, HOST or HOST:INDEX
   unsigned server_index = 0;         ///< server: its fixed participant index; in use: `unavailable`
-  std::size_t inbox_messages =
-      10'000;  ///< what waits to be taken; beyond it the oldest unreliable ones are dropped and counted
+  /// What waits to be taken; beyond it the oldest are dropped and counted. Bulk has a bound of its own
+  /// (kInboxBulkBytes), so that small ones never fall for it.
+  std::size_t inbox_messages = 10'000;
 };
 
 struct BusCounters {
@@ -54,7 +57,7 @@ class Bus {
   virtual std::string vendor() const = 0;
   virtual msg::Role role() const = 0;
   virtual BusCounters counters() const = 0;
-  /// Writers that a peer is no longer to have: called when its hello is gone for good.
+  /// What waits for the peer is dropped, and the means to write to it: when it has come anew or is gone for good.
   virtual void forget(const PeerId& peer) = 0;
 };
 

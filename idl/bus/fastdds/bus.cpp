@@ -1,0 +1,191 @@
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "idl/bus/backends.hpp"
+#include "idl/bus/fastdds/bytes_type.hpp"
+#include "idl/bus/fastdds/qos.hpp"
+#include "idl/bus/inbox.hpp"
+#include "idl/bus/padding.hpp"
+
+namespace weft::bus {
+namespace fastdds {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+
+/// Fast DDS's threads: moves what came to the inbox, nothing else.
+class Listener final : public dds::DataReaderListener {
+ public:
+  Listener(const Topic& topic, Inbox& inbox) : topic_(topic), inbox_(inbox) {}
+  void on_data_available(dds::DataReader* reader) override {
+    Sample sample;
+    dds::SampleInfo info;
+    while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data) inbox_.put(topic_, sample.bytes);
+    }
+  }
+
+ private:
+  const Topic& topic_;
+  Inbox& inbox_;
+};
+
+class FastBus final : public Bus {
+ public:
+  FastBus(const BusConfig& config, TopicTable table)
+      : role_(config.role), table_(table.begin(), table.end()), inbox_(config.inbox_messages) {}
+  ~FastBus() override;
+  FastBus(const FastBus&) = delete;
+  FastBus& operator=(const FastBus&) = delete;
+
+  Result<void> start(const BusConfig& config, const Addresses& addresses);
+
+  Result<void> publish(TopicId id, const PeerId& to, ByteView cdr) override;
+  std::optional<Delivery> take() override { return inbox_.take(); }
+  bool wait(Duration at_most) override { return inbox_.wait(at_most); }
+  void wake() override { inbox_.wake(); }
+  std::string vendor() const override { return "fastdds"; }
+  msg::Role role() const override { return role_; }
+  BusCounters counters() const override { return inbox_.counters(); }
+  void forget(const PeerId& peer) override;
+
+ private:
+  using Writers = std::map<TopicId, dds::DataWriter*>;
+  /// The server's means to write to one peer.
+  struct Peer {
+    dds::Publisher* publisher = nullptr;
+    Writers writers;
+  };
+
+  Result<void> create_reader(const Topic& topic, dds::Subscriber* subscriber);
+  Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr);
+  Result<dds::DataWriter*> writer_for(const Topic& topic, const PeerId& to);
+  Result<dds::DataWriter*> writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic);
+
+  const msg::Role role_;
+  const std::vector<Topic> table_;
+  Inbox inbox_;  ///< outlives the listeners
+  std::vector<std::unique_ptr<Listener>> listeners_;
+  dds::DomainParticipant* participant_ = nullptr;
+  dds::Publisher* publisher_ = nullptr;
+  std::map<TopicId, dds::Topic*> topics_;
+  Writers writers_;
+  std::map<PeerId, Peer> peers_;
+};
+
+tl::unexpected<Error> refused(std::string_view what) {
+  return fail(ErrorCode::unavailable, "Fast DDS refused to create " + std::string(what));
+}
+
+FastBus::~FastBus() {
+  if (participant_ == nullptr) return;
+  participant_->delete_contained_entities();
+  dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+Result<void> FastBus::start(const BusConfig& config, const Addresses& addresses) {
+  auto* const factory = dds::DomainParticipantFactory::get_instance();
+  participant_ = factory->create_participant(config.domain, participant_qos(config, addresses), nullptr,
+                                             dds::StatusMask::none());
+  if (participant_ == nullptr) return refused("a participant on " + addresses.listen);
+  publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
+  dds::SubscriberQos own_partition = dds::SUBSCRIBER_QOS_DEFAULT;
+  own_partition.partition().push_back(to_string(config.self).c_str());
+  dds::Subscriber* const addressed = participant_->create_subscriber(own_partition);
+  dds::Subscriber* const plain = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
+  if (publisher_ == nullptr || addressed == nullptr || plain == nullptr) return refused("publisher and subscribers");
+
+  for (const Topic& topic : table_) {
+    if (!topic.writers.has(role_) && !topic.readers.has(role_)) continue;
+    const dds::TypeSupport type(new BytesType(topic, inbox_));
+    const std::string type_name(topic.type);
+    // Two topics of one type share the first one's: they differ in nothing that the type looks at but its bound.
+    if (participant_->find_type(type_name).empty()) type.register_type(participant_);
+    topics_[topic.id] = participant_->create_topic(std::string(topic.name), type_name, dds::TOPIC_QOS_DEFAULT);
+    if (topics_[topic.id] == nullptr) return refused("topic " + std::string(topic.name));
+    if (topic.readers.has(role_)) {
+      if (Result<void> created = create_reader(topic, topic.addressed ? addressed : plain); !created) return created;
+    }
+    if (topic.writers.has(role_) && !topic.addressed) {
+      if (auto created = writer_in(writers_, publisher_, topic); !created) return fail(std::move(created.error()));
+    }
+  }
+  return {};
+}
+
+Result<void> FastBus::create_reader(const Topic& topic, dds::Subscriber* subscriber) {
+  listeners_.push_back(std::make_unique<Listener>(topic, inbox_));
+  if (subscriber->create_datareader(topics_.at(topic.id), reader_qos(topic), listeners_.back().get()) == nullptr) {
+    return refused("a reader of " + std::string(topic.name));
+  }
+  return {};
+}
+
+Result<dds::DataWriter*> FastBus::writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic) {
+  dds::DataWriter*& writer = writers[topic.id];
+  if (writer == nullptr) writer = publisher->create_datawriter(topics_.at(topic.id), writer_qos(topic));
+  if (writer == nullptr) return refused("a writer of " + std::string(topic.name));
+  return writer;
+}
+
+Result<dds::DataWriter*> FastBus::writer_for(const Topic& topic, const PeerId& to) {
+  if (!topic.addressed) return writer_in(writers_, publisher_, topic);
+  Peer& peer = peers_[to];
+  if (peer.publisher == nullptr) {
+    dds::PublisherQos partition = dds::PUBLISHER_QOS_DEFAULT;
+    partition.partition().push_back(to_string(to).c_str());
+    peer.publisher = participant_->create_publisher(partition);
+    if (peer.publisher == nullptr) return refused("a publisher for peer " + to_string(to));
+  }
+  return writer_in(peer.writers, peer.publisher, topic);
+}
+
+Result<void> FastBus::publish(TopicId id, const PeerId& to, ByteView cdr) {
+  const Topic& topic = table_[static_cast<std::size_t>(id)];
+  Result<void> done = check_publish(topic, role_, to, cdr);
+  const bool oversized = cdr.size() > topic.max_bytes;
+  if (done) done = write(topic, to, cdr);
+  inbox_.count_publish(done, oversized);
+  return done;
+}
+
+Result<void> FastBus::write(const Topic& topic, const PeerId& to, ByteView cdr) {
+  Result<dds::DataWriter*> writer = writer_for(topic, to);
+  if (!writer) return fail(std::move(writer.error()));
+  Sample sample{{}, with_padding(cdr)};
+  sample.view = sample.bytes;
+  const ReturnCode_t code = (*writer)->write(&sample, dds::HANDLE_NIL);
+  if (code == ReturnCode_t::RETCODE_OK) return {};
+  return fail(ErrorCode::unavailable, std::string(topic.name) + ": Fast DDS's queue is full (code " +
+                                          std::to_string(code()) + "); try again later");
+}
+
+void FastBus::forget(const PeerId& id) {
+  const auto found = peers_.find(id);
+  if (found == peers_.end()) return;
+  for (const auto& [topic, writer] : found->second.writers) found->second.publisher->delete_datawriter(writer);
+  participant_->delete_publisher(found->second.publisher);
+  peers_.erase(found);
+}
+
+}  // namespace
+}  // namespace fastdds
+
+Result<std::unique_ptr<Bus>> open_fastdds(const BusConfig& config, TopicTable table) {
+  Result<Addresses> addresses = look_up(config);
+  if (!addresses) return fail(std::move(addresses.error()));
+  auto bus = std::make_unique<fastdds::FastBus>(config, table);
+  if (Result<void> started = bus->start(config, *addresses); !started) return fail(std::move(started.error()));
+  return bus;
+}
+
+}  // namespace weft::bus

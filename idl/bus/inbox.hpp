@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "idl/bus/bus.hpp"
+#include "idl/bus/topics.hpp"
+
+namespace weft::bus {
+
+/// Between the vendors' threads, which put, and the owner's, which takes. Putting never blocks longer than a copy.
+class Inbox {
+ public:
+  explicit Inbox(std::size_t messages);
+  ~Inbox();
+  Inbox(const Inbox&) = delete;
+  Inbox& operator=(const Inbox&) = delete;
+
+  /// Any thread. Takes off the padding that vendors add; refuses and counts what is larger than its topic's bound.
+  void put(const Topic& topic, ByteView padded);
+  /// Any thread: the vendor refused a message on its own.
+  void count_refused_by_vendor();
+
+  std::optional<Delivery> take();
+  bool wait(Duration at_most);
+  /// Any thread or signal handler.
+  void wake() const;
+
+  void count_publish(const Result<void>& published, bool oversized);
+  BusCounters counters() const;
+
+ private:
+  struct Waiting {
+    std::uint64_t number = 0;  ///< order of arrival over both queues
+    Delivery delivery;
+  };
+
+  const std::size_t messages_;
+  int event_ = -1;  ///< eventfd: readable when something came or someone woke us
+  mutable std::mutex mutex_;
+  // Guarded by mutex_:
+  std::uint64_t arrived_ = 0;
+  std::deque<Waiting> small_;
+  std::deque<Waiting> bulk_;
+  std::size_t bulk_bytes_ = 0;
+  BusCounters counters_;
+};
+
+}  // namespace weft::bus

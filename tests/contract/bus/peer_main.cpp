@@ -1,0 +1,119 @@
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "idl/bus/backends.hpp"
+#include "tests/contract/bus/frames.hpp"
+
+/// A bus in a process of its own, driven over stdin and stdout by the contract tests' RemoteBus:
+/// weft-bus-peer VENDOR ROLE HEX_ID DOMAIN SERVER [lax]. `lax` sends what the topic table's bounds forbid.
+namespace weft::contract {
+namespace {
+
+using bus::Bus;
+
+bus::BusConfig config_from(char** arguments) {
+  bus::BusConfig config;
+  config.role = std::strcmp(arguments[2], "client") == 0 ? msg::Role::client : msg::Role::agent;
+  parse_hex(arguments[3], config.self.bytes.data(), config.self.bytes.size());
+  config.domain = static_cast<unsigned>(std::strtoul(arguments[4], nullptr, 10));
+  config.servers = {arguments[5]};
+  return config;
+}
+
+Result<std::unique_ptr<Bus>> open_from(int count, char** arguments) {
+  std::array<bus::Topic, bus::kTopics> table{};
+  std::copy(bus::topics().begin(), bus::topics().end(), table.begin());
+  constexpr std::uint32_t kLax = 16;
+  if (count > 6 && std::strcmp(arguments[6], "lax") == 0) {
+    for (bus::Topic& topic : table) topic.max_bytes *= kLax;
+  }
+  const bus::BusConfig config = config_from(arguments);
+  return std::strcmp(arguments[1], "fastdds") == 0 ? bus::open_fastdds(config, table)
+                                                   : bus::open_cyclonedds(config, table);
+}
+
+Frame answer(Bus& bus, const Frame& frame) {
+  if (frame.op == Op::forget) {
+    bus.forget(frame.peer);
+    return {Op::result, kNoError, {}, {}};
+  }
+  if (frame.op == Op::ask_counters) {
+    const bus::BusCounters counters = bus.counters();
+    Frame reply{Op::counters, 0, {}, Bytes(sizeof counters)};
+    std::memcpy(reply.bytes.data(), &counters, sizeof counters);
+    return reply;
+  }
+  const Result<void> done = bus.publish(bus::TopicId{frame.number}, frame.peer, frame.bytes);
+  if (done) return {Op::result, kNoError, {}, {}};
+  return {Op::result, static_cast<std::uint8_t>(done.error().code), {}, bytes_of(done.error().message)};
+}
+
+/// Orders come in on a thread of their own; the bus belongs to the main thread.
+class Orders {
+ public:
+  void put(Frame frame) {
+    const std::lock_guard lock(mutex_);
+    frames_.push_back(std::move(frame));
+  }
+  std::optional<Frame> take() {
+    const std::lock_guard lock(mutex_);
+    if (frames_.empty()) return std::nullopt;
+    Frame first = std::move(frames_.front());
+    frames_.pop_front();
+    return first;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<Frame> frames_;
+};
+
+void relay(Bus& bus) {
+  Orders orders;
+  std::atomic<bool> gone = false;
+  const std::jthread reader([&] {
+    while (std::optional<Frame> frame = read_frame(STDIN_FILENO)) {
+      orders.put(std::move(*frame));
+      bus.wake();
+    }
+    gone = true;
+    bus.wake();
+  });
+  while (!gone) {
+    bus.wait(std::chrono::seconds(1));
+    while (const std::optional<Frame> order = orders.take()) write_frame(STDOUT_FILENO, answer(bus, *order));
+    while (std::optional<bus::Delivery> delivery = bus.take()) {
+      write_frame(STDOUT_FILENO,
+                  {Op::delivery, static_cast<std::uint8_t>(delivery->topic), {}, std::move(delivery->cdr)});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weft::contract
+
+int main(int count, char** arguments) {
+  using namespace weft::contract;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGPIPE, SIG_IGN);
+  if (count < 6) {
+    std::fputs("usage: weft-bus-peer VENDOR ROLE HEX_ID DOMAIN SERVER [lax]\n", stderr);
+    return 2;
+  }
+  auto bus = open_from(count, arguments);
+  if (!bus) {
+    write_frame(STDOUT_FILENO, {Op::failed, 0, {}, bytes_of(bus.error().message)});
+    return 1;
+  }
+  write_frame(STDOUT_FILENO, {Op::opened, 0, {}, {}});
+  relay(**bus);
+  return 0;
+}
