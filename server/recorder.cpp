@@ -36,7 +36,12 @@ Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
 
 void Recorder::note(msg::Event event, Now now) {
   event.at = now.wall;
-  if (!broken_ && !store_.commit({{storage::PutEvent{event}}})) ++counters_["store: event told but not kept"];
+  const Result<storage::Commit> kept =
+      broken_ ? Result<storage::Commit>(fail(*broken_)) : store_.commit({{storage::PutEvent{event}}});
+  if (!kept) {
+    ++counters_["store: event told but not kept"];
+    failed(kept.error(), now);
+  }
   tell(event);
 }
 

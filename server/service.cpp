@@ -11,7 +11,6 @@
 #include "server/desk/desk.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/fleet/fleet.hpp"
-#include "server/fleet/protocol.hpp"
 #include "server/intake/intake.hpp"
 #include "server/keeper/subscriptions.hpp"
 #include "server/library/shelf.hpp"

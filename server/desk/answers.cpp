@@ -59,8 +59,6 @@ std::vector<msg::QueryReply> Answers::robots(SteadyTime now) const {
     if (robot.state) row.state = *robot.state;
     row.description.name = robot.name;
     row.description.header.sender = id;
-    row.state.name = robot.name;
-    row.state.header.sender = id;
     row.silent_s = seconds(now - robot.heard);
     row.vendor = robot.vendor;
     row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);

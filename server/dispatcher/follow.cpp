@@ -71,7 +71,7 @@ void Dispatcher::send_order(const RobotId& robot, Errand& errand, SteadyTime now
   Route route = *book_.route(errand.goal);
   if (errand.ending) {
     // To end it, the robot needs to know which, and why.
-    route.places.resize(1);
+    route.places.clear();
     route.relations.clear();
     route.released = 0;
   } else {
@@ -92,8 +92,6 @@ void Dispatcher::end_unknown(const RobotId& robot, const GoalId& goal, const Rou
   route.robot = robot;
   route.ended = true;
   route.reason = "its goal is over";
-  const Goal* const found = book_.find(goal);
-  route.places = {found != nullptr && found->to ? found->to : PlaceId{.experience = {1}, .index = 0}};
   context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
 }
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "server/fleet/protocol.hpp"
+#include "core/protocol/version.hpp"
 
 namespace weft::server {
 namespace {
@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
+constexpr std::size_t kListed = 20;  ///< names in an error
 }  // namespace
 
 std::string unreachable_reason(const Robot& robot) {
@@ -45,7 +46,7 @@ Robot& Fleet::entry(const RobotId& id, Now now) {
 }
 
 bool Fleet::on_hello(const msg::Hello& hello, Now now) {
-  const Result<std::uint16_t> version = negotiate(hello);
+  const Result<std::uint16_t> version = msg::negotiate({}, hello);
   if (!version) {
     ++context_.counters["hello: no protocol version in common"];
     const bool is_new = refused_.size() < kMostRobots && refused_.insert(hello.peer).second;
@@ -184,8 +185,9 @@ Result<RobotId> Fleet::by_name(const std::string& text) const {
   if (text.size() == 2 * id.bytes.size() && parse_hex(text, id.bytes.data(), id.bytes.size()) && find(id)) return id;
   const Robot* named = nullptr;
   std::string known;
+  std::size_t listed = 0;
   for (const auto& [each, robot] : robots_) {
-    known += (known.empty() ? "" : ", ") + robot.name;
+    if (++listed <= kListed) known += (known.empty() ? "" : ", ") + robot.name;
     if (robot.name != text) continue;
     if (named != nullptr) {
       return fail(ErrorCode::refused, "two robots are named " + text + ": " + to_string(named->id) + " and " +

@@ -20,15 +20,28 @@ double clearance_m(const Relation& relation) {
   return std::max(0.0, distance_m(relation) - kSigmas * sigma_m);
 }
 
-std::vector<Near> search(const Snapshot& snapshot, const PlaceId& centre, double radius_m) {
+/// The way between two places that lie side by side leads along one run to a stitch and back along the other: it is
+/// looked this much further than what counts as near.
+double search_radius_m(double radius_m) {
+  return 2 * radius_m + 1.0;
+}
+
+bool holds(const std::vector<PlaceId>& sorted, const PlaceId& place) {
+  return std::binary_search(sorted.begin(), sorted.end(), place);
+}
+
+}  // namespace
+
+Nearness::Found Nearness::search(const Snapshot& snapshot, const PlaceId& centre) const {
   struct Open {
     PlaceId place;
     Relation centre_from_place;
   };
-  std::vector<Near> found = {{.place = centre, .clearance_m = 0.0}};
+  Found found;
+  found.near = {{.place = centre, .clearance_m = 0.0}};
   std::set<PlaceId> seen = {centre};
   std::deque<Open> open = {{.place = centre, .centre_from_place = Metric2{}}};
-  while (!open.empty() && found.size() < kMostPlaces) {
+  while (!open.empty() && seen.size() < kMostPlaces) {
     const Open here = open.front();
     open.pop_front();
     snapshot.for_each_edge(here.place, [&](const Edge& edge) {
@@ -37,28 +50,21 @@ std::vector<Near> search(const Snapshot& snapshot, const PlaceId& centre, double
       const Relation edge_relation = relation_from(edge, here.place);
       const Relation relation = here.place == centre ? edge_relation : compose(here.centre_from_place, edge_relation);
       const double clearance = clearance_m(relation);
-      if (clearance > radius_m) return;
-      found.push_back({.place = next, .clearance_m = clearance});
-      open.push_back({.place = next, .centre_from_place = relation});
+      if (clearance <= radius_m_) found.near.push_back({.place = next, .clearance_m = clearance});
+      if (clearance <= search_radius_m(radius_m_)) open.push_back({.place = next, .centre_from_place = relation});
     });
   }
-  std::sort(found.begin(), found.end(), [](const Near& a, const Near& b) { return a.place < b.place; });
+  found.seen = {seen.begin(), seen.end()};
+  std::sort(found.near.begin(), found.near.end(), [](const Near& a, const Near& b) { return a.place < b.place; });
   return found;
 }
 
-bool holds(const std::vector<Near>& found, const PlaceId& place) {
-  return std::binary_search(found.begin(), found.end(), Near{.place = place},
-                            [](const Near& a, const Near& b) { return a.place < b.place; });
-}
-
-}  // namespace
-
 const std::vector<Near>& Nearness::around(const Snapshot& snapshot, const PlaceId& place) {
   const auto known = found_.find(place);
-  if (known != found_.end()) return known->second;
+  if (known != found_.end()) return known->second.near;
   static const std::vector<Near> nothing;
   if (snapshot.place(place) == nullptr) return nothing;
-  return found_.emplace(place, search(snapshot, place, radius_m_)).first->second;
+  return found_.emplace(place, search(snapshot, place)).first->second.near;
 }
 
 void Nearness::joined(const Batch& batch) {
@@ -69,7 +75,7 @@ void Nearness::joined(const Batch& batch) {
   }
   std::erase_if(found_, [&](const auto& entry) {
     return std::any_of(touched.begin(), touched.end(),
-                       [&](const PlaceId& place) { return holds(entry.second, place); });
+                       [&](const PlaceId& place) { return holds(entry.second.seen, place); });
   });
 }
 

@@ -28,8 +28,14 @@ class Nearness {
   void look_at_least(double radius_m);
 
  private:
+  struct Found {
+    std::vector<Near> near;
+    std::vector<PlaceId> seen;  ///< everything the search came by, sorted: an edge there may change the result
+  };
+  Found search(const Snapshot& snapshot, const PlaceId& centre) const;
+
   double radius_m_;
-  std::map<PlaceId, std::vector<Near>> found_;
+  std::map<PlaceId, Found> found_;
 };
 
 }  // namespace weft::server

@@ -1,0 +1,142 @@
+#include "server/process/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+/// As given on the command line; none: not given.
+struct Flags {
+  std::string config;
+  std::optional<std::string> store, name, dds, listen;
+  std::optional<unsigned> domain, index;
+  std::optional<double> robot_silent_after_s;
+};
+
+void declare(CLI::App& app, Flags& flags) {
+  app.set_version_flag("--version", "weft-server " WEFT_VERSION);
+  app.add_option("--config", flags.config, "TOML file with any of the settings below (store = \"DIR\", ...)");
+  app.add_option("--store", flags.store, "Directory of the map; made if it is not there. Required here or in FILE");
+  app.add_option("--dds", flags.dds, "fastdds | cyclonedds [fastdds]");
+  app.add_option("--domain", flags.domain, "DDS domain, 0 to 200 [0]");
+  app.add_option("--listen", flags.listen, "Address of the interface to bind to [127.0.0.1]");
+  app.add_option("--index", flags.index, "Participant index, 0 to 100; fixes the ports that peers dial [0]");
+  app.add_option("--name", flags.name, "What people call this server [server]");
+  app.add_option("--robot-silent-after-s", flags.robot_silent_after_s,
+                 "Seconds after which a robot counts as silent, over 0 to 3600 [5]");
+}
+
+template <class T>
+std::string toml_value(const T& value) {
+  std::ostringstream text;
+  if constexpr (std::is_same_v<T, std::string>) {
+    text << '"' << value << '"';
+  } else {
+    text << value;
+  }
+  return text.str();
+}
+
+/// The file's settings as TOML text, the flags' put over them: bounds are stated once, for both.
+Result<std::string> merged(const Flags& flags) {
+  if (flags.config.empty()) return std::string();
+  std::ifstream in(flags.config, std::ios::binary);
+  if (!in) return fail(ErrorCode::unavailable, "cannot read the configuration " + flags.config);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+template <class T>
+void lay_over(std::string& text, const char* key, const std::optional<T>& flag) {
+  if (flag) text += std::string(key) + " = " + toml_value(*flag) + "\n";
+}
+
+Options read(const config::Table& table) {
+  Options options;
+  options.store = table.text("store", "", 4096);
+  options.name = table.text("name", "server", 64);
+  const std::string vendor = table.choice("dds", "fastdds", {"fastdds", "cyclonedds"});
+  options.vendor = vendor == "cyclonedds" ? bus::Vendor::cyclonedds : bus::Vendor::fastdds;
+  options.domain = static_cast<unsigned>(table.integer("domain", 0, 0, 200));
+  options.listen = table.text("listen", "127.0.0.1", 64);
+  options.index = static_cast<unsigned>(table.integer("index", 0, 0, 100));
+  options.robot_silent_after_s = table.number("robot_silent_after_s", 5.0, 0.001, 3600.0);
+  options.effective = table.effective();
+  return options;
+}
+
+/// What the flags say wins, setting by setting.
+void override_with(Options& options, const Options& given, const Flags& flags) {
+  if (flags.store) options.store = given.store;
+  if (flags.name) options.name = given.name;
+  if (flags.dds) options.vendor = given.vendor;
+  if (flags.domain) options.domain = given.domain;
+  if (flags.listen) options.listen = given.listen;
+  if (flags.index) options.index = given.index;
+  if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
+  for (config::Setting& setting : options.effective) {
+    for (const config::Setting& other : given.effective) {
+      if (other.key == setting.key && !other.is_default) setting = other;
+    }
+  }
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n')) text.replace(at, 1, "; ");
+  return text;
+}
+
+Leave failed(const Error& error, int exit_code) {
+  return {.exit_code = exit_code, .text = "weft-server: " + one_line(error.message) + "\n"};
+}
+
+}  // namespace
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+  CLI::App app("The fleet map server: keeps the network of all robots and leads their goals.", "weft-server");
+  Flags flags;
+  declare(app, flags);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return Leave{.exit_code = 0, .text = app.help()};
+  } catch (const CLI::CallForVersion&) {
+    return Leave{.exit_code = 0, .text = app.version() + "\n"};
+  } catch (const CLI::ParseError& error) {
+    return Leave{.exit_code = kUsage,
+                 .text = "weft-server: " + one_line(error.what()) + "; weft-server --help lists the flags\n"};
+  }
+  const Result<std::string> file = merged(flags);
+  if (!file) return failed(file.error(), kFailed);
+  const config::Table from_file = config::parse(*file, flags.config.empty() ? "configuration" : flags.config);
+  Options options = read(from_file);
+  if (const Result<void> good = from_file.result(); !good) return failed(good.error(), kFailed);
+
+  std::string text;
+  lay_over(text, "store", flags.store);
+  lay_over(text, "name", flags.name);
+  lay_over(text, "dds", flags.dds);
+  lay_over(text, "domain", flags.domain);
+  lay_over(text, "listen", flags.listen);
+  lay_over(text, "index", flags.index);
+  lay_over(text, "robot_silent_after_s", flags.robot_silent_after_s);
+  const config::Table from_flags = config::parse(text, "command line");
+  const Options given = read(from_flags);
+  if (const Result<void> good = from_flags.result(); !good) return failed(good.error(), kUsage);
+  override_with(options, given, flags);
+  if (options.store.empty()) {
+    return failed({ErrorCode::invalid, "no store is named: --store DIR (or store = \"DIR\" in the configuration)"},
+                  kUsage);
+  }
+  return options;
+}
+
+}  // namespace weft::server

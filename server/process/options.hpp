@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/config/config.hpp"
+#include "core/result.hpp"
+#include "idl/bus/bus.hpp"
+
+namespace weft::server {
+
+/// All settings of the process. A flag wins over the file, the file over the default.
+struct Options {
+  std::string store;
+  std::string name;
+  bus::Vendor vendor{};
+  unsigned domain = 0;
+  std::string listen;
+  unsigned index = 0;
+  double robot_silent_after_s = 0.0;
+  std::vector<config::Setting> effective;  ///< for the log
+};
+
+/// The command line asked for something to be printed, or was wrong: what to print, and the exit code.
+struct Leave {
+  int exit_code = 0;
+  std::string text;
+};
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+
+}  // namespace weft::server

@@ -1,0 +1,165 @@
+#include "server/process/run.hpp"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "idl/bus/link.hpp"
+#include "server/process/identity.hpp"
+#include "server/service.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr int kMessagesATurn = 256;
+constexpr Duration kLongestSleep = 1s;
+constexpr std::size_t kRefusalsLogged = 10;  ///< a turn
+
+Now now() {
+  return {.steady = SteadyTime(std::chrono::steady_clock::now().time_since_epoch()),
+          .wall = WallTime(std::chrono::system_clock::now().time_since_epoch())};
+}
+
+/// Waits for SIGINT and SIGTERM in a thread of its own, which is the only one that gets them: construct it before any
+/// other thread.
+class StopSignal {
+ public:
+  StopSignal() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  }
+  /// `bus` is woken once when a signal has come.
+  void watch(bus::Bus& bus) {
+    watcher_ = std::jthread([this, &bus](const std::stop_token& stop) {
+      const timespec moment = {.tv_sec = 0, .tv_nsec = 200'000'000};
+      while (!stop.stop_requested()) {
+        if (sigtimedwait(&signals_, nullptr, &moment) < 0) continue;
+        asked_ = true;
+        bus.wake();
+        return;
+      }
+    });
+  }
+  bool asked() const { return asked_; }
+
+ private:
+  sigset_t signals_{};
+  std::atomic<bool> asked_ = false;  // shared
+  std::jthread watcher_;             // last member: stops first
+};
+
+/// Carries messages between the bus and the service, in this thread.
+class Loop {
+ public:
+  Loop(Service& service, bus::Link& link, spdlog::logger& log) : service_(service), link_(link), log_(log) {}
+
+  Result<void> until(const StopSignal& stop) {
+    send(service_.tick(now()));
+    while (!stop.asked()) {
+      const std::optional<SteadyTime> next = service_.next_tick();
+      const Duration sleep =
+          next ? std::clamp<Duration>(*next - now().steady, Duration{}, kLongestSleep) : kLongestSleep;
+      if (sleep > Duration{}) link_.wait(sleep);
+      for (int i = 0; i < kMessagesATurn; ++i) {
+        const std::optional<msg::Message> message = link_.take();
+        if (!message) break;
+        send(service_.handle(*message, now()));
+      }
+      if (const auto due = service_.next_tick(); due && *due <= now().steady) send(service_.tick(now()));
+      report_refusals();
+      if (const std::optional<Error> broken = service_.broken()) return fail(*broken);
+    }
+    return {};
+  }
+
+ private:
+  void send(const std::vector<msg::Message>& messages) {
+    for (const msg::Message& message : messages) {
+      if (const auto* const note = std::get_if<msg::EventNote>(&message)) {
+        log_.info("{}: {} ({})", note->event.kind, note->event.cause, note->event.who);
+      }
+      // What is not sent is repeated by the service, like what is lost on the way.
+      if (const Result<void> sent = link_.send(message); !sent) {
+        service_.count("bus: not sent, " + std::string(to_string(sent.error().code)), 1);
+        log_.debug("not sent: {}", sent.error().message);
+      }
+    }
+  }
+
+  void report_refusals() {
+    for (const auto& [what, times] : link_.refusals()) {
+      std::uint64_t& told = told_[what];
+      if (times > told) service_.count(what, times - told);
+      told = times;
+    }
+    std::size_t logged = 0;
+    for (const std::string& text : link_.drain_refusal_texts()) {
+      if (++logged <= kRefusalsLogged) log_.warn("refused: {}", text);
+    }
+  }
+
+  Service& service_;
+  bus::Link& link_;
+  spdlog::logger& log_;
+  std::map<std::string, std::uint64_t> told_;
+};
+
+void log_settings(spdlog::logger& log, const Options& options) {
+  std::istringstream lines(config::to_text(options.effective));
+  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+}
+
+}  // namespace
+
+Result<void> run(const Options& options) {
+  StopSignal stop;
+  spdlog::logger log("weft-server", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  log.flush_on(spdlog::level::info);
+  log_settings(log, options);
+
+  const Result<PeerId> self = load_identity(options.store);
+  if (!self) return fail(self.error());
+  Result<std::unique_ptr<storage::MapStore>> store = storage::open_sqlite(options.store);
+  if (!store) return fail(store.error());
+  Result<std::unique_ptr<bus::Bus>> opened = bus::open(options.vendor, {.role = msg::Role::server,
+                                                                        .self = *self,
+                                                                        .domain = options.domain,
+                                                                        .listen = options.listen,
+                                                                        .servers = {},
+                                                                        .server_index = options.index});
+  if (!opened) return fail(opened.error());
+  bus::Link link(*std::move(opened));
+
+  Random random = random_from_machine();
+  ServiceConfig config;
+  config.self = *self;
+  config.incarnation = random.next() | 1U;
+  config.name = options.name;
+  config.software = WEFT_VERSION;
+  config.vendor = link.bus().vendor();
+  config.robot_silent_after_s = options.robot_silent_after_s;
+  Result<std::unique_ptr<Service>> service = start(config, **store, random, now());
+  if (!service) return fail(service.error());
+
+  stop.watch(link.bus());
+  log.info("ready: store {}, {} on {}, domain {}, index {}", options.store, config.vendor, options.listen,
+           options.domain, options.index);
+  const Result<void> served = Loop(**service, link, log).until(stop);
+  if (served) log.info("stopped");
+  return served;
+}
+
+}  // namespace weft::server

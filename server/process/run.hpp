@@ -1,0 +1,11 @@
+#pragma once
+#include "core/result.hpp"
+#include "server/process/options.hpp"
+
+namespace weft::server {
+
+/// The process's life after its options: opens store and bus, serves until SIGINT or SIGTERM. An error is the reason
+/// for which it could not start or had to end.
+Result<void> run(const Options& options);
+
+}  // namespace weft::server

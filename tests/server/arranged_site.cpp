@@ -1,0 +1,250 @@
+#include "tests/server/arranged_site.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/network/codec.hpp"
+
+namespace weft::server::test {
+
+RobotId robot_id(std::uint8_t number) {
+  RobotId id;
+  id.bytes[0] = number;
+  return id;
+}
+
+GoalId goal_id(std::uint8_t number) {
+  GoalId id;
+  id.bytes[0] = number;
+  return id;
+}
+
+namespace {
+
+Metric2 metric(double x, double y) {
+  Metric2 relation;
+  relation.a_from_b = {x, y, 0.0};
+  relation.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
+  return relation;
+}
+
+}  // namespace
+
+Handed TaughtRun::next(std::uint32_t places, std::size_t content_bytes) {
+  Handed handed;
+  Batch& batch = handed.batch;
+  batch.experience = experience_;
+  batch.sequence = ++sequence_;
+  batch.robot = robot_;
+  batch.name = "run";
+  batch.method = "marks";
+  for (std::uint32_t i = 0; i < places; ++i, ++places_) {
+    Bytes content(content_bytes, static_cast<std::uint8_t>(places_));
+    content[0] = static_cast<std::uint8_t>(experience_.value);
+    Place place;
+    place.id = {experience_, places_};
+    place.method = "marks";
+    place.content = {hash_bytes(content), content.size()};
+    place.robot = robot_;
+    place.frame = places_;
+    if (places_ > 0) {
+      Edge edge;
+      edge.id = {{experience_, places_ - 1}, {experience_, places_}};
+      edge.a_from_b = metric(spacing_m_, 0.0);
+      edge.method = "marks";
+      batch.edges.push_back(edge);
+    }
+    batch.places.push_back(std::move(place));
+    handed.contents.push_back(std::move(content));
+  }
+  return handed;
+}
+
+Handed TaughtRun::seal() {
+  Handed handed = next(0);
+  handed.batch.seal = true;
+  handed.batch.seal_reason = "the operator ended it";
+  return handed;
+}
+
+Edge stitch(const PlaceId& older, const PlaceId& newer, double x, double y) {
+  Edge edge;
+  edge.id = {older, newer};
+  edge.a_from_b = metric(x, y);
+  edge.origin = Origin::stitch;
+  edge.method = "marks";
+  edge.drivable = Drivable::both;
+  edge.inliers = 20;
+  edge.overlap = 0.8F;
+  return edge;
+}
+
+Site::Site(std::shared_ptr<storage::MemoryDisk> on) : disk(std::move(on)) {
+  start_server();
+}
+
+void Site::start_server() {
+  store_ = storage::make_memory_store(disk);
+  ServiceConfig config;
+  config.self = robot_id(255);
+  config.incarnation = ++starts_;
+  config.software = "test";
+  config.vendor = "inprocess";
+  Result<std::unique_ptr<Service>> started = start(config, *store_, Random(42 + starts_), now);
+  ASSERT_TRUE(started) << started.error().message;
+  service_ = *std::move(started);
+  take(service_->tick(now));
+}
+
+void Site::restart() {
+  service_.reset();
+  said_.clear();
+  start_server();
+}
+
+void Site::take(std::vector<msg::Message> messages) {
+  std::move(messages.begin(), messages.end(), std::back_inserter(said_));
+}
+
+void Site::say(const msg::Message& message) {
+  take(service_->handle(message, now));
+}
+
+void Site::pass(Duration duration) {
+  const SteadyTime end = now.steady + duration;
+  const WallTime wall_end = now.wall + duration;
+  for (int turns = 0; turns < 100'000; ++turns) {
+    const std::optional<SteadyTime> next = service_->next_tick();
+    if (!next || *next > end) break;
+    const SteadyTime at = std::max(*next, now.steady);
+    now.wall += at - now.steady;
+    now.steady = at;
+    take(service_->tick(now));
+  }
+  now = {.steady = end, .wall = wall_end};
+}
+
+void Site::hello(Peer& robot) {
+  msg::Hello hello;
+  hello.peer = robot.id;
+  hello.incarnation = robot.incarnation;
+  hello.role = msg::Role::agent;
+  hello.name = robot.name;
+  hello.vendor = "inprocess";
+  say(hello);
+}
+
+void Site::arrive(Peer& robot, const std::optional<PlaceId>& place) {
+  hello(robot);
+  msg::RobotDescription description;
+  description.header = robot.header();
+  description.name = robot.name;
+  description.body = "sim";
+  description.methods = {"marks"};
+  say(description);
+  say(state(robot, place));
+}
+
+msg::RobotState Site::state(Peer& robot, const std::optional<PlaceId>& place) const {
+  msg::RobotState state;
+  state.header = robot.header();
+  state.name = robot.name;
+  state.localised = place.has_value();
+  state.place = place.value_or(PlaceId{});
+  return state;
+}
+
+void Site::progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed) {
+  msg::RouteProgress progress;
+  progress.header = robot.header();
+  progress.goal = route.goal;
+  progress.route = route.id;
+  progress.version = route.version;
+  progress.phase = phase;
+  progress.at = freed;
+  progress.freed = freed;
+  progress.released = route.released;
+  say(progress);
+}
+
+void Site::send_batch(Peer& robot, const Batch& batch) {
+  say(msg::ExperienceBatch{.header = robot.header(), .batch = batch});
+}
+
+void Site::send_content(Peer& robot, const Bytes& bytes) {
+  const ContentHash hash = hash_bytes(bytes);
+  for (std::size_t offset = 0; offset < bytes.size(); offset += msg::kChunkBytes) {
+    const std::size_t size = std::min(msg::kChunkBytes, bytes.size() - offset);
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+    msg::Chunk chunk;
+    chunk.header = robot.header();
+    chunk.hash = hash;
+    chunk.total = bytes.size();
+    chunk.offset = offset;
+    chunk.data = Bytes(begin, begin + static_cast<std::ptrdiff_t>(size));
+    say(chunk);
+  }
+}
+
+void Site::hand_in(Peer& robot, const Handed& handed) {
+  send_batch(robot, handed.batch);
+  for (const Bytes& content : handed.contents) send_content(robot, content);
+}
+
+void Site::label(const std::string& name, const PlaceId& place) {
+  msg::OperatorRequest label = request(msg::OperatorRequest::Kind::label);
+  label.label = name;
+  label.place = place;
+  const msg::OperatorReply reply = ask(label);
+  ASSERT_EQ(reply.outcome, msg::Outcome::done) << reply.message;
+}
+
+msg::OperatorRequest Site::request(msg::OperatorRequest::Kind kind) {
+  msg::OperatorRequest request;
+  request.header = client.header();
+  request.request = ++request_;
+  request.kind = kind;
+  return request;
+}
+
+msg::OperatorReply Site::ask(const msg::OperatorRequest& request) {
+  say(request);
+  msg::OperatorReply found;
+  bool is_answered = false;
+  for (const msg::OperatorReply& reply : heard<msg::OperatorReply>()) {
+    if (reply.request != request.request || reply.to != request.header.sender) continue;
+    found = reply;
+    is_answered = true;
+  }
+  EXPECT_TRUE(is_answered) << "no answer to request " << request.request;
+  return found;
+}
+
+msg::OperatorReply Site::send_goal(std::uint8_t number, const std::string& label, const std::string& robot) {
+  msg::OperatorRequest send = request(msg::OperatorRequest::Kind::goal_send);
+  send.goal = goal_id(number);
+  send.label = label;
+  send.robot = robot;
+  return ask(send);
+}
+
+const Goal& Site::goal(std::uint8_t number) {
+  found_ = Goal{};
+  for (const Goal& goal : service_->goals()) {
+    if (goal.id == goal_id(number)) found_ = goal;
+  }
+  EXPECT_EQ(found_.id, goal_id(number)) << "there is no such goal";
+  return found_;
+}
+
+std::vector<std::string> Site::events_of(const std::string& kind) const {
+  std::vector<std::string> causes;
+  for (const msg::Event& event : disk->events) {
+    if (event.kind == kind) causes.push_back(event.cause);
+  }
+  return causes;
+}
+
+}  // namespace weft::server::test

@@ -1,0 +1,121 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/network/change.hpp"
+#include "server/service.hpp"
+#include "storage/memory/memory_store.hpp"
+
+/// A server on a disk in memory, driven message by message, with both clocks in the test's hand.
+namespace weft::server::test {
+
+using namespace std::chrono_literals;
+
+RobotId robot_id(std::uint8_t number);
+GoalId goal_id(std::uint8_t number);
+
+/// One peer's voice: stamps its headers.
+struct Peer {
+  PeerId id;
+  std::uint64_t incarnation = 1;
+  std::uint64_t sequence = 0;
+  std::string name;
+
+  msg::Header header() { return {id, incarnation, {}, ++sequence, {}}; }
+};
+
+/// A batch and the bytes of its places' contents.
+struct Handed {
+  Batch batch;
+  std::vector<Bytes> contents;
+};
+
+/// A straight run of places, `spacing_m` apart, handed in batch by batch.
+class TaughtRun {
+ public:
+  TaughtRun(const Peer& robot, std::uint64_t experience, double spacing_m = 0.5)
+      : robot_(robot.id), experience_{experience}, spacing_m_(spacing_m) {}
+  Handed next(std::uint32_t places, std::size_t content_bytes = 100);
+  Handed seal();
+  PlaceId place(std::uint32_t index) const { return {experience_, index}; }
+  ExperienceId id() const { return experience_; }
+
+ private:
+  RobotId robot_;
+  ExperienceId experience_;
+  double spacing_m_;
+  std::uint64_t sequence_ = 0;
+  std::uint32_t places_ = 0;
+};
+/// older_from_newer: `newer` lies at (x, y) of `older`.
+Edge stitch(const PlaceId& older, const PlaceId& newer, double x = 0.0, double y = 0.0);
+
+class Site {
+ public:
+  explicit Site(std::shared_ptr<storage::MemoryDisk> disk = std::make_shared<storage::MemoryDisk>());
+
+  /// The server ends at once and is started again on the same disk.
+  void restart();
+  void say(const msg::Message& message);
+  /// Lets time pass, with every tick in its place.
+  void pass(Duration duration);
+
+  // A robot's usual words.
+  void hello(Peer& robot);
+  /// Hello, description, and a state when a place is given.
+  void arrive(Peer& robot, const std::optional<PlaceId>& place);
+  msg::RobotState state(Peer& robot, const std::optional<PlaceId>& place) const;
+  void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0);
+  /// The batch and all its contents.
+  void hand_in(Peer& robot, const Handed& handed);
+  void send_batch(Peer& robot, const Batch& batch);
+  void send_content(Peer& robot, const Bytes& bytes);
+  void label(const std::string& name, const PlaceId& place);
+
+  // An operator's.
+  msg::OperatorRequest request(msg::OperatorRequest::Kind kind);
+  msg::OperatorReply ask(const msg::OperatorRequest& request);
+  msg::OperatorReply send_goal(std::uint8_t number, const std::string& label, const std::string& robot = "");
+
+  const Goal& goal(std::uint8_t number);
+  std::vector<std::string> events_of(const std::string& kind) const;
+
+  /// All messages of a kind that were said since the last `hush`.
+  template <class M>
+  std::vector<M> heard() const {
+    std::vector<M> found;
+    for (const msg::Message& message : said_) {
+      if (const auto* const one = std::get_if<M>(&message)) found.push_back(*one);
+    }
+    return found;
+  }
+  template <class M>
+  std::optional<M> last() const {
+    const std::vector<M> all = heard<M>();
+    if (all.empty()) return std::nullopt;
+    return all.back();
+  }
+  void hush() { said_.clear(); }
+
+  std::shared_ptr<storage::MemoryDisk> disk;
+  Service& service() { return *service_; }
+  Now now{.steady = SteadyTime(1000s), .wall = WallTime(5000s)};
+  Peer client{.id = robot_id(200), .incarnation = 7, .sequence = 0, .name = "anna"};
+
+ private:
+  void start_server();
+  void take(std::vector<msg::Message> messages);
+
+  std::unique_ptr<storage::MapStore> store_;
+  std::unique_ptr<Service> service_;
+  std::vector<msg::Message> said_;
+  std::uint64_t starts_ = 0;
+  std::uint64_t request_ = 0;
+  Goal found_;
+};
+
+}  // namespace weft::server::test

@@ -1,0 +1,279 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/server/arranged_site.hpp"
+
+namespace weft::server::test {
+namespace {
+
+using Kind = msg::OperatorRequest::Kind;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+struct GoalLife : testing::Test {
+  GoalLife() {
+    site.arrive(r1, std::nullopt);
+    site.hand_in(r1, run.next(40));
+    site.label("dock", run.place(39));
+    site.hush();
+  }
+  Route order() { return site.last<msg::RouteOrder>().value().route; }
+  msg::OperatorReply cancel(std::uint8_t number) {
+    msg::OperatorRequest cancel = site.request(Kind::goal_cancel);
+    cancel.goal = goal_id(number);
+    return site.ask(cancel);
+  }
+  /// r1 has goal 1 and drives.
+  Route start() {
+    site.say(site.state(r1, run.place(0)));
+    site.send_goal(1, "dock", "r1");
+    site.pass(1s);
+    const Route route = order();
+    site.progress(r1, route, msg::RoutePhase::accepted);
+    return route;
+  }
+  /// r1 says that it follows nothing, and stands there.
+  void stand(const PlaceId& place) { site.say(site.state(r1, place)); }
+  msg::RobotState driving(const Route& route, const PlaceId& place) {
+    msg::RobotState state = site.state(r1, place);
+    state.mode = msg::RobotMode::driving;
+    state.goal = route.goal;
+    state.route = route.id;
+    state.route_version = route.version;
+    return state;
+  }
+
+  Site site;
+  Peer r1{.id = robot_id(1), .name = "r1"};
+  TaughtRun run{r1, 10};
+};
+
+TEST_F(GoalLife, FromAskedForToSucceeded) {
+  site.say(site.state(r1, run.place(2)));
+  const msg::OperatorReply reply = site.send_goal(1, "dock");
+  EXPECT_EQ(reply.outcome, msg::Outcome::accepted);
+  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
+  const Route route = order();
+  EXPECT_EQ(route.places.front(), run.place(2));
+  EXPECT_EQ(route.places.back(), run.place(39));
+  EXPECT_EQ(route.released, 37U);
+  EXPECT_EQ(route.version, 1U);
+  site.progress(r1, route, msg::RoutePhase::driving, 3);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  site.progress(r1, route, msg::RoutePhase::arrived, 30);
+  EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
+  EXPECT_TRUE(order().ended);
+  std::vector<GoalState> life;
+  for (const GoalEvent& event : site.goal(1).history) life.push_back(event.state);
+  EXPECT_THAT(life, testing::ElementsAre(GoalState::pending, GoalState::assigned, GoalState::executing,
+                                         GoalState::succeeded));
+  EXPECT_THAT(site.events_of("goal.succeeded"), SizeIs(1));
+}
+
+TEST_F(GoalLife, AcceptedMeansStored) {
+  site.disk->faults.full = true;
+  EXPECT_EQ(site.send_goal(1, "dock").outcome, msg::Outcome::refused);
+  EXPECT_THAT(site.service().goals(), IsEmpty());
+  site.disk->faults.full = false;
+  EXPECT_EQ(site.send_goal(2, "dock").outcome, msg::Outcome::accepted);
+  EXPECT_TRUE(site.disk->goals.contains(goal_id(2)));
+}
+
+TEST_F(GoalLife, UnknownLabelAndRobotAreRejectedAtOnce) {
+  const msg::OperatorReply nowhere = site.send_goal(1, "moon");
+  EXPECT_EQ(nowhere.outcome, msg::Outcome::refused);
+  EXPECT_THAT(nowhere.message, HasSubstr("moon"));
+  EXPECT_THAT(nowhere.message, HasSubstr("dock"));
+  EXPECT_EQ(site.goal(1).state, GoalState::rejected);
+  const msg::OperatorReply nobody = site.send_goal(2, "dock", "r9");
+  EXPECT_EQ(nobody.outcome, msg::Outcome::refused);
+  EXPECT_THAT(nobody.message, HasSubstr("r9"));
+  EXPECT_EQ(site.goal(2).state, GoalState::rejected);
+}
+
+TEST_F(GoalLife, RepeatedRequestIsDoneOnce) {
+  msg::OperatorRequest send = site.request(Kind::goal_send);
+  send.goal = goal_id(1);
+  send.label = "dock";
+  const msg::OperatorReply first = site.ask(send);
+  const msg::OperatorReply second = site.ask(send);
+  EXPECT_EQ(first.message, second.message);
+  EXPECT_EQ(site.send_goal(1, "dock").outcome, msg::Outcome::accepted) << "another number, the same goal";
+  EXPECT_EQ(site.service().goals().size(), 1U);
+  site.label("gate", run.place(3));
+  EXPECT_EQ(site.send_goal(1, "gate").outcome, msg::Outcome::refused);
+}
+
+TEST_F(GoalLife, WantedRobotIsWaitedForWithTheReason) {
+  site.send_goal(1, "dock", "r1");
+  EXPECT_EQ(site.goal(1).state, GoalState::pending);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("does not know where it is"));
+  msg::RobotState teaching = site.state(r1, run.place(0));
+  teaching.mode = msg::RobotMode::teaching;
+  site.say(teaching);
+  site.pass(1s);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("teaching"));
+  site.say(site.state(r1, run.place(0)));
+  site.pass(1s);
+  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
+}
+
+TEST_F(GoalLife, RobotTakesItsGoalsOneAfterTheOther) {
+  const Route first = start();
+  site.send_goal(2, "dock", "r1");
+  site.say(driving(first, run.place(3)));
+  site.pass(1s);
+  EXPECT_EQ(site.goal(2).state, GoalState::pending);
+  EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr(to_string(goal_id(1))));
+  site.progress(r1, first, msg::RoutePhase::arrived, 39);
+  stand(run.place(39));
+  site.pass(1s);
+  EXPECT_EQ(site.goal(2).state, GoalState::assigned);
+  EXPECT_EQ(order().places.size(), 1U) << "it stands there already";
+}
+
+TEST_F(GoalLife, AnyRobotIsTheOneWithTheShortestWay) {
+  Peer r2{.id = robot_id(2), .name = "r2"};
+  Peer r3{.id = robot_id(3), .name = "r3"};
+  site.arrive(r2, run.place(20));
+  site.arrive(r3, std::nullopt);
+  stand(run.place(5));
+  site.send_goal(1, "dock");
+  EXPECT_EQ(site.goal(1).robot, r2.id);
+}
+
+TEST_F(GoalLife, TiesGoToTheLowestId) {
+  Peer r2{.id = robot_id(2), .name = "r2"};
+  TaughtRun other(r2, 11);
+  site.arrive(r2, std::nullopt);
+  site.hand_in(r2, other.next(2));
+  Handed joined = other.next(1);
+  site.hand_in(r2, joined);
+  site.arrive(r2, run.place(5));
+  stand(run.place(5));
+  site.send_goal(1, "dock");
+  EXPECT_EQ(site.goal(1).robot, r1.id);
+}
+
+TEST_F(GoalLife, RobotThatCannotDriveTheWayIsNotAsked) {
+  site.label("start", run.place(0));
+  stand(run.place(5));
+  site.send_goal(1, "start");
+  site.pass(2s);
+  EXPECT_EQ(site.goal(1).state, GoalState::pending) << "edges are driven as they were taught";
+  stand(run.place(0));
+  site.pass(2s);
+  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
+}
+
+TEST_F(GoalLife, PendingGoalIsCancelled) {
+  site.send_goal(1, "dock");
+  EXPECT_EQ(cancel(1).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(1).state, GoalState::cancelled);
+  EXPECT_EQ(cancel(1).outcome, msg::Outcome::done);
+  EXPECT_EQ(cancel(9).outcome, msg::Outcome::refused);
+  stand(run.place(0));
+  site.pass(2s);
+  EXPECT_THAT(site.heard<msg::RouteOrder>(), IsEmpty());
+}
+
+TEST_F(GoalLife, RunningGoalIsCancelledAndWhatIsHeldStaysHeldUntilTheRobotStands) {
+  const Route route = start();
+  site.say(driving(route, run.place(4)));
+  EXPECT_EQ(cancel(1).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(1).state, GoalState::cancelled);
+  EXPECT_TRUE(order().ended);
+  EXPECT_EQ(order().id, route.id);
+  site.hush();
+  site.pass(3s);
+  EXPECT_FALSE(site.heard<msg::RouteOrder>().empty()) << "said again until it is obeyed";
+  EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, route.id);
+  site.say(driving(route, run.place(5)));
+  EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, route.id);
+  stand(run.place(6));
+  EXPECT_EQ(site.disk->occupancies.at(r1.id).held.places.front(), run.place(6));
+  site.hush();
+  site.pass(10s);
+  EXPECT_THAT(site.heard<msg::RouteOrder>(), IsEmpty());
+}
+
+TEST_F(GoalLife, StopPausesAndResumeGoesOn) {
+  const Route route = start();
+  msg::OperatorRequest stop = site.request(Kind::stop);
+  stop.robot = "r1";
+  site.say(stop);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+  const msg::AgentCommand told = site.last<msg::AgentCommand>().value();
+  EXPECT_EQ(told.kind, msg::AgentCommand::Kind::stop);
+  site.say(msg::AgentReply{
+      .header = r1.header(), .command = told.command, .done = true, .reason = {}, .place = {}, .experience = {}});
+  EXPECT_EQ(site.last<msg::OperatorReply>()->outcome, msg::Outcome::done);
+  site.progress(r1, route, msg::RoutePhase::stopped, 3);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+  msg::OperatorRequest resume = site.request(Kind::resume);
+  resume.robot = "r1";
+  site.say(resume);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  EXPECT_EQ(site.last<msg::AgentCommand>()->kind, msg::AgentCommand::Kind::resume);
+}
+
+TEST_F(GoalLife, PausedRobotThatDrivesIsToldAgain) {
+  const Route route = start();
+  msg::OperatorRequest stop = site.request(Kind::stop);
+  site.say(stop);
+  site.restart();
+  site.arrive(r1, std::nullopt);
+  site.hush();
+  site.say(driving(route, run.place(5)));
+  ASSERT_TRUE(site.last<msg::AgentCommand>());
+  EXPECT_EQ(site.last<msg::AgentCommand>()->kind, msg::AgentCommand::Kind::stop);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+}
+
+TEST_F(GoalLife, CancelWhilePaused) {
+  start();
+  site.say(site.request(Kind::stop));
+  EXPECT_EQ(cancel(1).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(1).state, GoalState::cancelled);
+}
+
+TEST_F(GoalLife, RobotThatGivesUpFailsTheGoalWithItsReason) {
+  const Route route = start();
+  msg::RouteProgress progress;
+  progress.header = r1.header();
+  progress.goal = route.goal;
+  progress.route = route.id;
+  progress.version = route.version;
+  progress.phase = msg::RoutePhase::failed;
+  progress.reason = "the wheel is off";
+  site.say(progress);
+  EXPECT_EQ(site.goal(1).state, GoalState::failed);
+  EXPECT_EQ(site.goal(1).history.back().cause, "the wheel is off");
+}
+
+TEST_F(GoalLife, OrderIsRepeatedUntilTheRobotHasIt) {
+  stand(run.place(0));
+  site.send_goal(1, "dock");
+  site.pass(4s);
+  const std::size_t sent = site.heard<msg::RouteOrder>().size();
+  EXPECT_GE(sent, 3U);
+  const Route route = order();
+  site.progress(r1, route, msg::RoutePhase::accepted);
+  site.hush();
+  site.pass(3s);
+  EXPECT_THAT(site.heard<msg::RouteOrder>(), IsEmpty());
+}
+
+TEST_F(GoalLife, StateThatCannotBeStoredIsNotReached) {
+  const Route route = start();
+  site.disk->faults.full = true;
+  site.progress(r1, route, msg::RoutePhase::arrived, 39);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  site.disk->faults.full = false;
+  site.progress(r1, route, msg::RoutePhase::arrived, 39);
+  EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
+}
+
+}  // namespace
+}  // namespace weft::server::test

@@ -1,0 +1,176 @@
+#include "server/traffic/traffic.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/traffic/stretch.hpp"
+#include "tests/server/arranged_site.hpp"
+
+namespace weft::server::test {
+namespace {
+
+using Kind = msg::OperatorRequest::Kind;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// One line of 60 places, half a metre apart; robots of 0.4 m: two keep clear of each other from 3 places on.
+struct TrafficTest : testing::Test {
+  TrafficTest() {
+    site.arrive(r1, std::nullopt);
+    site.arrive(r2, std::nullopt);
+    site.hand_in(r1, run.next(60));
+    site.label("end", run.place(59));
+    site.label("middle", run.place(20));
+  }
+  std::optional<Route> order_to(const Peer& robot) {
+    std::optional<Route> found;
+    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
+      if (order.to == robot.id && !order.route.ended) found = order.route;
+    }
+    return found;
+  }
+  void expect_apart() {
+    Nearness nearness(3.0);
+    const auto& held = site.disk->occupancies;
+    for (const auto& [a, one] : held) {
+      for (const auto& [b, other] : held) {
+        if (!(a < b)) continue;
+        EXPECT_FALSE(overlap(site.service().snapshot(), nearness, touched_by(one, 0.4), touched_by(other, 0.4)))
+            << to_string(a) << " and " << to_string(b);
+      }
+    }
+  }
+
+  Site site;
+  Peer r1{.id = robot_id(1), .name = "r1"};
+  Peer r2{.id = robot_id(2), .name = "r2"};
+  TaughtRun run{r1, 10};
+};
+
+TEST_F(TrafficTest, FreeRouteIsReleasedAsAWhole) {
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  EXPECT_EQ(order_to(r1)->released, 59U);
+  EXPECT_EQ(site.disk->occupancies.at(r1.id).to, 59U);
+}
+
+TEST_F(TrafficTest, StandingRobotIsInTheWayUntilItLeaves) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  EXPECT_GE(order_to(r1)->released, 24U);
+  EXPECT_LE(order_to(r1)->released, 27U);
+  expect_apart();
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r2"));
+  site.progress(r1, *order_to(r1), msg::RoutePhase::driving, 1);
+  const std::uint32_t before = order_to(r1)->released;
+  site.say(site.state(r2, run.place(45)));
+  site.pass(1s);
+  EXPECT_GT(order_to(r1)->released, before + 10);
+  EXPECT_EQ(order_to(r1)->version, 1U);
+  expect_apart();
+}
+
+TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
+  site.say(site.state(r1, run.place(10)));
+  site.say(site.state(r2, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  const Route first = order_to(r1).value();
+  site.send_goal(2, "middle", "r2");
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_LE(order_to(r2)->released, 7U);
+  expect_apart();
+  std::uint32_t released = order_to(r2)->released;
+  for (const std::uint32_t freed : {5U, 10U, 20U, 49U}) {
+    site.progress(r1, first, msg::RoutePhase::driving, freed);
+    site.pass(1s);
+    EXPECT_GE(order_to(r2)->released, released);
+    released = order_to(r2)->released;
+    expect_apart();
+  }
+  EXPECT_EQ(released, 20U);
+}
+
+TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOff) {
+  site.say(site.state(r1, run.place(10)));
+  site.say(site.state(r2, run.place(11)));
+  EXPECT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
+  site.send_goal(1, "end", "r2");
+  EXPECT_FALSE(order_to(r2));
+  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
+  expect_apart();
+  site.say(site.state(r1, run.place(4)));
+  site.say(site.state(r2, run.place(11)));
+  site.pass(1s);
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_EQ(order_to(r2)->released, 48U);
+  expect_apart();
+}
+
+TEST_F(TrafficTest, TimeFreesNothing) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  const std::uint32_t before = order_to(r1)->released;
+  site.pass(3600s);
+  EXPECT_EQ(order_to(r1)->released, before);
+}
+
+TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  site.pass(20s);
+  msg::OperatorRequest clear = site.request(Kind::clear);
+  clear.robot = "r2";
+  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  site.pass(1s);
+  EXPECT_EQ(order_to(r1)->released, 59U);
+  EXPECT_THAT(site.events_of("traffic.cleared"), SizeIs(1));
+}
+
+TEST_F(TrafficTest, ClearingARobotWithAGoalFailsTheGoal) {
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  site.pass(20s);
+  msg::OperatorRequest clear = site.request(Kind::clear);
+  clear.robot = "r1";
+  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(1).state, GoalState::failed);
+}
+
+TEST_F(TrafficTest, RestartGivesNothingAway) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.restart();
+  site.arrive(r1, run.place(0));
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  EXPECT_LE(order_to(r1)->released, 27U) << "r2 has not been heard, and holds its place all the same";
+}
+
+TEST_F(TrafficTest, RunsOverOneFloorMeetThroughAStitch) {
+  TaughtRun other(r2, 11);
+  site.hand_in(r2, other.next(10));
+  site.say(site.state(r2, other.place(5)));
+  site.say(site.state(r1, run.place(0)));
+  Handed more = other.next(1);
+  more.batch.edges.push_back(stitch(run.place(40), other.place(10), 0.2));
+  site.hand_in(r2, more);
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  // other's place 5 lies 2.5 m behind its place 10, which lies 0.2 m ahead of place 40: beside place 35.
+  EXPECT_GE(order_to(r1)->released, 30U);
+  EXPECT_LE(order_to(r1)->released, 32U);
+  expect_apart();
+}
+
+TEST_F(TrafficTest, RobotThatDoesNotKnowWhereItIsHoldsNothing) {
+  site.say(site.state(r2, std::nullopt));
+  EXPECT_THAT(site.disk->occupancies, IsEmpty());
+}
+
+}  // namespace
+}  // namespace weft::server::test
