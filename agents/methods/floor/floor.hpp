@@ -15,7 +15,7 @@
 namespace weft::agents {
 
 /// Navigation by the floor's texture seen through one downward camera (Gadd & Newman, "A Framework for
-/// Infrastructure-Free Warehouse Navigation", as corrected in docs/decisions/0101-floor-as-corrected.md). A value:
+/// Infrastructure-Free Warehouse Navigation", as corrected in docs/decisions/020-floor-as-corrected.md). A value:
 /// calibration and settings, fixed after construction; every call is pure.
 class Floor {
  public:
