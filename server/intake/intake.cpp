@@ -170,12 +170,17 @@ std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
     const auto next = line.waiting.find(line.durable_through + 1);
     if (next == line.waiting.end()) return joined;
     const std::uint64_t sequence = next->first;
-    const std::vector<Error> issues = check(context_.snapshots.current(), next->second.batch);
-    if (!issues.empty()) {
-      refuse_waiting(line, sequence, issues.front(), now);
-      return joined;
+    // At once, so that nobody sends contents for nothing, and again before it joins.
+    const bool ready = is_ready(next->second);
+    if (ready || !next->second.is_checked) {
+      const std::vector<Error> issues = check(context_.snapshots.current(), next->second.batch);
+      if (!issues.empty()) {
+        refuse_waiting(line, sequence, issues.front(), now);
+        return joined;
+      }
+      next->second.is_checked = true;
     }
-    if (!is_ready(next->second)) return joined;
+    if (!ready) return joined;
     if (const Result<void> done = commit(line, next->second, now); !done) {
       const bool never_fits = done.error().code == ErrorCode::conflict || done.error().code == ErrorCode::invalid;
       if (never_fits) {

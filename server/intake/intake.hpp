@@ -35,6 +35,7 @@ class Intake {
     ContentHash hash;
     std::map<ContentHash, std::uint64_t> needs;  ///< contents that are not in the store, and their sizes
     std::uint64_t incarnation = 0;
+    bool is_checked = false;  ///< it would have joined when it became the next one
   };
   /// A content on its way.
   struct Incoming {

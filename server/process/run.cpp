@@ -31,32 +31,33 @@ Now now() {
           .wall = WallTime(std::chrono::system_clock::now().time_since_epoch())};
 }
 
-/// Waits for SIGINT and SIGTERM in a thread of its own, which is the only one that gets them: construct it before any
-/// other thread.
+/// Keeps SIGINT and SIGTERM from this thread and all that are started after it.
+sigset_t hold_stop_signals() {
+  sigset_t signals{};
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+/// Waits for one of the held signals in a thread of its own, and wakes the bus once when it has come. Ends before
+/// the bus does.
 class StopSignal {
  public:
-  StopSignal() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  }
-  /// `bus` is woken once when a signal has come.
-  void watch(bus::Bus& bus) {
-    watcher_ = std::jthread([this, &bus](const std::stop_token& stop) {
-      const timespec moment = {.tv_sec = 0, .tv_nsec = 200'000'000};
-      while (!stop.stop_requested()) {
-        if (sigtimedwait(&signals_, nullptr, &moment) < 0) continue;
-        asked_ = true;
-        bus.wake();
-        return;
-      }
-    });
-  }
+  StopSignal(const sigset_t& signals, bus::Bus& bus)
+      : watcher_([this, signals, &bus](const std::stop_token& stop) {
+          const timespec moment = {.tv_sec = 0, .tv_nsec = 200'000'000};
+          while (!stop.stop_requested()) {
+            if (sigtimedwait(&signals, nullptr, &moment) < 0) continue;
+            asked_ = true;
+            bus.wake();
+            return;
+          }
+        }) {}
   bool asked() const { return asked_; }
 
  private:
-  sigset_t signals_{};
   std::atomic<bool> asked_ = false;  // shared
   std::jthread watcher_;             // last member: stops first
 };
@@ -125,10 +126,9 @@ void log_settings(spdlog::logger& log, const Options& options) {
 }  // namespace
 
 Result<void> run(const Options& options) {
-  StopSignal stop;
+  const sigset_t signals = hold_stop_signals();
   spdlog::logger log("weft-server", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log.flush_on(spdlog::level::info);
-  log_settings(log, options);
 
   const Result<PeerId> self = load_identity(options.store);
   if (!self) return fail(self.error());
@@ -154,7 +154,8 @@ Result<void> run(const Options& options) {
   Result<std::unique_ptr<Service>> service = start(config, **store, random, now());
   if (!service) return fail(service.error());
 
-  stop.watch(link.bus());
+  log_settings(log, options);
+  const StopSignal stop(signals, link.bus());
   log.info("ready: store {}, {} on {}, domain {}, index {}", options.store, config.vendor, options.listen,
            options.domain, options.index);
   const Result<void> served = Loop(**service, link, log).until(stop);

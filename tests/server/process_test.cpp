@@ -1,0 +1,169 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+/// The real program, its standard error in a file.
+class Process {
+ public:
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& log) : log_(log) {
+    std::vector<const char*> words = {WEFT_SERVER};
+    for (const std::string& argument : arguments) words.push_back(argument.c_str());
+    words.push_back(nullptr);
+    pid_ = fork();
+    if (pid_ != 0) return;
+    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(out, STDERR_FILENO);
+    dup2(out, STDOUT_FILENO);
+    execv(WEFT_SERVER, const_cast<char* const*>(words.data()));
+    _exit(127);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+
+  std::string text() const {
+    std::ifstream in(log_);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  bool says(const std::string& what) const {
+    for (int i = 0; i < 1000; ++i) {
+      if (text().find(what) != std::string::npos) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+  void signal(int number) const { kill(pid_, number); }
+  /// Waits for its end; -1 when a signal ended it.
+  int exit_code() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  std::filesystem::path log_;
+  pid_t pid_ = -1;
+};
+
+struct ServerProcess : testing::Test {
+  ServerProcess() {
+    std::string name = (std::filesystem::temp_directory_path() / "weft-server-XXXXXX").string();
+    directory = mkdtemp(name.data());
+  }
+  ~ServerProcess() override { std::filesystem::remove_all(directory); }
+  /// Runs it to its end.
+  int run(const std::vector<std::string>& arguments) {
+    Process process(arguments, directory / "once.log");
+    const int code = process.exit_code();
+    said = process.text();
+    return code;
+  }
+  std::vector<std::string> serve(const std::string& store, const std::string& vendor = "cyclonedds") const {
+    // A domain of this test's own.
+    return {"--store", (directory / store).string(), "--domain", "141", "--dds", vendor};
+  }
+  /// One line, so that people see what is wrong at once.
+  void expect_one_line() const {
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_THAT(said, EndsWith("\n"));
+  }
+
+  std::filesystem::path directory;
+  std::string said;
+};
+
+TEST_F(ServerProcess, TellsItsVersion) {
+  EXPECT_EQ(run({"--version"}), 0);
+  EXPECT_THAT(said, HasSubstr("weft-server"));
+}
+
+TEST_F(ServerProcess, WrongUsageIsExitTwo) {
+  EXPECT_EQ(run({"--sotre", "x"}), 2);
+  EXPECT_THAT(said, HasSubstr("--sotre"));
+  expect_one_line();
+  EXPECT_EQ(run({}), 2);
+  EXPECT_THAT(said, HasSubstr("--store"));
+  EXPECT_EQ(run({"--store", directory.string(), "--domain", "999"}), 2);
+  EXPECT_THAT(said, HasSubstr("[0, 200]"));
+  expect_one_line();
+}
+
+TEST_F(ServerProcess, WrongConfigurationNamesTheKey) {
+  const std::string file = (directory / "server.toml").string();
+  std::ofstream(file) << "domian = 3\n";
+  EXPECT_EQ(run({"--config", file, "--store", directory.string()}), 1);
+  EXPECT_THAT(said, HasSubstr("domian"));
+  expect_one_line();
+  EXPECT_EQ(run({"--config", file + ".gone"}), 1);
+  expect_one_line();
+}
+
+TEST_F(ServerProcess, StoreThatCannotBeMadeIsNamed) {
+  std::ofstream(directory / "file") << "not a directory";
+  EXPECT_EQ(run(serve("file/store")), 1);
+  EXPECT_THAT(said, HasSubstr("file/store"));
+  expect_one_line();
+}
+
+TEST_F(ServerProcess, ServesUntilTermAndKeepsItsIdentity) {
+  std::string identity;
+  for (const char* const vendor : {"cyclonedds", "fastdds"}) {
+    Process server(serve("store", vendor), directory / "server.log");
+    ASSERT_TRUE(server.says("ready")) << server.text();
+    EXPECT_THAT(server.text(), HasSubstr("* domain = 141"));
+    server.signal(identity.empty() ? SIGTERM : SIGINT);
+    EXPECT_EQ(server.exit_code(), 0) << server.text();
+    std::ifstream in(directory / "store" / "identity");
+    std::string now;
+    in >> now;
+    EXPECT_EQ(now.size(), 32U);
+    EXPECT_EQ(now, identity.empty() ? now : identity);
+    identity = now;
+  }
+}
+
+TEST_F(ServerProcess, SecondServerOnAStoreOrAPortIsRefused) {
+  Process server(serve("store"), directory / "server.log");
+  ASSERT_TRUE(server.says("ready")) << server.text();
+  EXPECT_EQ(run(serve("store")), 1);
+  EXPECT_THAT(said, HasSubstr("in use"));
+  expect_one_line();
+  for (const char* const vendor : {"cyclonedds", "fastdds"}) {
+    EXPECT_EQ(run(serve("other", vendor)), 1);
+    EXPECT_THAT(said, HasSubstr("port"));
+    expect_one_line();
+  }
+}
+
+TEST_F(ServerProcess, SurvivesKillNine) {
+  for (int i = 0; i < 3; ++i) {
+    Process server(serve("store"), directory / "server.log");
+    ASSERT_TRUE(server.says("epoch " + std::to_string(i + 1))) << server.text();
+    server.signal(SIGKILL);
+    EXPECT_EQ(server.exit_code(), -1);
+  }
+}
+
+}  // namespace
