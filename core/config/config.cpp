@@ -52,6 +52,7 @@ std::vector<Table> Table::tables(std::string_view key, std::size_t fewest, std::
       document_->refuse(line, path + " = " + show(*found) + ": must be an array of tables, write [[" + path + "]]");
       return {};
     }
+    entries.reserve(array->size());
     for (std::size_t i = 0; i < array->size(); ++i) {
       Node entry{path + "[" + std::to_string(i) + "]", (*array)[i].as_table(), line_of((*array)[i])};
       document_->ask(entry.path);
@@ -77,6 +78,7 @@ std::vector<std::string> Table::issues() const {
   if (document_->readable) document_->find_unknown(document_->root, "", all);
   std::stable_sort(all.begin(), all.end(), [](const Issue& a, const Issue& b) { return a.line < b.line; });
   std::vector<std::string> texts;
+  texts.reserve(all.size());
   for (const Issue& issue : all) {
     texts.push_back(document_->file + ":" + std::to_string(issue.line) + ": " + issue.text);
   }

@@ -37,14 +37,14 @@ class Table {
                        std::int64_t high) const;
   bool boolean(std::string_view key, std::optional<bool> fallback) const;
   /// At most `longest` bytes.
-  std::string text(std::string_view key, std::optional<std::string> fallback, std::size_t longest = 256) const;
+  std::string text(std::string_view key, const std::optional<std::string>& fallback, std::size_t longest = 256) const;
   /// One of `allowed`, which is not empty; where the key is required and missing, the first of them.
-  std::string choice(std::string_view key, std::optional<std::string> fallback,
+  std::string choice(std::string_view key, const std::optional<std::string>& fallback,
                      const std::vector<std::string>& allowed) const;
   /// Between `fewest` and `most` numbers, each in [low, high].
-  std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, std::size_t fewest,
-                              std::size_t most, double low, double high) const;
-  std::vector<std::string> texts(std::string_view key, std::optional<std::vector<std::string>> fallback,
+  std::vector<double> numbers(std::string_view key, const std::optional<std::vector<double>>& fallback,
+                              std::size_t fewest, std::size_t most, double low, double high) const;
+  std::vector<std::string> texts(std::string_view key, const std::optional<std::vector<std::string>>& fallback,
                                  std::size_t fewest, std::size_t most, std::size_t longest = 256) const;
   /// A sub-table; one that is not there is empty, so that its defaults hold and its required keys are missed.
   Table table(std::string_view key) const;

@@ -109,12 +109,12 @@ bool Table::boolean(std::string_view key, std::optional<bool> fallback) const {
                                    });
 }
 
-std::string Table::text(std::string_view key, std::optional<std::string> fallback, std::size_t longest) const {
+std::string Table::text(std::string_view key, const std::optional<std::string>& fallback, std::size_t longest) const {
   return get<Document, Node, std::string>(*document_, *node_, key, fallback, "",
                                           [&](const toml::node& node) { return bounded_text(node, longest); });
 }
 
-std::string Table::choice(std::string_view key, std::optional<std::string> fallback,
+std::string Table::choice(std::string_view key, const std::optional<std::string>& fallback,
                           const std::vector<std::string>& allowed) const {
   const auto read = [&](const toml::node& node) -> Found<std::string> {
     const auto* const text = node.as_string();
@@ -129,7 +129,7 @@ std::string Table::choice(std::string_view key, std::optional<std::string> fallb
                                           read);
 }
 
-std::vector<double> Table::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
+std::vector<double> Table::numbers(std::string_view key, const std::optional<std::vector<double>>& fallback,
                                    std::size_t fewest, std::size_t most, double low, double high) const {
   return get<Document, Node, std::vector<double>>(
       *document_, *node_, key, fallback, std::vector<double>(fewest, low), [&](const toml::node& node) {
@@ -138,7 +138,7 @@ std::vector<double> Table::numbers(std::string_view key, std::optional<std::vect
       });
 }
 
-std::vector<std::string> Table::texts(std::string_view key, std::optional<std::vector<std::string>> fallback,
+std::vector<std::string> Table::texts(std::string_view key, const std::optional<std::vector<std::string>>& fallback,
                                       std::size_t fewest, std::size_t most, std::size_t longest) const {
   return get<Document, Node, std::vector<std::string>>(
       *document_, *node_, key, fallback, std::vector<std::string>(fewest), [&](const toml::node& node) {

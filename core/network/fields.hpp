@@ -27,6 +27,7 @@ inline constexpr std::size_t kPlaceIdBytes = 12;
 template <class Fields>
 Bytes record(Fields&& write_fields) {
   ByteWriter out;
+  out.reserve(256);
   out.number(kFormat);
   write_fields(out);
   return out.take();

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <bit>
 
-#include "core/network/codec.hpp"
 #include "core/network/window.hpp"
 
 namespace weft {
@@ -10,7 +10,10 @@ bool same(const Place& first, const Place& second) {
   return first == second;
 }
 bool same(const Edge& first, const Edge& second) {
-  return encode(first) == encode(second);
+  return first.entity_version == second.entity_version && first.origin == second.origin &&
+         first.method == second.method && first.drivable == second.drivable && first.inliers == second.inliers &&
+         std::bit_cast<std::uint32_t>(first.overlap) == std::bit_cast<std::uint32_t>(second.overlap) &&
+         identical(first.a_from_b, second.a_from_b);
 }
 bool same(const PlaceId& first, const PlaceId& second) {
   return first == second;

@@ -43,6 +43,8 @@ double heading_rad(const Relation& relation);  ///< b's heading seen from a, (-p
 Pose2 planar(const Relation& relation);
 /// Planar covariance in the same convention as Metric2.
 Eigen::Matrix3d planar_covariance(const Relation& relation);
+/// The same kind and bit for bit the same numbers: their canonical bytes are equal.
+bool identical(const Relation& first, const Relation& second);
 /// invalid: a number is not finite, a quaternion is not unit, a covariance is not symmetric positive semi-definite.
 Result<void> check(const Relation& relation);
 

@@ -1,32 +1,39 @@
 #include "core/network/window.hpp"
 
-#include <set>
+#include <algorithm>
 
 #include "core/byte_writer.hpp"
 #include "core/network/codec.hpp"
+#include "core/network/fields.hpp"
 #include "core/network/search.hpp"
 
 namespace weft {
 namespace {
 
-std::set<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& definition) {
-  std::set<PlaceId> chosen;
+/// Sorted, each once.
+std::vector<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& definition) {
+  std::vector<PlaceId> chosen;
   for (const PlaceId& id : definition.route) {
-    if (snapshot.place(id) != nullptr) chosen.insert(id);
+    if (snapshot.place(id) != nullptr) chosen.push_back(id);
   }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  const auto route_end = static_cast<std::ptrdiff_t>(chosen.size());
+  const auto add = [&](const PlaceId& id) {
+    if (chosen.size() >= definition.cap) return false;
+    if (!std::binary_search(chosen.begin(), chosen.begin() + route_end, id)) chosen.push_back(id);
+    return true;
+  };
   if (definition.centre) {
-    for (const PlaceId& id : neighbourhood(snapshot, *definition.centre, definition.hops, definition.cap)) {
-      if (chosen.size() >= definition.cap) return chosen;
-      chosen.insert(id);
-    }
-    return chosen;
-  }
-  for (const auto& [id, experience] : snapshot.experiences()) {
-    for (const Place& place : experience->places) {
-      if (chosen.size() >= definition.cap) return chosen;
-      chosen.insert(place.id);
+    const auto near = neighbourhood(snapshot, *definition.centre, definition.hops, definition.cap);
+    std::all_of(near.begin(), near.end(), add);
+  } else {
+    for (const auto& [id, experience] : snapshot.experiences()) {
+      const auto add_place = [&](const Place& place) { return add(place.id); };
+      if (!std::all_of(experience->places.begin(), experience->places.end(), add_place)) break;
     }
   }
+  std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
 
@@ -46,15 +53,16 @@ void index_edges(Window& window) {
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition) {
   Window window;
   window.revision = snapshot.revision();
-  const std::set<PlaceId> chosen = choose(snapshot, definition);
+  const std::vector<PlaceId> chosen = choose(snapshot, definition);
+  const auto inside = [&](const PlaceId& id) { return std::binary_search(chosen.begin(), chosen.end(), id); };
   for (const PlaceId& id : chosen) {
     window.places.emplace_hint(window.places.end(), id, *snapshot.place(id));
     snapshot.for_each_edge(id, [&](const Edge& edge) {
-      if (edge.id.a == id && chosen.contains(edge.id.b)) window.edges.emplace(edge.id, edge);
+      if (edge.id.a == id && inside(edge.id.b)) window.edges.emplace_hint(window.edges.end(), edge.id, edge);
     });
   }
   for (const auto& [label, place] : snapshot.labels()) {
-    if (chosen.contains(place)) window.labels.emplace(label, place);
+    if (inside(place)) window.labels.emplace(label, place);
   }
   index_edges(window);
   return window;
@@ -62,6 +70,8 @@ Window make_window(const Snapshot& snapshot, const WindowDefinition& definition)
 
 Digest digest(const Window& window) {
   ByteWriter out;
+  ByteWriter record;
+  out.reserve(16 + 48 * window.places.size() + 60 * window.edges.size() + 80 * window.labels.size());
   out.count(window.places.size());
   for (const auto& [id, place] : window.places) {
     out.id(id);
@@ -73,7 +83,10 @@ Digest digest(const Window& window) {
     out.id(id.a);
     out.id(id.b);
     out.number(edge.entity_version);
-    out.id(hash_bytes(encode(edge)));
+    record.clear();
+    record.number(fields::kFormat);
+    fields::write(record, edge);
+    out.id(hash_bytes(record.view()));
   }
   out.count(window.labels.size());
   for (const auto& [label, place] : window.labels) {

@@ -150,6 +150,18 @@ TEST(Relation, AlongThePathIsSignedByTheDirectionOfTravel) {
   EXPECT_DOUBLE_EQ(planar(AlongPath{-1.5, 0.0, 0.2, 0.0}).x, -1.5);
 }
 
+TEST(Relation, IdenticalMeansTheSameBytes) {
+  Random random(17);
+  for (int i = 0; i < 100; ++i) {
+    const Relation one = support::random_relation(random);
+    const Relation other = support::random_relation(random);
+    EXPECT_TRUE(identical(one, one));
+    EXPECT_FALSE(identical(one, other));
+    EXPECT_EQ(identical(one, inverse(one)), encode(one) == encode(inverse(one)));
+  }
+  EXPECT_FALSE(identical(AlongPath{0.0, 0.0, 0.0, 0.0}, AlongPath{-0.0, 0.0, 0.0, 0.0}));
+}
+
 TEST(Relation, WhatIsNoRelationIsRefused) {
   const auto code = [](const Relation& relation) {
     const Result<void> checked = check(relation);
