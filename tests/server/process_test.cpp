@@ -26,6 +26,7 @@ class Process {
     std::vector<const char*> words = {WEFT_SERVER};
     for (const std::string& argument : arguments) words.push_back(argument.c_str());
     words.push_back(nullptr);
+    std::filesystem::remove(log);
     pid_ = fork();
     if (pid_ != 0) return;
     const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -54,12 +55,12 @@ class Process {
     return false;
   }
   void signal(int number) const { kill(pid_, number); }
-  /// Waits for its end; -1 when a signal ended it.
+  /// Waits for its end; the signal's negative number when one ended it.
   int exit_code() {
     int status = 0;
     waitpid(pid_, &status, 0);
     pid_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
  private:
@@ -162,7 +163,7 @@ TEST_F(ServerProcess, SurvivesKillNine) {
     Process server(serve("store"), directory / "server.log");
     ASSERT_TRUE(server.says("epoch " + std::to_string(i + 1))) << server.text();
     server.signal(SIGKILL);
-    EXPECT_EQ(server.exit_code(), -1);
+    EXPECT_EQ(server.exit_code(), -SIGKILL);
   }
 }
 
