@@ -59,6 +59,11 @@ std::vector<cv::KeyPoint> spread(std::vector<cv::KeyPoint> found, const cv::Size
   return kept;
 }
 
+/// One scale: the map's floor is always equally far away.
+cv::Ptr<cv::ORB> detector(int count) {
+  return cv::ORB::create(3 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
+}
+
 /// A direction in the map's image (x right, y down) as a heading in the robot frame: image right is robot -y,
 /// image down is robot -x.
 double heading_of(float angle_deg) {
@@ -132,9 +137,14 @@ RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_met
   cv::Mat equal;
   cv::createCLAHE(3.0, {8, 8})->apply(map, equal);
 
-  const cv::Ptr<cv::ORB> orb = cv::ORB::create(4 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
   std::vector<cv::KeyPoint> keypoints;
-  orb->detect(equal, keypoints, t.described);
+  const cv::Ptr<cv::ORB> orb = detector(count);
+  // Most floors have plenty of strong corners; weak ones cost time and are asked for only where they are needed.
+  for (const int threshold : {36, 18, 8}) {
+    orb->setFastThreshold(threshold);
+    orb->detect(equal, keypoints, t.described);
+    if (keypoints.size() >= static_cast<std::size_t>(2 * count)) break;
+  }
   keypoints = spread(std::move(keypoints), equal.size(), count);
   cv::Mat descriptors;
   orb->compute(equal, keypoints, descriptors);

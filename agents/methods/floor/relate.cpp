@@ -48,21 +48,62 @@ std::vector<Descriptor> descriptors_of(const FloorContent& content) {
   return out;
 }
 
+/// a's features in cells of the floor, to ask for those near a point.
+class FloorCells {
+ public:
+  FloorCells(const std::vector<Eigen::Vector2d>& points, double cell_m) : points_(points), cell_m_(cell_m) {
+    if (points.empty()) return;
+    low_ = high_ = points.front();
+    for (const Eigen::Vector2d& p : points) {
+      low_ = low_.cwiseMin(p);
+      high_ = high_.cwiseMax(p);
+    }
+    columns_ = column(high_.x()) + 1;
+    cells_.resize(static_cast<std::size_t>(columns_ * (row(high_.y()) + 1)));
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      cells_[static_cast<std::size_t>(row(points[i].y()) * columns_ + column(points[i].x()))].push_back(i);
+  }
+
+  /// Calls `visit(i)` for each feature within `reach_m`.
+  template <class Visit>
+  void near(const Eigen::Vector2d& point, double reach_m, const Visit& visit) const {
+    if (cells_.empty()) return;
+    const Eigen::Vector2d from = (point.array() - reach_m).max(low_.array());
+    const Eigen::Vector2d to = (point.array() + reach_m).min(high_.array());
+    if (from.x() > to.x() || from.y() > to.y()) return;
+    for (int r = row(from.y()); r <= row(to.y()); ++r)
+      for (int c = column(from.x()); c <= column(to.x()); ++c)
+        for (const std::uint32_t i : cells_[static_cast<std::size_t>(r * columns_ + c)])
+          if ((points_[i] - point).squaredNorm() < reach_m * reach_m) visit(i);
+  }
+
+ private:
+  int column(double x) const { return static_cast<int>((x - low_.x()) / cell_m_); }
+  int row(double y) const { return static_cast<int>((y - low_.y()) / cell_m_); }
+
+  const std::vector<Eigen::Vector2d>& points_;
+  double cell_m_;
+  Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
+  int columns_ = 0;
+  std::vector<std::vector<std::uint32_t>> cells_;
+};
+
 /// Guided matching (III-C): b's features are looked for where the guess puts them.
 std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                                   const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
                                   const Gate& gate) {
   // A feature's own heading is noisier than a robot's; half a radian keeps nine tenths of the right ones.
   const double heading_gate = gate.heading_rad + 0.5;
+  const FloorCells cells(at_a, 0.1);
   std::vector<std::vector<std::uint32_t>> candidates(at_b.size());
   for (std::size_t j = 0; j < at_b.size(); ++j) {
     const Eigen::Vector2d expected = gate.a_from_b * at_b[j];
     const double reach = gate.distance_m + std::sin(std::min(gate.heading_rad, 1.5)) * at_b[j].norm() + c.consensus_m;
     const double heading = b.features[j].heading_rad + gate.a_from_b.heading;
-    for (std::uint32_t i = 0; i < at_a.size(); ++i)
-      if ((at_a[i] - expected).squaredNorm() < reach * reach &&
-          std::abs(wrap_angle(a.features[i].heading_rad - heading)) < heading_gate)
-        candidates[j].push_back(i);
+    cells.near(expected, reach, [&](std::uint32_t i) {
+      if (std::abs(wrap_angle(a.features[i].heading_rad - heading)) < heading_gate) candidates[j].push_back(i);
+    });
   }
   return match_descriptors(descriptors_of(a), descriptors_of(b), {c.most_bits, c.ratio}, candidates);
 }
@@ -93,9 +134,11 @@ Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches
   constexpr double shortest_base_m = 0.15;
   Random random(0x666C6F6F72ULL);
   Consensus best;
-  const auto hypotheses = static_cast<std::size_t>(c.hypotheses);
-  for (std::size_t k = 0, tries = 0; k < hypotheses && tries < 20 * hypotheses; ++tries) {
-    const std::size_t pool = std::min(matches.size(), 20 + tries * matches.size() / hypotheses);
+  auto hypotheses = static_cast<std::size_t>(c.hypotheses);
+  const std::size_t most_tries = 20 * hypotheses;
+  const std::size_t widening = hypotheses;  // the pool holds every match after as many tries
+  for (std::size_t k = 0, tries = 0; k < hypotheses && tries < most_tries; ++tries) {
+    const std::size_t pool = std::min(matches.size(), 20 + tries * matches.size() / widening);
     const Match& m = matches[random.below(pool)];
     const Match& n = matches[random.below(pool)];
     const double base_a = (at_a[m.a] - at_a[n.a]).norm();
@@ -112,7 +155,13 @@ Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches
       const double dy = sine * p.x() + cosine * p.y() + pose.y - at_a[match.a].y();
       count += dx * dx + dy * dy < c.consensus_m * c.consensus_m ? 1U : 0U;
     }
-    if (count > best.count) best = {pose, count};
+    if (count <= best.count) continue;
+    best = {pose, count};
+    // Enough are drawn once a pair of right ones was missed with probability 1e-4 (Fischler & Bolles 1981); at least
+    // 50, because the first ones come from a small pool.
+    const double share = static_cast<double>(count) / static_cast<double>(matches.size());
+    const double needed = std::log(1e-4) / std::log(1.0 - std::min(share * share, 0.99));
+    hypotheses = std::min(hypotheses, std::max<std::size_t>(50, static_cast<std::size_t>(needed)));
   }
   return best;
 }
