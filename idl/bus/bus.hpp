@@ -48,7 +48,7 @@ class Bus {
   /// To everyone who reads the topic, or, on addressed topics, to `to` alone (zero: to the server).
   /// unavailable: the vendor's queue stayed full; nothing was sent, try again later.
   virtual Result<void> publish(TopicId topic, const PeerId& to, ByteView cdr) = 0;
-  /// The next message, in order of arrival; none when the inbox is empty. Never blocks.
+  /// The next message of others, in order of arrival; none when the inbox is empty. Never blocks.
   virtual std::optional<Delivery> take() = 0;
   /// Blocks until something can be taken, `wake()` is called or the time is over. False on time-out.
   virtual bool wait(Duration at_most) = 0;

@@ -69,6 +69,7 @@ Qos writer_qos(const Topic& topic) {
 Qos reader_qos(const Topic& topic) {
   Qos qos = base_qos(topic);
   const bool state = topic.delivering == Delivering::state;
+  dds_qset_ignorelocal(qos.get(), DDS_IGNORELOCAL_PARTICIPANT);
   dds_qset_history(qos.get(), state ? DDS_HISTORY_KEEP_LAST : DDS_HISTORY_KEEP_ALL, 1);
   return qos;
 }

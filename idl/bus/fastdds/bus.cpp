@@ -22,7 +22,7 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 
-/// Fast DDS's threads: moves what came to the inbox, nothing else.
+/// Fast DDS's threads: moves what came to the inbox, nothing else. What the process itself wrote did not come.
 class Listener final : public dds::DataReaderListener {
  public:
   Listener(const Topic& topic, Inbox& inbox) : topic_(topic), inbox_(inbox) {}
@@ -30,7 +30,8 @@ class Listener final : public dds::DataReaderListener {
     Sample sample;
     dds::SampleInfo info;
     while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) inbox_.put(topic_, sample.bytes);
+      const bool is_own = info.sample_identity.writer_guid().guidPrefix == reader->guid().guidPrefix;
+      if (info.valid_data && !is_own) inbox_.put(topic_, sample.bytes);
     }
   }
 

@@ -81,12 +81,16 @@ bool Fleet::set_loss(double share) {
   return true;
 }
 
-void Fleet::turn() {
+void Fleet::let_flow() {
   constexpr Duration kTurn = std::chrono::milliseconds(2);
   if (!pairing_.server)
     net_.deliver_until(virtual_now_ += kTurn);
   else if (server_)
     server_->wait(kTurn);
+}
+
+void Fleet::turn() {
+  let_flow();
   if (server_) {
     while (auto message = server_->take()) got.push_back(std::move(*message));
   }

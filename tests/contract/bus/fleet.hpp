@@ -47,11 +47,12 @@ class Fleet {
   /// Only where messages can be lost at will.
   bool set_loss(double share);
 
-  /// Lets messages flow, collecting what comes to the server and its peers, until `holds` does. False after a
-  /// minute without it.
+  /// Asks whether it `holds`, and if not turns, again and again. False after a minute of that.
   bool until(const std::function<bool()>& holds);
-  /// Lets messages flow for a moment.
+  /// Lets messages flow for a moment and collects them.
   void turn();
+  /// The same without collecting: for tests that take from the buses themselves.
+  void let_flow();
 
   std::vector<msg::Message> got;  ///< by the server
 
