@@ -50,7 +50,7 @@ Twist Tracker::turn(const TrackerConfig& config, double heading_rad, double with
 Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s, double speed_m_s,
                        Duration elapsed) {
   // Not the whole path: a bend may bring a later part of it nearer than the one that is being driven.
-  constexpr double reach_m = 1.5;
+  constexpr double reach_m = 2.0;
   const double length = robot_from_path.length_m();
   const double everywhere = length < reach_m ? length + 1.0 : reach_m;
   const double now_at = robot_from_path.nearest({0.0, 0.0}, -1.0, everywhere);
@@ -73,7 +73,11 @@ Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_pat
   }
   const double wanted = speed_at(config.speed, robot_from_path, soon_at, error, limit_m_s);
   const double linear = std::min(speed_.update(config.speed, wanted, speed_m_s, seconds(elapsed)), limit_m_s * 1.2);
-  const double angular = steer_rate(config.steering, error, there.curvature_1_m, std::max(speed_m_s, 0.0));
+  // The bend over a stretch: at a point it would repeat every error of a pose's heading.
+  constexpr double half_m = 0.1;
+  const double bend_rad = wrap_angle(robot_from_path.at(soon_at + half_m).pose.heading -
+                                     robot_from_path.at(soon_at - half_m).pose.heading);
+  const double angular = steer_rate(config.steering, error, bend_rad / (2.0 * half_m), std::max(speed_m_s, 0.0));
   last_angular_rad_s_ = angular;
   tracked.command = {linear, angular};
   return tracked;

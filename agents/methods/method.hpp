@@ -55,8 +55,8 @@ struct Fix {
   Related evidence;
 };
 
-/// What navigation believes: a single hypothesis. A method that localises in its own way may keep a richer belief; its
-/// fixes lead to this.
+/// What navigation believes: a single hypothesis. A method that localises in its own way may keep a richer belief;
+/// its fixes lead to this.
 struct Estimate {
   PlaceId place;
   Relation place_from_robot;
@@ -126,8 +126,7 @@ concept Method = std::movable<M> &&
 template <class M>
 concept ChartsItself = Method<M> &&
     requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& around, const typename M::Chart& chart,
-             typename M::Belief belief, const Step& step, const typename M::Content& seen,
-             const Estimate& seed) {
+             typename M::Belief belief, const Step& step, const typename M::Content& seen, const Estimate& seed) {
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;

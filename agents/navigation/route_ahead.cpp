@@ -14,13 +14,21 @@ constexpr double on_the_spot_m = 0.05;    // a hop shorter than this that turns 
 constexpr double turn_counts_rad = 0.35;  // less than this is driven, not turned
 
 /// Whether `next` can be driven to from `from`, both headings kept, without a sharp bend: ahead, and no steeper to
-/// the side than the turn itself explains. In front of a stitch the next places are tried instead.
+/// the side than the turn itself explains (an arc's chord lies half way between its headings). In front of a stitch
+/// the next places are tried instead.
 bool drivable(const Pose2& from, const Pose2& next) {
   constexpr double least_ahead_m = 0.04;
-  constexpr double steepest_rad = 0.45;
+  constexpr double steepest_rad = 0.2;
   const Pose2 step = from.inverse() * next;
   if (step.x < least_ahead_m) return false;
-  return std::abs(std::atan2(step.y, step.x)) <= steepest_rad + 0.5 * std::abs(step.heading);
+  return std::abs(wrap_angle(std::atan2(step.y, step.x) - 0.5 * step.heading)) <= steepest_rad;
+}
+
+/// Whether the hop from `a` to `b` turns the robot on the spot.
+bool on_the_spot(const RoutePose& a, const RoutePose& b) {
+  const Pose2 hop = a.robot_from_place.inverse() * b.robot_from_place;
+  constexpr double least_turn_rad = 0.025;
+  return hop.translation().norm() < on_the_spot_m && std::abs(hop.heading) > least_turn_rad;
 }
 
 /// [first, last] positions in `poses` between which the robot turns on the spot; first == last: none.
@@ -30,11 +38,7 @@ struct Spot {
 };
 
 Spot next_spot(const std::vector<RoutePose>& poses, std::size_t from) {
-  // The robot may stand in the middle of a turn.
-  const auto stays = [&](std::size_t i) {
-    const Pose2 hop = poses[i].robot_from_place.inverse() * poses[i + 1].robot_from_place;
-    return hop.translation().norm() < on_the_spot_m && std::abs(hop.heading) > 0.5 * on_the_spot_m;
-  };
+  const auto stays = [&](std::size_t i) { return on_the_spot(poses[i], poses[i + 1]); };
   for (std::size_t i = from; i + 1 < poses.size(); ++i) {
     if (!stays(i)) continue;
     Spot spot{i, i + 1};
@@ -135,10 +139,12 @@ PathAhead path_ahead(const NavigationConfig& config, const Route& route, const R
   PathAhead ahead;
   const Spot spot = next_spot(poses, around.nearest);
   const std::size_t end = spot.first < spot.last ? spot.first : poses.size() - 1;
-  // A bend of the path may need the place before the nearest one; more would only be behind the robot.
-  std::size_t first = around.nearest > 0 ? around.nearest - 1 : 0;
-  if (first < around.nearest && !drivable(poses[first].robot_from_place, poses[around.nearest].robot_from_place))
-    ++first;
+  // From some way behind: a stitch that the robot is just crossing has to be smoothed from the same place as before.
+  constexpr double behind_m = 0.8;
+  std::size_t first = around.nearest;
+  for (double back_m = 0.0; first > 0 && back_m < behind_m && !on_the_spot(poses[first - 1], poses[first]); --first) {
+    back_m += (poses[first].robot_from_place.translation() - poses[first - 1].robot_from_place.translation()).norm();
+  }
   first = std::min(first, end);
 
   std::vector<Pose2> path{poses[first].robot_from_place};
@@ -148,9 +154,9 @@ PathAhead path_ahead(const NavigationConfig& config, const Route& route, const R
     if (!drivable(path.back(), next)) continue;
     length_m += (next.translation() - path.back().translation()).norm();
     path.push_back(next);
-    if (i > around.nearest && length_m > config.follow.segment_m) break;
+    if (i > around.nearest && length_m > config.follow.segment_m + behind_m) break;
   }
-  const bool cut = length_m > config.follow.segment_m;
+  const bool cut = length_m > config.follow.segment_m + behind_m;
   const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
   if (!cut && first < end) append_end(path, poses[end].robot_from_place);
   ahead.reaches_end = !cut && (end < poses.size() - 1 || poses[end].index == last);

@@ -32,13 +32,14 @@ class MarksWorld {
  public:
   MarksWorld(const MarksWorldConfig& config, std::uint64_t seed) : config_(config) {
     Random random(seed);
+    Random aliases = random.fork(1);  // of its own: positions do not depend on the shares
     columns_ = static_cast<int>(config.width_m / config.spacing_m);
     rows_ = static_cast<int>(config.height_m / config.spacing_m);
     const auto cells = static_cast<std::uint64_t>(columns_) * static_cast<std::uint64_t>(rows_);
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         const std::uint64_t own = marks_.size() + 1;
-        const std::uint64_t mark = random.chance(config.alias_share) ? random.below(cells) + 1 : own;
+        const std::uint64_t mark = aliases.chance(config.alias_share) ? aliases.below(cells) + 1 : own;
         const Pose2 world_from_mark{(column + random.uniform(0.1, 0.9)) * config.spacing_m,
                                     (row + random.uniform(0.1, 0.9)) * config.spacing_m, random.uniform(-3.1, 3.1)};
         marks_.push_back({mark, world_from_mark});

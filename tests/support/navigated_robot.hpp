@@ -76,6 +76,16 @@ class NavigatedRobot {
     command_ = {};
   }
 
+  /// Turns on the spot by hand.
+  template <class Step>
+  void spin(double rate_rad_s, double radians, Step&& one_step) {
+    const double goal = world_from_robot().heading + radians;
+    command_ = {0.0, std::copysign(rate_rad_s, radians)};
+    while (std::abs(wrap_angle(goal - world_from_robot().heading)) > 0.08) one_step();
+    command_ = {};
+    for (int i = 0; i < 5; ++i) one_step();
+  }
+
   std::map<std::string, int> refusals;
 
  private:
