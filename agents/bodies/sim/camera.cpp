@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <opencv2/calib3d.hpp>
 
-#include "agents/perception/lens.hpp"
 #include "core/random.hpp"
 
 namespace weft::agents::sim {
@@ -28,17 +28,18 @@ Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::sha
       columns_(camera.width / kShadeCell + 1),
       rows_(camera.height / kShadeCell + 2),
       rays_(camera),
+      levels_(levels_of_rows()),
       floor_(std::move(floor), reach_m(), options.cache_bytes),
       scene_(std::move(scene)),
       light_(light) {
   assert(camera_.width % kShadeCell == 0);
-  choose_levels();
   make_noise();
   const auto nodes = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   nodes_.resize(nodes);
   gain_.resize(nodes);
   add_.resize(nodes);
   albedo_.resize(rays_.x.size());
+  hits_.resize(rays_.x.size());
   const double corner = std::hypot(camera_.width / 2.0, camera_.height / 2.0);
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
@@ -49,12 +50,21 @@ Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::sha
 }
 
 Camera::Rays::Rays(const CameraModel& camera) {
+  std::vector<cv::Point2d> pixels;
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
-      const Eigen::Vector2d ray = normalised_from_pixel(camera, {u, v});
-      x.push_back(static_cast<float>(ray.x()));
-      y.push_back(static_cast<float>(ray.y()));
+      pixels.emplace_back(u, v);
     }
+  }
+  const cv::Matx33d matrix(camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0);
+  const cv::Mat distortion(1, 5, CV_64F, const_cast<double*>(camera.distortion.data()));
+  std::vector<cv::Point2d> rays;
+  // OpenCV's rather than the agents' own inversion: a fault in theirs must show, not cancel.
+  cv::undistortPoints(pixels, rays, matrix, distortion, cv::noArray(), cv::noArray(),
+                      cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 60, 1e-9));
+  for (const cv::Point2d& ray : rays) {
+    x.push_back(static_cast<float>(ray.x));
+    y.push_back(static_cast<float>(ray.y));
   }
 }
 
@@ -87,32 +97,39 @@ Eigen::Vector2d floor_point(const FloorFromRay& h, float x, float y) {
 
 }  // namespace
 
-double Camera::reach_m() const {
+std::array<double, kLevels> Camera::reach_m() const {
   const FloorFromRay h = floor_from_ray(camera_.robot_from_camera, 0.0, 0.0, 0.0, 0.0);
-  std::vector<Eigen::Vector2d> rim;
-  const auto add = [&](int u, int v) {
-    const auto at =
-        static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
-    rim.push_back(floor_point(h, rays_.x[at], rays_.y[at]));
-  };
-  for (int v = 0; v < camera_.height; v += 20) {
-    add(0, v);
-    add(camera_.width - 1, v);
-  }
-  for (int u = 0; u < camera_.width; u += 20) {
-    add(u, 0);
-    add(u, camera_.height - 1);
-  }
-  double most = 0.0;
-  for (const Eigen::Vector2d& a : rim) {
-    for (const Eigen::Vector2d& b : rim) {
-      most = std::max(most, (a - b).norm());
+  std::array<std::vector<Eigen::Vector2d>, kLevels> seen;
+  for (int v = 0; v < camera_.height; ++v) {
+    // As fetch_floor does: a level is wanted a little beyond the rows that sample it.
+    std::array<bool, kLevels> wanted{};
+    for (int near = v - 2 * kShadeCell; near <= v + 2 * kShadeCell; near += kShadeCell / 2) {
+      for (const std::size_t level : levels_[static_cast<std::size_t>(std::clamp(near, 0, camera_.height - 1))]) {
+        wanted[level] = true;
+      }
+    }
+    for (const int u : {0, camera_.width / 2, camera_.width - 1}) {
+      const Eigen::Vector2d p = floor_point(h, rays_.x[pixel(u, v)], rays_.y[pixel(u, v)]);
+      for (std::size_t level = 0; level < kLevels; ++level) {
+        if (wanted[level] && (v % 8 == 0 || v == camera_.height - 1)) {
+          seen[level].push_back(p);
+        }
+      }
     }
   }
-  return most + 2 * kMarginM + 0.2;
+  std::array<double, kLevels> reach{};
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    for (const Eigen::Vector2d& a : seen[level]) {
+      for (const Eigen::Vector2d& b : seen[level]) {
+        reach[level] = std::max(reach[level], (a - b).norm() + 2 * kMarginM + 0.2);
+      }
+    }
+  }
+  return reach;
 }
 
-void Camera::choose_levels() {
+std::vector<Camera::RowLevels> Camera::levels_of_rows() const {
+  std::vector<RowLevels> levels;
   const FloorFromRay h = floor_from_ray(camera_.robot_from_camera, 0.0, 0.0, 0.0, 0.0);
   const int u = camera_.width / 2;
   for (int v = 0; v < camera_.height; ++v) {
@@ -127,14 +144,15 @@ void Camera::choose_levels() {
     const double across = (right - here).norm();
     const double along = (below - here).norm();
     const double level = std::log2(std::max(across, along / kSubsamples) / kTexelM);
-    std::array<std::uint8_t, kSubsamples> row_levels{};
+    RowLevels row_levels{};
     for (int k = 0; k < kSubsamples; ++k) {
       // Each subsample changes level at another row: between levels the mean fades from one to the next.
       const double own = std::floor(level + (k + 0.5) / kSubsamples);
       row_levels[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::clamp(own, 0.0, kLevels - 1.0));
     }
-    levels_.push_back(row_levels);
+    levels.push_back(row_levels);
   }
+  return levels;
 }
 
 void Camera::make_noise() {

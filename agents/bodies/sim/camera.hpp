@@ -56,13 +56,14 @@ class Camera {
     explicit Rays(const CameraModel& camera);
     std::vector<float> x, y;
   };
+  using RowLevels = std::array<std::uint8_t, kSubsamples>;
   /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
   struct PixelLight {
     float gain, add, camera_gain;
   };
-  void choose_levels();
+  std::vector<RowLevels> levels_of_rows() const;
   void make_noise();
-  double reach_m() const;
+  std::array<double, kLevels> reach_m() const;
   FloorFromRay floor_from_ray(const Pose3& site_from_camera, double origin_x, double origin_y, double right_px,
                               double down_px) const;
   void look_at_grid(const Exposure& exposure);
@@ -83,8 +84,8 @@ class Camera {
   CameraOptions options_;
   int columns_ = 0, rows_ = 0;  ///< of the light grid
   Rays rays_;
-  std::vector<float> vignette_;                                ///< of each grid node
-  std::vector<std::array<std::uint8_t, kSubsamples>> levels_;  ///< of each image row
+  std::vector<RowLevels> levels_;  ///< of each image row
+  std::vector<float> vignette_;    ///< of each grid node
   std::vector<float> noise_;
   FloorWindow floor_;
   std::shared_ptr<const Scene> scene_;
@@ -93,7 +94,7 @@ class Camera {
   // Of the image being made.
   std::vector<Node> nodes_;
   std::vector<float> albedo_, gain_, add_;
-  std::vector<BoxHit> hits_;
+  std::vector<BoxHit> hits_;  ///< of each pixel; none between images
 };
 
 }  // namespace weft::agents::sim

@@ -10,52 +10,48 @@ namespace {
 
 constexpr std::size_t kTileBytes = std::size_t{kTileTexels} * kTileTexels * 4 / 3 + 64;
 
-std::size_t window_bytes(int tiles) {
-  std::size_t sum = 0;
-  for (int l = 0; l < kLevels; ++l) {
-    const auto side = static_cast<std::size_t>(tiles * (kTileTexels >> l) + 4);
-    sum += side * side;
-  }
-  return sum;
-}
-
 }  // namespace
 
-FloorWindow::FloorWindow(std::shared_ptr<const FloorSource> source, double reach_m, std::size_t budget_bytes)
-    : tiles_(static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(reach_m / kTileM)) + 1U))),
-      cache_(std::move(source),
-             std::max(2 * kTileBytes, budget_bytes - std::min(budget_bytes, window_bytes(tiles_)))) {
-  for (int l = 0; l < kLevels; ++l) {
-    Level& level = levels_[static_cast<std::size_t>(l)];
-    level.tile_side = kTileTexels >> l;
-    level.stride = tiles_ * level.tile_side + 4;
-    const auto rows = static_cast<std::size_t>(tiles_ * level.tile_side + 1);
-    level.texels.resize(rows * static_cast<std::size_t>(level.stride) + 8);
-    level.holding.resize(static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_));
-  }
-}
+FloorWindow::FloorWindow(std::shared_ptr<const FloorSource> source, const std::array<double, kLevels>& reach_m,
+                         std::size_t budget_bytes)
+    : levels_(levels_from(reach_m)),
+      cache_(std::move(source), std::max(2 * kTileBytes, budget_bytes - std::min(budget_bytes, window_bytes()))) {}
 
-int FloorWindow::slot_of(TileKey key) const {
-  const int mask = tiles_ - 1;
-  return (key.y & mask) * tiles_ + (key.x & mask);
+std::array<FloorWindow::Level, kLevels> FloorWindow::levels_from(const std::array<double, kLevels>& reach_m) {
+  std::array<Level, kLevels> levels;
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    Level& level = levels[l];
+    level.tile_side = kTileTexels >> l;
+    if (reach_m[l] <= 0.0) {
+      continue;
+    }
+    // What reaches over n tile lengths touches up to n + 1 tiles.
+    level.tiles = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(reach_m[l] / kTileM)) + 1U));
+    level.stride = level.tiles * level.tile_side + 4;
+    const auto rows = static_cast<std::size_t>(level.tiles * level.tile_side + 1);
+    level.texels.resize(rows * static_cast<std::size_t>(level.stride) + 8);
+    level.holding.resize(static_cast<std::size_t>(level.tiles) * static_cast<std::size_t>(level.tiles));
+  }
+  return levels;
 }
 
 void FloorWindow::need(int level_index, TileKey key) {
   Level& level = levels_[static_cast<std::size_t>(level_index)];
-  auto& holds = level.holding[static_cast<std::size_t>(slot_of(key))];
+  const int mask = level.tiles - 1;
+  auto& holds = level.holding[static_cast<std::size_t>((key.y & mask) * level.tiles + (key.x & mask))];
   if (holds != key) {
     place(level, cache_.tile(key).levels[static_cast<std::size_t>(level_index)], key);
     holds = key;
   }
 }
 
-void FloorWindow::place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key) const {
-  const int mask = tiles_ - 1;
+void FloorWindow::place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key) {
+  const int mask = level.tiles - 1;
   const auto stride = static_cast<std::size_t>(level.stride);
   const auto side = static_cast<std::size_t>(level.tile_side);
   const std::size_t x0 = static_cast<std::size_t>(key.x & mask) * side;
   const std::size_t y0 = static_cast<std::size_t>(key.y & mask) * side;
-  const std::size_t width = static_cast<std::size_t>(tiles_) * side;
+  const std::size_t width = static_cast<std::size_t>(level.tiles) * side;
   for (std::size_t j = 0; j < side; ++j) {
     std::uint8_t* row = level.texels.data() + (y0 + j) * stride;
     std::memcpy(row + x0, tile.data() + j * side, side);
@@ -74,23 +70,27 @@ void FloorWindow::place(Level& level, const std::vector<std::uint8_t>& tile, Til
 
 LevelPixels FloorWindow::level(int level_index, TileKey origin) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
-  const int mask = tiles_ - 1;
+  const int mask = level.tiles - 1;
   LevelPixels pixels;
   pixels.texels = level.texels.data();
   pixels.stride = level.stride;
-  pixels.mask = tiles_ * level.tile_side - 1;
+  pixels.mask = level.tiles * level.tile_side - 1;
   pixels.x0 = (origin.x & mask) * level.tile_side;
   pixels.y0 = (origin.y & mask) * level.tile_side;
   pixels.texels_per_m = static_cast<float>(1.0 / (kTexelM * (1 << level_index)));
   return pixels;
 }
 
-std::size_t FloorWindow::bytes() const {
-  std::size_t sum = cache_.bytes();
+std::size_t FloorWindow::window_bytes() const {
+  std::size_t sum = 0;
   for (const Level& level : levels_) {
     sum += level.texels.size();
   }
   return sum;
+}
+
+std::size_t FloorWindow::bytes() const {
+  return window_bytes() + cache_.bytes();
 }
 
 }  // namespace weft::agents::sim

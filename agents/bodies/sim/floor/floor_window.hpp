@@ -12,8 +12,10 @@ namespace weft::agents::sim {
 /// looking tiles up (a clipmap: Tanner, Migdal & Jones 1998).
 class FloorWindow {
  public:
-  /// `reach_m`: the largest extent along x or y of what one image looks at; `budget_bytes` for window and cache.
-  FloorWindow(std::shared_ptr<const FloorSource> source, double reach_m, std::size_t budget_bytes);
+  /// `reach_m`: the largest extent along x or y of what one image looks at with each level, 0 where it uses none;
+  /// `budget_bytes` is for windows and cache together.
+  FloorWindow(std::shared_ptr<const FloorSource> source, const std::array<double, kLevels>& reach_m,
+              std::size_t budget_bytes);
 
   /// The tile is in the window afterwards; another one a window's length away is not.
   void need(int level, TileKey key);
@@ -24,15 +26,16 @@ class FloorWindow {
 
  private:
   struct Level {
+    int tiles = 0;      ///< a side; power of two, or none
     int tile_side = 0;  ///< texels
     int stride = 0;
     std::vector<std::uint8_t> texels;             ///< one more column and row, which repeat the first
     std::vector<std::optional<TileKey>> holding;  ///< of each slot
   };
-  void place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key) const;
-  int slot_of(TileKey key) const;
+  static std::array<Level, kLevels> levels_from(const std::array<double, kLevels>& reach_m);
+  static void place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key);
+  std::size_t window_bytes() const;
 
-  int tiles_ = 0;  ///< a side; power of two
   std::array<Level, kLevels> levels_;
   TileCache cache_;
 };

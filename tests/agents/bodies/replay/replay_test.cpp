@@ -1,0 +1,162 @@
+#include "agents/bodies/replay/replay_body.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "agents/bodies/replay/recording.hpp"
+
+namespace weft::agents::replay {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr const char* kSensor = R"(# a comment
+camera_model: pinhole
+resolution: [32, 24]
+intrinsics: [20.5, 21, 15.5, 11.5]
+distortion_model: radial-tangential
+distortion_coefficients: [-0.28, 0.07, 0.0002, 0.00002]
+T_BS:
+  cols: 4
+  rows: 4
+  data: [0.0, 0.0, 1.0, 0.1,
+         -1.0, 0.0, 0.0, 0.2,
+         0.0, -1.0, 0.0, 0.3,
+         0.0, 0.0, 0.0, 1.0]
+)";
+
+class Recording : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              (std::string("weft-replay-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(camera() / "data");
+    write("sensor.yaml", kSensor);
+    write("data.csv", "#timestamp [ns],filename\n1000000000,a.png\n1050000000,b.png\r\n1100000000,c.png\n");
+    for (const char* name : {"a.png", "b.png", "c.png"}) {
+      cv::imwrite((camera() / "data" / name).string(), cv::Mat(24, 32, CV_8U, cv::Scalar(name[0])));
+    }
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path camera() const { return folder_ / "mav0" / "cam0"; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(camera() / name) << text; }
+  Result<std::unique_ptr<Body>> open() {
+    ReplayBodyConfig config;
+    config.folder = folder_.string();
+    config.warn = [this](const std::string& text) { warnings_ += text; };
+    return make_replay_body(config);
+  }
+
+  fs::path folder_;
+  std::string warnings_;
+};
+
+TEST_F(Recording, PlaysItsImagesAtTheirTimesAndEnds) {
+  auto body = open();
+  ASSERT_TRUE(body) << body.error().message;
+  EXPECT_EQ((*body)->kind(), "replay");
+  for (int i = 0; i < 3; ++i) {
+    const auto sample = (*body)->step({0.5, 0.0});
+    ASSERT_TRUE(sample);
+    EXPECT_EQ(sample->frame, static_cast<std::uint64_t>(i + 1));
+    EXPECT_EQ(sample->time.time_since_epoch().count(), 1000000000 + i * 50000000LL);
+    EXPECT_EQ(sample->motion.elapsed.count(), i == 0 ? 0 : 50000000);
+    EXPECT_EQ(sample->motion.command, Twist{});
+    EXPECT_FALSE(sample->motion.wheels);
+    ASSERT_TRUE(sample->view);
+    EXPECT_EQ(std::get<Image>(sample->view->data).pixels->at(0), 'a' + i);
+  }
+  const auto over = (*body)->step({});
+  ASSERT_FALSE(over);
+  EXPECT_EQ(over.error().code, ErrorCode::unavailable);
+  EXPECT_THAT(over.error().message, HasSubstr("recording is over"));
+}
+
+TEST_F(Recording, GivesItsSensorsCalibration) {
+  const auto cameras = (*open())->cameras();
+  ASSERT_EQ(cameras.size(), 1U);
+  EXPECT_EQ(cameras[0].width, 32);
+  EXPECT_EQ(cameras[0].fx, 20.5);
+  EXPECT_EQ(cameras[0].distortion[1], 0.07);
+  EXPECT_NEAR(cameras[0].robot_from_camera.translation.z(), 0.3, 1e-12);
+  EXPECT_NEAR((cameras[0].robot_from_camera.rotation * Eigen::Vector3d::UnitZ()).x(), 1.0, 1e-12);
+}
+
+TEST_F(Recording, ADamagedImageIsADroppedFrameAndNamed) {
+  std::ofstream(camera() / "data" / "b.png") << "not a picture";
+  auto body = open();
+  EXPECT_TRUE((*body)->step({})->view);
+  const auto sample = (*body)->step({});
+  ASSERT_TRUE(sample);
+  EXPECT_FALSE(sample->view);
+  EXPECT_THAT(warnings_, HasSubstr("b.png"));
+  EXPECT_TRUE((*body)->step({})->view);
+}
+
+TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
+  cv::Mat noise(24, 32, CV_8U);
+  cv::randu(noise, 0, 255);
+  const fs::path path = camera() / "data" / "b.png";
+  cv::imwrite(path.string(), noise);
+  fs::resize_file(path, fs::file_size(path) / 2);
+  auto body = open();
+  (void)(*body)->step({});
+  EXPECT_FALSE((*body)->step({})->view);
+  EXPECT_THAT(warnings_, HasSubstr("b.png"));
+}
+
+TEST_F(Recording, AnImageOfAnotherSizeIsADroppedFrame) {
+  cv::imwrite((camera() / "data" / "a.png").string(), cv::Mat(10, 10, CV_8U, cv::Scalar(1)));
+  auto body = open();
+  EXPECT_FALSE((*body)->step({})->view);
+  EXPECT_THAT(warnings_, HasSubstr("10 x 10"));
+}
+
+TEST_F(Recording, AMissingListIsNamed) {
+  fs::remove(camera() / "data.csv");
+  const auto body = open();
+  ASSERT_FALSE(body);
+  EXPECT_EQ(body.error().code, ErrorCode::not_found);
+  EXPECT_THAT(body.error().message, HasSubstr("data.csv"));
+}
+
+TEST_F(Recording, AMissingSensorIsNamed) {
+  fs::remove(camera() / "sensor.yaml");
+  const auto body = open();
+  ASSERT_FALSE(body);
+  EXPECT_THAT(body.error().message, HasSubstr("sensor.yaml"));
+}
+
+TEST_F(Recording, HasNoHand) {
+  const auto led = (*open())->drive_by_hand({{0.0, 0.0}, {1.0, 0.0}});
+  ASSERT_FALSE(led);
+  EXPECT_EQ(led.error().code, ErrorCode::refused);
+}
+
+TEST(ImageList, NamesTheLineThatIsWrong) {
+  for (const char* text : {"1,a.png\nx,b.png\n", "1,a.png\n1,b.png\n", "1,a.png\n2\n", "1,a.png\n2,../b.png\n"}) {
+    const auto images = parse_image_list(text, "data.csv");
+    ASSERT_FALSE(images) << text;
+    EXPECT_THAT(images.error().message, HasSubstr("data.csv:2"));
+  }
+  EXPECT_FALSE(parse_image_list("# nothing\n", "data.csv"));
+}
+
+TEST(Sensor, NamesTheKeyThatIsWrong) {
+  std::string text = kSensor;
+  text.replace(text.find("radial-tangential"), 17, "equidistant");
+  EXPECT_THAT(parse_sensor(text, "sensor.yaml").error().message, HasSubstr("distortion_model"));
+  text = kSensor;
+  text.replace(text.find("[20.5, 21, 15.5, 11.5]"), 22, "[20.5]");
+  EXPECT_THAT(parse_sensor(text, "sensor.yaml").error().message, HasSubstr("intrinsics"));
+  EXPECT_FALSE(parse_sensor("{[", "sensor.yaml"));
+}
+
+}  // namespace
+}  // namespace weft::agents::replay

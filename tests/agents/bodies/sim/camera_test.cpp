@@ -1,0 +1,323 @@
+#include "agents/bodies/sim/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "agents/bodies/sim/calibration.hpp"
+#include "agents/bodies/sim/floor/procedural.hpp"
+#include "agents/perception/lens.hpp"
+#include "sites.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+/// A hall lit from everywhere, seen by a camera without any fault but what a test sets.
+class CameraSees : public testing::Test {
+ protected:
+  CameraSees() {
+    site_ = empty_site();
+    site_.lamps.clear();
+    site_.disturbances = no_disturbances();
+  }
+
+  Camera camera(std::shared_ptr<const FloorSource> floor = std::make_shared<DottedFloor>(),
+                const CameraOptions& options = {}) {
+    const double gloss = floor->gloss();
+    return Camera(model_, options, std::move(floor), std::make_shared<const Scene>(site_.boxes),
+                  Light(site_, gloss, Random(1)));
+  }
+
+  Exposure still(const Pose2& site_from_robot) const {
+    Exposure exposure;
+    exposure.site_from_camera_mid = lift(site_from_robot) * model_.robot_from_camera;
+    exposure.site_from_camera.fill(exposure.site_from_camera_mid);
+    exposure.body = {site_from_robot.x, site_from_robot.y, site_.base.radius_m, site_.base.body_height_m};
+    return exposure;
+  }
+
+  /// The same while driving: `moved_m` ahead and `turned_rad` from the exposure's begin to its end.
+  Exposure moving(const Pose2& site_from_robot, double moved_m, double turned_rad) const {
+    Exposure exposure = still(site_from_robot);
+    for (std::size_t k = 0; k < kSubsamples; ++k) {
+      const double share = kSubsampleTime[k];
+      exposure.site_from_camera[k] =
+          lift(site_from_robot * exp2(Eigen::Vector3d(share * moved_m, 0.0, share * turned_rad))) *
+          model_.robot_from_camera;
+    }
+    return exposure;
+  }
+
+  Eigen::Vector2d pixel_of(const Pose3& site_from_camera, const Eigen::Vector3d& in_site) const {
+    const Eigen::Vector3d p = site_from_camera.inverse() * in_site;
+    return pixel_from_normalised(model_, {p.x() / p.z(), p.y() / p.z()});
+  }
+
+  /// Outline of a disc on the floor, in the image.
+  std::vector<Eigen::Vector2d> outline(const Pose3& site_from_camera, double x, double y) const {
+    std::vector<Eigen::Vector2d> around;
+    for (int i = 0; i < 90; ++i) {
+      const double a = 2.0 * M_PI * i / 90;
+      around.push_back(pixel_of(
+          site_from_camera, {x + DottedFloor::kRadiusM * std::cos(a), y + DottedFloor::kRadiusM * std::sin(a), 0.0}));
+    }
+    return around;
+  }
+
+  int at(const Bytes& image, int u, int v) const { return image[static_cast<std::size_t>(v * model_.width + u)]; }
+
+  Site site_;
+  CameraModel model_ = given_camera_from(CameraSetup{}, "r1", 0);
+};
+
+Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) {
+  double area = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d a = polygon[i] - polygon[0];
+    const Eigen::Vector2d b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    const double cross = a.x() * b.y() - a.y() * b.x();
+    area += cross;
+    sum += cross * (a + b) / 3.0;
+  }
+  return polygon[0] + sum / area;
+}
+
+TEST_F(CameraSees, MarksWhereTheTrueModelProjectsThem) {
+  const Pose2 site_from_robot{3.137, 2.071, 0.7};
+  Camera subject = camera();
+  const Exposure exposure = still(site_from_robot);
+  const Bytes image = subject.render(exposure);
+  int checked = 0;
+  double squares = 0.0;
+  for (int i = 5; i < 40; ++i) {
+    for (int j = 0; j < 40; ++j) {
+      const double x = i * DottedFloor::kSpacingM;
+      const double y = j * DottedFloor::kSpacingM;
+      const Eigen::Vector3d in_camera = exposure.site_from_camera_mid.inverse() * Eigen::Vector3d(x, y, 0.0);
+      if (in_camera.z() < 0.3 || in_camera.z() > 1.5) {
+        continue;
+      }
+      const auto around = outline(exposure.site_from_camera_mid, x, y);
+      Eigen::Vector2d low = around[0];
+      Eigen::Vector2d high = around[0];
+      for (const Eigen::Vector2d& p : around) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+      constexpr double kRim = 5.0;
+      if (low.minCoeff() < kRim + 1 || high.x() > model_.width - kRim - 2 || high.y() > model_.height - kRim - 2) {
+        continue;
+      }
+      double weights = 0.0;
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+      const double white = at(image, static_cast<int>(low.x() - kRim), static_cast<int>(low.y() - kRim));
+      for (int v = static_cast<int>(low.y() - kRim); v <= high.y() + kRim; ++v) {
+        for (int u = static_cast<int>(low.x() - kRim); u <= high.x() + kRim; ++u) {
+          const double dark = white - at(image, u, v);
+          weights += dark;
+          sum += dark * Eigen::Vector2d(u, v);
+        }
+      }
+      const Eigen::Vector2d off = sum / weights - centroid_of(around);
+      EXPECT_LT(off.norm(), 0.12) << "mark at " << x << ", " << y << " is off by " << off.transpose();
+      squares += off.squaredNorm();
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 25);
+  EXPECT_LT(std::sqrt(squares / checked), 0.05);
+}
+
+/// Spread (variance, px^2) of one mark's darkness along the columns and rows.
+struct Spread {
+  double across = 0.0, down = 0.0;
+};
+Spread spread_of(const Bytes& image, int width, const Eigen::Vector2d& centre) {
+  double weights = 0.0;
+  double u_sum = 0.0, v_sum = 0.0, uu = 0.0, vv = 0.0;
+  for (int v = static_cast<int>(centre.y()) - 30; v <= centre.y() + 30; ++v) {
+    for (int u = static_cast<int>(centre.x()) - 30; u <= centre.x() + 30; ++u) {
+      const double dark = std::max(0.0, 200.0 - image[static_cast<std::size_t>(v * width + u)]);
+      weights += dark;
+      u_sum += dark * u;
+      v_sum += dark * v;
+      uu += dark * u * u;
+      vv += dark * v * v;
+    }
+  }
+  return {uu / weights - std::pow(u_sum / weights, 2), vv / weights - std::pow(v_sum / weights, 2)};
+}
+
+TEST_F(CameraSees, BlurRunsAlongTheMotion) {
+  // One mark straight ahead.
+  const Pose2 site_from_robot{3.0 - 0.85, 2.0, 0.0};
+  Camera subject = camera();
+  const Eigen::Vector2d centre =
+      pixel_of(still(site_from_robot).site_from_camera_mid, Eigen::Vector3d(3.0, 2.0, 0.0));
+  const Spread sharp = spread_of(subject.render(still(site_from_robot)), model_.width, centre);
+  const Spread driven = spread_of(subject.render(moving(site_from_robot, 0.02, 0.0)), model_.width, centre);
+  const Spread turned = spread_of(subject.render(moving(site_from_robot, 0.0, 0.02)), model_.width, centre);
+  EXPECT_GT(driven.down, sharp.down + 2.0);
+  EXPECT_NEAR(driven.across, sharp.across, 1.0);
+  EXPECT_GT(turned.across, sharp.across + 2.0);
+  EXPECT_NEAR(turned.down, sharp.down, 1.0);
+}
+
+TEST_F(CameraSees, ARackStandsBeforeTheFloor) {
+  site_.boxes.push_back({Box::Kind::pillar, "pillar", {3.5, 2.0, 0.0}, 0.4, 0.4, 3.0});
+  const Pose2 site_from_robot{2.0, 2.0, 0.0};
+  Camera with = camera();
+  const Exposure exposure = still(site_from_robot);
+  const Bytes seen = with.render(exposure);
+  site_.boxes.clear();
+  Camera without = camera();
+  const Bytes bare = without.render(exposure);
+  // The face at x = 3.3 stands on the floor between y = 1.8 and 2.2 and rises out of the picture.
+  int changed_inside = 0;
+  int changed_outside = 0;
+  int inside = 0;
+  const Pose3 camera_from_site = exposure.site_from_camera_mid.inverse();
+  for (int v = 0; v < model_.height; v += 3) {
+    for (int u = 0; u < model_.width; u += 3) {
+      const Eigen::Vector2d ray = normalised_from_pixel(model_, {u, v});
+      const Eigen::Vector3d direction = camera_from_site.rotation.inverse() * Eigen::Vector3d(ray.x(), ray.y(), 1.0);
+      const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+      const double t = (3.3 - eye.x()) / direction.x();
+      const Eigen::Vector3d hit = eye + t * direction;
+      const bool hits = direction.x() > 0.0 && std::abs(hit.y() - 2.0) < 0.2 && hit.z() > 0.0 && hit.z() < 3.0;
+      const double rim = std::min({std::abs(std::abs(hit.y() - 2.0) - 0.2), std::abs(hit.z())});
+      if (rim < 0.01) {
+        continue;  // the edge itself
+      }
+      inside += hits;
+      (hits ? changed_inside : changed_outside) += std::abs(at(seen, u, v) - at(bare, u, v)) > 3;
+    }
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(changed_inside, inside * 8 / 10);
+  EXPECT_EQ(changed_outside, 0);
+}
+
+TEST_F(CameraSees, ShineMovesWithTheViewAndNotWithTheFloor) {
+  class Glossy final : public FloorSource {
+   public:
+    void fill(TileKey, std::span<std::uint8_t> texels) const override {
+      std::fill(texels.begin(), texels.end(), 100);
+    }
+    double gloss() const override { return 60.0; }
+  };
+  site_.lamps.push_back({9.0, 6.0, 6.0, 1.0});
+  Camera subject = camera(std::make_shared<Glossy>());
+  const auto brightest_ahead_m = [&](double x) {
+    const Exposure exposure = still({x, 6.0, 0.0});
+    const Bytes image = subject.render(exposure);
+    double best = -1.0;
+    double where = 0.0;
+    for (double ahead = 0.5; ahead < 2.2; ahead += 0.01) {
+      const Eigen::Vector2d p = pixel_of(exposure.site_from_camera_mid, {x + ahead, 6.0, 0.0});
+      if (p.y() > 0 && p.y() < model_.height) {
+        const double grey = at(image, static_cast<int>(p.x()), static_cast<int>(p.y()));
+        if (grey > best) {
+          best = grey;
+          where = x + ahead;
+        }
+      }
+    }
+    return where;
+  };
+  // The mirrored lamp is seen on the floor where the angles agree: 0.6 / 6.6 of the way from eye to lamp.
+  const double before = brightest_ahead_m(0.0);
+  const double after = brightest_ahead_m(2.0);
+  EXPECT_NEAR(before, 0.25 + (9.0 - 0.25) * 0.6 / 6.6, 0.35);
+  EXPECT_GT(after - before, 1.0);
+}
+
+TEST_F(CameraSees, ItsOwnShadowWhenALampIsBehind) {
+  class Flat final : public FloorSource {
+   public:
+    void fill(TileKey, std::span<std::uint8_t> texels) const override {
+      std::fill(texels.begin(), texels.end(), 120);
+    }
+    double gloss() const override { return 0.0; }
+  };
+  site_.lamps.push_back({0.0, 6.0, 3.0, 3.0});
+  CameraOptions shaded;
+  shaded.shadow = 1.0;
+  Camera with = camera(std::make_shared<Flat>(), shaded);
+  Camera without = camera(std::make_shared<Flat>());
+  const Exposure exposure = still({3.0, 6.0, 0.0});
+  const Bytes a = with.render(exposure);
+  const Bytes b = without.render(exposure);
+  EXPECT_LT(at(a, 376, 475), at(b, 376, 475) - 15);
+  EXPECT_EQ(at(a, 376, 5), at(b, 376, 5));
+}
+
+TEST_F(CameraSees, CornersAreDarkerByTheVignetting) {
+  class Flat final : public FloorSource {
+   public:
+    void fill(TileKey, std::span<std::uint8_t> texels) const override {
+      std::fill(texels.begin(), texels.end(), 200);
+    }
+    double gloss() const override { return 0.0; }
+  };
+  CameraOptions options;
+  options.vignetting = 0.2;
+  Camera subject = camera(std::make_shared<Flat>(), options);
+  const Bytes image = subject.render(still({3.0, 6.0, 0.0}));
+  EXPECT_NEAR(at(image, 376, 240), 200, 2);
+  EXPECT_NEAR(at(image, 0, 0), 160, 2);
+  EXPECT_NEAR(at(image, 751, 479), 160, 2);
+}
+
+TEST_F(CameraSees, NoiseOfTheStatedSize) {
+  CameraOptions options;
+  options.noise_grey = 2.0;
+  Camera noisy = camera(std::make_shared<DottedFloor>(), options);
+  Exposure exposure = still({3.0, 6.0, 0.0});
+  exposure.noise_seed = 1;
+  const Bytes a = noisy.render(exposure);
+  exposure.noise_seed = 2;
+  const Bytes b = noisy.render(exposure);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    squares += std::pow(a[i] - b[i], 2);
+  }
+  // Two independent noises, each rounded to whole levels.
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(a.size()) / 2.0), std::hypot(2.0, std::sqrt(1.0 / 12.0)), 0.05);
+}
+
+TEST_F(CameraSees, TheSameFloorFromTwoPlaces) {
+  // Nothing swims: where both images see a piece of floor, they agree on it.
+  auto floor = make_procedural_floor(site_.floor);
+  ASSERT_TRUE(floor);
+  site_.floor.gloss = 0.0;
+  Camera subject = camera(*floor);
+  const Exposure first = still({5.0, 6.0, 0.3});
+  const Exposure second = still({5.15, 6.02, 0.35});
+  const Bytes a = subject.render(first);
+  const Bytes b = subject.render(second);
+  double sum_ab = 0.0, sum_aa = 0.0, sum_bb = 0.0, sum_a = 0.0, sum_b = 0.0;
+  int n = 0;
+  for (double ahead = 0.7; ahead < 1.2; ahead += 0.004) {
+    for (double left = -0.3; left < 0.3; left += 0.004) {
+      const Eigen::Vector2d p = Pose2{5.0, 6.0, 0.3} * Eigen::Vector2d(ahead, left);
+      const Eigen::Vector2d ua = pixel_of(first.site_from_camera_mid, {p.x(), p.y(), 0.0});
+      const Eigen::Vector2d ub = pixel_of(second.site_from_camera_mid, {p.x(), p.y(), 0.0});
+      const double ga = at(a, static_cast<int>(std::lround(ua.x())), static_cast<int>(std::lround(ua.y())));
+      const double gb = at(b, static_cast<int>(std::lround(ub.x())), static_cast<int>(std::lround(ub.y())));
+      sum_a += ga;
+      sum_b += gb;
+      sum_ab += ga * gb;
+      sum_aa += ga * ga;
+      sum_bb += gb * gb;
+      ++n;
+    }
+  }
+  const double correlation =
+      (sum_ab - sum_a * sum_b / n) / std::sqrt((sum_aa - sum_a * sum_a / n) * (sum_bb - sum_b * sum_b / n));
+  EXPECT_GT(correlation, 0.7);
+}
+
+}  // namespace
+}  // namespace weft::agents::sim

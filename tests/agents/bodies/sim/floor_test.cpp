@@ -1,0 +1,330 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/bodies/sim/floor/floor_window.hpp"
+#include "agents/bodies/sim/floor/photographs.hpp"
+#include "agents/bodies/sim/floor/procedural.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+using Tile = std::vector<std::uint8_t>;
+
+Tile tile_of(const FloorSource& floor, TileKey key) {
+  Tile tile(static_cast<std::size_t>(kTileTexels) * kTileTexels);
+  floor.fill(key, tile);
+  return tile;
+}
+
+cv::Mat picture_of(Tile& tile) {
+  return cv::Mat(kTileTexels, kTileTexels, CV_8U, tile.data());
+}
+
+FloorSetup setup_of(const std::string& material) {
+  FloorSetup setup;
+  setup.material = material;
+  return setup;
+}
+
+std::shared_ptr<const FloorSource> floor_of(const FloorSetup& setup) {
+  auto floor = make_procedural_floor(setup);
+  EXPECT_TRUE(floor) << floor.error().message;
+  return *floor;
+}
+
+/// Best correlation of a patch of one tile anywhere in another.
+double best_match(Tile& of, Tile& in) {
+  cv::Mat scores;
+  cv::Mat patch = picture_of(of)(cv::Rect(400, 400, 160, 160));
+  cv::matchTemplate(picture_of(in), patch, scores, cv::TM_CCOEFF_NORMED);
+  double best = 0.0;
+  cv::minMaxLoc(scores, nullptr, &best);
+  return best;
+}
+
+class EveryMaterial : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryMaterial, NeverRepeats) {
+  const auto floor = floor_of(setup_of(GetParam()));
+  Tile here = tile_of(*floor, {3, 2});
+  EXPECT_GT(best_match(here, here), 0.999);
+  for (const TileKey other : {TileKey{4, 2}, {3, 3}, {-3, -2}, {2, 3}, {19, 18}, {-4, 2}}) {
+    Tile there = tile_of(*floor, other);
+    EXPECT_LT(best_match(here, there), 0.65) << other.x << ", " << other.y;
+  }
+}
+
+TEST_P(EveryMaterial, TilesFitTogether) {
+  const auto floor = floor_of(setup_of(GetParam()));
+  Tile left = tile_of(*floor, {0, 0});
+  Tile right = tile_of(*floor, {1, 0});
+  Tile above = tile_of(*floor, {0, 1});
+  // Across the seam neighbours differ no more than within a tile.
+  double inside = 0.0;
+  double across = 0.0;
+  double up = 0.0;
+  for (int j = 0; j < kTileTexels; ++j) {
+    const auto row = static_cast<std::size_t>(j) * kTileTexels;
+    const auto last = static_cast<std::size_t>(kTileTexels - 1) * kTileTexels;
+    inside += std::abs(left[row + 500] - left[row + 501]);
+    across += std::abs(left[row + kTileTexels - 1] - right[row]);
+    up += std::abs(left[last + static_cast<std::size_t>(j)] - above[static_cast<std::size_t>(j)]);
+  }
+  EXPECT_LT(across, 1.25 * inside);
+  EXPECT_LT(up, 1.25 * inside);
+}
+
+TEST_P(EveryMaterial, HasContrastAtMillimetres) {
+  const auto floor = floor_of(setup_of(GetParam()));
+  Tile tile = tile_of(*floor, {5, 5});
+  cv::Mat fine;
+  cv::Mat coarse;
+  const cv::Mat picture = picture_of(tile);
+  // The band between 1 and 5 mm.
+  cv::boxFilter(picture, fine, CV_32F, {2, 2});
+  cv::boxFilter(picture, coarse, CV_32F, {15, 15});
+  cv::Scalar mean;
+  cv::Scalar sigma;
+  cv::meanStdDev(fine - coarse, mean, sigma);
+  RecordProperty("sigma", std::to_string(sigma[0]));
+  EXPECT_GT(sigma[0], GetParam() == "epoxy" ? 2.0 : 4.0);
+  EXPECT_LT(sigma[0], 25.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Floor, EveryMaterial, testing::Values("concrete", "asphalt", "terrazzo", "epoxy"),
+                         [](const auto& material) { return material.param; });
+
+TEST(Floor, AnotherSeedIsAnotherFloor) {
+  FloorSetup other = setup_of("concrete");
+  other.seed = 2;
+  Tile a = tile_of(*floor_of(setup_of("concrete")), {0, 0});
+  Tile b = tile_of(*floor_of(other), {0, 0});
+  EXPECT_LT(best_match(a, b), 0.65);
+}
+
+TEST(Floor, AnUnknownMaterialIsRefusedWithThoseThereAre) {
+  const auto floor = make_procedural_floor(setup_of("marble"));
+  ASSERT_FALSE(floor);
+  EXPECT_THAT(floor.error().message, HasSubstr("concrete, asphalt"));
+}
+
+TEST(TileCache, KeepsItsBoundAndMakesTilesAgain) {
+  constexpr std::size_t kLimit = 6'000'000;
+  TileCache cache(floor_of(setup_of("concrete")), kLimit);
+  const std::vector<std::uint8_t> first = cache.tile({0, 0}).levels[0];
+  for (int i = 1; i < 12; ++i) {
+    cache.tile({i, 0});
+    EXPECT_LE(cache.bytes(), kLimit);
+  }
+  EXPECT_EQ(cache.made(), 12U);
+  EXPECT_EQ(cache.tile({0, 0}).levels[0], first);
+  EXPECT_EQ(cache.made(), 13U);
+  cache.tile({0, 0});
+  EXPECT_EQ(cache.made(), 13U);
+}
+
+TEST(TileCache, LevelsAreAreaMeans) {
+  TileCache cache(floor_of(setup_of("concrete")), 6'000'000);
+  const FloorTile& tile = cache.tile({1, 1});
+  double sum = 0.0;
+  for (int j = 0; j < 16; ++j) {
+    for (int i = 0; i < 16; ++i) {
+      sum += tile.levels[0][static_cast<std::size_t>((j + 160) * kTileTexels + i + 320)];
+    }
+  }
+  EXPECT_NEAR(sum / 256, tile.levels[4][10 * 64 + 20], 1.0);
+}
+
+TEST(FloorWindow, KeepsItsBudgetWhateverIsLookedAt) {
+  constexpr std::size_t kBudget = 64'000'000;
+  FloorWindow window(floor_of(setup_of("epoxy")), {1.8, 4.0, 4.0, 0.0, 0.0}, kBudget);
+  for (int i = -10; i < 40; ++i) {
+    window.need(0, {i, i / 3});
+    window.need(2, {i, i / 3});
+    EXPECT_LE(window.bytes(), kBudget);
+  }
+}
+
+TEST(FloorWindow, WrapsWithoutSeams) {
+  const auto floor = floor_of(setup_of("concrete"));
+  FloorWindow window(floor, {0.0, 4.0, 0.0, 0.0, 0.0}, 64'000'000);
+  // Around a corner where both coordinates wrap (8 tiles a side), sampled as if from tile (7, 7).
+  for (const TileKey key : {TileKey{7, 7}, {8, 7}, {7, 8}, {8, 8}}) {
+    window.need(1, key);
+  }
+  const LevelPixels pixels = window.level(1, {7, 7});
+  FloorFromRay plain;
+  plain.m[0] = plain.m[4] = plain.m[8] = 1.0F;
+  std::vector<float> x(64);
+  std::vector<float> y(64);
+  std::vector<float> out(64);
+  TileCache cache(floor, 16'000'000);
+  for (int row = -3; row < 3; ++row) {
+    RowJob job;
+    for (int i = 0; i < 64; ++i) {
+      x[static_cast<std::size_t>(i)] = static_cast<float>(kTileM + (i - 32 + 0.5) * 2 * kTexelM);
+      y[static_cast<std::size_t>(i)] = static_cast<float>(kTileM + (row + 0.5) * 2 * kTexelM);
+    }
+    job.ray_x = x.data();
+    job.ray_y = y.data();
+    job.count = 64;
+    job.out = out.data();
+    for (int k = 0; k < kSubsamples; ++k) {
+      job.floor_from_ray[k] = &plain;
+      job.level[k] = &pixels;
+    }
+    kernels().sample_row(job);
+    for (int i = 0; i < 64; ++i) {
+      const TileKey key{i < 32 ? 7 : 8, row < 0 ? 7 : 8};
+      const int at = ((row + 512) % 512) * 512 + (i - 32 + 512) % 512;
+      EXPECT_NEAR(out[static_cast<std::size_t>(i)], cache.tile(key).levels[1][static_cast<std::size_t>(at)], 0.2);
+    }
+  }
+}
+
+TEST(Kernels, BothBuildsGiveTheSameNumbers) {
+  if (!__builtin_cpu_supports("avx2")) {
+    GTEST_SKIP() << "this machine has no AVX2";
+  }
+  const Kernels a = plain::make_kernels();
+  const Kernels b = avx2::make_kernels();
+  FloorWindow window(floor_of(setup_of("concrete")), {0.0, 4.0, 0.0, 0.0, 0.0}, 64'000'000);
+  window.need(1, {0, 0});
+  const LevelPixels pixels = window.level(1, {0, 0});
+  const FloorFromRay h{{0.5F, 0.1F, 0.2F, -0.1F, 0.5F, 0.2F, 0.01F, 0.3F, 1.0F}, 1e-3F};
+  std::vector<float> x;
+  std::vector<float> y;
+  for (int i = 0; i < 256; ++i) {
+    x.push_back(static_cast<float>(i) / 400.0F);
+    y.push_back(static_cast<float>((i * 37) % 100) / 200.0F);
+  }
+  std::vector<float> from_a(256);
+  std::vector<float> from_b(256);
+  RowJob job;
+  job.ray_x = x.data();
+  job.ray_y = y.data();
+  job.count = 256;
+  for (int k = 0; k < kSubsamples; ++k) {
+    job.floor_from_ray[k] = &h;
+    job.level[k] = &pixels;
+  }
+  job.out = from_a.data();
+  a.sample_row(job);
+  job.out = from_b.data();
+  b.sample_row(job);
+  EXPECT_EQ(from_a, from_b);
+  std::fill(from_a.begin(), from_a.end(), 0.0F);
+  from_b = from_a;
+  a.add_noise_row(-100, 7, 99, 256, 3.0F, from_a.data());
+  b.add_noise_row(-100, 7, 99, 256, 3.0F, from_b.data());
+  EXPECT_EQ(from_a, from_b);
+}
+
+class Photographs : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / (std::string("weft-photographs-") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void add_picture(const std::string& name, int side, std::uint64_t seed) const {
+    cv::Mat picture(side, side, CV_8U);
+    cv::theRNG().state = seed;
+    cv::randu(picture, 0, 255);
+    cv::GaussianBlur(picture, picture, {5, 5}, 1.5);
+    cv::imwrite((folder_ / name).string(), picture);
+  }
+  void add_text(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  Result<std::shared_ptr<const FloorSource>> make(const std::string& photograph = "") {
+    FloorSetup setup;
+    setup.photograph = photograph;
+    return make_photographed_floor(setup, folder_.string(), [this](const std::string& text) { warnings_ += text; });
+  }
+
+  fs::path folder_;
+  std::string warnings_;
+};
+
+TEST_F(Photographs, AreQuiltedWithoutRepetition) {
+  add_picture("stone.png", 1500, 3);
+  add_text("floors.toml", "[stone]\nfile = \"stone.png\"\nmm_per_pixel = 0.9\n");
+  auto floor = make();
+  ASSERT_TRUE(floor) << floor.error().message;
+  EXPECT_EQ(warnings_, "");
+  Tile here = tile_of(**floor, {0, 0});
+  for (const TileKey other : {TileKey{1, 0}, {0, 1}, {5, 7}}) {
+    Tile there = tile_of(**floor, other);
+    EXPECT_LT(best_match(here, there), 0.65);
+  }
+}
+
+TEST_F(Photographs, WithoutAScaleOneIsAssumedAndSaid) {
+  add_picture("stone.png", 600, 3);
+  ASSERT_TRUE(make());
+  EXPECT_THAT(warnings_, HasSubstr("stone.png"));
+  EXPECT_THAT(warnings_, HasSubstr("0.7 assumed"));
+}
+
+TEST_F(Photographs, ASidecarBesideOnePictureIsRead) {
+  add_picture("stone.png", 600, 3);
+  add_text("stone.png.toml", "mm_per_pixel = 0.5\n");
+  ASSERT_TRUE(make());
+  EXPECT_EQ(warnings_, "");
+}
+
+TEST_F(Photographs, AScaleOutOfBoundsIsRefused) {
+  add_picture("stone.png", 600, 3);
+  add_text("stone.png.toml", "mm_per_pixel = 50\n");
+  const auto floor = make();
+  ASSERT_FALSE(floor);
+  EXPECT_THAT(floor.error().message, HasSubstr("stone.png.toml:1"));
+  EXPECT_THAT(floor.error().message, HasSubstr("mm_per_pixel"));
+}
+
+TEST_F(Photographs, ADamagedPictureIsNamed) {
+  add_text("stone.png", "not a picture");
+  const auto floor = make();
+  ASSERT_FALSE(floor);
+  EXPECT_EQ(floor.error().code, ErrorCode::corrupt);
+  EXPECT_THAT(floor.error().message, HasSubstr("stone.png"));
+}
+
+TEST_F(Photographs, AListedPictureThatIsMissingIsNamed) {
+  add_picture("stone.png", 600, 3);
+  add_text("floors.toml",
+           "[stone]\nfile = \"stone.png\"\nmm_per_pixel = 0.9\n[moss]\nfile = \"moss.png\"\nmm_per_pixel = 0.9\n");
+  const auto floor = make();
+  ASSERT_FALSE(floor);
+  EXPECT_THAT(floor.error().message, HasSubstr("moss"));
+}
+
+TEST_F(Photographs, AFolderWithoutPicturesIsRefused) {
+  EXPECT_FALSE(make());
+  folder_ /= "nowhere";
+  const auto floor = make();
+  ASSERT_FALSE(floor);
+  EXPECT_EQ(floor.error().code, ErrorCode::not_found);
+}
+
+TEST_F(Photographs, OneOfSeveralCanBeChosen) {
+  add_picture("stone.png", 600, 3);
+  add_picture("moss.png", 600, 4);
+  EXPECT_TRUE(make("moss"));
+  const auto floor = make("sand");
+  ASSERT_FALSE(floor);
+  EXPECT_THAT(floor.error().message, HasSubstr("sand"));
+}
+
+}  // namespace
+}  // namespace weft::agents::sim

@@ -1,0 +1,249 @@
+#include "agents/bodies/sim/site.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "agents/bodies/sim/base.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kSmall = R"(
+name = "small"
+[floor]
+x_min = 0
+y_min = 0
+x_max = 5
+y_max = 4
+[[robot]]
+name = "r1"
+x = 1
+y = 2
+heading_deg = 90
+)";
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<Eigen::Vector2d> line_of(const std::string& name) {
+  std::vector<Eigen::Vector2d> line;
+  std::istringstream rows(text_of(std::string(WEFT_SITES) + "/demo/" + name));
+  for (std::string row; std::getline(rows, row);) {
+    std::istringstream numbers(row.substr(0, row.find('#')));
+    Eigen::Vector2d p;
+    if (numbers >> p.x() >> p.y()) {
+      line.push_back(p);
+    }
+  }
+  return line;
+}
+
+double length_of(const std::vector<Eigen::Vector2d>& line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    sum += (line[i] - line[i - 1]).norm();
+  }
+  return sum;
+}
+
+/// Points every 5 cm, each with its heading.
+std::vector<Pose2> walk(const std::vector<Eigen::Vector2d>& line) {
+  std::vector<Pose2> poses;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d way = line[i] - line[i - 1];
+    for (double s = 0.0; s < way.norm(); s += 0.05) {
+      const Eigen::Vector2d p = line[i - 1] + way.normalized() * s;
+      poses.push_back({p.x(), p.y(), std::atan2(way.y(), way.x())});
+    }
+  }
+  return poses;
+}
+
+double distance_between(const Pose2& a, const Pose2& b) {
+  return (a.translation() - b.translation()).norm();
+}
+
+Site demo() {
+  const std::string path = std::string(WEFT_SITES) + "/demo.toml";
+  auto site = parse_site(text_of(path), path);
+  EXPECT_TRUE(site) << site.error().message;
+  return site ? *site : Site{};
+}
+
+TEST(Site, DefaultsAreTheLeastThatADemonstrationStands) {
+  const auto site = parse_site(kSmall, "small.toml");
+  ASSERT_TRUE(site) << site.error().message;
+  EXPECT_EQ(site->robots[0].name, "r1");
+  EXPECT_NEAR(site->robots[0].site_from_robot.heading, M_PI / 2, 1e-12);
+  const Disturbances& d = site->disturbances;
+  EXPECT_NEAR(d.focal_error, 0.003, 1e-12);
+  EXPECT_NEAR(d.mount_error_m, 0.003, 1e-12);
+  EXPECT_NEAR(d.mount_error_rad, 0.3 * M_PI / 180, 1e-12);
+  EXPECT_NEAR(d.vibration_rad, 0.05 * M_PI / 180, 1e-12);
+  EXPECT_NEAR(d.vibration_m, 0.001, 1e-12);
+  EXPECT_NEAR(d.exposure_s, 0.005, 1e-12);
+  EXPECT_NEAR(d.noise_grey, 2.0, 1e-12);
+  EXPECT_NEAR(d.vignetting, 0.2, 1e-12);
+  EXPECT_NEAR(d.exposure_drift, 0.2, 1e-12);
+  EXPECT_NEAR(d.dropped_frames, 0.005, 1e-12);
+  EXPECT_NEAR(d.time_jitter_s, 0.001, 1e-12);
+  EXPECT_NEAR(d.wheel_scale_error, 0.03, 1e-12);
+  EXPECT_NEAR(d.wheel_asymmetry, 0.02, 1e-12);
+}
+
+TEST(Site, EachDisturbanceCanBeSet) {
+  const auto site =
+      parse_site(std::string(kSmall) + "[disturbances]\nnoise_grey = 0\nfocal_error_percent = 1\n", "f");
+  ASSERT_TRUE(site);
+  EXPECT_EQ(site->disturbances.noise_grey, 0.0);
+  EXPECT_NEAR(site->disturbances.focal_error, 0.01, 1e-12);
+}
+
+TEST(Site, AnUnknownKeyIsNamedWithItsLine) {
+  const auto site = parse_site(std::string(kSmall) + "[disturbances]\nnoise_gray = 0\n", "small.toml");
+  ASSERT_FALSE(site);
+  EXPECT_EQ(site.error().code, ErrorCode::invalid);
+  EXPECT_THAT(site.error().message, HasSubstr("small.toml:14"));
+  EXPECT_THAT(site.error().message, HasSubstr("noise_gray"));
+}
+
+TEST(Site, AValueOutOfBoundsIsNamedWithItsBound) {
+  const auto site = parse_site(std::string(kSmall) + "[camera]\nfocal_px = 5\n", "small.toml");
+  ASSERT_FALSE(site);
+  EXPECT_THAT(site.error().message, HasSubstr("small.toml:14"));
+  EXPECT_THAT(site.error().message, HasSubstr("focal_px"));
+  EXPECT_THAT(site.error().message, HasSubstr("50"));
+}
+
+TEST(Site, EveryMistakeIsReportedAtOnce) {
+  const auto site =
+      parse_site("[floor]\nx_min = 0\ny_min = 0\nx_max = -1\ny_max = 4\nmaterial = \"snow\"\n", "f.toml");
+  ASSERT_FALSE(site);
+  EXPECT_THAT(site.error().message, HasSubstr("x_max"));
+  EXPECT_THAT(site.error().message, HasSubstr("material"));
+  EXPECT_THAT(site.error().message, HasSubstr("robot"));
+}
+
+TEST(Site, ARobotInARackIsRefused) {
+  const auto site =
+      parse_site(std::string(kSmall) + "[[rack]]\nname = \"A\"\nx = 1\ny = 2\nlength_m = 2\n", "small.toml");
+  ASSERT_FALSE(site);
+  EXPECT_THAT(site.error().message, HasSubstr("would stand in A"));
+}
+
+TEST(Site, TextThatIsNoTomlIsRefused) {
+  EXPECT_FALSE(parse_site("[floor", "f.toml"));
+}
+
+TEST(DemoSite, IsLargeEnough) {
+  const Site site = demo();
+  EXPECT_GE(site.floor.x_max - site.floor.x_min, 20.0);
+  EXPECT_GE(site.floor.y_max - site.floor.y_min, 12.0);
+  EXPECT_EQ(site.robots.size(), 3U);
+}
+
+TEST(DemoSite, LinesAreLongClearAndDriveable) {
+  const Site site = demo();
+  for (const char* name : {"r1.line", "r2.line"}) {
+    const auto line = line_of(name);
+    EXPECT_GE(length_of(line), 30.0) << name;
+    const auto poses = walk(line);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      for (const Box& box : site.boxes) {
+        EXPECT_GE(distance_to(box, poses[i].x, poses[i].y), 0.8) << name << " and " << box.name;
+      }
+      // Over 0.35 m of a bend of 0.7 m radius the heading turns by 0.5 rad.
+      if (i + 7 < poses.size()) {
+        EXPECT_LT(std::abs(wrap_angle(poses[i + 7].heading - poses[i].heading)), 0.6) << name;
+      }
+    }
+  }
+}
+
+TEST(DemoSite, LinesCloseOverMoreThanAMetre) {
+  for (const char* name : {"r1.line", "r2.line"}) {
+    const auto poses = walk(line_of(name));
+    int again = 0;
+    for (std::size_t late = poses.size() / 2; late < poses.size(); ++late) {
+      for (std::size_t early = 0; early < poses.size() / 4; ++early) {
+        if (distance_between(poses[late], poses[early]) < 0.06 &&
+            std::abs(wrap_angle(poses[late].heading - poses[early].heading)) < 0.1) {
+          ++again;
+          break;
+        }
+      }
+    }
+    EXPECT_GT(again * 0.05, 1.0) << name;
+  }
+}
+
+TEST(DemoSite, LinesOverlapInOneDirection) {
+  const auto r1 = walk(line_of("r1.line"));
+  const auto r2 = walk(line_of("r2.line"));
+  std::vector<Pose2> shared;
+  for (const Pose2& a : r1) {
+    for (const Pose2& b : r2) {
+      if (distance_between(a, b) <= 0.15 && std::abs(wrap_angle(a.heading - b.heading)) < 0.05) {
+        shared.push_back(a);
+        break;
+      }
+    }
+  }
+  double least = 1e9;
+  double most = -1e9;
+  for (const Pose2& pose : shared) {
+    least = std::min(least, pose.x);
+    most = std::max(most, pose.x);
+  }
+  EXPECT_GE(most - least, 6.0);
+}
+
+TEST(DemoSite, RobotsStartWhereTheStoryNeedsThem) {
+  const Site site = demo();
+  const auto r1 = walk(line_of("r1.line"));
+  const Pose2 r1_start = site.robots[0].site_from_robot;
+  EXPECT_LT(distance_between(r1_start, r1.front()), 0.05);
+  EXPECT_LE(distance_between(site.robots[1].site_from_robot, r1_start), 0.2);
+  double nearest = 1e9;
+  double turned = 0.0;
+  const Pose2 r3 = site.robots[2].site_from_robot;
+  for (const Pose2& pose : r1) {
+    if (distance_between(pose, r3) < nearest) {
+      nearest = distance_between(pose, r3);
+      turned = std::abs(wrap_angle(pose.heading - r3.heading));
+    }
+  }
+  EXPECT_LE(nearest, 0.3);
+  EXPECT_GT(nearest, 0.1);
+  EXPECT_LE(turned, 20.0 * M_PI / 180);
+  EXPECT_GT(turned, 5.0 * M_PI / 180);
+}
+
+TEST(DemoSite, RestingRobotsStandInNobodysWay) {
+  const auto r1 = walk(line_of("r1.line"));
+  const auto r2 = walk(line_of("r2.line"));
+  for (const Pose2& pose : r2) {
+    EXPECT_GT(distance_between(pose, r1.back()), 1.0);
+  }
+  for (const Pose2& pose : r1) {
+    EXPECT_GT(distance_between(pose, r2.back()), 1.0);
+  }
+  const Site site = demo();
+  for (const Station& station : site.stations) {
+    if (station.name == "packing-3") {
+      EXPECT_GT(distance_between(station.site_from_station, r2.back()), 2.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weft::agents::sim
