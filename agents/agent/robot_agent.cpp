@@ -139,8 +139,8 @@ std::optional<SteadyTime> RobotAgent::next_tick() const {
   if (spooler_.has_chunks()) sooner(budget_.when(msg::kChunkBytes));
   using Phase = Teaching::Phase;
   const bool limited =
-      teaching_.has_value() &&
-      (teaching_->phase == Phase::ending || (teaching_->phase == Phase::preparing && teaching_->seed.has_value()));
+      teaching_.has_value() && (teaching_->phase == Phase::ending || teaching_->phase == Phase::seeking ||
+                                (teaching_->phase == Phase::preparing && teaching_->seed.has_value()));
   if (limited) sooner(teaching_->deadline);
   if (localising_.has_value()) sooner(localising_->deadline);
   if (follow_pending_ && !stopped_ && fault_.empty() && !teaching_.has_value()) sooner(follow_at_latest_);

@@ -20,6 +20,7 @@ namespace weft::agents {
 struct Teaching {
   enum class Phase {
     preparing,  ///< waits for the map around the seed
+    seeking,    ///< waits for the first fix around the seed
     hand,       ///< waits for the body's hand to say whether it can drive this
     on,
     ending  ///< waits for one more view: the last place
@@ -31,7 +32,7 @@ struct Teaching {
   std::vector<SitePoint> along;
   CommandKey started_by;
   std::optional<CommandKey> stopped_by;
-  SteadyTime deadline{};  ///< of preparing and ending
+  SteadyTime deadline{};  ///< of preparing, seeking and ending
   bool hand_done = false;
 };
 
@@ -88,6 +89,7 @@ class RobotAgent final : public Agent {
   // What takes longer than one message (robot_agent_work.cpp).
   void work(SteadyTime now);
   void prepare_teaching(SteadyTime now);
+  void start_hand();
   void begin_teaching();
   void end_teaching(SteadyTime now);
   void stop_teaching(const std::string& reason);

@@ -81,6 +81,7 @@ void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {
   if (!session_.is_meant_for_me(order.header, now)) return;
   const Route& route = order.route;
   if (teaching_.has_value() && !route.ended) return;  // The server learns from our state that we are being taught.
+  const bool same_route = task_.route().has_value() && task_.route()->id == route.id;
   switch (task_.take(route, now)) {
     case RouteTask::Took::ignored:
       return;
@@ -91,8 +92,13 @@ void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {
       state_at_ = now;
       break;
     case RouteTask::Took::renewed:
-      if (!follow_pending_) follow_at_latest_ = now + kMapOfRouteAtMost;
+      if (same_route && !follow_pending_ && !stopped_) {
+        navigator_->follow(*task_.route());
+        break;
+      }
+      if (!follow_pending_) navigator_->stop();
       follow_pending_ = true;
+      follow_at_latest_ = now + kMapOfRouteAtMost;
       break;
     case RouteTask::Took::extended:
       if (!follow_pending_ && !stopped_) navigator_->follow(*task_.route());

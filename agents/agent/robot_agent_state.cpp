@@ -31,6 +31,7 @@ std::string RobotAgent::reason() const {
     case msg::RobotMode::teaching:
       if (stopped_) return "stopped by an operator";
       if (teaching_->phase == Teaching::Phase::preparing) return "waits for the map around its seed";
+      if (teaching_->phase == Teaching::Phase::seeking) return "looks for itself around its seed";
       return teaching_->hand_done ? "hand_done" : std::string{};
     case msg::RobotMode::stopped:
       return "stopped by an operator";

@@ -25,7 +25,14 @@ void RobotAgent::work(SteadyTime now) {
 }
 
 void RobotAgent::prepare_teaching(SteadyTime now) {
-  if (!teaching_.has_value() || teaching_->phase != Teaching::Phase::preparing) return;
+  if (!teaching_.has_value()) return;
+  if (teaching_->phase == Teaching::Phase::seeking && now >= teaching_->deadline) {
+    refuse(teaching_->started_by, config_.name + " did not find itself around " + to_string(*teaching_->seed) +
+                                      ": move it nearer, or teach without a seed");
+    teaching_.reset();
+    return;
+  }
+  if (teaching_->phase != Teaching::Phase::preparing) return;
   const MapView map{replica_.window(), cache_};
   const bool ready =
       !teaching_->seed.has_value() || (replica_.is_settled() && is_covered(map, *teaching_->seed, kSeedHops));
@@ -36,9 +43,15 @@ void RobotAgent::prepare_teaching(SteadyTime now) {
     teaching_.reset();
     return;
   }
+  if (!teaching_->seed.has_value()) return start_hand();
+  teaching_->phase = Teaching::Phase::seeking;
+  teaching_->deadline = now + kSearchAtMost;
+  navigator_->seek(teaching_->seed);
+}
+
+void RobotAgent::start_hand() {
   if (teaching_->along.empty()) return begin_teaching();
   teaching_->phase = Teaching::Phase::hand;
-  teaching_->deadline = now + kMapAtMost;
   output_.hand_start = teaching_->along;
 }
 
@@ -56,7 +69,6 @@ AgentOutput RobotAgent::hand_answered(const Result<void>& answer, SteadyTime now
 
 void RobotAgent::begin_teaching() {
   teaching_->phase = Teaching::Phase::on;
-  if (teaching_->seed.has_value()) navigator_->seek(teaching_->seed);
   navigator_->begin_teach({.experience = teaching_->experience, .robot = config_.self});
   spooler_.begin(teaching_->experience, teaching_->name);
   msg::AgentReply done;
@@ -84,7 +96,8 @@ void RobotAgent::stop_teaching(const std::string& reason) {
   output_.hand_stop = true;
   teaching_failed_ = reason;
   output_.notes.push_back(reason);
-  if (teaching_->phase == Teaching::Phase::preparing || teaching_->phase == Teaching::Phase::hand) {
+  const Teaching::Phase phase = teaching_->phase;
+  if (phase != Teaching::Phase::on && phase != Teaching::Phase::ending) {
     refuse(teaching_->started_by, reason);
   }
   if (teaching_->stopped_by.has_value()) refuse(*teaching_->stopped_by, reason);
@@ -166,6 +179,7 @@ void RobotAgent::prepare_localising(SteadyTime now) {
 
 void RobotAgent::note_fix(const Fix& fix) {
   output_.fixes.push_back({.frame = frame_, .fix = fix});
+  if (teaching_.has_value() && teaching_->phase == Teaching::Phase::seeking) return start_hand();
   if (!localising_.has_value() || !localising_->seeking) return;
   const std::optional<CommandKey> asked_by = localising_->asked_by;
   localising_.reset();
@@ -178,9 +192,9 @@ void RobotAgent::note_fix(const Fix& fix) {
 
 void RobotAgent::search_when_of_use(SteadyTime now) {
   if (localising_.has_value() || teaching_.has_value() || !fault_.empty() || now < search_at_) return;
-  const bool knows = navigator_->estimate().has_value() && !lost_;
-  if (knows || replica_.window().places.empty() || cache_.missing() > 0) return;
-  if (searched_ && !lost_ && !task_.route().has_value()) return;
+  // A lost robot still has an idea of where it was; the navigator looks from there by itself.
+  if (navigator_->estimate().has_value() || replica_.window().places.empty() || cache_.missing() > 0) return;
+  if (searched_ && !task_.route().has_value()) return;
   start_localising(std::nullopt, std::nullopt, now);
 }
 

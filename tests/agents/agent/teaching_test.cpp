@@ -68,8 +68,24 @@ TEST(Teaching, SeedWaitsForItsMapAndThenLooksThere) {
   EXPECT_TRUE(rig.script->taught.empty());
   rig.lost_down = [](const msg::Message&) { return false; };
   rig.run(10s);
-  ASSERT_EQ(rig.script->taught.size(), 1U);
+  EXPECT_TRUE(rig.script->taught.empty());
   EXPECT_EQ(rig.script->sought.back(), (PlaceId{laid, 4}));
+  rig.script->answer.fix = Fix{{laid, 4}, Relation{}, {}};
+  rig.run(1s);
+  EXPECT_EQ(rig.script->taught.size(), 1U);
+}
+
+TEST(Teaching, SeedThatIsNotFoundIsRefused) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 10);
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.seed = PlaceId{laid, 4};
+  rig.tell(command);
+  rig.run(70s);
+  ASSERT_TRUE(rig.last<msg::AgentReply>().has_value());
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("did not find itself"), std::string::npos);
+  EXPECT_TRUE(rig.script->taught.empty());
 }
 
 TEST(Teaching, SeedThatIsNowhereIsRefused) {
