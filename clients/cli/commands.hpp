@@ -1,0 +1,38 @@
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "clients/cli/exit.hpp"
+#include "clients/cli/invocation.hpp"
+#include "clients/cli/json.hpp"
+#include "clients/cli/session.hpp"
+
+namespace weft::cli {
+
+/// Where a command's words go. With --json exactly one document goes to `out`, errors included.
+struct Output {
+  std::ostream& out;
+  std::ostream& err;
+};
+
+/// Connects and does what was asked. Files named in the invocation are read and written here.
+Exit run(Session& session, const Invocation& invocation, const Output& output);
+
+/// "weft: ..." to err, and with --json the error as a document.
+Exit report(const Error& error, bool json, const Output& output);
+
+// One family of commands each; connected already.
+Exit run_robots(Session& session, const Invocation& invocation, const Output& output);
+Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
+Exit run_map(Session& session, const Invocation& invocation, const Output& output);
+Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
+Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);
+
+/// What was asked of the invocation's --timeout, or what suits the command.
+Duration patience(const Invocation& invocation);
+Result<msg::QueryReply> query_robots(Session& session, Duration at_most);
+Names names_of(const std::vector<msg::RobotRow>& robots);
+/// The server's reply, shown: its exit code.
+Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const Output& output);
+
+}  // namespace weft::cli

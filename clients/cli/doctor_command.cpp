@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/table.hpp"
+
+namespace weft::cli {
+namespace {
+
+constexpr double kSilent = 5.0;                  // seconds
+constexpr double kSkewed = 1.0;                  // seconds
+constexpr std::uint64_t kDiskLow = 1ULL << 30U;  // bytes
+constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+
+/// One thing that was looked at.
+struct Finding {
+  std::string what;
+  bool good = true;
+  std::string detail;  ///< and, when it is not good, what to do
+};
+
+std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info) {
+  const std::string own = "weft " WEFT_VERSION;
+  std::vector<Finding> found;
+  found.push_back({"server", true,
+                   "reached: " + server.name + ", epoch " + std::to_string(info.epoch.value) + ", revision " +
+                       std::to_string(info.revision.value)});
+  found.push_back({"vendor", true, "server " + info.vendor});
+  const std::string version = WEFT_VERSION;
+  const bool same = info.software.find(version) != std::string::npos;
+  found.push_back(
+      {"versions", same,
+       "server " + info.software + ", this " + own + (same ? "" : ": update the older one when it suits")});
+  const bool room = info.disk_free_bytes >= kDiskLow;
+  found.push_back({"disk", room,
+                   fixed(static_cast<double>(info.disk_free_bytes) / kGiB, 1) + " GiB free at the server" +
+                       (room ? "" : ": make room, or batches will be refused")});
+  for (const auto& [what, times] : info.counters) {
+    found.push_back({"counted", true, std::to_string(times) + " x " + what});
+  }
+  return found;
+}
+
+std::vector<Finding> of_robot(const msg::RobotRow& row) {
+  const std::string name = "robot " + row.description.name;
+  std::vector<Finding> found;
+  const bool heard = row.silent_s <= kSilent;
+  found.push_back({name, heard,
+                   heard ? row.vendor + ", " + msg::to_string(row.state.mode)
+                         : "not heard for " + fixed(row.silent_s, 0) + " s: is its agent running?"});
+  const bool close = std::abs(row.clock_skew_s) <= kSkewed;
+  found.push_back({name, close,
+                   "clock " + fixed(row.clock_skew_s * 1000.0, 0) + " ms ahead of the server's" +
+                       (close ? "" : ": run an NTP client there; records will not line up")});
+  const bool able = row.state.mode != msg::RobotMode::faulted && row.state.mode != msg::RobotMode::lost;
+  if (!able) found.push_back({name, false, row.state.reason + ": see `weft goal why " + row.description.name + "`"});
+  return found;
+}
+
+}  // namespace
+
+Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output) {
+  msg::Query query;
+  query.kind = msg::Query::Kind::info;
+  const Result<msg::QueryReply> info = session.query(query, patience(invocation));
+  if (!info) return report(info.error(), invocation.json, output);
+  const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
+  if (!robots) return report(robots.error(), invocation.json, output);
+  std::vector<Finding> findings = of_server(server, info->info);
+  for (const msg::RobotRow& row : robots->robots) {
+    for (Finding& finding : of_robot(row)) findings.push_back(std::move(finding));
+  }
+  bool good = true;
+  Table table;
+  nlohmann::json document = nlohmann::json::array();
+  for (const Finding& finding : findings) {
+    good = good && finding.good;
+    table.add({finding.good ? "ok" : "PROBLEM", finding.what, finding.detail});
+    document.push_back({{"what", finding.what}, {"good", finding.good}, {"detail", finding.detail}});
+  }
+  if (invocation.json) {
+    const nlohmann::json all = {{"good", good},
+                                {"findings", std::move(document)},
+                                {"server", to_json(info->info)},
+                                {"robots", robots->robots.size()}};
+    output.out << all.dump(2) << '\n';
+  } else {
+    table.print(output.out);
+  }
+  return good ? Exit::done : Exit::failed;
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "clients/cli/json.hpp"
+#include "core/network/window.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/result.hpp"
+
+namespace weft::cli {
+
+/// Draws the network as people look at it: experiences in their colours, stitches, labels, robots, a scale in metres.
+/// invalid: the file's name ends neither in .png nor in .svg; unavailable: it cannot be written.
+Result<void> draw(const Window& network, const std::vector<msg::RobotRow>& robots, const std::string& file);
+
+}  // namespace weft::cli

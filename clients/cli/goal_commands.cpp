@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/table.hpp"
+
+namespace weft::cli {
+namespace {
+using namespace std::chrono_literals;
+using Command = Invocation::Command;
+
+constexpr Duration kBetweenLooks = 500ms;
+constexpr Duration kLook = 5s;
+
+/// The goals as they are, with names for their robots.
+struct Goals {
+  std::vector<Goal> goals;
+  std::vector<Route> routes;
+  std::vector<msg::RobotRow> robots;
+  Names names;
+
+  const Route* route(const GoalId& id) const {
+    const auto found =
+        std::find_if(routes.begin(), routes.end(), [&](const Route& route) { return route.goal == id; });
+    return found == routes.end() ? nullptr : &*found;
+  }
+};
+
+Result<Goals> look(Session& session, const GoalId& only, Duration at_most) {
+  Result<msg::QueryReply> robots = query_robots(session, at_most);
+  if (!robots) return fail(robots.error());
+  msg::Query query;
+  query.kind = msg::Query::Kind::goals;
+  query.goal = only;
+  Result<msg::QueryReply> goals = session.query(query, at_most);
+  if (!goals) return fail(goals.error());
+  return Goals{std::move(goals->goals), std::move(goals->routes), robots->robots, names_of(robots->robots)};
+}
+
+/// The goal whose id begins so.
+Result<Goal> find(const Goals& goals, const std::string& beginning) {
+  const Goal* found = nullptr;
+  for (const Goal& goal : goals.goals) {
+    if (!to_string(goal.id).starts_with(beginning)) continue;
+    if (found != nullptr) {
+      return fail(ErrorCode::not_found, "more than one goal begins with " + beginning + ": give more digits of it");
+    }
+    found = &goal;
+  }
+  if (found == nullptr) return fail(ErrorCode::not_found, "no goal " + beginning + ": see `weft goal list`");
+  return *found;
+}
+
+std::string line(const GoalEvent& event) {
+  return to_text(event.at) + "  " + to_string(event.state) + (event.cause.empty() ? "" : ": " + event.cause) +
+         (event.who.empty() ? "" : "  (" + event.who + ")");
+}
+
+Exit send(Session& session, const Invocation& invocation, const Output& output) {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::goal_send;
+  request.label = invocation.name;
+  request.robot = invocation.robot;
+  request.goal = session.new_goal();
+  const GoalId id = request.goal;
+  Result<msg::OperatorReply> reply = session.ask(std::move(request), patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  if (exit_of(reply->outcome) == Exit::done) {
+    reply->goal = id;
+    reply->message = "goal " + to_string(id) + ": " + reply->message;
+  }
+  return show(*reply, invocation, output);
+}
+
+Exit list(const Goals& goals, const Invocation& invocation, const Output& output) {
+  if (invocation.json) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Goal& goal : goals.goals) rows.push_back(to_json(goal, goals.route(goal.id), goals.names));
+    output.out << rows.dump(2) << '\n';
+    return Exit::done;
+  }
+  if (goals.goals.empty()) output.out << "no goals; send one: weft goal send --to LABEL\n";
+  Table table;
+  if (!goals.goals.empty()) table.add({"GOAL", "TO", "ROBOT", "STATE", "SECONDS", "CAUSE"});
+  for (const Goal& goal : goals.goals) {
+    table.add({to_string(goal.id).substr(0, 8), goal.label,
+               goal.robot.has_value() ? name_of(goals.names, *goal.robot) : "-", to_string(goal.state),
+               fixed(duration_s(goal), 1), goal.history.empty() ? "" : goal.history.back().cause});
+  }
+  table.print(output.out);
+  return Exit::done;
+}
+
+Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation, const Output& output) {
+  const Route* const route = goals.route(goal.id);
+  if (invocation.json) {
+    output.out << to_json(goal, route, goals.names).dump(2) << '\n';
+    return Exit::done;
+  }
+  output.out << "goal " << to_string(goal.id) << " to " << goal.label << " (" << to_string(goal.to)
+             << "): " << to_string(goal.state) << '\n';
+  if (goal.robot.has_value()) output.out << "robot " << name_of(goals.names, *goal.robot) << '\n';
+  if (route != nullptr) {
+    output.out << "route version " << route->version << ", " << route->places.size() << " places, released through "
+               << route->released << (route->reason.empty() ? "" : ": " + route->reason) << '\n';
+  }
+  for (const GoalEvent& event : goal.history) output.out << line(event) << '\n';
+  return Exit::done;
+}
+
+Exit watch(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {
+  const SteadyTime end = session.world().now() + patience(invocation);
+  std::size_t shown = 0;
+  bool silent = false;
+  while (session.world().now() < end) {
+    const Result<Goals> goals = look(session, goal.id, kLook);
+    if (!goals && !silent) output.err << "weft: the server is silent; still watching\n";
+    silent = !goals;
+    if (goals && !goals->goals.empty()) {
+      const Goal& now = goals->goals.front();
+      for (; !invocation.json && shown < now.history.size(); ++shown)
+        output.out << line(now.history[shown]) << std::endl;
+      if (is_terminal(now.state)) {
+        if (invocation.json) output.out << to_json(now, goals->route(now.id), goals->names).dump(2) << '\n';
+        return now.state == GoalState::succeeded ? Exit::done : Exit::failed;
+      }
+    }
+    session.world().wait(kBetweenLooks);
+  }
+  return report({ErrorCode::timed_out, "the goal is still under way: `weft goal why " +
+                                           to_string(goal.id).substr(0, 8) + "` says what holds it up"},
+                invocation.json, output);
+}
+
+Exit cancel(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::goal_cancel;
+  request.goal = goal.id;
+  const Result<msg::OperatorReply> reply = session.ask(std::move(request), patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  return show(*reply, invocation, output);
+}
+
+std::string standing(const msg::RobotRow& row) {
+  std::string text = row.description.name + " is " + msg::to_string(row.state.mode);
+  if (!row.state.reason.empty()) text += ": " + row.state.reason;
+  if (!row.state.localised) text += "; it does not know where it is";
+  if (row.silent_s > 5.0) text += "; not heard for " + fixed(row.silent_s, 0) + " s";
+  if (!row.occupies.empty()) text += "; it occupies " + row.occupies;
+  return text;
+}
+
+/// What is known about a goal or a robot, newest last: its own history, the robot's word, and the events.
+Exit why(Session& session, const Goals& goals, const Invocation& invocation, const Output& output) {
+  const auto robot = std::find_if(goals.robots.begin(), goals.robots.end(), [&](const msg::RobotRow& row) {
+    return row.description.name == invocation.goal || to_string(row.description.header.sender) == invocation.goal;
+  });
+  std::optional<Goal> goal;
+  if (robot == goals.robots.end()) {
+    const Result<Goal> found = find(goals, invocation.goal);
+    if (!found) return report(found.error(), invocation.json, output);
+    goal = *found;
+  }
+  msg::Query query;
+  query.kind = msg::Query::Kind::events;
+  if (goal.has_value()) {
+    query.goal = goal->id;
+  } else {
+    query.robot = invocation.goal;
+  }
+  const Result<msg::QueryReply> events = session.query(query, patience(invocation));
+  if (!events) return report(events.error(), invocation.json, output);
+  const RobotId who = goal.has_value() ? goal->robot.value_or(RobotId{}) : robot->description.header.sender;
+  const auto row = std::find_if(goals.robots.begin(), goals.robots.end(),
+                                [&](const msg::RobotRow& one) { return one.description.header.sender == who; });
+  const Route* const route = goal.has_value() ? goals.route(goal->id) : nullptr;
+  if (invocation.json) {
+    nlohmann::json document = {{"events", nlohmann::json::array()}};
+    for (const msg::Event& event : events->events) document["events"].push_back(to_json(event, goals.names));
+    if (goal.has_value()) document["goal"] = to_json(*goal, route, goals.names);
+    if (row != goals.robots.end()) document["robot"] = to_json(*row);
+    output.out << document.dump(2) << '\n';
+    return Exit::done;
+  }
+  for (const msg::Event& event : events->events) {
+    output.out << to_text(event.at) << "  " << event.kind << (event.cause.empty() ? "" : ": " + event.cause)
+               << (event.who.empty() ? "" : "  (" + event.who + ")") << '\n';
+  }
+  if (goal.has_value()) {
+    output.out << "goal " << to_string(goal->id).substr(0, 8) << " to " << goal->label << " is "
+               << to_string(goal->state)
+               << (goal->history.empty() || goal->history.back().cause.empty() ? ""
+                                                                               : ": " + goal->history.back().cause)
+               << '\n';
+  }
+  if (route != nullptr && !route->reason.empty()) output.out << "its route waits: " << route->reason << '\n';
+  if (row != goals.robots.end()) output.out << standing(*row) << '\n';
+  return Exit::done;
+}
+
+}  // namespace
+
+Exit run_goals(Session& session, const Invocation& invocation, const Output& output) {
+  if (invocation.command == Command::goal_send) return send(session, invocation, output);
+  const Result<Goals> goals = look(session, GoalId{}, std::min<Duration>(patience(invocation), 60s));
+  if (!goals) return report(goals.error(), invocation.json, output);
+  if (invocation.command == Command::goal_list) return list(*goals, invocation, output);
+  if (invocation.command == Command::goal_why) return why(session, *goals, invocation, output);
+  const Result<Goal> goal = find(*goals, invocation.goal);
+  if (!goal) return report(goal.error(), invocation.json, output);
+  if (invocation.command == Command::goal_watch) return watch(session, *goal, invocation, output);
+  if (invocation.command == Command::goal_cancel) return cancel(session, *goal, invocation, output);
+  return show_one(*goal, *goals, invocation, output);
+}
+
+}  // namespace weft::cli

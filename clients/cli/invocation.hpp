@@ -1,0 +1,68 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/protocol/messages.hpp"
+#include "core/result.hpp"
+
+namespace weft::cli {
+
+/// One command line, understood.
+struct Invocation {
+  enum class Command {
+    robots,
+    teach_start,
+    teach_stop,
+    localise,
+    map_info,
+    map_draw,
+    map_label,
+    map_export,
+    goal_send,
+    goal_list,
+    goal_show,
+    goal_watch,
+    goal_cancel,
+    goal_why,
+    stop,
+    resume,
+    robot_clear,
+    doctor
+  };
+  Command command = Command::robots;
+  std::string robot;  ///< name or hex id; empty: any, or all
+  std::string name;   ///< of an experience or a label
+  std::string place;  ///< a place id, a label, or "here"
+  std::string goal;   ///< an id, the unique beginning of one, or (why) a robot's name
+  std::string file;   ///< to read (--along) or to write
+  bool json = false;
+
+  std::vector<std::string> servers;
+  std::string vendor;
+  unsigned domain = 0;
+  std::string listen;
+  std::optional<double> timeout_s;  ///< none: what suits the command
+};
+
+/// A command line that is not to be run: help, or a mistake with what to do.
+struct NotRun {
+  int exit_code = 2;
+  std::string text;
+};
+
+/// Defaults from the environment: WEFT_SERVER (comma-separated), WEFT_DDS.
+struct Environment {
+  std::string server;
+  std::string vendor;
+};
+
+std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const Environment& environment);
+
+/// A polyline, one point "x y" or "x,y" a line, metres in the site's frame; '#' begins a comment.
+/// invalid: names file, line and what is wrong.
+Result<std::vector<msg::AgentCommand::Point>> parse_polyline(std::string_view text, const std::string& file);
+
+}  // namespace weft::cli

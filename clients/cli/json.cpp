@@ -1,0 +1,155 @@
+#include "clients/cli/json.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
+namespace weft::cli {
+
+using nlohmann::json;
+
+std::string name_of(const Names& names, const RobotId& robot) {
+  const auto found = names.find(robot);
+  return found == names.end() || found->second.empty() ? to_string(robot) : found->second;
+}
+
+std::string to_text(WallTime time) {
+  const auto since = time.time_since_epoch();
+  const auto whole = std::chrono::floor<std::chrono::seconds>(since);
+  const auto millis = std::chrono::duration_cast<std::chrono::milliseconds>(since - whole);
+  const std::time_t at = whole.count();
+  std::tm utc{};
+  gmtime_r(&at, &utc);
+  std::array<char, 40> text{};
+  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &utc);
+  std::snprintf(text.data() + size, text.size() - size, ".%03dZ", static_cast<int>(millis.count()));
+  return text.data();
+}
+
+double duration_s(const Goal& goal) {
+  return goal.history.empty() ? 0.0 : seconds(goal.history.back().at - goal.history.front().at);
+}
+
+json to_json(const Pose2& pose) {
+  return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
+}
+
+json to_json(const msg::RobotRow& row) {
+  const msg::RobotState& state = row.state;
+  json object = {{"name", row.description.name},
+                 {"id", to_string(row.description.header.sender)},
+                 {"body", row.description.body},
+                 {"methods", row.description.methods},
+                 {"vendor", row.vendor},
+                 {"mode", msg::to_string(state.mode)},
+                 {"reason", state.reason},
+                 {"localised", state.localised},
+                 {"blind_m", state.blind_m},
+                 {"speed_m_s", state.speed_m_s},
+                 {"frame", state.frame},
+                 {"window_revision", state.window_revision.value},
+                 {"contents_missing", state.contents_missing},
+                 {"silent_s", row.silent_s},
+                 {"clock_skew_s", row.clock_skew_s},
+                 {"occupies", row.occupies}};
+  object["place"] = state.place ? json(to_string(state.place)) : json();
+  object["place_from_robot"] = state.place ? to_json(planar(state.place_from_robot)) : json();
+  object["experience"] = state.experience ? json(to_string(state.experience)) : json();
+  object["goal"] = state.goal ? json(to_string(state.goal)) : json();
+  return object;
+}
+
+json to_json(const Goal& goal, const Route* route, const Names& names) {
+  json places = json::array();
+  if (route != nullptr) {
+    for (const PlaceId& place : route->places) places.push_back(to_string(place));
+  }
+  json history = json::array();
+  for (const GoalEvent& event : goal.history) {
+    history.push_back(
+        {{"at", to_text(event.at)}, {"state", to_string(event.state)}, {"cause", event.cause}, {"who", event.who}});
+  }
+  json object = {{"id", to_string(goal.id)},
+                 {"number", goal.number},
+                 {"to", goal.label},
+                 {"place", to_string(goal.to)},
+                 {"state", to_string(goal.state)},
+                 {"route", std::move(places)},
+                 {"route_version", goal.route_version},
+                 {"duration_s", duration_s(goal)},
+                 {"history", std::move(history)}};
+  object["robot"] = goal.robot.has_value() ? json(name_of(names, *goal.robot)) : json();
+  object["wanted"] = goal.wanted.has_value() ? json(name_of(names, *goal.wanted)) : json();
+  object["released"] = route != nullptr ? json(route->released) : json();
+  return object;
+}
+
+json to_json(const msg::Event& event, const Names& names) {
+  json object = {{"at", to_text(event.at)}, {"kind", event.kind}, {"cause", event.cause}, {"who", event.who}};
+  object["robot"] = event.robot ? json(name_of(names, event.robot)) : json();
+  object["goal"] = event.goal ? json(to_string(event.goal)) : json();
+  return object;
+}
+
+json to_json(const msg::MapInfo& info) {
+  json counters = json::object();
+  for (const auto& [what, times] : info.counters) counters[what] = times;
+  return {{"revision", info.revision.value},
+          {"epoch", info.epoch.value},
+          {"experiences", info.experiences},
+          {"places", info.places},
+          {"stitches", info.stitches},
+          {"contents", info.contents},
+          {"content_bytes", info.content_bytes},
+          {"batches_acknowledged", info.batches_acknowledged},
+          {"batches_refused", info.batches_refused},
+          {"disk_free_bytes", info.disk_free_bytes},
+          {"software", info.software},
+          {"vendor", info.vendor},
+          {"engine", info.engine},
+          {"counters", std::move(counters)}};
+}
+
+json to_json(const Window& network, const Names& names) {
+  json places = json::array();
+  std::map<ExperienceId, json> experiences;
+  for (const auto& [id, place] : network.places) {
+    places.push_back({{"id", to_string(id)},
+                      {"experience", to_string(id.experience)},
+                      {"index", id.index},
+                      {"robot", name_of(names, place.robot)},
+                      {"frame", place.frame},
+                      {"method", place.method},
+                      {"content", to_string(place.content.hash)},
+                      {"content_bytes", place.content.size}});
+    json& experience = experiences[id.experience];
+    if (experience.is_null()) {
+      experience = {{"id", to_string(id.experience)}, {"robot", name_of(names, place.robot)}, {"places", 0}};
+    }
+    experience["places"] = experience["places"].get<std::uint64_t>() + 1;
+  }
+  json edges = json::array();
+  for (const auto& [id, edge] : network.edges) {
+    static constexpr std::array<const char*, 4> kDrivable = {"none", "a_to_b", "b_to_a", "both"};
+    edges.push_back({{"a", to_string(id.a)},
+                     {"b", to_string(id.b)},
+                     {"a_from_b", to_json(planar(edge.a_from_b))},
+                     {"origin", to_string(edge.origin)},
+                     {"method", edge.method},
+                     {"drivable", kDrivable[static_cast<std::size_t>(edge.drivable) % kDrivable.size()]},
+                     {"inliers", edge.inliers},
+                     {"overlap", edge.overlap}});
+  }
+  json labels = json::object();
+  for (const auto& [label, place] : network.labels) labels[label] = to_string(place);
+  json listed = json::array();
+  for (auto& [id, experience] : experiences) listed.push_back(std::move(experience));
+  return {{"revision", network.revision.value},
+          {"experiences", std::move(listed)},
+          {"places", std::move(places)},
+          {"edges", std::move(edges)},
+          {"labels", std::move(labels)}};
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/network/window.hpp"
+#include "core/protocol/messages.hpp"
+
+namespace weft::cli {
+
+/// Robots' names by id, for people.
+using Names = std::map<RobotId, std::string>;
+std::string name_of(const Names& names, const RobotId& robot);
+
+nlohmann::json to_json(const msg::RobotRow& row);
+/// `route`: the goal's latest one, or null.
+nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names);
+nlohmann::json to_json(const msg::Event& event, const Names& names);
+nlohmann::json to_json(const msg::MapInfo& info);
+/// docs/formats/records.md, network.json.
+nlohmann::json to_json(const Window& network, const Names& names);
+nlohmann::json to_json(const Pose2& pose);
+
+/// "2026-11-21T10:40:03.250Z"
+std::string to_text(WallTime time);
+/// Between acceptance and end, or the last event.
+double duration_s(const Goal& goal);
+
+}  // namespace weft::cli

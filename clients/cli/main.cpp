@@ -1,0 +1,70 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+#include "clients/cli/commands.hpp"
+#include "idl/bus/bus.hpp"
+#include "idl/bus/link.hpp"
+
+namespace {
+
+using namespace weft;
+
+std::string from_environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string{} : std::string(value);
+}
+
+std::uint64_t entropy() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32U) | device();
+}
+
+SteadyTime steady_now() {
+  return SteadyTime{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
+}
+
+WallTime wall_now() {
+  return WallTime{std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())};
+}
+
+/// Who asks, as events show it.
+std::string operator_name() {
+  const std::string user = from_environment("USER");
+  return user.empty() ? "uid" + std::to_string(getuid()) : user.substr(0, 64);
+}
+
+cli::Exit run(const cli::Invocation& invocation) {
+  const cli::Output output{std::cout, std::cerr};
+  Random random(entropy());
+  PeerId self;
+  for (std::uint8_t& byte : self.bytes) byte = static_cast<std::uint8_t>(random.next() >> 8U);
+  const Result<bus::Vendor> vendor = bus::parse_vendor(invocation.vendor);
+  if (!vendor) return cli::report(vendor.error(), invocation.json, output);
+  bus::BusConfig config;
+  config.role = msg::Role::client;
+  config.self = self;
+  config.domain = invocation.domain;
+  config.listen = invocation.listen;
+  config.servers = invocation.servers;
+  Result<std::unique_ptr<bus::Bus>> opened = bus::open(*vendor, config);
+  if (!opened) return cli::report(opened.error(), invocation.json, output);
+  bus::Link link(std::move(*opened));
+  const cli::World world{steady_now, wall_now, [&link](Duration at_most) { link.wait(at_most); }};
+  cli::Session session(link, world, random, self, operator_name());
+  return cli::run(session, invocation, output);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto parsed = cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS")});
+  if (const auto* const not_run = std::get_if<cli::NotRun>(&parsed)) {
+    (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
+    return not_run->exit_code;
+  }
+  return static_cast<int>(run(std::get<cli::Invocation>(parsed)));
+}

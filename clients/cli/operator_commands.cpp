@@ -1,0 +1,70 @@
+#include <fstream>
+#include <iterator>
+
+#include "clients/cli/commands.hpp"
+
+namespace weft::cli {
+namespace {
+using Command = Invocation::Command;
+using Kind = msg::OperatorRequest::Kind;
+
+Result<std::vector<msg::AgentCommand::Point>> read_polyline(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) return fail(ErrorCode::invalid, file + ": cannot be read; --along wants a file with 'x y' a line");
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return parse_polyline(text, file);
+}
+
+Kind kind_of(Command command, bool here) {
+  switch (command) {
+    case Command::teach_start:
+      return Kind::teach_start;
+    case Command::teach_stop:
+      return Kind::teach_stop;
+    case Command::localise:
+      return Kind::localise;
+    case Command::resume:
+      return Kind::resume;
+    case Command::robot_clear:
+      return Kind::clear;
+    case Command::map_label:
+      return here ? Kind::label_here : Kind::label;
+    default:
+      return Kind::stop;
+  }
+}
+
+Result<msg::OperatorRequest> request_for(const Invocation& invocation) {
+  const bool here = invocation.place == "here";
+  msg::OperatorRequest request;
+  request.kind = kind_of(invocation.command, here);
+  request.robot = invocation.robot;
+  request.label = invocation.name;
+  if (!invocation.file.empty()) {
+    Result<std::vector<msg::AgentCommand::Point>> along = read_polyline(invocation.file);
+    if (!along) return fail(along.error());
+    request.along = std::move(*along);
+  }
+  if (invocation.place.empty() || here) return request;
+  if (const std::optional<PlaceId> place = parse_place_id(invocation.place); place.has_value()) {
+    request.place = *place;
+  } else if (invocation.command == Command::localise) {
+    request.label = invocation.place;
+  } else {
+    return fail(ErrorCode::invalid, "'" + invocation.place +
+                                        "' is no place; write <16 hex digits>:<index> as `weft map export` and `weft "
+                                        "robots` show it, or here --robot ROBOT");
+  }
+  return request;
+}
+}  // namespace
+
+Exit run_operator(Session& session, const Invocation& invocation, const Output& output) {
+  Result<msg::OperatorRequest> request = request_for(invocation);
+  if (!request) return report(request.error(), invocation.json, output);
+  const Result<msg::OperatorReply> reply = session.ask(std::move(*request), patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  return show(*reply, invocation, output);
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,53 @@
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/table.hpp"
+
+namespace weft::cli {
+namespace {
+
+std::string where(const msg::RobotState& state) {
+  if (!state.localised) return "unknown";
+  return to_string(state.place) + " +" + fixed(distance_m(state.place_from_robot), 2) + " m";
+}
+
+std::string doing(const msg::RobotState& state) {
+  if (state.experience) return "experience " + to_string(state.experience);
+  if (state.goal) return "goal " + to_string(state.goal).substr(0, 8);
+  return "-";
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+Exit run_robots(Session& session, const Invocation& invocation, const Output& output) {
+  const Result<msg::QueryReply> reply = query_robots(session, patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  if (invocation.json) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const msg::RobotRow& row : reply->robots) rows.push_back(to_json(row));
+    output.out << rows.dump(2) << '\n';
+    return Exit::done;
+  }
+  if (reply->robots.empty()) {
+    output.out << "no robot has been heard; start one: weft-agent --name r1 --server ... --state DIR\n";
+    return Exit::done;
+  }
+  Table table;
+  table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "REASON"});
+  for (const msg::RobotRow& row : reply->robots) {
+    table.add({row.description.name, msg::to_string(row.state.mode), where(row.state), doing(row.state),
+               fixed(row.silent_s, 1) + " s ago", row.state.reason});
+  }
+  table.print(output.out);
+  return Exit::done;
+}
+
+}  // namespace weft::cli

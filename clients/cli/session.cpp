@@ -1,0 +1,207 @@
+#include "clients/cli/session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+namespace weft::cli {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kRepeat = 500ms;
+constexpr Duration kRepeatMost = 2s;
+constexpr Duration kListen = 100ms;
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Pieces of one answer, by their number.
+template <class T>
+class Pieces {
+ public:
+  /// True once all are there.
+  bool add(std::uint32_t part, std::uint32_t parts, const T& piece) {
+    if (parts == 0 || part >= parts) return false;
+    if (parts != parts_) {
+      pieces_.clear();
+      parts_ = parts;
+    }
+    pieces_.insert_or_assign(part, piece);
+    return pieces_.size() == parts_;
+  }
+  const std::map<std::uint32_t, T>& all() const { return pieces_; }
+  void clear() { pieces_.clear(); }
+
+ private:
+  std::uint32_t parts_ = 0;
+  std::map<std::uint32_t, T> pieces_;
+};
+
+msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
+  msg::QueryReply all = parts.begin()->second;
+  for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
+    append(all.robots, part->second.robots);
+    append(all.goals, part->second.goals);
+    append(all.routes, part->second.routes);
+    append(all.events, part->second.events);
+  }
+  all.parts = 1;
+  return all;
+}
+
+Patch join(const std::map<std::uint32_t, Patch>& parts) {
+  Patch all = parts.begin()->second;
+  for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
+    append(all.added, part->second.added);
+    append(all.edges, part->second.edges);
+    all.labels.insert(part->second.labels.begin(), part->second.labels.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+Session::Session(bus::Link& link, World world, Random random, PeerId self, std::string name)
+    : link_(link),
+      world_(std::move(world)),
+      random_(random),
+      self_(self),
+      name_(std::move(name)),
+      incarnation_(random_.next() | 1U) {}
+
+msg::Header Session::header() {
+  return {.sender = self_,
+          .incarnation = incarnation_,
+          .epoch = server_.has_value() ? server_->epoch : Epoch{},
+          .sequence = ++sequence_,
+          .signature = {}};
+}
+
+msg::Hello Session::hello() const {
+  msg::Hello own;
+  own.peer = self_;
+  own.incarnation = incarnation_;
+  own.role = msg::Role::client;
+  own.name = name_;
+  own.software = "weft " WEFT_VERSION;
+  own.vendor = link_.bus().vendor();
+  return own;
+}
+
+void Session::note(const msg::Hello& hello) {
+  if (hello.role != msg::Role::server) return;
+  if (!server_.has_value() || hello.epoch >= server_->epoch) server_ = hello;
+}
+
+GoalId Session::new_goal() {
+  GoalId id;
+  for (std::uint8_t& byte : id.bytes) byte = static_cast<std::uint8_t>(random_.next() >> 8U);
+  return id;
+}
+
+Result<void> Session::converse(const msg::Message& question, Duration at_most,
+                               const std::function<bool(const msg::Message&)>& heard) {
+  const SteadyTime end = world_.now() + at_most;
+  SteadyTime send_at = world_.now();
+  Duration wait = kRepeat;
+  while (true) {
+    while (const std::optional<msg::Message> message = link_.take()) {
+      if (const auto* const from_server = std::get_if<msg::Hello>(&*message)) note(*from_server);
+      if (heard(*message)) return {};
+    }
+    const SteadyTime now = world_.now();
+    if (now >= end) return fail(ErrorCode::timed_out, "no answer in time");
+    if (now >= send_at) {
+      // A full queue is one more reason to send again later.
+      std::ignore = link_.send(question);
+      send_at = now + wait;
+      wait = std::min(wait * 2, kRepeatMost);
+    }
+    world_.wait(std::min({kListen, send_at - now, end - now}));
+  }
+}
+
+Result<msg::Hello> Session::connect(Duration at_most) {
+  const Result<void> heard = converse(hello(), at_most, [this](const msg::Message&) { return server_.has_value(); });
+  if (!heard) {
+    return fail(ErrorCode::unavailable,
+                "no server was heard within " + std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                    " s: is weft-server running, and do --server, --domain and WEFT_SERVER name it?");
+  }
+  if (server_->protocol_min > msg::kProtocolVersion || server_->protocol_max < msg::kProtocolVersion) {
+    return fail(ErrorCode::refused, "the server speaks protocol " + std::to_string(server_->protocol_min) + " to " +
+                                        std::to_string(server_->protocol_max) + ", this program " +
+                                        std::to_string(msg::kProtocolVersion) + ": update the older one");
+  }
+  return *server_;
+}
+
+Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration at_most) {
+  request.header = header();
+  request.request = random_.next() | 1U;
+  std::optional<msg::OperatorReply> answer;
+  const Result<void> heard = converse(request, at_most, [&](const msg::Message& message) {
+    const auto* const reply = std::get_if<msg::OperatorReply>(&message);
+    if (reply == nullptr || reply->to != self_ || reply->request != request.request) return false;
+    answer = *reply;
+    return true;
+  });
+  if (!heard) {
+    return fail(ErrorCode::timed_out, "the server did not answer in " +
+                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          " s; what was asked may still happen: look with `weft robots` and "
+                                          "`weft goal list`, or give a longer --timeout");
+  }
+  return *answer;
+}
+
+Result<msg::QueryReply> Session::query(msg::Query query, Duration at_most) {
+  query.header = header();
+  query.request = random_.next() | 1U;
+  Pieces<msg::QueryReply> pieces;
+  const Result<void> heard = converse(query, at_most, [&](const msg::Message& message) {
+    const auto* const reply = std::get_if<msg::QueryReply>(&message);
+    if (reply == nullptr || reply->to != self_ || reply->request != query.request) return false;
+    return pieces.add(reply->part, reply->parts, *reply);
+  });
+  if (!heard) {
+    return fail(ErrorCode::timed_out, "the server did not answer in " +
+                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          " s: try again, or give a longer --timeout");
+  }
+  return join(pieces.all());
+}
+
+Result<Window> Session::network(Duration at_most) {
+  msg::WindowRequest request;
+  request.header = header();
+  request.definition_id = random_.next() | 1U;
+  request.definition.cap = 1'000'000;
+  Pieces<Patch> pieces;
+  Digest of;
+  std::optional<Window> network;
+  const Result<void> heard = converse(request, at_most, [&](const msg::Message& message) {
+    const auto* const part = std::get_if<msg::WindowPatch>(&message);
+    if (part == nullptr || part->to != self_ || part->definition_id != request.definition_id) return false;
+    if (part->patch.base != Revision{}) return false;
+    if (part->patch.digest != of) pieces.clear();
+    of = part->patch.digest;
+    if (!pieces.add(part->part, part->parts, part->patch)) return false;
+    Result<Window> applied = apply(Window{}, join(pieces.all()));
+    pieces.clear();
+    if (!applied) return false;
+    network = std::move(*applied);
+    return true;
+  });
+  if (!heard) {
+    return fail(ErrorCode::timed_out, "the network did not arrive whole in " +
+                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          " s: give a longer --timeout");
+  }
+  return std::move(*network);
+}
+
+}  // namespace weft::cli

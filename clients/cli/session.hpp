@@ -1,0 +1,61 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/network/window.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/random.hpp"
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "idl/bus/link.hpp"
+
+namespace weft::cli {
+
+/// What a session needs of the world; a test gives it a virtual one.
+struct World {
+  std::function<SteadyTime()> now;
+  std::function<WallTime()> wall;
+  std::function<void(Duration)> wait;  ///< at most so long; less when something has come in
+};
+
+/// One operator's conversation with the server: asks, repeats what is not answered with the same number, and puts
+/// answers together from their parts. Not for several threads.
+class Session {
+ public:
+  /// `name` is who asks, as events will show it.
+  Session(bus::Link& link, World world, Random random, PeerId self, std::string name);
+
+  /// unavailable: no server was heard within `at_most`; refused: it speaks no protocol version that we do.
+  Result<msg::Hello> connect(Duration at_most);
+  /// timed_out: no answer within `at_most`. What the request asked for may still happen.
+  Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most);
+  /// All parts joined into one.
+  Result<msg::QueryReply> query(msg::Query query, Duration at_most);
+  /// The whole network as it is now.
+  Result<Window> network(Duration at_most);
+
+  GoalId new_goal();
+  const World& world() const { return world_; }
+
+ private:
+  msg::Header header();
+  msg::Hello hello() const;
+  void note(const msg::Hello& hello);
+  /// Sends with growing pauses until `heard` says that the answer is whole.
+  Result<void> converse(const msg::Message& question, Duration at_most,
+                        const std::function<bool(const msg::Message&)>& heard);
+
+  bus::Link& link_;
+  World world_;
+  Random random_;
+  PeerId self_;
+  std::string name_;
+  std::uint64_t incarnation_;
+  std::uint64_t sequence_ = 0;
+  std::optional<msg::Hello> server_;
+};
+
+}  // namespace weft::cli
