@@ -73,7 +73,7 @@ class Agent {
   virtual const Window& window() const = 0;
   virtual std::optional<Route> route() const = 0;
   virtual std::optional<Estimate> estimate() const = 0;
-  /// Refused and ignored messages, by name.
+  /// Refused and ignored messages, the navigator's fixes and refusals, by name.
   virtual std::map<std::string, std::uint64_t> counters() const = 0;
 };
 

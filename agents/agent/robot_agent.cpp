@@ -142,6 +142,7 @@ std::optional<SteadyTime> RobotAgent::next_tick() const {
       teaching_.has_value() && (teaching_->phase == Phase::ending || teaching_->phase == Phase::seeking ||
                                 (teaching_->phase == Phase::preparing && teaching_->seed.has_value()));
   if (limited) sooner(teaching_->deadline);
+  if (handing_in_.has_value()) sooner(handing_in_->deadline);
   if (localising_.has_value()) sooner(localising_->deadline);
   if (follow_pending_ && !stopped_ && fault_.empty() && !teaching_.has_value()) sooner(follow_at_latest_);
   return next;
@@ -151,6 +152,7 @@ Counters RobotAgent::counters() const {
   Counters all = session_.counters();
   add_to(all, replica_.counters());
   add_to(all, cache_.counters());
+  add_to(all, seen_);
   return all;
 }
 

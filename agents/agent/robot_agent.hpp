@@ -34,6 +34,14 @@ struct Teaching {
   std::optional<CommandKey> stopped_by;
   SteadyTime deadline{};  ///< of preparing, seeking and ending
   bool hand_done = false;
+  std::optional<CommandKey> next_part;  ///< who waits for the hand to take up another line of the same run
+};
+
+/// A run that is taught and spooled, while the server has not acknowledged all of it.
+struct HandingIn {
+  ExperienceId experience;
+  CommandKey asked_by;
+  SteadyTime deadline{};
 };
 
 /// A search for oneself that somebody waits for.
@@ -78,6 +86,7 @@ class RobotAgent final : public Agent {
 
   // What operators want (robot_agent_commands.cpp).
   void teach_start(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
+  void teach_on(const msg::AgentCommand& command, const CommandKey& key);
   void teach_stop(const CommandKey& key, SteadyTime now);
   void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
   void keep_place(const CommandKey& key);
@@ -92,6 +101,7 @@ class RobotAgent final : public Agent {
   void start_hand();
   void begin_teaching();
   void end_teaching(SteadyTime now);
+  void finish_handing_in(SteadyTime now);
   void stop_teaching(const std::string& reason);
   void abandon_teaching(const std::string& reason);
   void keep(const std::vector<Kept>& kept, SteadyTime now);
@@ -132,6 +142,7 @@ class RobotAgent final : public Agent {
   AgentOutput output_;
 
   std::optional<Teaching> teaching_;
+  std::optional<HandingIn> handing_in_;
   std::optional<Localising> localising_;
   std::vector<CommandKey> keeping_;  ///< who waits for the next kept place
   std::string teaching_failed_;      ///< why teaching ended by itself; until the next command
@@ -144,6 +155,7 @@ class RobotAgent final : public Agent {
   std::string stands_for_;  ///< the navigator's reason at the last sample
   Twist command_;
   std::uint64_t frame_ = 0;
+  Counters seen_;  ///< fixes, and refusals of the navigator by their reason
   double speed_m_s_ = 0.0;
 
   PlaceId focus_;  ///< believed place when contents and centre were last looked at

@@ -40,16 +40,7 @@ void RobotAgent::refuse(const CommandKey& key, std::string reason) {
 
 void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
   if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
-  if (teaching_.has_value()) {
-    // A server that was restarted in between has forgotten that it asked.
-    const bool again =
-        !command.name.empty() && command.name == teaching_->name && teaching_->phase == Teaching::Phase::on;
-    if (!again) return refuse(key, config_.name + " is being taught '" + teaching_->name + "': stop that first");
-    msg::AgentReply done;
-    done.done = true;
-    done.experience = teaching_->experience;
-    return reply(key, done);
-  }
+  if (teaching_.has_value()) return teach_on(command, key);
   if (task_.route().has_value()) {
     return refuse(key, config_.name + " has a goal: cancel it, or wait until it is there");
   }
@@ -58,6 +49,7 @@ void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey&
   }
   if (stopped_) return refuse(key, config_.name + " is stopped: resume it first");
   Teaching teaching;
+  handing_in_.reset();
   do {
     teaching.experience = ExperienceId{random_.next()};
   } while (!teaching.experience);
@@ -73,6 +65,27 @@ void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey&
     replica_.define(std::move(definition), now);
   }
   teaching_ = std::move(teaching);
+}
+
+/// The same run asked for again: another line for the hand, or the repeat of a server that has forgotten that it
+/// asked.
+void RobotAgent::teach_on(const msg::AgentCommand& command, const CommandKey& key) {
+  const bool same = !command.name.empty() && command.name == teaching_->name &&
+                    teaching_->phase == Teaching::Phase::on && !teaching_->next_part.has_value();
+  if (!same) return refuse(key, config_.name + " is being taught '" + teaching_->name + "': stop that first");
+  std::vector<SitePoint> along;
+  for (const msg::AgentCommand::Point& point : command.along) along.push_back({point.x, point.y});
+  if (along.empty() || along == teaching_->along) {
+    msg::AgentReply done;
+    done.done = true;
+    done.experience = teaching_->experience;
+    return reply(key, done);
+  }
+  if (!config_.can_be_taught_along) return refuse(key, "this body (" + config_.body + ") has no hand");
+  if (stopped_) return refuse(key, config_.name + " is stopped: resume it first");
+  teaching_->along = std::move(along);
+  teaching_->next_part = key;
+  output_.hand_start = teaching_->along;
 }
 
 void RobotAgent::teach_stop(const CommandKey& key, SteadyTime now) {

@@ -62,6 +62,10 @@ void RobotAgent::on(const msg::BatchAck& ack, SteadyTime now) {
   output_.acks.insert(output_.acks.end(), heard.acknowledged.begin(), heard.acknowledged.end());
   if (!heard.reason.empty()) output_.notes.push_back(heard.reason);
   if (heard.refused) abandon_teaching(heard.reason);
+  if (!heard.reason.empty() && handing_in_.has_value() && handing_in_->experience == ack.experience) {
+    refuse(handing_in_->asked_by, heard.reason);
+    handing_in_.reset();
+  }
 }
 
 void RobotAgent::on(const msg::Chunk& chunk, SteadyTime now) {

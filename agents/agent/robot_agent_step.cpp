@@ -32,7 +32,11 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
     teaching_->hand_done = sample.hand_done;
     if (teaching_->phase == Teaching::Phase::ending && view != nullptr) end_teaching(now);
   }
-  if (navigated.fix.has_value()) note_fix(*navigated.fix);
+  for (const Refusal& refusal : navigated.refusals) ++seen_["navigation: " + std::string(refusal.reason)];
+  if (navigated.fix.has_value()) {
+    ++seen_["navigation: fixes"];
+    note_fix(*navigated.fix);
+  }
   note_following(navigated, now);
   recentre(now);
   return finish(now);

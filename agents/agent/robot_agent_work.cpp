@@ -9,6 +9,7 @@ using namespace std::chrono_literals;
 
 constexpr std::uint32_t kSeedHops = 3;      ///< map around a seed before looking for oneself there
 constexpr std::uint32_t kRouteAhead = 10;   ///< places of a route to have before driving it
+constexpr Duration kHandingInAtMost = 15s;  ///< then say that it is not yet done
 constexpr Duration kMapAtMost = 20s;        ///< then search with what there is
 constexpr Duration kSearchAtMost = 60s;     ///< then say that it was in vain
 constexpr Duration kBetweenSearches = 10s;  ///< of one's own accord
@@ -19,6 +20,7 @@ void RobotAgent::work(SteadyTime now) {
   if (teaching_.has_value() && teaching_->phase == Teaching::Phase::ending && now >= teaching_->deadline) {
     end_teaching(now);
   }
+  if (handing_in_.has_value()) finish_handing_in(now);
   prepare_localising(now);
   search_when_of_use(now);
   try_follow(now);
@@ -56,13 +58,27 @@ void RobotAgent::start_hand() {
 }
 
 AgentOutput RobotAgent::hand_answered(const Result<void>& answer, SteadyTime now) {
-  if (teaching_.has_value() && teaching_->phase == Teaching::Phase::hand) {
+  if (!teaching_.has_value()) return finish(now);
+  if (teaching_->phase == Teaching::Phase::hand) {
     if (answer) {
       begin_teaching();
     } else {
       refuse(teaching_->started_by, answer.error().message);
       teaching_.reset();
     }
+  } else if (teaching_->next_part.has_value()) {
+    const CommandKey key = *std::exchange(teaching_->next_part, std::nullopt);
+    if (!answer) {
+      refuse(key, answer.error().message);
+      return finish(now);
+    }
+    // Whoever waits for the end of this part is not to see the end of the last one.
+    teaching_->hand_done = false;
+    send(state());
+    msg::AgentReply done;
+    done.done = true;
+    done.experience = teaching_->experience;
+    reply(key, done);
   }
   return finish(now);
 }
@@ -86,9 +102,28 @@ void RobotAgent::end_teaching(SteadyTime now) {
     done.reason = sealed.error().message;
     teaching_failed_ = "teaching ended: " + done.reason;
   }
-  if (teaching_->stopped_by.has_value()) reply(*teaching_->stopped_by, done);
+  if (const std::optional<CommandKey> asked_by = teaching_->stopped_by; asked_by.has_value()) {
+    if (done.done) {
+      handing_in_ = HandingIn{teaching_->experience, *asked_by, now + kHandingInAtMost};
+    } else {
+      reply(*asked_by, done);
+    }
+  }
   teaching_.reset();
   for (const CommandKey& key : std::exchange(keeping_, {})) refuse(key, "teaching ended before a place was kept");
+}
+
+/// "Stopped" is said when the map has all of it, so that whoever asked can go on with it.
+void RobotAgent::finish_handing_in(SteadyTime now) {
+  const bool pending = spooler_.is_pending(handing_in_->experience);
+  if (pending && now < handing_in_->deadline) return;
+  msg::AgentReply done;
+  done.done = true;
+  done.experience = handing_in_->experience;
+  if (pending) done.reason = "the server has not acknowledged all of it yet; the rest is on the robot's disk";
+  const CommandKey key = handing_in_->asked_by;
+  handing_in_.reset();
+  reply(key, done);
 }
 
 void RobotAgent::stop_teaching(const std::string& reason) {
@@ -101,6 +136,7 @@ void RobotAgent::stop_teaching(const std::string& reason) {
     refuse(teaching_->started_by, reason);
   }
   if (teaching_->stopped_by.has_value()) refuse(*teaching_->stopped_by, reason);
+  if (teaching_->next_part.has_value()) refuse(*teaching_->next_part, reason);
   for (const CommandKey& key : std::exchange(keeping_, {})) refuse(key, reason);
   teaching_.reset();
 }

@@ -142,6 +142,11 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   return heard;
 }
 
+bool Spooler::is_pending(ExperienceId experience) const {
+  return std::any_of(pending_.begin(), pending_.end(),
+                     [&](const Pending& pending) { return pending.batch.experience == experience; });
+}
+
 void Spooler::on_request(const msg::ContentRequest& request, SteadyTime now) {
   for (const msg::ContentRequest::Item& item : request.items) chunks_.push(item.hash, item.offset, now);
 }

@@ -60,7 +60,8 @@ class Spooler {
 
   /// The newest place of this robot's experiences that the server is known to have.
   std::optional<PlaceId> newest_durable() const { return newest_durable_; }
-  std::size_t pending() const { return pending_.size(); }
+  /// Whether anything of the experience is still to be acknowledged.
+  bool is_pending(ExperienceId experience) const;
 
  private:
   struct Pending {

@@ -13,6 +13,7 @@ namespace weft::agents {
 struct SitePoint {
   double x = 0.0;
   double y = 0.0;
+  bool operator==(const SitePoint&) const = default;
 };
 
 /// One tick of a body's sensors.

@@ -18,13 +18,13 @@ struct Finding {
   std::string detail;  ///< and, when it is not good, what to do
 };
 
-std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info) {
+std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info, const std::string& vendor) {
   const std::string own = "weft " WEFT_VERSION;
   std::vector<Finding> found;
   found.push_back({"server", true,
                    "reached: " + server.name + ", epoch " + std::to_string(info.epoch.value) + ", revision " +
                        std::to_string(info.revision.value)});
-  found.push_back({"vendor", true, "server " + info.vendor});
+  found.push_back({"vendors", true, "server " + info.vendor + ", this " + vendor});
   const std::string version = WEFT_VERSION;
   const bool same = info.software.find(version) != std::string::npos;
   found.push_back(
@@ -65,7 +65,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
   if (!info) return report(info.error(), invocation.json, output);
   const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
   if (!robots) return report(robots.error(), invocation.json, output);
-  std::vector<Finding> findings = of_server(server, info->info);
+  std::vector<Finding> findings = of_server(server, info->info, session.vendor());
   for (const msg::RobotRow& row : robots->robots) {
     for (Finding& finding : of_robot(row)) findings.push_back(std::move(finding));
   }
@@ -81,6 +81,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
     const nlohmann::json all = {{"good", good},
                                 {"findings", std::move(document)},
                                 {"server", to_json(info->info)},
+                                {"client", {{"vendor", session.vendor()}, {"software", "weft " WEFT_VERSION}}},
                                 {"robots", robots->robots.size()}};
     output.out << all.dump(2) << '\n';
   } else {

@@ -25,6 +25,17 @@ struct Goals {
         std::find_if(routes.begin(), routes.end(), [&](const Route& route) { return route.goal == id; });
     return found == routes.end() ? nullptr : &*found;
   }
+  nlohmann::json document(const Goal& goal) const {
+    const Route* const way = route(goal.id);
+    nlohmann::json object = to_json(goal, way, names);
+    object["route_at"] = nlohmann::json();
+    for (const msg::RobotRow& row : robots) {
+      if (way == nullptr || row.state.goal != goal.id) continue;
+      const auto at = std::find(way->places.begin(), way->places.end(), row.state.place);
+      if (at != way->places.end()) object["route_at"] = at - way->places.begin();
+    }
+    return object;
+  }
 };
 
 Result<Goals> look(Session& session, const GoalId& only, Duration at_most) {
@@ -76,8 +87,8 @@ Exit send(Session& session, const Invocation& invocation, const Output& output) 
 Exit list(const Goals& goals, const Invocation& invocation, const Output& output) {
   if (invocation.json) {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Goal& goal : goals.goals) rows.push_back(to_json(goal, goals.route(goal.id), goals.names));
-    output.out << rows.dump(2) << '\n';
+    for (const Goal& goal : goals.goals) rows.push_back(goals.document(goal));
+    output.out << nlohmann::json{{"goals", std::move(rows)}}.dump(2) << '\n';
     return Exit::done;
   }
   if (goals.goals.empty()) output.out << "no goals; send one: weft goal send --to LABEL\n";
@@ -95,7 +106,7 @@ Exit list(const Goals& goals, const Invocation& invocation, const Output& output
 Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation, const Output& output) {
   const Route* const route = goals.route(goal.id);
   if (invocation.json) {
-    output.out << to_json(goal, route, goals.names).dump(2) << '\n';
+    output.out << goals.document(goal).dump(2) << '\n';
     return Exit::done;
   }
   output.out << "goal " << to_string(goal.id) << " to " << goal.label << " (" << to_string(goal.to)
@@ -122,7 +133,7 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
       for (; !invocation.json && shown < now.history.size(); ++shown)
         output.out << line(now.history[shown]) << std::endl;
       if (is_terminal(now.state)) {
-        if (invocation.json) output.out << to_json(now, goals->route(now.id), goals->names).dump(2) << '\n';
+        if (invocation.json) output.out << goals->document(now).dump(2) << '\n';
         return now.state == GoalState::succeeded ? Exit::done : Exit::failed;
       }
     }
@@ -178,7 +189,7 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
   if (invocation.json) {
     nlohmann::json document = {{"events", nlohmann::json::array()}};
     for (const msg::Event& event : events->events) document["events"].push_back(to_json(event, goals.names));
-    if (goal.has_value()) document["goal"] = to_json(*goal, route, goals.names);
+    if (goal.has_value()) document["goal"] = goals.document(*goal);
     if (row != goals.robots.end()) document["robot"] = to_json(*row);
     output.out << document.dump(2) << '\n';
     return Exit::done;

@@ -33,7 +33,7 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
   if (invocation.json) {
     nlohmann::json rows = nlohmann::json::array();
     for (const msg::RobotRow& row : reply->robots) rows.push_back(to_json(row));
-    output.out << rows.dump(2) << '\n';
+    output.out << nlohmann::json{{"robots", std::move(rows)}}.dump(2) << '\n';
     return Exit::done;
   }
   if (reply->robots.empty()) {

@@ -38,6 +38,7 @@ class Session {
   Result<Window> network(Duration at_most);
 
   GoalId new_goal();
+  std::string vendor() const { return link_.bus().vendor(); }
   const World& world() const { return world_; }
 
  private:

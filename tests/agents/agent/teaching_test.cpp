@@ -154,6 +154,45 @@ TEST(Teaching, StopTakesTheLastViewAndSeals) {
   EXPECT_EQ(rig.script->index, 1U);
 }
 
+TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.server.acknowledges = false;
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(3s);
+  EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
+  rig.server.acknowledges = true;
+  rig.run(10s);
+  EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 2U);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->reason, "");
+}
+
+TEST(Teaching, AnotherLineOfTheSameRunMovesTheHandOn) {
+  Rig rig;
+  rig.run(4s);
+  msg::AgentCommand command = rig.command(Kind::teach_start, 1);
+  command.name = "loop";
+  command.along = {{0.0, 0.0}, {3.0, 0.0}};
+  rig.tell(command);
+  rig.take(rig.agent->hand_answered({}, rig.now));
+  rig.sample.hand_done = true;
+  rig.run(1s);
+  EXPECT_EQ(rig.last<msg::RobotState>()->reason, "hand_done");
+  msg::AgentCommand next = rig.command(Kind::teach_start, 2);
+  next.name = "loop";
+  next.along = {{3.0, 0.0}, {3.0, 4.0}};
+  rig.tell(next);
+  EXPECT_EQ(rig.hand_starts, 2);
+  EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
+  rig.take(rig.agent->hand_answered({}, rig.now));
+  EXPECT_EQ(rig.last<msg::RobotState>()->reason, "");
+  ASSERT_EQ(rig.sent<msg::AgentReply>().size(), 2U);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->experience, rig.script->taught.front().experience);
+  EXPECT_EQ(rig.script->taught.size(), 1U);
+}
+
 TEST(Teaching, NothingTaughtLeavesNoTrace) {
   Rig rig;
   rig.sample.view.reset();
