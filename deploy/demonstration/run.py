@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+"""Starts the fleet, plays the scenario, gathers the records and lets tests/judge say how it went."""
+import argparse
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import scenario  # noqa: E402
+from fleet import Fleet  # noqa: E402
+
+RECORDS = ('truth.jsonl', 'fixes.jsonl', 'drives.jsonl', 'acks.jsonl', 'goals.jsonl', 'processes.jsonl', 'network.json',
+           'network.png', 'map.svg', 'summary.json', 'site.toml', 'versions')
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog='deploy/demo', description=__doc__)
+    parser.add_argument('--headless', action='store_true', help='do not open the picture at the end')
+    parser.add_argument('--seed', type=int, default=1, help='of everything that is random in the simulation (default 1)')
+    parser.add_argument('--dds', choices=('fastdds', 'cyclonedds', 'mixed'), default='mixed',
+                        help='mixed: server and r2 Fast DDS, r1, r3 and the command line Cyclone DDS (default)')
+    parser.add_argument('--site', default='demo', help='a site of deploy/sites (default demo)')
+    parser.add_argument('--floors', default='', metavar='DIR', help='floor from photographs in DIR instead of procedural')
+    parser.add_argument('--out', default='out/demo', metavar='DIR', help='where records and pictures go (default out/demo)')
+    parser.add_argument('--keep', action='store_true', help='leave the fleet running at the end, until Ctrl-C')
+    parser.add_argument('--domain', type=int, default=0, metavar='N', help='DDS domain, 1 to 200 (default: a free one)')
+    parser.add_argument('--pace', type=float, default=1.5, help='simulated seconds a second at most (default 1.5)')
+    return parser.parse_args()
+
+
+def check(options):
+    options.site_file = pathlib.Path('deploy/sites') / f'{options.site}.toml'
+    lines = pathlib.Path('deploy/sites') / options.site
+    if not options.site_file.is_file():
+        known = ', '.join(sorted(path.stem for path in pathlib.Path('deploy/sites').glob('*.toml')))
+        return f'no site "{options.site}"; there are: {known}'
+    if not (lines / 'r1.line').is_file() or not (lines / 'r2.line').is_file():
+        return f'site "{options.site}" has no {lines}/r1.line and r2.line to teach along'
+    if options.floors and not pathlib.Path(options.floors).is_dir():
+        return f'--floors: {options.floors} is no folder'
+    if options.seed < 0:
+        return f'--seed: {options.seed} is negative'
+    if not 0 <= options.domain <= 200:
+        return f'--domain: {options.domain} is not in 1 to 200'
+    options.domain = options.domain or 1 + os.getpid() % 200
+    options.lines = {'r1': lines / 'r1.line', 'r2': lines / 'r2.line'}
+    return None
+
+
+def write_lines(path, rows):
+    path.write_text(''.join(json.dumps(row) + '\n' for row in rows))
+
+
+def gather(fleet, out, site_file):
+    fleet.weft('map', 'export', out / 'network.json')
+    fleet.weft('map', 'draw', out / 'map.svg')
+    write_lines(out / 'goals.jsonl', fleet.weft('goal', 'list')['goals'])
+    doctor = fleet.weft('doctor')
+    rows = [dict(name='server', vendor=doctor['server']['vendor'], peer=None, peak_memory_mb=fleet.server.peak_memory_mb)]
+    for row in fleet.weft('robots')['robots']:
+        rows.append(dict(name=row['name'], vendor=row['vendor'], peer=row['id'],
+                         peak_memory_mb=fleet.robots[row['name']].peak_memory_mb))
+    rows.append(dict(name='cli', vendor=doctor['client']['vendor'], peer=None, peak_memory_mb=None))
+    write_lines(out / 'processes.jsonl', rows)
+    shutil.copy(site_file, out / 'site.toml')
+    (out / 'versions').write_text(subprocess.run([fleet.bin / 'weft', '--version'], capture_output=True, text=True).stdout)
+
+
+def main():
+    options = arguments()
+    began = time.monotonic()
+
+    def say(text):
+        print(f'[{time.monotonic() - began:5.0f} s] {text}', flush=True)
+
+    fault = check(options)
+    if fault:
+        print(f'deploy/demo: {fault}', file=sys.stderr)
+        return 2
+    out = pathlib.Path(options.out)
+    out.mkdir(parents=True, exist_ok=True)
+    for name in RECORDS:
+        (out / name).unlink(missing_ok=True)
+    shutil.rmtree(out / 'run', ignore_errors=True)
+    fleet = Fleet(options, say)
+    try:
+        say(f'start: server and three robots, DDS domain {options.domain}, ' +
+            ', '.join(f'{who} {vendor}' for who, vendor in fleet.vendors.items()))
+        fleet.start()
+        ended = scenario.run(fleet, options.lines, say)
+        gather(fleet, out, options.site_file)
+        judged = subprocess.run(['tests/judge', str(out)]).returncode
+        if options.keep:
+            say(f'the fleet stays; talk to it with: {fleet.bin}/weft --server 127.0.0.1 --domain {options.domain} robots   (Ctrl-C ends it)')
+            while all(process.running() for process in fleet.all()):
+                time.sleep(1)
+    except KeyboardInterrupt:
+        print('deploy/demo: interrupted', file=sys.stderr)
+        return 130
+    except RuntimeError as failure:
+        print(f'deploy/demo: {failure}; logs are in {fleet.work}', file=sys.stderr)
+        return 1
+    finally:
+        fleet.stop()
+    good = judged == 0 and all(row['state'] == 'succeeded' for row in ended)
+    say(f"{'done' if good else 'NOT as wanted'}: look at {out}/network.png")
+    if good and not options.headless and os.environ.get('DISPLAY'):
+        subprocess.run(['xdg-open', str(out / 'network.png')], check=False)
+    return 0 if good else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

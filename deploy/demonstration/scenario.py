@@ -1,0 +1,92 @@
+"""What happens in a demo, in the operator's order. Nothing here knows where a robot truly is."""
+import lines
+from processes import wait_until
+
+TEACH = {'r1': 'loop-1', 'r2': 'loop-2'}
+R2_SEED = 'handover'          # a label of r1's, near which r2 starts
+GOALS = (('packing-3', 'r1'), ('dock-2', None))
+
+
+def teach(fleet, robot, line, say):
+    """The operator drives along the line; where it names a spot, the place under the robot gets that label."""
+    pieces = lines.parts(line)
+    total = sum(lines.length_m(points) for points, _ in pieces)
+    say(f'teach {robot}: {total:.0f} m as "{TEACH[robot]}"')
+    done = 0.0
+    for number, (points, label) in enumerate(pieces):
+        if len(points) > 1:
+            part = lines.write(points, fleet.work / f'{robot}-{number}.line')
+            fleet.weft('teach', robot, 'start', '--as', TEACH[robot], '--along', part)
+            fleet.wait_robot(robot, 'to reach the end of its line', lambda row: row['reason'] == 'hand_done', 240)
+            done += lines.length_m(points)
+        elif number == 0:
+            fleet.weft('teach', robot, 'start', '--as', TEACH[robot])
+        if label:
+            fleet.weft('map', 'label', 'here', '--robot', robot, label)
+        say(f'teach {robot}: {done:.0f} of {total:.0f} m' + (f', this spot is "{label}"' if label else ''))
+    fleet.weft('teach', robot, 'stop')
+
+
+def wait_for_map(fleet, experiences, say):
+    """Until the server holds everything that was taught."""
+    def quiet():
+        info = fleet.weft('map', 'info')
+        sealed = [row for row in info['experiences_list'] if row['sealed']]
+        return info if len(sealed) >= experiences else None
+    info = wait_until(f'{experiences} experiences to be on the map', quiet, 60, fleet.all(), every=0.5)
+    say(f"map: {info['places']} places, {info['stitches']} stitches, revision {info['revision']}")
+
+
+def goal(fleet, goal_id):
+    return next(row for row in fleet.weft('goal', 'list')['goals'] if row['id'] == goal_id)
+
+
+def send(fleet, label, robot, say):
+    sent = fleet.weft('goal', 'send', '--to', label, *(['--robot', robot] if robot else []))
+    say(f"goal: {robot or 'any robot'} to {label}")
+    return sent['goal']
+
+
+def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
+    """Follows a goal to its end, saying each change once."""
+    seen = [None]
+
+    def over():
+        row = goal(fleet, goal_id)
+        told = (row['state'], row.get('robot'))
+        if told != seen[0]:
+            seen[0] = told
+            say(f"goal {row['to']}: {row['state']}" + (f" ({row['robot']})" if row.get('robot') else ''))
+        if meanwhile and meanwhile(row):
+            say('the server is killed with -9 and started again')
+            fleet.kill_and_restart_server()
+        return row if row['state'] in ('succeeded', 'failed', 'cancelled', 'rejected') else None
+    return wait_until(f'goal {goal_id} to end', over, seconds, fleet.robots.values(), every=0.5)
+
+
+def once_in_the_middle():
+    fired = []
+
+    def check(row):
+        if fired or row['state'] != 'executing' or row['route_at'] < 0.3 * len(row['route']):
+            return False
+        fired.append(True)
+        return True
+    return check
+
+
+def run(fleet, site_lines, say):
+    teach(fleet, 'r1', site_lines['r1'], say)
+    wait_for_map(fleet, 1, say)
+    fleet.weft('localise', 'r2', '--at', R2_SEED)
+    fleet.wait_robot('r2', 'to find itself', lambda row: row['localised'], 60)
+    teach(fleet, 'r2', site_lines['r2'], say)
+    wait_for_map(fleet, 2, say)
+    ended = []
+    (first, first_robot), (second, second_robot) = GOALS
+    ended.append(watch(fleet, send(fleet, first, first_robot, say), say))
+    fleet.weft('localise', 'r3')
+    fleet.wait_robot('r3', 'to find itself', lambda row: row['localised'], 90)
+    say('r3 has found itself without a seed')
+    ended.append(watch(fleet, send(fleet, second, second_robot, say), say, once_in_the_middle()))
+    return ended
