@@ -1,0 +1,39 @@
+#pragma once
+#include "core/random.hpp"
+#include "tests/simulation/fleet.hpp"
+
+namespace weft::simulation {
+
+/// Draws faults from a seed and plays them beside whatever else happens: a lossy network all the time; crashes,
+/// partitions, full disks and failing writes now and then, several at once.
+class Chaos {
+ public:
+  Chaos(Fleet& fleet, Random random);
+
+  /// Faults of the network only, and rarely anything worse.
+  void mild();
+  void full();
+  /// Everything heals and comes up again.
+  void over();
+  /// Plays what is due; to be called every few simulated seconds.
+  void play();
+  std::uint64_t played() const { return played_; }
+
+ private:
+  enum class Kind { crash_server, crash_robot, cut_robot, disk_full, writes_fail, torn_write };
+  void begin(Kind kind);
+  void heal_due();
+  SteadyTime soon(double mean_s);
+
+  Fleet& fleet_;
+  Random random_;
+  bool on_ = false;
+  SteadyTime next_{};
+  std::optional<SteadyTime> server_back_;
+  std::optional<SteadyTime> disk_back_;
+  std::vector<std::optional<SteadyTime>> robot_back_;
+  std::vector<std::optional<SteadyTime>> link_back_;
+  std::uint64_t played_ = 0;
+};
+
+}  // namespace weft::simulation

@@ -1,0 +1,250 @@
+#include "tests/simulation/fleet.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "agents/methods/marks/marks.hpp"
+#include "agents/navigation/navigator_of.hpp"
+
+namespace weft::simulation {
+namespace {
+
+constexpr double kFootprint_m = 0.4;
+constexpr Duration kLookEvery = std::chrono::seconds(60);
+
+template <class T>
+T need(Result<T> result, const char* what) {
+  if (!result) throw std::runtime_error(std::string(what) + ": " + result.error().message);
+  return std::move(*result);
+}
+
+}  // namespace
+
+Fleet::Fleet(std::uint64_t seed, std::size_t robots)
+    : random_(seed),
+      now_(std::chrono::hours(1)),
+      site_(std::make_shared<RingSite>(random_.fork(1))),
+      net_(random_.fork(2)),
+      ledger_(kFootprint_m) {
+  net_.set_now(now_);
+  server_.id = draw_id();
+  server_.disk = std::make_shared<storage::MemoryDisk>();
+  server_.wall_offset = from_seconds(random_.uniform(-2.0, 2.0));
+  start_server();
+  client_.id = draw_id();
+  client_.incarnation = random_.next();
+  client_.link = std::make_unique<bus::Link>(net_.attach(msg::Role::client, client_.id));
+  robots_.resize(robots);
+  for (std::size_t i = 0; i < robots; ++i) {
+    RobotProcess& robot = robots_[i];
+    robot.id = draw_id();
+    robot.name = "r" + std::to_string(i);
+    robot.disk = std::make_shared<storage::SpoolDisk>();
+    const double start = 9.0 + static_cast<double>(i) * site_->length_m() / static_cast<double>(robots);
+    robot.body = std::make_unique<MarksBody>(site_, site_->pose(start, {}), random_.fork(100 + i));
+    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}};
+    start_robot(i);
+  }
+}
+
+PeerId Fleet::draw_id() {
+  PeerId id;
+  for (std::uint8_t& byte : id.bytes) byte = static_cast<std::uint8_t>(random_.next());
+  return id;
+}
+
+void Fleet::start_server() {
+  server_.steady_offset = from_seconds(random_.uniform(0.0, 1000.0));
+  server_.store = storage::make_memory_store(server_.disk);
+  auto started = server::start({.self = server_.id,
+                                .incarnation = random_.next(),
+                                .name = "server",
+                                .software = "simulated",
+                                .vendor = "inprocess"},
+                               *server_.store, random_.fork(3), server_now());
+  if (!started) {  // a full disk cannot take the next epoch: it is tried again
+    server_.store.reset();
+    return;
+  }
+  server_.service = std::move(*started);
+  server_.link = std::make_unique<bus::Link>(net_.attach(msg::Role::server, server_.id));
+}
+
+void Fleet::crash_server() {
+  net_.detach(server_.id);
+  server_.service.reset();
+  server_.link.reset();
+  server_.store.reset();
+}
+
+void Fleet::start_robot(std::size_t index) {
+  RobotProcess& robot = robots_[index];
+  robot.steady_offset = from_seconds(random_.uniform(0.0, 1000.0));
+  robot.wall_offset = from_seconds(random_.uniform(-2.0, 2.0));
+  robot.spool = storage::make_memory_spool(robot.disk);
+  agents::AgentConfig config;
+  config.self = robot.id;
+  config.incarnation = random_.next();
+  config.name = robot.name;
+  config.software = "simulated";
+  config.vendor = "inprocess";
+  config.body = robot.body->kind();
+  config.can_be_taught_along = true;
+  config.footprint_radius_m = kFootprint_m;
+  auto navigator = agents::make_navigator(agents::MarksMethod(), agents::NavigationConfig());
+  robot.agent =
+      need(agents::start(config, std::move(navigator), *robot.spool, random_.fork(4), clock(robot)), "agent");
+  robot.link = std::make_unique<bus::Link>(net_.attach(msg::Role::agent, robot.id));
+  robot.command = {};
+  robot.due = now_;
+  robot.next.reset();
+  ledger_.robots[robot.id].agent = robot.agent.get();
+}
+
+void Fleet::crash_robot(std::size_t index) {
+  RobotProcess& robot = robots_[index];
+  net_.detach(robot.id);
+  ledger_.robots[robot.id].agent = nullptr;
+  robot.agent.reset();
+  robot.link.reset();
+  robot.spool.reset();
+  robot.body->stop_hand();
+  robot.command = {};  // a base stops when nobody speaks to it
+}
+
+std::optional<SteadyTime> Fleet::next_event() const {
+  SteadyTime next = next_look_;
+  if (const auto due = net_.next_delivery()) next = std::min(next, *due);
+  if (server_.service) {
+    if (const auto due = server_.service->next_tick()) next = std::min(next, *due - server_.steady_offset);
+  }
+  for (const RobotProcess& robot : robots_) {
+    next = std::min(next, robot.due);
+    if (!robot.agent) continue;
+    if (const auto due = robot.agent->next_tick()) next = std::min(next, *due - robot.steady_offset);
+  }
+  return std::max(next, now_);
+}
+
+void Fleet::run_until(SteadyTime until) {
+  while (true) {
+    const auto next = next_event();
+    if (!next || *next > until) break;
+    play(*next);
+  }
+  now_ = until;
+  net_.deliver_until(now_);
+}
+
+void Fleet::play(SteadyTime at) {
+  now_ = at;
+  net_.deliver_until(now_);
+  if (server_.service) serve();
+  for (RobotProcess& robot : robots_) {
+    if (robot.agent) serve(robot);
+    if (robot.due <= now_) sample(robot);
+  }
+  hear_client();
+  if (now_ >= next_look_) {
+    next_look_ = now_ + kLookEvery;
+    if (server_.service) ledger_.look(*server_.service, *server_.disk);
+  }
+}
+
+void Fleet::serve() {
+  while (const auto message = server_.link->take()) {
+    ledger_.server_heard(*message);
+    send_all(server_.service->handle(*message, server_now()));
+  }
+  if (const auto due = server_.service->next_tick(); due && *due - server_.steady_offset <= now_) {
+    send_all(server_.service->tick(server_now()));
+  }
+}
+
+void Fleet::send_all(const std::vector<msg::Message>& messages) {
+  for (const msg::Message& message : messages) {
+    record(message);
+    ledger_.server_sent(message, *server_.service);
+    need(server_.link->send(message).map([] { return true; }).map_error([](const Error& e) { return e; }),
+         "server sends");
+  }
+}
+
+void Fleet::serve(RobotProcess& robot) {
+  while (const auto message = robot.link->take()) {
+    ledger_.agent_heard(robot.id, *message, *server_.disk);
+    carry_out(robot, robot.agent->handle(*message, clock(robot), wall(robot.wall_offset)));
+  }
+  if (const auto due = robot.agent->next_tick(); due && *due - robot.steady_offset <= now_) {
+    carry_out(robot, robot.agent->tick(clock(robot)));
+  }
+}
+
+void Fleet::sample(RobotProcess& robot) {
+  if (robot.next && robot.agent) {
+    agents::AgentOutput output = robot.agent->step(*robot.next, clock(robot));
+    robot.command = output.command;
+    ledger_.agent_stepped(robot.id, output);
+    carry_out(robot, std::move(output));
+  }
+  robot.next = need(robot.body->step(robot.command), "body");
+  robot.due = now_ + robot.next->motion.elapsed;
+}
+
+void Fleet::carry_out(RobotProcess& robot, agents::AgentOutput output) {
+  for (const msg::Message& message : output.send) {
+    record(message);
+    ledger_.agent_sent(robot.id, message);
+    if (const auto sent = robot.link->send(message); !sent) throw std::runtime_error(sent.error().message);
+  }
+  if (output.hand_stop) robot.body->stop_hand();
+  if (output.hand_start) {
+    const Result<void> answer = robot.body->drive_by_hand(*output.hand_start);
+    carry_out(robot, robot.agent->hand_answered(answer, clock(robot)));
+  }
+}
+
+void Fleet::send(msg::OperatorRequest request) {
+  request.header.sender = client_.id;
+  request.header.incarnation = client_.incarnation;
+  request.header.sequence = ++client_.sequence;
+  record(request);
+  if (const auto sent = client_.link->send(request); !sent) throw std::runtime_error(sent.error().message);
+}
+
+void Fleet::hear_client() {
+  while (const auto message = client_.link->take()) {
+    ledger_.client_heard(*message);
+    if (const auto* reply = std::get_if<msg::OperatorReply>(&*message)) client_.replies.push_back(*reply);
+  }
+}
+
+std::vector<msg::OperatorReply> Fleet::take_replies() {
+  return std::exchange(client_.replies, {});
+}
+
+void Fleet::look_when_quiet() {
+  if (server_.service) ledger_.look_when_quiet(*server_.service, *server_.disk);
+}
+
+/// FNV-1a over time, kind and sender's choice of bytes (Fowler, Noll & Vo).
+void Fleet::record(const msg::Message& message) {
+  ++messages_;
+  const auto mix = [this](std::uint64_t value) {
+    for (int i = 0; i < 8; ++i) trace_ = (trace_ ^ ((value >> (8 * i)) & 0xffU)) * 1099511628211ULL;
+  };
+  mix(static_cast<std::uint64_t>(now_.time_since_epoch().count()));
+  mix(message.index());
+  if (const auto* state = std::get_if<msg::RobotState>(&message)) {
+    mix(state->frame);
+    mix(static_cast<std::uint64_t>(state->mode));
+    mix(state->place.index);
+  }
+}
+
+std::string Fleet::trace() const {
+  ExperienceId as_text{trace_};
+  return to_string(as_text);
+}
+
+}  // namespace weft::simulation

@@ -1,0 +1,116 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/agent/agent.hpp"
+#include "core/random.hpp"
+#include "idl/bus/inprocess/net.hpp"
+#include "idl/bus/link.hpp"
+#include "server/service.hpp"
+#include "storage/memory/memory_store.hpp"
+#include "storage/spool/memory_spool.hpp"
+#include "tests/simulation/ledger.hpp"
+#include "tests/simulation/marks_body.hpp"
+#include "tests/simulation/ring_site.hpp"
+
+namespace weft::simulation {
+
+/// Server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at any
+/// moment and started again on what its disk holds; each has clocks of its own.
+class Fleet {
+ public:
+  Fleet(std::uint64_t seed, std::size_t robots);
+
+  SteadyTime now() const { return now_; }
+  /// Plays everything due up to `until`.
+  void run_until(SteadyTime until);
+
+  void crash_server();
+  void start_server();
+  bool server_up() const { return server_.service != nullptr; }
+  void crash_robot(std::size_t robot);
+  void start_robot(std::size_t robot);
+  bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
+  std::size_t robots() const { return robots_.size(); }
+  void partition(std::size_t robot, bool cut) { net_.partition(robots_[robot].id, cut); }
+  void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
+  storage::MemoryDisk& disk() { return *server_.disk; }
+
+  void send(msg::OperatorRequest request);
+  /// The answers that the client has had since the last call.
+  std::vector<msg::OperatorReply> take_replies();
+
+  const RingSite& site() const { return *site_; }
+  const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }
+  const msg::RobotState& state(std::size_t robot) const { return ledger_.robots.at(robots_[robot].id).state; }
+  const std::string& name(std::size_t robot) const { return robots_[robot].name; }
+
+  Ledger& ledger() { return ledger_; }
+  void look_when_quiet();
+  /// Over every message of the run, in order: the same seed gives the same.
+  std::string trace() const;
+  std::uint64_t messages() const { return messages_; }
+
+ private:
+  struct ServerProcess {
+    PeerId id;
+    std::shared_ptr<storage::MemoryDisk> disk;
+    std::unique_ptr<storage::MapStore> store;
+    std::unique_ptr<bus::Link> link;
+    std::unique_ptr<server::Service> service;
+    Duration steady_offset{};
+    Duration wall_offset{};
+  };
+  struct RobotProcess {
+    PeerId id;
+    std::string name;
+    std::unique_ptr<MarksBody> body;
+    std::shared_ptr<storage::SpoolDisk> disk;
+    std::unique_ptr<storage::Spool> spool;
+    std::unique_ptr<bus::Link> link;
+    std::unique_ptr<agents::Agent> agent;
+    agents::Twist command;
+    std::optional<agents::Sample> next;  ///< due at `due`
+    SteadyTime due{};
+    Duration steady_offset{};
+    Duration wall_offset{};
+  };
+  struct ClientProcess {
+    PeerId id;
+    std::unique_ptr<bus::Link> link;
+    std::uint64_t incarnation = 0;
+    std::uint64_t sequence = 0;
+    std::vector<msg::OperatorReply> replies;
+  };
+
+  std::optional<SteadyTime> next_event() const;
+  void play(SteadyTime at);
+  void serve();
+  void serve(RobotProcess& robot);
+  void sample(RobotProcess& robot);
+  void carry_out(RobotProcess& robot, agents::AgentOutput output);
+  void send_all(const std::vector<msg::Message>& messages);
+  void hear_client();
+  void record(const msg::Message& message);
+  SteadyTime clock(const RobotProcess& robot) const { return now_ + robot.steady_offset; }
+  WallTime wall(Duration offset) const { return WallTime(now_.time_since_epoch() + offset); }
+  server::Now server_now() const { return {now_ + server_.steady_offset, wall(server_.wall_offset)}; }
+  PeerId draw_id();
+
+  Random random_;
+  SteadyTime now_{};
+  std::shared_ptr<const RingSite> site_;
+  bus::InProcessNet net_;
+  Ledger ledger_;
+  ServerProcess server_;
+  std::vector<RobotProcess> robots_;
+  ClientProcess client_;
+  SteadyTime next_look_{};
+  std::uint64_t trace_ = 1469598103934665603ULL;
+  std::uint64_t messages_ = 0;
+};
+
+}  // namespace weft::simulation

@@ -1,0 +1,84 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "agents/agent/agent.hpp"
+#include "core/protocol/messages.hpp"
+#include "server/service.hpp"
+#include "storage/memory/memory_store.hpp"
+#include "tests/simulation/marks_body.hpp"
+
+namespace weft::simulation {
+
+/// A broken invariant: which, and what was seen.
+struct Violation {
+  std::string invariant;
+  std::string what;
+};
+
+/// Everything that the invariants must remember about one run. It is told what crosses the border of each process
+/// and looks at the truth; nothing it knows flows back.
+class Ledger {
+ public:
+  struct Robot {
+    const MarksBody* body = nullptr;
+    const agents::Agent* agent = nullptr;  ///< null while it is down
+    std::string name;
+    msg::RobotState state;                                    ///< last one said
+    WindowDefinition wants;                                   ///< last one asked for
+    std::map<GoalId, std::map<RouteId, std::uint32_t>> told;  ///< greatest version the server has sent
+  };
+  explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
+
+  std::map<RobotId, Robot> robots;
+
+  void agent_sent(const RobotId& robot, const msg::Message& message);
+  /// An acknowledgement as it arrives, checked against the disk at once.
+  void agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk);
+  void server_sent(const msg::Message& message, const server::Service& service);
+  void server_heard(const msg::Message& message);
+  void client_heard(const msg::Message& message);
+  void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
+  /// What must hold at any moment at which a server is up.
+  void look(const server::Service& service, const storage::MemoryDisk& disk);
+  /// What must hold once faults are over, everyone is up and nothing has been asked for a while.
+  void look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk);
+
+  const std::vector<Violation>& violations() const { return violations_; }
+  std::uint64_t acknowledged() const { return acknowledged_count_; }
+  std::map<std::string, std::uint64_t> goals_by_state() const;
+
+ private:
+  struct Stretch {
+    Route route;
+    std::uint32_t from = 0;
+  };
+  void broken(const std::string& invariant, const std::string& what);
+  std::optional<Pose2> truth_of(const PlaceId& place) const;
+  void check_release(const Route& route);
+  void check_released_point(const Robot& robot);
+  void check_belief(const Robot& robot);
+  void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
+  void check_stitches(const Snapshot& snapshot);
+  void check_goals(const server::Service& service);
+
+  double footprint_m_;
+  std::vector<Violation> violations_;
+  std::set<std::string> said_;
+  std::map<PlaceId, Pose2> truth_;  ///< of every place that was ever sent
+  std::map<ExperienceId, std::map<std::uint64_t, Batch>> sent_;
+  std::map<ExperienceId, std::uint64_t> acknowledged_;
+  std::uint64_t acknowledged_count_ = 0;
+  std::map<RobotId, Stretch> held_;           ///< released to a robot, not yet freed
+  std::map<RobotId, msg::RobotState> known_;  ///< as the server last heard
+  std::set<GoalId> accepted_;
+  std::map<GoalId, GoalState> ended_;
+  std::map<GoalId, GoalState> seen_;
+  std::set<EdgeId> checked_stitches_;
+};
+
+}  // namespace weft::simulation

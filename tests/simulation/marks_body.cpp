@@ -1,0 +1,97 @@
+#include "tests/simulation/marks_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::simulation {
+namespace {
+
+constexpr double kMovingPeriod_s = 0.1;
+constexpr double kRestPeriod_s = 2.0;
+constexpr std::size_t kTruthFrames = 4000;
+
+}  // namespace
+
+MarksBody::MarksBody(std::shared_ptr<const RingSite> site, const Pose2& site_from_robot, Random random)
+    : site_(std::move(site)),
+      random_(random),
+      base_({.lag_s = 0.1, .delay_samples = 1, .slip = 0.01, .turn_slip = 0.02, .drift_rad_per_m = 0.005},
+            site_from_robot),
+      wheel_scale_(random_.uniform(0.97, 1.03)),
+      wheel_turn_(random_.uniform(-0.02, 0.02)) {}
+
+Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
+  const bool hand = by_hand() || hand_done_;
+  const agents::Twist drive = by_hand() ? hand_twist() : hand ? agents::Twist{} : command;
+  const bool resting = drive == agents::Twist{} && std::abs(true_speed_m_s()) < 1e-3;
+  const double period = resting ? kRestPeriod_s : kMovingPeriod_s;
+  base_.drive(drive, period);
+
+  agents::Sample sample;
+  sample.frame = ++frame_;
+  sample.time = (time_ += from_seconds(period));
+  sample.hand = hand;
+  sample.hand_done = hand_done_;
+  sample.motion.elapsed = from_seconds(period);
+  sample.motion.command = drive;
+  const double rolled = base_.wheels().linear_m_s * period;
+  sample.motion.wheels = agents::WheelStep{rolled * wheel_scale_, base_.last_step().heading + wheel_turn_ * rolled};
+  if (!random_.chance(0.005)) sample.view = look();
+  truth_.emplace(frame_, site_from_robot());
+  if (truth_.size() > kTruthFrames) truth_.erase(truth_.begin());
+  return sample;
+}
+
+agents::View MarksBody::look() {
+  const double luck = random_.uniform();
+  Pose2 from = site_from_robot();
+  if (luck < 0.003) from = site_->pose(random_.uniform(0.0, site_->length_m()), {});  // looks like somewhere else
+  agents::Marks marks;
+  if (luck < 0.99) {
+    marks.sightings = site_->seen_from(from);
+    for (auto& sighting : marks.sightings) {
+      sighting.robot_from_mark.x += random_.normal(0.0, 0.004);
+      sighting.robot_from_mark.y += random_.normal(0.0, 0.004);
+      sighting.robot_from_mark.heading = wrap_angle(sighting.robot_from_mark.heading + random_.normal(0.0, 0.008));
+    }
+  }
+  return {frame_, time_, "marks", "marks", std::move(marks)};
+}
+
+Result<void> MarksBody::drive_by_hand(const std::vector<agents::SitePoint>& along) {
+  if (along.size() < 2) return fail(ErrorCode::invalid, "hand: a line needs two points or more");
+  const Eigen::Vector2d here = site_from_robot().translation();
+  const double away = std::hypot(along.front().x - here.x(), along.front().y - here.y());
+  if (away > 1.0) {
+    return fail(ErrorCode::invalid,
+                "hand: the line starts " + std::to_string(away) + " m from the robot, at most 1 m");
+  }
+  hand_ = along;
+  hand_at_ = 0;
+  hand_done_ = false;
+  return {};
+}
+
+/// Looks 0.6 m ahead on the line and wanders a few centimetres about it.
+agents::Twist MarksBody::hand_twist() {
+  const Pose2 robot_from_site = site_from_robot().inverse();
+  const auto local = [&](std::size_t i) { return robot_from_site * Eigen::Vector2d(hand_[i].x, hand_[i].y); };
+  while (hand_at_ + 1 < hand_.size() && (local(hand_at_).norm() < 0.6 || local(hand_at_).x() < 0.0)) ++hand_at_;
+  const Eigen::Vector2d target = local(hand_at_);
+  if (hand_at_ + 1 == hand_.size() && (target.x() < 0.05 || target.norm() < 0.08)) {
+    hand_.clear();
+    hand_done_ = true;
+    return {};
+  }
+  wander_ = std::clamp(wander_ + random_.normal(0.0, 0.004), -0.06, 0.06);
+  const double bearing = std::atan2(target.y() + wander_, std::max(0.05, target.x()));
+  const double speed = hand_at_ + 1 == hand_.size() ? std::clamp(target.norm(), 0.1, 0.5) : 0.55;
+  return {speed, std::clamp(1.8 * bearing, -1.0, 1.0)};
+}
+
+std::optional<Pose2> MarksBody::at_frame(std::uint64_t frame) const {
+  const auto found = truth_.find(frame);
+  return found == truth_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace weft::simulation

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/bodies/body.hpp"
+#include "core/random.hpp"
+#include "tests/simulation/ring_site.hpp"
+#include "tests/support/unicycle.hpp"
+
+namespace weft::simulation {
+
+/// A robot on the ring that sees marks: noisy, sometimes nothing, sometimes the marks of quite another spot.
+class MarksBody : public agents::Body {
+ public:
+  MarksBody(std::shared_ptr<const RingSite> site, const Pose2& site_from_robot, Random random);
+
+  Result<agents::Sample> step(const agents::Twist& command) override;
+  Result<void> drive_by_hand(const std::vector<agents::SitePoint>& along) override;
+  void stop_hand() override {
+    hand_.clear();
+    hand_done_ = false;
+  }
+  std::vector<agents::CameraModel> cameras() const override { return {}; }
+  std::string kind() const override { return "marks"; }
+
+  /// For the invariants alone.
+  const Pose2& site_from_robot() const { return base_.world_from_robot(); }
+  double true_speed_m_s() const { return base_.wheels().linear_m_s; }
+  bool by_hand() const { return !hand_.empty(); }
+  /// Where the robot was at a frame of the last few minutes.
+  std::optional<Pose2> at_frame(std::uint64_t frame) const;
+
+ private:
+  agents::Twist hand_twist();
+  agents::View look();
+
+  std::shared_ptr<const RingSite> site_;
+  Random random_;
+  test::Unicycle base_;
+  double wheel_scale_;
+  double wheel_turn_;
+  std::uint64_t frame_ = 0;
+  SensorTime time_{};
+  std::vector<agents::SitePoint> hand_;
+  std::size_t hand_at_ = 0;
+  bool hand_done_ = false;
+  double wander_ = 0.0;
+  std::map<std::uint64_t, Pose2> truth_;
+};
+
+}  // namespace weft::simulation

@@ -1,0 +1,174 @@
+#include "tests/simulation/operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::simulation {
+
+template <class Condition>
+bool Operator::wait(double seconds, Condition&& condition) {
+  const SteadyTime end = fleet_.now() + from_seconds(seconds);
+  while (!condition()) {
+    if (fleet_.now() >= end) return false;
+    fleet_.run_until(fleet_.now() + std::chrono::milliseconds(500));
+  }
+  return true;
+}
+
+std::optional<msg::OperatorReply> Operator::ask(msg::OperatorRequest request, double give_up_s) {
+  request.request = random_.next();
+  const SteadyTime end = fleet_.now() + from_seconds(give_up_s);
+  while (fleet_.now() < end) {
+    fleet_.send(request);
+    for (int i = 0; i < 8; ++i) {
+      fleet_.run_until(fleet_.now() + std::chrono::milliseconds(250));
+      for (const msg::OperatorReply& reply : fleet_.take_replies()) {
+        if (reply.request == request.request) return reply;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through) {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::teach_start;
+  request.robot = fleet_.name(robot);
+  request.label = "lap-" + fleet_.name(robot);
+  for (const auto& point : fleet_.site().line(from_m, to_m, through)) request.along.push_back({point.x, point.y});
+  const auto reply = ask(request);
+  if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) return false;
+  return wait(60.0 + 4.0 * (to_m - from_m),
+              [&] {
+                return fleet_.state(robot).reason == "hand_done" ||
+                       fleet_.state(robot).mode != msg::RobotMode::teaching;
+              }) &&
+         fleet_.state(robot).mode == msg::RobotMode::teaching;
+}
+
+bool Operator::teach_lap(std::size_t robot) {
+  const RingSite& site = fleet_.site();
+  const auto start_of = [&](std::size_t i) {
+    return 9.0 + static_cast<double>(i) * site.length_m() / static_cast<double>(fleet_.robots());
+  };
+  struct Spot {
+    double at_m;
+    std::string label;
+  };
+  std::vector<std::size_t> through;
+  std::vector<Spot> spots;
+  const double begin = start_of(robot);
+  const auto ahead = [&](double at_m) {
+    return begin + std::fmod(at_m - begin + 2.0 * site.length_m(), site.length_m());
+  };
+  for (std::size_t k = robot; k < site.stations(); k += fleet_.robots()) {
+    through.push_back(k);
+    spots.push_back({ahead(site.station_m(k)), "station-" + std::to_string(k)});
+  }
+  for (std::size_t i = 1; robot == 0 && i < fleet_.robots(); ++i)
+    spots.push_back({start_of(i), "start-" + std::to_string(i)});
+  std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.at_m < b.at_m; });
+  spots.push_back({begin + site.length_m() + 1.5, ""});
+
+  double at = begin;
+  for (const Spot& spot : spots) {
+    if (!teach_piece(robot, at, spot.at_m, through)) return false;
+    at = spot.at_m;
+    if (spot.label.empty()) continue;
+    msg::OperatorRequest label;
+    label.kind = msg::OperatorRequest::Kind::label_here;
+    label.robot = fleet_.name(robot);
+    label.label = spot.label;
+    const auto reply = ask(label);
+    if (!reply || reply->outcome != msg::Outcome::done) return false;
+    if (spot.label.starts_with("station")) labels_.push_back(spot.label);
+  }
+  msg::OperatorRequest stop;
+  stop.kind = msg::OperatorRequest::Kind::teach_stop;
+  stop.robot = fleet_.name(robot);
+  const auto reply = ask(stop);
+  return reply && reply->outcome == msg::Outcome::done;
+}
+
+bool Operator::teach_all() {
+  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    if (robot > 0) {
+      msg::OperatorRequest localise;
+      localise.kind = msg::OperatorRequest::Kind::localise;
+      localise.robot = fleet_.name(robot);
+      localise.label = "start-" + std::to_string(robot);
+      if (!ask(localise) || !wait(120.0, [&] { return fleet_.state(robot).localised; })) return false;
+    }
+    if (!teach_lap(robot)) return false;
+  }
+  return true;
+}
+
+void Operator::send_goal() {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::goal_send;
+  request.label = labels_[random_.below(labels_.size())];
+  if (random_.chance(0.7)) request.robot = fleet_.name(random_.below(fleet_.robots()));
+  for (std::uint8_t& byte : request.goal.bytes) byte = static_cast<std::uint8_t>(random_.next());
+  ++goals_sent_;
+  const auto reply = ask(request);
+  if (reply && reply->goal && reply->outcome != msg::Outcome::refused) {
+    ++goals_accepted_;
+    goals_.push_back(reply->goal);
+  }
+}
+
+/// A hand takes an idle robot a few metres along the ring, teaching.
+void Operator::teach_more(std::size_t robot) {
+  if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return;
+  const RingSite& site = fleet_.site();
+  const Pose2& here = fleet_.body(robot).site_from_robot();
+  double best = 1e9;
+  double at = 0.0;
+  std::vector<std::size_t> through;
+  for (double along = 0.0; along < site.length_m(); along += 0.1) {
+    for (std::size_t k = 0; k <= site.stations(); ++k) {
+      const std::vector<std::size_t> way = k < site.stations() ? std::vector{k} : std::vector<std::size_t>{};
+      const double away = (site.pose(along, way).translation() - here.translation()).norm();
+      if (away < best) {
+        best = away;
+        at = along;
+        through = way;
+      }
+    }
+  }
+  if (!teach_piece(robot, at, at + random_.uniform(3.0, 9.0), through)) return;
+  msg::OperatorRequest stop;
+  stop.kind = msg::OperatorRequest::Kind::teach_stop;
+  stop.robot = fleet_.name(robot);
+  ask(stop);
+}
+
+void Operator::errand() {
+  const double what = random_.uniform();
+  const std::size_t robot = random_.below(fleet_.robots());
+  msg::OperatorRequest request;
+  request.robot = fleet_.name(robot);
+  if (what < 0.70) {
+    send_goal();
+  } else if (what < 0.78 && !goals_.empty()) {
+    request.kind = msg::OperatorRequest::Kind::goal_cancel;
+    request.robot.clear();
+    request.goal = goals_[random_.below(goals_.size())];
+    ask(request);
+  } else if (what < 0.88) {
+    request.kind = msg::OperatorRequest::Kind::stop;
+    ask(request);
+    fleet_.run_until(fleet_.now() + from_seconds(random_.uniform(1.0, 60.0)));
+    request.kind = msg::OperatorRequest::Kind::resume;
+    while (!ask(request, 600.0)) {
+    }
+  } else if (what < 0.94) {
+    teach_more(robot);
+  } else {
+    request.kind = msg::OperatorRequest::Kind::localise;
+    if (!fleet_.state(robot).localised) ask(request);
+  }
+}
+
+}  // namespace weft::simulation

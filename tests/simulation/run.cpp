@@ -1,0 +1,49 @@
+#include "tests/simulation/run.hpp"
+
+#include <cmath>
+
+#include "tests/simulation/chaos.hpp"
+#include "tests/simulation/fleet.hpp"
+#include "tests/simulation/operator.hpp"
+
+namespace weft::simulation {
+
+RunResult run(const RunConfig& config) {
+  Random random(config.seed * 0x9e3779b97f4a7c15ULL + 1);
+  Fleet fleet(config.seed, config.robots);
+  Chaos chaos(fleet, random.fork(1));
+  Operator people(fleet, random.fork(2));
+  const SteadyTime began = fleet.now();
+  RunResult result;
+  chaos.mild();
+  if (!people.teach_all()) result.violations.push_back({"teach", "the ring could not be taught"});
+
+  chaos.full();
+  const SteadyTime end = fleet.now() + from_seconds(3600.0 * config.hours);
+  const double mean_s = 3600.0 / (config.goals_per_robot_hour / 0.7 * static_cast<double>(config.robots));
+  SteadyTime next = fleet.now();
+  while (result.violations.empty() && fleet.now() < end && fleet.ledger().violations().empty()) {
+    chaos.play();
+    if (fleet.now() >= next) {
+      people.errand();
+      next = fleet.now() + from_seconds(-mean_s * std::log(1.0 - random.uniform()));
+    }
+    fleet.run_until(fleet.now() + std::chrono::seconds(2));
+  }
+  chaos.over();
+  fleet.run_until(fleet.now() + std::chrono::minutes(10));
+  if (fleet.ledger().violations().empty()) fleet.look_when_quiet();
+
+  for (const Violation& violation : fleet.ledger().violations()) result.violations.push_back(violation);
+  result.trace = fleet.trace();
+  result.messages = fleet.messages();
+  result.faults = chaos.played();
+  result.goals_sent = people.goals_sent();
+  result.goals_accepted = people.goals_accepted();
+  result.acknowledged = fleet.ledger().acknowledged();
+  result.simulated_hours = seconds(fleet.now() - began) / 3600.0 * static_cast<double>(config.robots);
+  result.goals = fleet.ledger().goals_by_state();
+  return result;
+}
+
+}  // namespace weft::simulation

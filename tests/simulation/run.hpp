@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/simulation/ledger.hpp"
+
+namespace weft::simulation {
+
+struct RunConfig {
+  std::uint64_t seed = 1;
+  std::size_t robots = 4;
+  double hours = 1.0;
+  double goals_per_robot_hour = 3.0;
+};
+
+struct RunResult {
+  std::vector<Violation> violations;
+  std::string trace;
+  std::uint64_t messages = 0;
+  std::uint64_t faults = 0;
+  std::uint64_t goals_sent = 0;
+  std::uint64_t goals_accepted = 0;
+  std::uint64_t acknowledged = 0;
+  std::uint64_t places = 0;
+  double simulated_hours = 0.0;
+  std::map<std::string, std::uint64_t> goals;
+};
+
+/// One whole life of a fleet: taught, sent about under faults, left alone. Pure: the config decides everything.
+RunResult run(const RunConfig& config);
+
+}  // namespace weft::simulation

@@ -1,0 +1,172 @@
+// tests/simulate: lives of a whole fleet in one thread each, two at a time, invariants checked all along.
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "tests/simulation/run.hpp"
+
+namespace {
+
+struct Options {
+  std::string seeds = "1..10";
+  std::size_t robots = 4;
+  double hours = 1.0;
+  std::size_t jobs = 2;
+  bool verbose = false;
+  bool keep_going = false;
+};
+
+struct Seeds {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+bool parse(const std::string& text, Seeds& seeds) {
+  const auto dots = text.find("..");
+  std::istringstream first(text.substr(0, dots));
+  std::istringstream last(dots == std::string::npos ? text : text.substr(dots + 2));
+  return (first >> seeds.first) && first.eof() && (last >> seeds.last) && last.eof() && seeds.first <= seeds.last;
+}
+
+std::string one(const Options& options, std::uint64_t seed) {
+  const auto result = weft::simulation::run({.seed = seed, .robots = options.robots, .hours = options.hours});
+  std::ostringstream line;
+  line << seed << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
+       << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' ' << result.acknowledged
+       << ' ' << result.trace;
+  for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
+  for (const auto& violation : result.violations)
+    line << "\n! seed " << seed << ": " << violation.invariant << ": " << violation.what;
+  return line.str() + "\n";
+}
+
+/// Every jobs-th seed, a line each into the pipe.
+void work(const Options& options, const Seeds& seeds, std::size_t worker, int to) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (std::uint64_t seed = seeds.first + worker; seed <= seeds.last; seed += options.jobs) {
+    const std::string line = one(options, seed);
+    for (std::size_t done = 0; done < line.size();) {
+      const ssize_t wrote = write(to, line.data() + done, line.size() - done);
+      if (wrote <= 0) _exit(1);
+      done += static_cast<std::size_t>(wrote);
+    }
+  }
+  _exit(0);
+}
+
+struct Totals {
+  std::uint64_t seeds = 0, broken = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
+  double hours = 0.0;
+  std::map<std::string, std::uint64_t> goals;
+};
+
+void add(Totals& totals, const std::string& line) {
+  std::istringstream in(line);
+  std::uint64_t seed = 0, violations = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
+  double hours = 0.0;
+  std::string trace;
+  in >> seed >> violations >> hours >> messages >> faults >> sent >> accepted >> acknowledged >> trace;
+  ++totals.seeds;
+  totals.broken += violations > 0 ? 1 : 0;
+  totals.hours += hours;
+  totals.messages += messages;
+  totals.faults += faults;
+  totals.sent += sent;
+  totals.accepted += accepted;
+  totals.acknowledged += acknowledged;
+  for (std::string word; in >> word;) {
+    totals.goals[word.substr(0, word.find('='))] += std::stoull(word.substr(word.find('=') + 1));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  Seeds seeds;
+  CLI::App app(
+      "Simulates whole fleets under faults and checks what must always hold. Prints the seed of each failure;\n"
+      "the same seed gives the same trace.",
+      "tests/simulate");
+  app.add_option("--seeds", options.seeds, "A..B, or one seed")->check([&](const std::string& text) {
+    return parse(text, seeds) ? std::string() : "'" + text + "' is not A..B with A <= B";
+  });
+  app.add_option("--robots", options.robots, "robots in each fleet")->check(CLI::Range(1, 8));
+  app.add_option("--hours", options.hours, "simulated hours of errands for each seed")
+      ->check(CLI::Range(0.05, 1000.0));
+  app.add_option("--jobs", options.jobs, "seeds at once")->check(CLI::Range(1, 64));
+  app.add_flag("--verbose", options.verbose, "a line for each seed, with its trace hash");
+  app.add_flag("--keep-going", options.keep_going, "go on after a failure");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  parse(options.seeds, seeds);
+
+  int ends[2];
+  if (pipe(ends) != 0) return 1;
+  std::vector<pid_t> children;
+  for (std::size_t worker = 0; worker < options.jobs; ++worker) {
+    const pid_t child = fork();
+    if (child == 0) {
+      close(ends[0]);
+      work(options, seeds, worker, ends[1]);
+    }
+    children.push_back(child);
+  }
+  close(ends[1]);
+
+  const auto began = std::chrono::steady_clock::now();
+  const std::uint64_t wanted = seeds.last - seeds.first + 1;
+  Totals totals;
+  FILE* in = fdopen(ends[0], "r");
+  char* buffer = nullptr;
+  std::size_t size = 0;
+  while (getline(&buffer, &size, in) > 0) {
+    const std::string line(buffer);
+    if (line[0] == '!') {
+      std::cout << line.substr(2) << std::flush;
+      continue;
+    }
+    add(totals, line);
+    if (options.verbose) std::cout << "seed " << line << std::flush;
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (totals.seeds % 10 == 0 || totals.seeds == wanted) {
+      std::cout << totals.seeds << " of " << wanted << " seeds, " << static_cast<std::uint64_t>(totals.hours)
+                << " robot-hours, " << static_cast<std::uint64_t>(totals.hours * 3600.0 / spent)
+                << " robot-seconds a second, "
+                << static_cast<std::uint64_t>(spent / static_cast<double>(totals.seeds) *
+                                              static_cast<double>(wanted - totals.seeds))
+                << " s remaining\n"
+                << std::flush;
+    }
+    if (totals.broken > 0 && !options.keep_going) {
+      for (const pid_t child : children) kill(child, SIGKILL);
+      break;
+    }
+  }
+  free(buffer);
+  fclose(in);
+  bool died = false;
+  for (const pid_t child : children) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    died = died || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  }
+  std::cout << totals.seeds << " seeds, " << totals.hours << " robot-hours, " << totals.messages << " messages, "
+            << totals.faults << " faults, " << totals.sent << " goals sent, " << totals.accepted << " accepted (";
+  for (const auto& [state, count] : totals.goals) std::cout << ' ' << state << ' ' << count;
+  std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.broken
+            << " seeds broke an invariant\n";
+  if (died && totals.broken == 0) std::cout << "a worker ended early\n";
+  return totals.broken > 0 || died || totals.seeds != wanted ? 1 : 0;
+}
