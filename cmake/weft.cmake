@@ -6,9 +6,9 @@ set(WEFT_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined")
 add_library(weft_flags INTERFACE)
 target_compile_features(weft_flags INTERFACE cxx_std_20)
 target_compile_options(weft_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow>)
-# GCC 12 raises these three wrongly in optimised builds (its bugs 105329, 105651, 105562): strings and optionals.
+# GCC 12 raises these wrongly in optimised builds (its bugs 105329, 105651, 105562): strings and optionals.
 target_compile_options(weft_flags INTERFACE
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overread>)
 if(WEFT_WERROR)
   target_compile_options(weft_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()
