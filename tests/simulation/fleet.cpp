@@ -165,8 +165,7 @@ void Fleet::send_all(const std::vector<msg::Message>& messages) {
   for (const msg::Message& message : messages) {
     record(message);
     ledger_.server_sent(message, *server_.service);
-    need(server_.link->send(message).map([] { return true; }).map_error([](const Error& e) { return e; }),
-         "server sends");
+    if (const auto sent = server_.link->send(message); !sent) throw std::runtime_error(sent.error().message);
   }
 }
 

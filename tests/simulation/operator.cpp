@@ -30,6 +30,11 @@ std::optional<msg::OperatorReply> Operator::ask(msg::OperatorRequest request, do
   return std::nullopt;
 }
 
+bool Operator::give_up(const std::string& what, const std::optional<msg::OperatorReply>& reply) {
+  trouble_ = what + ": " + (reply ? reply->message : "no answer");
+  return false;
+}
+
 bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through) {
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::teach_start;
@@ -37,13 +42,15 @@ bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const 
   request.label = "lap-" + fleet_.name(robot);
   for (const auto& point : fleet_.site().line(from_m, to_m, through)) request.along.push_back({point.x, point.y});
   const auto reply = ask(request);
-  if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) return false;
-  return wait(60.0 + 4.0 * (to_m - from_m),
-              [&] {
-                return fleet_.state(robot).reason == "hand_done" ||
-                       fleet_.state(robot).mode != msg::RobotMode::teaching;
-              }) &&
-         fleet_.state(robot).mode == msg::RobotMode::teaching;
+  if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) {
+    return give_up("teach " + fleet_.name(robot), reply);
+  }
+  const bool over = wait(60.0 + 4.0 * (to_m - from_m), [&] {
+    return fleet_.state(robot).reason == "hand_done" || fleet_.state(robot).mode != msg::RobotMode::teaching;
+  });
+  if (over && fleet_.state(robot).mode == msg::RobotMode::teaching) return true;
+  trouble_ = fleet_.name(robot) + " is " + to_string(fleet_.state(robot).mode) + ": " + fleet_.state(robot).reason;
+  return false;
 }
 
 bool Operator::teach_lap(std::size_t robot) {
@@ -80,14 +87,14 @@ bool Operator::teach_lap(std::size_t robot) {
     label.robot = fleet_.name(robot);
     label.label = spot.label;
     const auto reply = ask(label);
-    if (!reply || reply->outcome != msg::Outcome::done) return false;
+    if (!reply || reply->outcome != msg::Outcome::done) return give_up("label " + spot.label, reply);
     if (spot.label.starts_with("station")) labels_.push_back(spot.label);
   }
   msg::OperatorRequest stop;
   stop.kind = msg::OperatorRequest::Kind::teach_stop;
   stop.robot = fleet_.name(robot);
   const auto reply = ask(stop);
-  return reply && reply->outcome == msg::Outcome::done;
+  return (reply && reply->outcome == msg::Outcome::done) || give_up("teach stop", reply);
 }
 
 bool Operator::teach_all() {
@@ -97,7 +104,10 @@ bool Operator::teach_all() {
       localise.kind = msg::OperatorRequest::Kind::localise;
       localise.robot = fleet_.name(robot);
       localise.label = "start-" + std::to_string(robot);
-      if (!ask(localise) || !wait(120.0, [&] { return fleet_.state(robot).localised; })) return false;
+      const auto reply = ask(localise);
+      if (!reply || !wait(120.0, [&] { return fleet_.state(robot).localised; })) {
+        return give_up("localise " + fleet_.name(robot), reply);
+      }
     }
     if (!teach_lap(robot)) return false;
   }

@@ -19,6 +19,8 @@ class Operator {
   bool teach_all();
   /// One random errand. Never waits longer than a few minutes for it.
   void errand();
+  /// Why `teach_all` gave up.
+  const std::string& trouble() const { return trouble_; }
   std::uint64_t goals_sent() const { return goals_sent_; }
   std::uint64_t goals_accepted() const { return goals_accepted_; }
 
@@ -31,6 +33,10 @@ class Operator {
   template <class Condition>
   bool wait(double seconds, Condition&& condition);
 
+  /// Notes what went wrong; always false.
+  bool give_up(const std::string& what, const std::optional<msg::OperatorReply>& reply);
+
+  std::string trouble_;
   Fleet& fleet_;
   Random random_;
   std::vector<std::string> labels_;

@@ -16,7 +16,7 @@ RunResult run(const RunConfig& config) {
   const SteadyTime began = fleet.now();
   RunResult result;
   chaos.mild();
-  if (!people.teach_all()) result.violations.push_back({"teach", "the ring could not be taught"});
+  if (!people.teach_all()) result.violations.push_back({"teach", people.trouble()});
 
   chaos.full();
   const SteadyTime end = fleet.now() + from_seconds(3600.0 * config.hours);
