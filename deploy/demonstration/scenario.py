@@ -16,8 +16,11 @@ def teach(fleet, robot, line, say):
     for number, (points, label) in enumerate(pieces):
         if len(points) > 1:
             part = lines.write(points, fleet.work / f'{robot}-{number}.line')
+            before = fleet.robot(robot)['frame']
             fleet.weft('teach', robot, 'start', '--as', TEACH[robot], '--along', part)
-            fleet.wait_robot(robot, 'to reach the end of its line', lambda row: row['reason'] == 'hand_done', 240)
+            # what the server knew before the hand began to drive may still say that it has ended
+            fleet.wait_robot(robot, 'to reach the end of its line',
+                             lambda row: row['reason'] == 'hand_done' and row['frame'] > before + 10, 240)
             done += lines.length_m(points)
         elif number == 0:
             fleet.weft('teach', robot, 'start', '--as', TEACH[robot])

@@ -45,10 +45,8 @@ bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const 
   if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) {
     return give_up("teach " + fleet_.name(robot), reply);
   }
-  const bool over = wait(60.0 + 4.0 * (to_m - from_m), [&] {
-    return fleet_.state(robot).reason == "hand_done" || fleet_.state(robot).mode != msg::RobotMode::teaching;
-  });
-  if (over && fleet_.state(robot).mode == msg::RobotMode::teaching) return true;
+  const bool over = wait(60.0 + 4.0 * (to_m - from_m), [&] { return !fleet_.body(robot).by_hand(); });
+  if (over && fleet_.robot_up(robot) && fleet_.state(robot).mode == msg::RobotMode::teaching) return true;
   trouble_ = fleet_.name(robot) + " is " + to_string(fleet_.state(robot).mode) + ": " + fleet_.state(robot).reason;
   return false;
 }
