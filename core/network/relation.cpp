@@ -1,13 +1,8 @@
 #include "core/network/relation.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <string>
-#include <type_traits>
 
 namespace weft {
 namespace {
@@ -92,36 +87,6 @@ Eigen::Matrix<double, 3, 6> projection_jacobian(const Pose3& a_from_b) {
   return jacobian;
 }
 
-std::uint64_t bits(double value) {
-  return std::bit_cast<std::uint64_t>(value);
-}
-std::array<std::uint64_t, 4> numbers(const AlongPath& path) {
-  return {bits(path.distance_m), bits(path.distance_variance_m2), bits(path.heading_shift_rad),
-          bits(path.heading_variance_rad2)};
-}
-std::array<std::uint64_t, 3> numbers(const Pose2& pose) {
-  return {bits(pose.x), bits(pose.y), bits(pose.heading)};
-}
-std::array<std::uint64_t, 7> numbers(const Pose3& pose) {
-  const Eigen::Quaterniond& q = pose.rotation;
-  const Eigen::Vector3d& t = pose.translation;
-  return {bits(q.w()), bits(q.x()), bits(q.y()), bits(q.z()), bits(t.x()), bits(t.y()), bits(t.z())};
-}
-
-Result<void> check_covariance(const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
-  if (!covariance.allFinite()) return fail(ErrorCode::invalid, "relation: covariance is not finite");
-  const double tolerance = 1e-9 * std::max(1e-12, covariance.cwiseAbs().maxCoeff());
-  if ((covariance - covariance.transpose()).cwiseAbs().maxCoeff() > tolerance) {
-    return fail(ErrorCode::invalid, "relation: covariance is not symmetric");
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance, Eigen::EigenvaluesOnly);
-  if (!(solver.eigenvalues().minCoeff() >= -10.0 * tolerance)) {
-    return fail(ErrorCode::invalid, "relation: covariance has the negative eigenvalue " +
-                                        std::to_string(solver.eigenvalues().minCoeff()) + ", must be >= 0");
-  }
-  return {};
-}
-
 }  // namespace
 
 Relation compose(const Relation& a_from_b, const Relation& b_from_c) {
@@ -184,47 +149,6 @@ Eigen::Matrix3d planar_covariance(const Relation& relation) {
   covariance.topLeftCorner<2, 2>() = path.distance_variance_m2 * forward_in_b * forward_in_b.transpose();
   covariance(2, 2) = path.heading_variance_rad2;
   return covariance;
-}
-
-bool identical(const Relation& first, const Relation& second) {
-  if (first.index() != second.index()) return false;
-  return std::visit(
-      [&](const auto& one) {
-        const auto& other = std::get<std::decay_t<decltype(one)>>(second);
-        if constexpr (std::is_same_v<std::decay_t<decltype(one)>, AlongPath>) {
-          return numbers(one) == numbers(other);
-        } else {
-          return numbers(one.a_from_b) == numbers(other.a_from_b) &&
-                 std::equal(one.covariance.data(), one.covariance.data() + one.covariance.size(),
-                            other.covariance.data(), [](double a, double b) { return bits(a) == bits(b); });
-        }
-      },
-      first);
-}
-
-Result<void> check(const Relation& relation) {
-  if (const auto* const flat = std::get_if<Metric2>(&relation)) {
-    if (!is_finite(flat->a_from_b)) return fail(ErrorCode::invalid, "relation: pose is not finite");
-    return check_covariance(flat->covariance);
-  }
-  if (const auto* const metric = std::get_if<Metric3>(&relation)) {
-    if (!is_finite(metric->a_from_b)) return fail(ErrorCode::invalid, "relation: pose is not finite");
-    const double length = metric->a_from_b.rotation.norm();
-    if (!(std::abs(length - 1.0) <= 1e-6)) {
-      return fail(ErrorCode::invalid,
-                  "relation: quaternion has length " + std::to_string(length) + ", must be 1 within 1e-6");
-    }
-    return check_covariance(metric->covariance);
-  }
-  const auto& path = std::get<AlongPath>(relation);
-  for (const double value :
-       {path.distance_m, path.distance_variance_m2, path.heading_shift_rad, path.heading_variance_rad2}) {
-    if (!std::isfinite(value)) return fail(ErrorCode::invalid, "relation: a number along the path is not finite");
-  }
-  if (path.distance_variance_m2 < 0.0 || path.heading_variance_rad2 < 0.0) {
-    return fail(ErrorCode::invalid, "relation: a variance along the path is negative, must be >= 0");
-  }
-  return {};
 }
 
 }  // namespace weft
