@@ -89,7 +89,7 @@ class RobotAgent final : public Agent {
   void teach_on(const msg::AgentCommand& command, const CommandKey& key);
   void teach_stop(const CommandKey& key, SteadyTime now);
   void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
-  void keep_place(const CommandKey& key);
+  void keep_place(const CommandKey& key, SteadyTime now);
   void stop(const CommandKey& key, SteadyTime now);
   void resume(const CommandKey& key, SteadyTime now);
   void reply(const CommandKey& key, const msg::AgentReply& reply);
@@ -145,8 +145,9 @@ class RobotAgent final : public Agent {
   std::optional<HandingIn> handing_in_;
   std::optional<Localising> localising_;
   std::vector<CommandKey> keeping_;  ///< who waits for the next kept place
-  std::string teaching_failed_;      ///< why teaching ended by itself; until the next command
-  bool stopped_ = false;             ///< by an operator
+  SteadyTime keeping_until_{};
+  std::string teaching_failed_;  ///< why teaching ended by itself; until the next command
+  bool stopped_ = false;         ///< by an operator
   bool lost_ = false;
   std::string fault_;
   bool follow_pending_ = false;  ///< the route waits for the map or for a localisation

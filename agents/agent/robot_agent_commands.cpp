@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kMapAtMost = 20s;
 constexpr Duration kLastViewAtMost = 3s;
+constexpr Duration kPlaceAtMost = 15s;
 /// As near as this, a label on an existing place means here.
 constexpr double kHereM = 0.05;
 constexpr double kHereRad = 3.0 * std::numbers::pi / 180.0;
@@ -118,10 +119,11 @@ void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& ke
   start_localising(key, command.seed, now);
 }
 
-void RobotAgent::keep_place(const CommandKey& key) {
+void RobotAgent::keep_place(const CommandKey& key, SteadyTime now) {
   if (teaching_.has_value()) {
     if (teaching_->phase != Teaching::Phase::on) return refuse(key, "teaching has not begun or is ending: try again");
     keeping_.push_back(key);
+    keeping_until_ = now + kPlaceAtMost;
     navigator_->keep_place();
     return;
   }

@@ -121,6 +121,17 @@ TEST(Teaching, LabelHereKeepsAPlaceAndAnswersOnceItIsOnDisk) {
   EXPECT_EQ(rig.disk->records.size(), 1U);
 }
 
+TEST(Teaching, LabelHereWithNothingToSeeIsRefused) {
+  Rig rig;
+  rig.sample.view.reset();
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.tell(rig.command(Kind::keep_place, 2));
+  rig.run(20s);
+  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("worth keeping"), std::string::npos);
+}
+
 TEST(Teaching, LabelHereWithoutTeachingNeedsAPlaceUnderTheRobot) {
   Rig rig;
   const ExperienceId laid = rig.lay_out(70, 10);

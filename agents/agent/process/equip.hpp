@@ -1,0 +1,20 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "agents/agent/process/options.hpp"
+#include "agents/bodies/body.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "core/result.hpp"
+
+namespace weft::agents {
+
+/// The body that the options name. Errors are the body's own: no such file, site, recording or robot in it.
+Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
+
+/// The navigator of the method that the options name, for the body's cameras.
+/// invalid: the calibration or a setting of the method breaks its bound.
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const Body& body);
+
+}  // namespace weft::agents

@@ -1,0 +1,104 @@
+#include "agents/agent/process/loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr int kMessagesATurn = 256;
+constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in between
+constexpr Duration kBehind = 500ms;        ///< later than this is not caught up with
+constexpr Duration kBetweenCounters = 30s;
+
+SteadyTime steady_now() {
+  return SteadyTime{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
+}
+WallTime wall_now() {
+  return WallTime{std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())};
+}
+}  // namespace
+
+Loop::Loop(const Parts& parts, double pace)
+    : parts_(parts), pace_(pace), step_at_(steady_now()), counters_at_(step_at_ + kBetweenCounters) {}
+
+void Loop::until(const std::function<bool()>& stop) {
+  while (!stop()) {
+    take_messages();
+    if (const auto due = parts_.agent.next_tick(); due.has_value() && *due <= steady_now()) {
+      perform(parts_.agent.tick(steady_now()));
+    }
+    if (body_works_ && steady_now() >= step_at_) step();
+    log_counters();
+    SteadyTime next = steady_now() + kLongestSleep;
+    if (body_works_) next = std::min(next, step_at_);
+    if (const auto due = parts_.agent.next_tick(); due.has_value()) next = std::min(next, *due);
+    const Duration sleep = next - steady_now();
+    if (sleep > Duration{}) parts_.link.wait(sleep);
+  }
+}
+
+void Loop::take_messages() {
+  for (int i = 0; i < kMessagesATurn; ++i) {
+    const std::optional<msg::Message> message = parts_.link.take();
+    if (!message.has_value()) break;
+    perform(parts_.agent.handle(*message, steady_now(), wall_now()));
+  }
+  for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: {}", text);
+}
+
+void Loop::step() {
+  Result<Sample> sample = parts_.body.step(command_);
+  if (!sample) {
+    body_works_ = false;
+    parts_.log.error("body: {}", sample.error().message);
+    perform(parts_.agent.body_failed(sample.error(), steady_now()));
+    return;
+  }
+  frame_ = sample->frame;
+  schedule(sample->time);
+  perform(parts_.agent.step(*sample, steady_now()));
+}
+
+void Loop::schedule(SensorTime sample) {
+  const SteadyTime now = steady_now();
+  step_at_ = now;
+  if (pace_ <= 0.0) return;
+  if (!anchor_.has_value()) anchor_ = Anchor{now, sample};
+  step_at_ = anchor_->steady + from_seconds(seconds(sample - anchor_->sensor) / pace_);
+  if (now - step_at_ > kBehind) {
+    anchor_ = Anchor{now, sample};
+    step_at_ = now;
+  }
+}
+
+void Loop::perform(AgentOutput output) {
+  command_ = output.command;
+  for (const std::string& note : output.notes) parts_.log.info("{}", note);
+  if (parts_.records != nullptr) parts_.records->note(output, frame_);
+  for (const msg::Message& message : output.send) {
+    // What is not sent is repeated by the agent, like what is lost on the way.
+    if (const Result<void> sent = parts_.link.send(message); !sent)
+      parts_.log.debug("not sent: {}", sent.error().message);
+  }
+  if (output.hand_stop) parts_.body.stop_hand();
+  if (output.hand_start.has_value()) {
+    perform(parts_.agent.hand_answered(parts_.body.drive_by_hand(*output.hand_start), steady_now()));
+  }
+}
+
+void Loop::log_counters() {
+  if (steady_now() < counters_at_) return;
+  counters_at_ = steady_now() + kBetweenCounters;
+  std::string line;
+  for (const auto& [what, times] : parts_.agent.counters()) {
+    std::uint64_t& told = counted_[what];
+    if (times != told) line += (line.empty() ? "" : ", ") + what + " +" + std::to_string(times - told);
+    told = times;
+  }
+  if (!line.empty()) parts_.log.info("counted: {}", line);
+}
+
+}  // namespace weft::agents

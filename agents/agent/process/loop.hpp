@@ -1,0 +1,56 @@
+#pragma once
+#include <spdlog/logger.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "agents/agent/agent.hpp"
+#include "agents/agent/process/records.hpp"
+#include "agents/bodies/body.hpp"
+#include "idl/bus/link.hpp"
+
+namespace weft::agents {
+
+/// Carries samples from the body and messages from the bus to the agent, and what it wants back, all in the caller's
+/// thread. A step of the body is taken when the last one's sensor time has come at the given pace: a slow machine
+/// makes a slow simulation, never a lost sample.
+class Loop {
+ public:
+  struct Parts {
+    Agent& agent;
+    Body& body;
+    bus::Link& link;
+    Records* records = nullptr;  ///< null: none are kept
+    spdlog::logger& log;
+  };
+  /// `pace`: sensor seconds a second at most; 0: no bound.
+  Loop(const Parts& parts, double pace);
+
+  void until(const std::function<bool()>& stop);
+
+ private:
+  void take_messages();
+  void step();
+  void schedule(SensorTime sample);
+  void perform(AgentOutput output);
+  void log_counters();
+
+  Parts parts_;
+  double pace_;
+  Twist command_;
+  std::uint64_t frame_ = 0;
+  bool body_works_ = true;
+  struct Anchor {
+    SteadyTime steady;
+    SensorTime sensor;
+  };
+  std::optional<Anchor> anchor_;
+  SteadyTime step_at_;
+  SteadyTime counters_at_;
+  std::map<std::string, std::uint64_t> counted_;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,222 @@
+#include "agents/agent/process/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "core/protocol/messages.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+enum class Kind { text, number, list };
+/// A setting that is a flag as well. The key is the flag with '_' for '-'.
+struct Flag {
+  const char* key;
+  Kind kind;
+  const char* help;
+};
+constexpr std::array kFlags = {
+    Flag{"name", Kind::text, "The robot's name, 1 to 64 of [A-Za-z0-9_.-]. Required"},
+    Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
+    Flag{"method", Kind::text, "floor | marks (tests only) [floor]"},
+    Flag{"body", Kind::text, "sim | replay [sim]"},
+    Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
+    Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
+    Flag{"domain", Kind::number, "DDS domain, 0 to 200 [0]"},
+    Flag{"listen", Kind::text, "Address of the interface to bind to [127.0.0.1]"},
+    Flag{"site", Kind::text, "sim: the site file; the robot starts where it says"},
+    Flag{"seed", Kind::number, "sim: of everything random [1]"},
+    Flag{"day", Kind::number, "sim: another calibration, light and noise each day [0]"},
+    Flag{"floors", Kind::text, "sim: folder of photographs to make the floor of"},
+    Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended"},
+    Flag{"recording", Kind::text, "replay: folder in EuRoC layout"},
+    Flag{"camera", Kind::text, "replay: which camera of it [cam0]"},
+    Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},
+    Flag{"pace", Kind::number, "Simulated seconds a second at most; 0: as fast as it can [1]"},
+};
+
+std::string flag_of(const char* key) {
+  std::string flag = std::string("--") + key;
+  for (char& c : flag) c = c == '_' ? '-' : c;
+  return flag;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+/// A flag's values as a line of TOML, so that its bounds are stated once, for flag and file.
+std::string as_toml(const Flag& flag, const std::vector<std::string>& values) {
+  std::string line = std::string(flag.key) + " = ";
+  switch (flag.kind) {
+    case Kind::number:
+      line += values.back();
+      break;
+    case Kind::text:
+      line += quoted(values.back());
+      break;
+    case Kind::list: {
+      line += "[";
+      for (const std::string& value : values) line += quoted(value) + ", ";
+      line += "]";
+    }
+  }
+  return line + "\n";
+}
+
+/// Both sources at once: the file is asked for every key, so that its own mistakes show, the command line wins.
+class Sources {
+  template <class Read>
+  auto pick(const char* key, Read read) const {
+    auto value = read(file_);
+    return flags_.has(key) ? read(flags_) : value;
+  }
+
+ public:
+  Sources(config::Table flags, config::Table file) : flags_(std::move(flags)), file_(std::move(file)) {}
+
+  std::string text(const char* key, const std::string& fallback) const {
+    return pick(key, [&](const config::Table& table) { return table.text(key, fallback, 4096); });
+  }
+  std::string choice(const char* key, const std::string& fallback, const std::vector<std::string>& allowed) const {
+    return pick(key, [&](const config::Table& table) { return table.choice(key, fallback, allowed); });
+  }
+  double number(const char* key, double fallback, double low, double high) const {
+    return pick(key, [&](const config::Table& table) { return table.number(key, fallback, low, high); });
+  }
+  template <class Integer>
+  Integer integer(const char* key, std::int64_t fallback, std::int64_t low, std::int64_t high) const {
+    return static_cast<Integer>(
+        pick(key, [&](const config::Table& table) { return table.integer(key, fallback, low, high); }));
+  }
+  std::vector<std::string> texts(const char* key, const std::vector<std::string>& fallback) const {
+    return pick(key, [&](const config::Table& table) { return table.texts(key, fallback, 1, 16); });
+  }
+  std::optional<std::string> maybe(const char* key) const {
+    std::string value = text(key, "");
+    return value.empty() ? std::nullopt : std::optional(std::move(value));
+  }
+  const config::Table& file() const { return file_; }
+
+  std::vector<config::Setting> effective() const {
+    std::vector<config::Setting> settings = file_.effective();
+    for (const config::Setting& given : flags_.effective()) {
+      for (config::Setting& setting : settings) {
+        if (setting.key == given.key) setting = given;
+      }
+    }
+    return settings;
+  }
+
+ private:
+  config::Table flags_;
+  config::Table file_;
+};
+
+Options read(const Sources& from) {
+  constexpr std::int64_t kMost = INT64_MAX;
+  Options options;
+  options.name = from.text("name", "");
+  options.state = from.text("state", "");
+  options.method = from.choice("method", "floor", {"floor", "marks"});
+  options.body = from.choice("body", "sim", {"sim", "replay"});
+  options.servers = from.texts("server", {"127.0.0.1"});
+  const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";
+  options.vendor = cyclone ? bus::Vendor::cyclonedds : bus::Vendor::fastdds;
+  options.domain = from.integer<unsigned>("domain", 0, 0, 200);
+  options.listen = from.text("listen", "127.0.0.1");
+  options.site = from.text("site", "");
+  options.seed = from.integer<std::uint64_t>("seed", 1, 0, kMost);
+  options.day = from.integer<std::uint64_t>("day", 0, 0, kMost);
+  options.floors = from.maybe("floors");
+  options.truth = from.maybe("truth");
+  options.recording = from.text("recording", "");
+  options.camera = from.text("camera", "cam0");
+  options.records = from.maybe("records");
+  options.pace = from.number("pace", 1.0, 0.0, 1000.0);
+  options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, 5.0);
+  options.window_hops = from.integer<std::uint32_t>("window_hops", 25, 1, 100'000);
+  options.window_cap = from.integer<std::uint32_t>("window_cap", 2000, 1, 1'000'000);
+  options.content_cache_mb = from.integer<std::uint64_t>("content_cache_mb", 256, 1, 65'536);
+  options.bytes_per_second =
+      from.integer<std::uint64_t>("bytes_per_second", 4LL << 20U, msg::kChunkBytes, 1LL << 34U);
+  options.floor = read_floor_config(from.file().table("floor"));
+  options.effective = from.effective();
+  return options;
+}
+
+/// What is missing for the body that was chosen; empty when nothing is.
+std::string missing(const Options& options) {
+  if (options.name.empty()) return "--name NAME is missing: what people call this robot";
+  if (options.state.empty()) return "--state DIR is missing: where its identity and spool are kept";
+  if (options.body == "sim" && options.site.empty()) return "--body sim needs --site FILE";
+  if (options.body == "replay" && options.recording.empty()) return "--body replay needs --recording DIR";
+  return {};
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n')) text.replace(at, 1, "; ");
+  return text;
+}
+
+Leave wrong(const std::string& message, int exit_code) {
+  return {.exit_code = exit_code, .text = "weft-agent: " + one_line(message) + "\n"};
+}
+
+}  // namespace
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+  CLI::App app("The agent of one robot: sees, localises, drives, and shares what it learns.", "weft-agent");
+  app.set_version_flag("--version", "weft-agent " WEFT_VERSION);
+  std::string file;
+  app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
+  std::map<std::string, std::vector<std::string>> given;
+  for (const Flag& flag : kFlags) {
+    CLI::Option* const option = app.add_option(flag_of(flag.key), given[flag.key], flag.help);
+    option->expected(1)->take_last();
+    if (flag.kind == Kind::list) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, 16);
+    if (flag.kind == Kind::number) option->check(CLI::Number);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return Leave{.exit_code = 0, .text = app.help()};
+  } catch (const CLI::CallForVersion&) {
+    return Leave{.exit_code = 0, .text = app.version() + "\n"};
+  } catch (const CLI::ParseError& error) {
+    return wrong(std::string(error.what()) + "; weft-agent --help lists the flags", kUsage);
+  }
+  std::string from_file;
+  if (!file.empty()) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return wrong(file + ": cannot be read; is --config right?", kFailed);
+    from_file.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  std::string from_flags;
+  for (const Flag& flag : kFlags) {
+    if (!given[flag.key].empty()) from_flags += as_toml(flag, given[flag.key]);
+  }
+  const config::Table flags = config::parse(from_flags, "command line");
+  const config::Table table = config::parse(from_file, file.empty() ? "configuration" : file);
+  Options options = read(Sources(flags, table));
+  if (const Result<void> good = table.result(); !good) return wrong(good.error().message, kFailed);
+  if (const Result<void> good = flags.result(); !good) return wrong(good.error().message, kUsage);
+  if (const std::string what = missing(options); !what.empty()) return wrong(what, kUsage);
+  return options;
+}
+
+}  // namespace weft::agents

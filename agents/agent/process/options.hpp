@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "agents/methods/floor/config.hpp"
+#include "core/config/config.hpp"
+#include "core/result.hpp"
+#include "idl/bus/bus.hpp"
+
+namespace weft::agents {
+
+/// All settings of the process. A flag wins over the file, the file over the default.
+struct Options {
+  std::string name;
+  std::string state;  ///< directory
+  std::string method;
+  std::string body;
+
+  std::vector<std::string> servers;
+  bus::Vendor vendor{};
+  unsigned domain = 0;
+  std::string listen;
+
+  std::string site;  ///< file
+  std::uint64_t seed = 1;
+  std::uint64_t day = 0;
+  std::optional<std::string> floors;
+  std::optional<std::string> truth;
+  std::string recording;
+  std::string camera;  ///< of the recording
+
+  std::optional<std::string> records;
+  double pace = 1.0;  ///< simulated seconds a second at most; 0: no bound
+  double footprint_radius_m = 0.4;
+  std::uint32_t window_hops = 25;
+  std::uint32_t window_cap = 2000;
+  std::uint64_t content_cache_mb = 256;
+  std::uint64_t bytes_per_second = 0;
+  FloorConfig floor;                       ///< the file's table [floor]
+  std::vector<config::Setting> effective;  ///< for the log
+};
+
+/// The command line asked for something to be printed, or was wrong: what to print, and the exit code.
+struct Leave {
+  int exit_code = 0;
+  std::string text;
+};
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+
+}  // namespace weft::agents

@@ -1,0 +1,84 @@
+#include "agents/agent/process/records.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+namespace weft::agents {
+namespace {
+
+/// One write a line: with O_APPEND, lines of several robots in one file stay whole.
+void append(int file, const std::string& line) {
+  const std::string whole = line + "\n";
+  std::ignore = ::write(file, whole.data(), whole.size());
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 320> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+}  // namespace
+
+Result<Records> Records::open(const std::filesystem::path& directory, const std::string& robot) {
+  Records records(robot);
+  for (const auto& [file, name] : {std::pair{&records.fixes_, "fixes.jsonl"}, std::pair{&records.acks_, "acks.jsonl"},
+                                   std::pair{&records.drives_, "drives.jsonl"}}) {
+    const std::filesystem::path path = directory / name;
+    *file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    if (*file < 0) {
+      return fail(ErrorCode::unavailable, path.string() + ": " + std::strerror(errno) + "; is --records a folder?");
+    }
+  }
+  return records;
+}
+
+Records::Records(Records&& other) noexcept
+    : robot_(std::move(other.robot_)),
+      fixes_(std::exchange(other.fixes_, -1)),
+      acks_(std::exchange(other.acks_, -1)),
+      drives_(std::exchange(other.drives_, -1)),
+      told_(std::move(other.told_)) {}
+
+Records::~Records() {
+  for (const int file : {fixes_, acks_, drives_}) {
+    if (file >= 0) close(file);
+  }
+}
+
+void Records::note(const AgentOutput& output, std::uint64_t frame) {
+  for (const FixRecord& record : output.fixes) {
+    const Pose2 pose = planar(record.fix.place_from_robot);
+    append(fixes_,
+           text(R"({"robot":"%s","frame":%llu,"place":"%s","place_from_robot":{"x":%.6f,"y":%.6f,"heading":%.7f}})",
+                robot_.c_str(), static_cast<unsigned long long>(record.frame), to_string(record.fix.place).c_str(),
+                pose.x, pose.y, pose.heading));
+  }
+  for (const AckRecord& ack : output.acks) {
+    append(acks_, text(R"({"robot":"%s","experience":"%s","sequence":%llu,"first":%u,"places":%u})", robot_.c_str(),
+                       to_string(ack.experience).c_str(), static_cast<unsigned long long>(ack.sequence), ack.first,
+                       ack.places));
+  }
+  for (const msg::Message& message : output.send) {
+    if (const auto* const progress = std::get_if<msg::RouteProgress>(&message)) note(*progress, frame);
+  }
+}
+
+void Records::note(const msg::RouteProgress& progress, std::uint64_t frame) {
+  const bool same =
+      progress.route == told_.route && progress.version == told_.version && progress.phase == told_.phase;
+  if (same) return;
+  told_ = progress;
+  append(drives_, text(R"({"robot":"%s","frame":%llu,"goal":"%s","route":"%s","version":%u,"phase":"%s"})",
+                       robot_.c_str(), static_cast<unsigned long long>(frame), to_string(progress.goal).c_str(),
+                       to_string(progress.route).c_str(), progress.version, msg::to_string(progress.phase)));
+}
+
+}  // namespace weft::agents

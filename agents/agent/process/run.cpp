@@ -1,0 +1,122 @@
+#include "agents/agent/process/run.hpp"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <ctime>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "agents/agent/process/equip.hpp"
+#include "agents/agent/process/identity.hpp"
+#include "agents/agent/process/loop.hpp"
+#include "agents/agent/process/records.hpp"
+#include "storage/spool/file_spool.hpp"
+
+namespace weft::agents {
+namespace {
+
+/// SIGINT and SIGTERM, blocked in every thread from here on and asked for in between. Construct it first.
+class StopSignal {
+ public:
+  StopSignal() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  }
+  bool came() const {
+    const timespec none{};
+    return sigtimedwait(&signals_, nullptr, &none) > 0;
+  }
+
+ private:
+  sigset_t signals_{};
+};
+
+void log_settings(spdlog::logger& log, const Options& options) {
+  std::istringstream lines(config::to_text(options.effective));
+  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+}
+
+AgentConfig config_of(const Options& options, const RobotId& self, const Body& body, const std::string& vendor) {
+  AgentConfig config;
+  config.self = self;
+  config.incarnation = random_from_machine().next() | 1U;
+  config.name = options.name;
+  config.software = WEFT_VERSION;
+  config.vendor = vendor;
+  config.body = body.kind();
+  config.can_be_taught_along = config.body == "sim";
+  for (const CameraModel& camera : body.cameras()) {
+    config.cameras.push_back({.id = camera.id,
+                              .width = static_cast<std::uint32_t>(camera.width),
+                              .height = static_cast<std::uint32_t>(camera.height),
+                              .calibration = camera.id});
+  }
+  config.footprint_radius_m = options.footprint_radius_m;
+  config.window_hops = options.window_hops;
+  config.window_cap = options.window_cap;
+  config.content_cache_bytes = options.content_cache_mb << 20U;
+  config.bytes_per_second = options.bytes_per_second;
+  return config;
+}
+
+Result<std::unique_ptr<bus::Bus>> open_bus(const Options& options, const RobotId& self) {
+  bus::BusConfig config;
+  config.role = msg::Role::agent;
+  config.self = self;
+  config.domain = options.domain;
+  config.listen = options.listen;
+  config.servers = options.servers;
+  return bus::open(options.vendor, config);
+}
+
+}  // namespace
+
+Result<void> run(const Options& options) {
+  const StopSignal stop;
+  spdlog::logger log("weft-agent", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  log.flush_on(spdlog::level::info);
+  Result<StateDirectory> state = StateDirectory::open(options.state);
+  if (!state) return fail(state.error());
+  const Result<RobotId> self = state->identity();
+  if (!self) return fail(self.error());
+  Result<std::unique_ptr<storage::Spool>> spool = storage::open_file_spool(state->spool());
+  if (!spool) return fail(spool.error());
+  for (const std::string& skipped : (*spool)->skipped()) log.warn("spool: {}", skipped);
+  std::optional<Records> records;
+  if (options.records.has_value()) {
+    Result<Records> opened = Records::open(*options.records, options.name);
+    if (!opened) return fail(opened.error());
+    records.emplace(std::move(*opened));
+  }
+  Result<std::unique_ptr<Body>> body = make_body(options, [&log](const std::string& text) { log.warn("{}", text); });
+  if (!body) return fail(body.error());
+  Result<std::unique_ptr<Navigator>> navigator = make_navigator(options, **body);
+  if (!navigator) return fail(navigator.error());
+  Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
+  if (!opened) return fail(opened.error());
+  bus::Link link(std::move(*opened));
+
+  const AgentConfig config = config_of(options, *self, **body, link.bus().vendor());
+  const SteadyTime now{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
+  Result<std::unique_ptr<Agent>> agent = start(config, std::move(*navigator), **spool, random_from_machine(), now);
+  if (!agent) return fail(agent.error());
+  log_settings(log, options);  // not before everything is there: what goes wrong until then is one line
+  log.info("ready: {} {}, {}, body {}, method {}", options.name, to_string(*self), config.vendor, config.body,
+           options.method);
+  Loop loop({.agent = **agent,
+             .body = **body,
+             .link = link,
+             .records = records.has_value() ? &*records : nullptr,
+             .log = log},
+            options.pace);
+  loop.until([&stop] { return stop.came(); });
+  log.info("stopped");
+  return {};
+}
+
+}  // namespace weft::agents
