@@ -5,6 +5,14 @@
 #include <vector>
 
 namespace weft::server {
+namespace {
+constexpr std::size_t kLongestText = 2000;
+}
+
+std::string clipped(std::string text) {
+  if (text.size() > kLongestText) text.resize(kLongestText);
+  return text;
+}
 
 Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
   if (broken_) return fail(*broken_);
@@ -12,6 +20,7 @@ Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
   for (auto& change : transaction.changes) {
     if (auto* const put = std::get_if<storage::PutEvent>(&change)) {
       put->event.at = now.wall;
+      put->event.cause = clipped(std::move(put->event.cause));
       events.push_back(put->event);
     }
   }
@@ -36,6 +45,7 @@ Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
 
 void Recorder::note(msg::Event event, Now now) {
   event.at = now.wall;
+  event.cause = clipped(std::move(event.cause));
   const Result<storage::Commit> kept =
       broken_ ? Result<storage::Commit>(fail(*broken_)) : store_.commit({{storage::PutEvent{event}}});
   if (!kept) {

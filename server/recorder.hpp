@@ -11,6 +11,9 @@
 
 namespace weft::server {
 
+/// What people read is cut to what a message may carry.
+std::string clipped(std::string text);
+
 /// Refusals and the like, by name; shown in `map info`.
 using Counters = std::map<std::string, std::uint64_t>;
 

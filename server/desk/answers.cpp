@@ -6,7 +6,7 @@
 namespace weft::server {
 namespace {
 
-constexpr std::size_t kRobotsInPart = 32;
+constexpr std::size_t kRobotsInPart = 8;  ///< each may describe many cameras
 constexpr std::size_t kEventsInPart = 100;
 constexpr std::size_t kMostEvents = 1000;
 constexpr std::size_t kMostGoals = 1000;

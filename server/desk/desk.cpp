@@ -21,6 +21,7 @@ bool stands_on_its_place(const msg::RobotState& state) {
 
 void Desk::answer(const Key& key, msg::OperatorReply reply) {
   reply.to = key.first;
+  reply.message = clipped(std::move(reply.message));
   reply.request = key.second;
   ledger_.answered(key, reply);
   context_.out.send(std::move(reply));

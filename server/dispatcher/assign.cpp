@@ -132,8 +132,8 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
     return;
   }
   const GoalBook::Step step = {.state = goal.state,
-                               .cause = known->name + " lost its route; planned anew from " + to_string(state.place) +
-                                        ", " + metres(choice->path.length_m),
+                               .cause = "planned anew for " + known->name + " from " + to_string(state.place) + ", " +
+                                        metres(choice->path.length_m),
                                .who = "dispatcher",
                                .kind = "goal.planned_anew"};
   if (!book_.write(goal, step, route_of(goal, *choice), {}, now)) return;

@@ -17,6 +17,14 @@ constexpr Duration kLongestWay = 3s;
 constexpr Duration kLostAfter = 2s;
 }  // namespace
 
+/// Not at the beginning of its route, where the nearest place may flicker.
+static bool stands_elsewhere(const msg::RobotState& state, const Route& route) {
+  constexpr std::size_t kBeginning = 3;
+  if (!state.localised || !state.place) return false;
+  const auto end = route.places.begin() + static_cast<std::ptrdiff_t>(std::min(kBeginning, route.places.size()));
+  return std::find(route.places.begin(), end, state.place) == end;
+}
+
 /// Whether the robot may know of this version of the route: then what it holds is of it.
 bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
   const storage::PutOccupancy* const held = traffic_.held(robot);
@@ -194,9 +202,11 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   }
   if (!is_told(robot.id, route) && !traffic_.holds_route(robot.id, route.id)) {
     traffic_.stands(state, now);
-    return;
+    // It was moved before it could set off.
+    if (stands_elsewhere(state, route)) errand.lost = true;
+  } else {
+    watch_for_loss(errand, route, state, now.steady);
   }
-  watch_for_loss(errand, route, state, now.steady);
   if (errand.lost) plan_anew(robot.id, errand, now);
 }
 

@@ -26,7 +26,7 @@ void GoalBook::index(const Goal& goal) {
 Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Route>& route,
                              storage::Transaction transaction, Now now) {
   goal.state = step.state;
-  goal.history.push_back({.at = now.wall, .state = step.state, .cause = step.cause, .who = step.who});
+  goal.history.push_back({.at = now.wall, .state = step.state, .cause = clipped(step.cause), .who = step.who});
   if (goal.history.size() > kHistory) goal.history.erase(goal.history.begin() + 1);
   if (route) {
     goal.route = route->id;

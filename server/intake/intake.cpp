@@ -292,7 +292,7 @@ void Intake::answer(ExperienceId experience, Line& line) {
   ack.durable_through = line.durable_through;
   if (line.refusal) {
     ack.refused_sequence = line.refusal_of;
-    ack.refusal = line.refusal->message;
+    ack.refusal = clipped(line.refusal->message);
     line.refusal.reset();
   }
   const auto next = line.waiting.find(line.durable_through + 1);

@@ -177,6 +177,8 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
          .who = "server"},
         now);
     ++version_;
+  } else if (known.intruding->place != here.place) {
+    ++version_;
   }
   known.intruding = here;
   known.intruding_looked = version_;

@@ -109,6 +109,21 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOff) {
   expect_apart();
 }
 
+TEST_F(TrafficTest, RobotMovedBeforeItSetOffIsPlannedAnew) {
+  site.say(site.state(r1, run.place(10)));
+  site.say(site.state(r2, run.place(11)));
+  site.send_goal(1, "end", "r2");
+  EXPECT_FALSE(order_to(r2));
+  r2.incarnation = 2;
+  site.arrive(r2, std::nullopt);
+  site.say(site.state(r2, run.place(25)));
+  site.pass(2s);
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_EQ(order_to(r2)->places.front(), run.place(25));
+  EXPECT_EQ(order_to(r2)->released, 34U);
+  expect_apart();
+}
+
 TEST_F(TrafficTest, TimeFreesNothing) {
   site.say(site.state(r2, run.place(30)));
   site.say(site.state(r1, run.place(0)));
