@@ -93,7 +93,8 @@ class Grammar {
     label->add_option("PLACE", into_.place, "A place's id, or here")->required();
     label->add_option("NAME", into_.name, "1 to 64 letters, digits, '_', '.', '-'")->required();
     label->add_option("--robot", into_.robot, "With here: the robot that stands there");
-    label->final_callback([this] {
+    label->callback([this] {
+      into_.command = Command::map_label;
       const bool here = into_.place == "here";
       if (here && into_.robot.empty()) throw CLI::RequiredError("map label here: --robot ROBOT");
       if (!here && !into_.robot.empty())

@@ -59,12 +59,11 @@ def gather(fleet, out, site_file):
     fleet.weft('map', 'export', out / 'network.json')
     fleet.weft('map', 'draw', out / 'map.svg')
     write_lines(out / 'goals.jsonl', fleet.weft('goal', 'list')['goals'])
-    doctor = fleet.weft('doctor')
-    rows = [dict(name='server', vendor=doctor['server']['vendor'], peer=None, peak_memory_mb=fleet.server.peak_memory_mb)]
+    rows = [dict(name='server', vendor=fleet.weft('map', 'info')['vendor'], peer=None, peak_memory_mb=fleet.server.peak_memory_mb)]
     for row in fleet.weft('robots')['robots']:
         rows.append(dict(name=row['name'], vendor=row['vendor'], peer=row['id'],
                          peak_memory_mb=fleet.robots[row['name']].peak_memory_mb))
-    rows.append(dict(name='cli', vendor=doctor['client']['vendor'], peer=None, peak_memory_mb=None))
+    rows.append(dict(name='cli', vendor=fleet.vendors['cli'], peer=None, peak_memory_mb=None))
     write_lines(out / 'processes.jsonl', rows)
     shutil.copy(site_file, out / 'site.toml')
     (out / 'versions').write_text(subprocess.run([fleet.bin / 'weft', '--version'], capture_output=True, text=True).stdout)

@@ -31,12 +31,10 @@ def teach(fleet, robot, line, say):
 
 
 def wait_for_map(fleet, experiences, say):
-    """Until the server holds everything that was taught."""
-    def quiet():
-        info = fleet.weft('map', 'info')
-        sealed = [row for row in info['experiences_list'] if row['sealed']]
-        return info if len(sealed) >= experiences else None
-    info = wait_until(f'{experiences} experiences to be on the map', quiet, 60, fleet.all(), every=0.5)
+    """Until the server holds what was taught; `teach stop` has been answered only then, so this is quick."""
+    info = wait_until(f'{experiences} experiences to be on the map',
+                      lambda: (lambda row: row if row['experiences'] >= experiences else None)(fleet.weft('map', 'info')),
+                      60, fleet.all(), every=0.5)
     say(f"map: {info['places']} places, {info['stitches']} stitches, revision {info['revision']}")
 
 
@@ -71,7 +69,7 @@ def once_in_the_middle():
     fired = []
 
     def check(row):
-        if fired or row['state'] != 'executing' or row['route_at'] < 0.3 * len(row['route']):
+        if fired or row['state'] != 'executing' or (row['route_at'] or 0) < 0.3 * len(row['route']):
             return False
         fired.append(True)
         return True

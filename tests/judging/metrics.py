@@ -57,8 +57,9 @@ def lost_acknowledged(records):
 
 
 def taught_polyline(records, route):
-    """True taught path along a route as pieces (one for each stretch of one experience), and the joins between them."""
-    pieces, joins = [], []
+    """True taught path along a route as pieces (one for each stretch of one experience), and the joins: between pieces,
+    and where the robot, which may have stood beside the path, joins the first."""
+    pieces, joins = [], [records.true_place(route[0])]
     for place in route:
         row = records.places[place]
         if pieces and pieces[-1][-1]['experience'] == row['experience'] and pieces[-1][-1]['index'] < row['index']:

@@ -15,15 +15,13 @@ COLOURS = ('#0072b2', '#d55e00', '#009e73', '#cc79a7')      # Okabe & Ito 2008: 
 DRIVES = ('#111111', '#7a3db8')
 
 
-def boxes(site):
-    for kind, colour in (('rack', '#c9b79c'), ('wall', '#8c8c8c'), ('pillar', '#8c8c8c')):
-        for row in site.get(kind, []) + site.get(kind + 's', []):
-            yield kind, colour, row
+COLOUR_OF = {'rack': '#c9b79c', 'pillar': '#8c8c8c'}
+SIZE_OF = {'rack': (2.7, 1.0), 'pillar': (0.4, 0.4)}       # defaults of the site file, docs/simulation.md
 
 
-def corners(row):
-    x, y, h = row['x'], row['y'], row.get('heading', 0.0)
-    a, b = row['length'] / 2, row['width'] / 2
+def corners(kind, row):
+    x, y, h = row['x'], row['y'], math.radians(row.get('heading_deg', 0.0))
+    a, b = row.get('length_m', row.get('side_m', SIZE_OF[kind][0])) / 2, row.get('width_m', row.get('side_m', SIZE_OF[kind][1])) / 2
     c, s = math.cos(h), math.sin(h)
     return [(x + c * u - s * v, y + s * u + c * v) for u, v in ((a, b), (-a, b), (-a, -b), (a, -b))]
 
@@ -32,11 +30,12 @@ def draw_site(axes, path):
     if tomllib is None or path is None or not path.exists():
         return
     site = tomllib.loads(path.read_text())
-    named = set()
-    for kind, colour, row in boxes(site):
-        axes.add_patch(Polygon(corners(row), closed=True, facecolor=colour, edgecolor='#666666', linewidth=0.5,
-                               label=None if kind in named else kind, zorder=1))
-        named.add(kind)
+    for kind, colour in COLOUR_OF.items():
+        for number, row in enumerate(site.get(kind, [])):
+            axes.add_patch(Polygon(corners(kind, row), closed=True, facecolor=colour, edgecolor='#666666', linewidth=0.5,
+                                   label=None if number else kind, zorder=1))
+    for number, row in enumerate(site.get('wall', [])):
+        axes.plot(*zip(row['from'], row['to']), color='#8c8c8c', linewidth=4, zorder=1, label=None if number else 'wall')
 
 
 def draw_network(axes, records, found):
