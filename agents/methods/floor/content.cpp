@@ -183,9 +183,9 @@ Result<FloorContent> decode_floor_content(ByteView bytes) {
   FloorContent content;
   content.camera = read_camera(in);
   Eigen::Vector3d sway;
-  for (double& v : sway) v = in.real("sway", -1.0, 1.0);
+  for (double& v : sway) v = in.real("sway", -0.2, 0.2);
   content.sway = Sway::from(sway);
-  for (double& v : content.sway_sigma) v = in.real("sway_sigma", 1e-9, 1.0);
+  for (double& v : content.sway_sigma) v = in.real("sway_sigma", 1e-6, 0.2);
   content.features = read_features(in);
   content.patch = read_patch(in);
   if (!in.faulty() && !in.at_end()) in.fault("end", "is followed by more bytes");

@@ -52,22 +52,25 @@ std::vector<Descriptor> descriptors_of(const FloorContent& content) {
 class FloorCells {
  public:
   FloorCells(const std::vector<Eigen::Vector2d>& points, double cell_m) : points_(points), cell_m_(cell_m) {
-    if (points.empty()) return;
-    low_ = high_ = points.front();
+    bool any = false;
     for (const Eigen::Vector2d& p : points) {
-      low_ = low_.cwiseMin(p);
-      high_ = high_.cwiseMax(p);
+      if (!is_near(p)) continue;
+      low_ = any ? Eigen::Vector2d(low_.cwiseMin(p)) : p;
+      high_ = any ? Eigen::Vector2d(high_.cwiseMax(p)) : p;
+      any = true;
     }
+    if (!any) return;
     columns_ = column(high_.x()) + 1;
     cells_.resize(static_cast<std::size_t>(columns_ * (row(high_.y()) + 1)));
     for (std::uint32_t i = 0; i < points.size(); ++i)
-      cells_[static_cast<std::size_t>(row(points[i].y()) * columns_ + column(points[i].x()))].push_back(i);
+      if (is_near(points[i]))
+        cells_[static_cast<std::size_t>(row(points[i].y()) * columns_ + column(points[i].x()))].push_back(i);
   }
 
   /// Calls `visit(i)` for each feature within `reach_m`.
   template <class Visit>
   void near(const Eigen::Vector2d& point, double reach_m, const Visit& visit) const {
-    if (cells_.empty()) return;
+    if (cells_.empty() || !is_near(point)) return;
     const Eigen::Vector2d from = (point.array() - reach_m).max(low_.array());
     const Eigen::Vector2d to = (point.array() + reach_m).min(high_.array());
     if (from.x() > to.x() || from.y() > to.y()) return;
@@ -78,6 +81,8 @@ class FloorCells {
   }
 
  private:
+  /// A damaged or foreign content may put a feature at its horizon.
+  static bool is_near(const Eigen::Vector2d& point) { return point.allFinite() && point.norm() < 20.0; }
   int column(double x) const { return static_cast<int>((x - low_.x()) / cell_m_); }
   int row(double y) const { return static_cast<int>((y - low_.y()) / cell_m_); }
 

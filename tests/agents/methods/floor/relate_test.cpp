@@ -178,6 +178,28 @@ TEST_F(FloorRelate, NoiseOnABlankFloorRelatesToNothing) {
   EXPECT_FALSE(method.relate(*a, *b, Metric2{}));
 }
 
+TEST_F(FloorRelate, DamagedContentsThatDecodeDoNoHarm) {
+  const Floor method = make(test::paper_camera());
+  const FloorContent a = content(method, {3.0, 4.0, 0.0}, {});
+  const Pose2 a_from_b{0.2, 0.0, 0.0};
+  const Bytes good = method.encode(content(method, {3.2, 4.0, 0.0}, {}));
+  Random random(45);
+  int decoded = 0;
+  for (int trial = 0; trial < 300 && decoded < 40; ++trial) {
+    Bytes bytes = good;
+    for (int k = 0; k < 4; ++k) bytes[8 + random.below(200)] = static_cast<std::uint8_t>(random.below(256));
+    const auto b = method.decode(bytes);
+    if (!b) continue;
+    ++decoded;
+    for (const auto& guess :
+         {std::optional<Relation>(Metric2{a_from_b, Eigen::Matrix3d::Zero()}), std::optional<Relation>()}) {
+      const auto related = method.relate(a, *b, guess);
+      if (related) EXPECT_TRUE(check(related->a_from_b));
+    }
+  }
+  EXPECT_GT(decoded, 5);
+}
+
 TEST_F(FloorRelate, APlaceIsAtMost40Kilobytes) {
   const Floor method = make(test::paper_camera());
   EXPECT_LT(method.encode(content(method, {3.0, 4.0, 0.0}, {})).size(), 40000U);
