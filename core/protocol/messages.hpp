@@ -14,7 +14,7 @@
 namespace weft::msg {
 
 inline constexpr std::uint16_t kProtocolVersion = 1;
-inline constexpr std::size_t kChunkBytes = 65'536;         ///< most data in one chunk
+inline constexpr std::size_t kChunkBytes = 65'536;            ///< most data in one chunk
 inline constexpr std::uint64_t kContentBytes = 64ULL << 20U;  ///< largest content or cloud
 inline constexpr std::size_t kPatchEntities = 500;            ///< most places + edges + removals in one patch part
 
