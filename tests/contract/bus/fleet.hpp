@@ -3,6 +3,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Pairing {
   std::string name;
   std::optional<bus::Vendor> server;  ///< none: in process, both
   std::optional<bus::Vendor> peer;
+
+  friend void PrintTo(const Pairing& pairing, std::ostream* out) { *out << pairing.name; }
 };
 std::vector<Pairing> pairings();
 
