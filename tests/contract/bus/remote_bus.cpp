@@ -61,9 +61,9 @@ RemoteBus::RemoteBus(pid_t child, int to_child, int from_child, const Options& o
       role_(options.role) {}
 
 RemoteBus::~RemoteBus() {
-  close(to_child_);  // the child ends
+  close(to_child_);    // the child ends,
+  close(from_child_);  // even when it is telling us something
   if (child_ > 0) waitpid(child_, nullptr, 0);
-  close(from_child_);
 }
 
 void RemoteBus::kill() {
