@@ -24,7 +24,7 @@ float grey_of(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& directio
               const Light& light, double per_focal) {
   const Box& box = scene.boxes()[static_cast<std::size_t>(hit.box)];
   const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
-  const Eigen::Vector2d in_box = box.site_from_box.inverse() * Eigen::Vector2d(p.x(), p.y());
+  const Eigen::Vector2d in_box = scene.in_box(hit.box, p.x(), p.y());
   const double along = hit.face == 4 || hit.face % 2 == 1 ? in_box.x() : in_box.y();
   const double up = hit.face == 4 ? in_box.y() : p.z();
   const float albedo = face_albedo(box, hit.box, hit.face, along, up, hit.distance * per_focal);

@@ -42,6 +42,10 @@ constexpr std::array<std::array<unsigned, 4>, kFaces> kFaceCorners = {
 }  // namespace
 
 Scene::Scene(std::vector<Box> boxes) : boxes_(std::move(boxes)), embree_(std::make_unique<Embree>()) {
+  for (const Box& box : boxes_) {
+    const Pose2& pose = box.site_from_box;
+    turns_.push_back({pose.x, pose.y, std::cos(pose.heading), std::sin(pose.heading)});
+  }
   embree_->device = rtcNewDevice("threads=1");
   embree_->scene = rtcNewScene(embree_->device);
   if (!boxes_.empty()) {
@@ -120,19 +124,12 @@ std::vector<std::int32_t> Scene::boxes_near(double x, double y, double reach_m) 
 
 bool Scene::crosses(std::int32_t box_index, double eye_x, double eye_y, double x, double y) const {
   const Box& box = boxes_[static_cast<std::size_t>(box_index)];
-  const double c = std::cos(box.site_from_box.heading);
-  const double s = std::sin(box.site_from_box.heading);
-  const auto local = [&](double px, double py) {
-    const double dx = px - box.site_from_box.x;
-    const double dy = py - box.site_from_box.y;
-    return std::array<double, 2>{c * dx + s * dy, c * dy - s * dx};
-  };
-  const auto a = local(eye_x, eye_y);
-  const auto b = local(x, y);
-  const std::array<double, 2> half = {box.length_m / 2, box.width_m / 2};
+  const Eigen::Vector2d a = in_box(box_index, eye_x, eye_y);
+  const Eigen::Vector2d b = in_box(box_index, x, y);
+  const Eigen::Vector2d half(box.length_m / 2, box.width_m / 2);
   double enter = 0.0;
   double leave = 1.0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const double way = b[axis] - a[axis];
     if (std::abs(way) < 1e-12) {
       if (std::abs(a[axis]) > half[axis]) {

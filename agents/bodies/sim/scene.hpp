@@ -29,6 +29,12 @@ class Scene {
   void cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions, std::span<BoxHit> hits) const;
 
   const std::vector<Box>& boxes() const { return boxes_; }
+  /// A floor point in a box's own frame.
+  Eigen::Vector2d in_box(std::int32_t box, double x, double y) const {
+    const Turn& turn = turns_[static_cast<std::size_t>(box)];
+    return {turn.cosine * (x - turn.x) + turn.sine * (y - turn.y),
+            turn.cosine * (y - turn.y) - turn.sine * (x - turn.x)};
+  }
   /// Boxes that come within `reach_m` of a floor point.
   std::vector<std::int32_t> boxes_near(double x, double y, double reach_m) const;
   /// Does the line of sight from (eye_x, eye_y) to (x, y) pass over the box's footprint?
@@ -36,7 +42,11 @@ class Scene {
 
  private:
   struct Embree;
+  struct Turn {
+    double x, y, cosine, sine;
+  };
   std::vector<Box> boxes_;
+  std::vector<Turn> turns_;  ///< of each box; asked for at every pixel that shows one
   std::unique_ptr<Embree> embree_;
 };
 
