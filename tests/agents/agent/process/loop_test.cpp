@@ -1,0 +1,127 @@
+#include "agents/agent/process/loop.hpp"
+
+#include <gtest/gtest.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include <chrono>
+
+#include "core/random.hpp"
+#include "idl/bus/inprocess/net.hpp"
+
+namespace weft::agents::test {
+namespace {
+using namespace std::chrono_literals;
+
+/// Frames of 10 ms; breaks down after so many.
+class Clockwork final : public Body {
+ public:
+  explicit Clockwork(std::uint64_t frames) : frames_(frames) {}
+  Result<Sample> step(const Twist& command) override {
+    commands.push_back(command);
+    if (frame_ == frames_) return fail(ErrorCode::unavailable, "recording is over");
+    Sample sample;
+    sample.frame = ++frame_;
+    sample.time = SensorTime{10ms * static_cast<std::int64_t>(frame_)};
+    sample.motion = {10ms, command, std::nullopt};
+    return sample;
+  }
+  Result<void> drive_by_hand(const std::vector<SitePoint>&) override { return fail(ErrorCode::refused, "no hand"); }
+  void stop_hand() override { ++hand_stops; }
+  std::vector<CameraModel> cameras() const override { return {}; }
+  std::string kind() const override { return "clockwork"; }
+
+  std::vector<Twist> commands;
+  int hand_stops = 0;
+
+ private:
+  std::uint64_t frames_;
+  std::uint64_t frame_ = 0;
+};
+
+/// Commands its frame's number, and asks for a hand at its first sample.
+class Echo final : public Agent {
+ public:
+  AgentOutput handle(const msg::Message&, SteadyTime, WallTime) override { return {}; }
+  AgentOutput tick(SteadyTime) override { return {}; }
+  std::optional<SteadyTime> next_tick() const override { return std::nullopt; }
+  AgentOutput step(const Sample& sample, SteadyTime now) override {
+    frames.push_back(sample.frame);
+    times.push_back(now);
+    AgentOutput output;
+    output.command.linear_m_s = static_cast<double>(sample.frame);
+    if (sample.frame == 1) output.hand_start.emplace();
+    return output;
+  }
+  AgentOutput body_failed(const Error& error, SteadyTime) override {
+    failure = error.message;
+    return {};
+  }
+  AgentOutput hand_answered(const Result<void>& answer, SteadyTime) override {
+    hand_answer = answer.error().message;
+    AgentOutput output;
+    output.hand_stop = true;
+    output.command.linear_m_s = 1.0;
+    return output;
+  }
+  const Window& window() const override { return window_; }
+  std::optional<Route> route() const override { return std::nullopt; }
+  std::optional<Estimate> estimate() const override { return std::nullopt; }
+  std::map<std::string, std::uint64_t> counters() const override { return {}; }
+
+  std::vector<std::uint64_t> frames;
+  std::vector<SteadyTime> times;
+  std::string failure;
+  std::string hand_answer;
+
+ private:
+  Window window_;
+};
+
+struct Bench {
+  explicit Bench(std::uint64_t frames)
+      : net(Random(1)), link(net.attach(msg::Role::agent, id())), body(frames), log("", sink()) {}
+  static PeerId id() {
+    PeerId peer;
+    peer.bytes.fill(7);
+    return peer;
+  }
+  static spdlog::sink_ptr sink() { return std::make_shared<spdlog::sinks::null_sink_mt>(); }
+  void run(double pace) {
+    Loop({.agent = agent, .body = body, .link = link, .records = nullptr, .log = log}, pace).until([this] {
+      return !agent.failure.empty();
+    });
+  }
+
+  bus::InProcessNet net;
+  bus::Link link;
+  Clockwork body;
+  Echo agent;
+  spdlog::logger log;
+};
+
+TEST(AgentLoop, EverySampleLeadsToTheNextCommand) {
+  Bench bench(50);
+  bench.run(0.0);
+  ASSERT_EQ(bench.agent.frames.size(), 50U);
+  for (std::size_t i = 0; i < bench.body.commands.size(); ++i) {
+    EXPECT_EQ(bench.body.commands[i].linear_m_s, static_cast<double>(i));
+  }
+  EXPECT_EQ(bench.agent.failure, "recording is over");
+}
+
+TEST(AgentLoop, NeverRunsAheadOfItsPace) {
+  Bench bench(20);
+  bench.run(2.0);
+  ASSERT_EQ(bench.agent.times.size(), 20U);
+  EXPECT_GE(bench.agent.times.back() - bench.agent.times.front(), 90ms);
+}
+
+TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {
+  Bench bench(2);
+  bench.run(0.0);
+  EXPECT_EQ(bench.agent.hand_answer, "no hand");
+  EXPECT_EQ(bench.body.hand_stops, 1);
+}
+
+}  // namespace
+}  // namespace weft::agents::test

@@ -1,0 +1,87 @@
+#include "agents/agent/process/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/agent/process/folder.hpp"
+
+namespace weft::agents::test {
+namespace {
+
+std::variant<Options, Leave> parsed(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv = {"weft-agent"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+void expect_left(const std::vector<std::string>& arguments, int exit_code, const std::string& word) {
+  const auto result = parsed(arguments);
+  const auto* const leave = std::get_if<Leave>(&result);
+  ASSERT_NE(leave, nullptr) << word;
+  EXPECT_EQ(leave->exit_code, exit_code) << leave->text;
+  EXPECT_NE(leave->text.find(word), std::string::npos) << leave->text;
+  if (exit_code != 0) {
+    EXPECT_EQ(leave->text.find('\n'), leave->text.size() - 1) << "one line: " << leave->text;
+  }
+}
+
+const std::vector<std::string> kEnough = {"--name", "r1", "--state", "s", "--site", "x.toml"};
+
+std::vector<std::string> with(std::vector<std::string> more) {
+  more.insert(more.begin(), kEnough.begin(), kEnough.end());
+  return more;
+}
+
+TEST(AgentOptions, FlagsAndDefaults) {
+  const auto result =
+      parsed(with({"--dds", "cyclonedds", "--server", "a:3", "--server", "b", "--seed", "7", "--pace", "0"}));
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(options->name, "r1");
+  EXPECT_EQ(options->vendor, bus::Vendor::cyclonedds);
+  EXPECT_EQ(options->servers, (std::vector<std::string>{"a:3", "b"}));
+  EXPECT_EQ(options->seed, 7U);
+  EXPECT_EQ(options->pace, 0.0);
+  EXPECT_EQ(options->method, "floor");
+  EXPECT_FALSE(options->truth.has_value());
+  EXPECT_EQ(options->listen, "127.0.0.1");
+}
+
+TEST(AgentOptions, FlagWinsOverFile) {
+  const Folder folder;
+  const std::string file = folder.write("a.toml", "name = \"r9\"\nday = 4\nwindow_hops = 9\n[floor]\ncorners = 99\n");
+  const auto result = parsed(with({"--config", file}));
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(options->name, "r1");
+  EXPECT_EQ(options->day, 4U);
+  EXPECT_EQ(options->window_hops, 9U);
+  EXPECT_EQ(options->floor.corners, 99);
+}
+
+TEST(AgentOptions, MistakesAreUsageInOneLine) {
+  expect_left(with({"--colour", "red"}), 2, "--colour");
+  expect_left(with({"--dds", "rti"}), 2, "dds");
+  expect_left(with({"--domain", "201"}), 2, "domain");
+  expect_left(with({"--seed", "many"}), 2, "seed");
+  expect_left(with({"--pace", "-1"}), 2, "pace");
+  expect_left(with({"--method", "bearing"}), 2, "method");
+  expect_left({"--state", "s", "--site", "x"}, 2, "--name");
+  expect_left({"--name", "r1", "--site", "x"}, 2, "--state");
+  expect_left({"--name", "r1", "--state", "s"}, 2, "--site");
+  expect_left({"--name", "r1", "--state", "s", "--body", "replay"}, 2, "--recording");
+}
+
+TEST(AgentOptions, MistakesInTheFileNameItsLine) {
+  const Folder folder;
+  expect_left(with({"--config", folder.file("none.toml")}), 1, "none.toml");
+  expect_left(with({"--config", folder.write("a.toml", "colour = 1\n")}), 1, "a.toml:1: colour");
+  expect_left(with({"--config", folder.write("b.toml", "\n[floor]\ncorners = 2\n")}), 1, "b.toml:3: floor.corners");
+}
+
+TEST(AgentOptions, HelpAndVersion) {
+  expect_left({"--help"}, 0, "--records");
+  expect_left({"--version"}, 0, "weft-agent 0.");
+}
+
+}  // namespace
+}  // namespace weft::agents::test

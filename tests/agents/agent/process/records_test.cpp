@@ -1,0 +1,40 @@
+#include "agents/agent/process/records.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/agent/process/folder.hpp"
+
+namespace weft::agents::test {
+namespace {
+
+TEST(AgentRecords, AreTheLinesThatTheJudgeReads) {
+  const Folder folder;
+  auto records = Records::open(folder.path(), "r1");
+  ASSERT_TRUE(records.has_value());
+  AgentOutput output;
+  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}, {}}, {}}});
+  output.acks.push_back({.experience = {0xA1}, .sequence = 2, .first = 5, .places = 4});
+  msg::RouteProgress progress;
+  progress.route.bytes[0] = 1;
+  progress.version = 2;
+  progress.phase = msg::RoutePhase::driving;
+  output.send.emplace_back(progress);
+  output.send.emplace_back(progress);
+  progress.phase = msg::RoutePhase::arrived;
+  output.send.emplace_back(progress);
+  records->note(output, 13);
+  EXPECT_EQ(
+      folder.read("fixes.jsonl"),
+      R"({"robot":"r1","frame":12,"place":"00000000000000a1:3","place_from_robot":{"x":0.250000,"y":-0.500000,"heading":0.1250000}})"
+      "\n");
+  EXPECT_EQ(folder.read("acks.jsonl"),
+            R"({"robot":"r1","experience":"00000000000000a1","sequence":2,"first":5,"places":4})"
+            "\n");
+  const std::string drives = folder.read("drives.jsonl");
+  EXPECT_EQ(std::count(drives.begin(), drives.end(), '\n'), 2);
+  EXPECT_NE(drives.find(R"("frame":13)"), std::string::npos);
+  EXPECT_NE(drives.find(R"("phase":"arrived")"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::agents::test

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include "agents/agent/process/equip.hpp"
+#include "agents/agent/process/identity.hpp"
+#include "agents/agent/process/run.hpp"
+#include "tests/agents/agent/process/folder.hpp"
+
+namespace weft::agents::test {
+namespace {
+
+Options options_in(const Folder& folder) {
+  Options options;
+  options.name = "r1";
+  options.state = folder.file("state");
+  options.method = "floor";
+  options.body = "sim";
+  options.site = WEFT_SITE;
+  options.servers = {"127.0.0.1"};
+  options.listen = "127.0.0.1";
+  options.bytes_per_second = 1U << 20U;
+  return options;
+}
+
+/// Everything that an agent cannot start with is one line that names it.
+void expect_refused(const Options& options, const std::string& word) {
+  const Result<void> ran = run(options);
+  ASSERT_FALSE(ran.has_value()) << word;
+  EXPECT_NE(ran.error().message.find(word), std::string::npos) << ran.error().message;
+}
+
+TEST(AgentStart, IdentityIsDrawnOnceAndKept) {
+  const Folder folder;
+  RobotId first;
+  {
+    const auto state = StateDirectory::open(folder.file("state"));
+    ASSERT_TRUE(state.has_value());
+    first = state->identity().value();
+    EXPECT_TRUE(first);
+  }
+  const auto again = StateDirectory::open(folder.file("state"));
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->identity().value(), first);
+}
+
+TEST(AgentStart, DamagedIdentityIsNamed) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.file("state"));
+  folder.write("state/identity", "hello\n");
+  expect_refused(options_in(folder), "state/identity");
+}
+
+TEST(AgentStart, TwoAgentsInOneStateDirectoryAreRefused) {
+  const Folder folder;
+  const auto state = StateDirectory::open(folder.file("state"));
+  ASSERT_TRUE(state.has_value());
+  expect_refused(options_in(folder), "another agent");
+}
+
+TEST(AgentStart, MissingAndWrongSitesAreNamed) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.site = folder.file("none.toml");
+  expect_refused(options, "none.toml");
+  options.site = folder.write("wrong.toml", "name = 3\n");
+  expect_refused(options, "wrong.toml");
+  options = options_in(folder);
+  options.name = "r77";
+  expect_refused(options, "r77");
+}
+
+TEST(AgentStart, MissingFoldersAreNamed) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.records = folder.file("nowhere");
+  expect_refused(options, "nowhere");
+  options = options_in(folder);
+  options.floors = folder.file("no_floors");
+  expect_refused(options, "no_floors");
+  options = options_in(folder);
+  options.truth = folder.file("no/truth.jsonl");
+  expect_refused(options, "truth.jsonl");
+}
+
+TEST(AgentStart, MissingRecordingAndDamagedCalibrationAreNamed) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.body = "replay";
+  options.camera = "cam0";
+  options.recording = folder.file("none");
+  expect_refused(options, "none");
+  std::filesystem::create_directories(folder.file("rec/mav0/cam0/data"));
+  folder.write("rec/mav0/cam0/data.csv", "#timestamp [ns],filename\n1,1.png\n");
+  folder.write("rec/mav0/cam0/sensor.yaml", "intrinsics: [abc]\n");
+  options.recording = folder.file("rec");
+  expect_refused(options, "sensor.yaml");
+}
+
+TEST(AgentStart, SettingsOfTheMethodAreChecked) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.floor.corners = 3;
+  expect_refused(options, "corners");
+}
+
+}  // namespace
+}  // namespace weft::agents::test

@@ -1,0 +1,280 @@
+#include "clients/cli/commands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/clients/cli/fleet.hpp"
+
+namespace weft::cli::test {
+namespace {
+using namespace std::chrono_literals;
+using Kind = msg::AgentCommand::Kind;
+
+std::filesystem::path folder() {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_cli";
+  std::filesystem::create_directories(path);
+  return path;
+}
+
+std::string write(const std::string& name, const std::string& text) {
+  const std::filesystem::path file = folder() / name;
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+/// A robot on the first loop that knows where it is.
+struct OneRobot : Fleet {
+  OneRobot() : r1(add_robot("r1")) {
+    r1.state.localised = true;
+    r1.state.place = {first, 4};
+    run(1s);
+  }
+  Puppet& r1;
+};
+
+TEST(Commands, UnreachableServerIsSaidWithinTheTimeout) {
+  Fleet fleet;
+  fleet.server_lives = false;
+  fleet.restart_server();  // nobody heard its last hello
+  const SteadyTime before = fleet.now;
+  const Said said = fleet.weft({"robots", "--timeout", "3"});
+  EXPECT_EQ(said.exit, Exit::unreached);
+  EXPECT_NE(said.err.find("weft-server"), std::string::npos);
+  EXPECT_LE(fleet.now - before, 3200ms);
+}
+
+TEST(Commands, SilentServerTimesOut) {
+  OneRobot fleet;
+  fleet.r1.answers = false;
+  const Said said = fleet.weft({"teach", "r1", "stop", "--timeout", "2", "--json"});
+  EXPECT_EQ(said.exit, Exit::timed_out);
+  EXPECT_EQ(said.json()["exit"], 5);
+}
+
+TEST(Commands, RobotsShowsWhatTheyDo) {
+  OneRobot fleet;
+  EXPECT_NE(fleet.weft({"robots"}).out.find("r1"), std::string::npos);
+  const auto rows = fleet.weft({"robots", "--json"}).json()["robots"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["name"], "r1");
+  EXPECT_EQ(rows[0]["mode"], "idle");
+  EXPECT_EQ(rows[0]["place"], "00000000000000a1:4");
+  EXPECT_EQ(rows[0]["vendor"], "inprocess");
+  EXPECT_LT(rows[0]["silent_s"].get<double>(), 2.0);
+}
+
+TEST(Commands, NoRobotsSaysHowToStartOne) {
+  Fleet fleet;
+  EXPECT_NE(fleet.weft({"robots"}).out.find("weft-agent"), std::string::npos);
+}
+
+TEST(Commands, TeachTakesTheLineAndTheName) {
+  OneRobot fleet;
+  fleet.r1.how = [](const msg::AgentCommand&, msg::AgentReply& reply) { reply.experience = ExperienceId{0xC3}; };
+  const Said said =
+      fleet.weft({"teach", "r1", "start", "--as", "loop", "--along", write("a.line", "1 2\n3 4\n"), "--json"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(said.json()["experience"], "00000000000000c3");
+  ASSERT_EQ(fleet.r1.told.size(), 1U);
+  EXPECT_EQ(fleet.r1.told[0].kind, Kind::teach_start);
+  EXPECT_EQ(fleet.r1.told[0].name, "loop");
+  ASSERT_EQ(fleet.r1.told[0].along.size(), 2U);
+  EXPECT_EQ(fleet.r1.told[0].along[1].y, 4.0);
+  EXPECT_EQ(fleet.weft({"teach", "r1", "stop"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().kind, Kind::teach_stop);
+}
+
+TEST(Commands, TeachAlongAMissingOrWrongFileIsUsage) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"teach", "r1", "start", "--along", "/nowhere/x"}).exit, Exit::usage);
+  const Said said = fleet.weft({"teach", "r1", "start", "--along", write("b.line", "1 2\nx y\n")});
+  EXPECT_EQ(said.exit, Exit::usage);
+  EXPECT_NE(said.err.find("b.line:2"), std::string::npos);
+  EXPECT_TRUE(fleet.r1.told.empty());
+}
+
+TEST(Commands, RefusalsCarryTheRobotsWords) {
+  OneRobot fleet;
+  fleet.r1.how = [](const msg::AgentCommand&, msg::AgentReply& reply) {
+    reply.done = false;
+    reply.reason = "r1 is being taught 'x': stop that first";
+  };
+  const Said said = fleet.weft({"teach", "r1", "start"});
+  EXPECT_EQ(said.exit, Exit::refused);
+  EXPECT_NE(said.err.find("stop that first"), std::string::npos);
+}
+
+TEST(Commands, UnknownRobotIsRefused) {
+  OneRobot fleet;
+  const Said said = fleet.weft({"localise", "r9"});
+  EXPECT_EQ(said.exit, Exit::refused);
+  EXPECT_NE(said.err.find("r9"), std::string::npos);
+}
+
+TEST(Commands, LocaliseSeedsByLabelAndByPlace) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"localise", "r1", "--at", "dock"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().seed, (PlaceId{fleet.first, 30}));
+  EXPECT_EQ(fleet.weft({"localise", "r1", "--at", "00000000000000b2:7"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().seed, (PlaceId{fleet.second, 7}));
+  EXPECT_EQ(fleet.weft({"localise", "r1"}).exit, Exit::done);
+  EXPECT_FALSE(fleet.r1.told.back().seed.has_value());
+  EXPECT_EQ(fleet.weft({"localise", "r1", "--at", "nowhere"}).exit, Exit::refused);
+}
+
+TEST(Commands, MapInfoCounts) {
+  Fleet fleet;
+  const auto info = fleet.weft({"map", "info", "--json"}).json();
+  EXPECT_EQ(info["experiences"], 2);
+  EXPECT_EQ(info["places"], fleet.service->snapshot().place_count());
+  EXPECT_EQ(info["stitches"], fleet.service->snapshot().stitch_count());
+  EXPECT_GT(info["stitches"], 5);
+  EXPECT_NE(fleet.weft({"map", "info"}).out.find("places"), std::string::npos);
+}
+
+TEST(Commands, LabelsAPlace) {
+  Fleet fleet;
+  EXPECT_EQ(fleet.weft({"map", "label", "00000000000000b2:9", "gate"}).exit, Exit::done);
+  EXPECT_EQ(fleet.service->snapshot().labels().at("gate"), (PlaceId{fleet.second, 9}));
+  EXPECT_EQ(fleet.weft({"map", "label", "00000000000000b2:900", "gate"}).exit, Exit::refused);
+  EXPECT_EQ(fleet.weft({"map", "label", "b2", "gate"}).exit, Exit::usage);
+}
+
+TEST(Commands, LabelsWhereARobotStands) {
+  OneRobot fleet;
+  const Said said = fleet.weft({"map", "label", "here", "--robot", "r1", "gate"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(fleet.service->snapshot().labels().at("gate"), (PlaceId{fleet.first, 4}));
+}
+
+TEST(Commands, ExportsWhatTheJudgeReads) {
+  OneRobot fleet;
+  const std::string file = (folder() / "network.json").string();
+  ASSERT_EQ(fleet.weft({"map", "export", file}).exit, Exit::done);
+  std::ifstream in(file);
+  const nlohmann::json network = nlohmann::json::parse(in);
+  EXPECT_EQ(network["places"].size(), fleet.service->snapshot().place_count());
+  EXPECT_EQ(network["experiences"].size(), 2U);
+  EXPECT_EQ(network["labels"]["dock"], "00000000000000a1:30");
+  const auto& place = network["places"][5];
+  EXPECT_EQ(place["id"], "00000000000000a1:5");
+  EXPECT_EQ(place["robot"], "r1");
+  EXPECT_EQ(place["frame"], 50);
+  std::size_t stitches = 0;
+  for (const auto& edge : network["edges"]) {
+    if (edge["origin"] != "stitch") continue;
+    ++stitches;
+    EXPECT_EQ(edge["inliers"], 55);
+    EXPECT_NEAR(edge["a_from_b"]["y"].get<double>(), 0.1, 1e-9);
+  }
+  EXPECT_EQ(stitches, fleet.service->snapshot().stitch_count());
+}
+
+TEST(Commands, DrawsAPicture) {
+  OneRobot fleet;
+  const std::string file = (folder() / "map.png").string();
+  EXPECT_EQ(fleet.weft({"map", "draw", file}).exit, Exit::done);
+  EXPECT_GT(std::filesystem::file_size(file), 5000U);
+  EXPECT_EQ(fleet.weft({"map", "draw", "map.bmp"}).exit, Exit::usage);
+}
+
+TEST(Commands, AGoalsLife) {
+  OneRobot fleet;
+  const Said sent = fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"});
+  ASSERT_EQ(sent.exit, Exit::done) << sent.err;
+  const std::string id = sent.json()["goal"];
+  fleet.run(3s);
+  auto goals = fleet.weft({"goal", "list", "--json"}).json()["goals"];
+  ASSERT_EQ(goals.size(), 1U);
+  EXPECT_EQ(goals[0]["id"], id);
+  EXPECT_EQ(goals[0]["state"], "executing");
+  EXPECT_EQ(goals[0]["robot"], "r1");
+  EXPECT_EQ(goals[0]["route"][0], "00000000000000a1:4");
+  EXPECT_EQ(goals[0]["route_at"], 0);
+  EXPECT_NE(fleet.weft({"goal", "list"}).out.find("packing"), std::string::npos);
+  EXPECT_NE(fleet.weft({"goal", "show", id.substr(0, 6)}).out.find("executing"), std::string::npos);
+  const Said why = fleet.weft({"goal", "why", id.substr(0, 6)});
+  EXPECT_NE(why.out.find("r1 is driving"), std::string::npos) << why.out;
+  EXPECT_NE(fleet.weft({"goal", "why", "r1"}).out.find("r1 is driving"), std::string::npos);
+  fleet.r1.phase = msg::RoutePhase::arrived;
+  const Said watched = fleet.weft({"goal", "watch", id, "--timeout", "30"});
+  EXPECT_EQ(watched.exit, Exit::done) << watched.err;
+  EXPECT_NE(watched.out.find("succeeded"), std::string::npos);
+  const auto shown = fleet.weft({"goal", "show", id, "--json"}).json();
+  EXPECT_EQ(shown["state"], "succeeded");
+  EXPECT_GT(shown["duration_s"].get<double>(), 1.0);
+}
+
+TEST(Commands, WatchingACancelledGoalFails) {
+  OneRobot fleet;
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  fleet.run(1s);
+  EXPECT_EQ(fleet.weft({"goal", "cancel", id.substr(0, 8)}).exit, Exit::done);
+  EXPECT_EQ(fleet.weft({"goal", "watch", id}).exit, Exit::failed);
+}
+
+TEST(Commands, WatchingLastsAcrossARestartOfTheServer) {
+  OneRobot fleet;
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  fleet.run(2s);
+  fleet.restart_server();
+  fleet.r1.phase = msg::RoutePhase::arrived;
+  EXPECT_EQ(fleet.weft({"goal", "watch", id, "--timeout", "60"}).exit, Exit::done);
+}
+
+TEST(Commands, WatchTimesOutWithWhatToDo) {
+  OneRobot fleet;
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const Said said = fleet.weft({"goal", "watch", id, "--timeout", "3"});
+  EXPECT_EQ(said.exit, Exit::timed_out);
+  EXPECT_NE(said.err.find("goal why"), std::string::npos);
+}
+
+TEST(Commands, GoalToNowhereAndUnknownGoalsAreRefused) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"goal", "send", "--to", "nowhere"}).exit, Exit::refused);
+  EXPECT_EQ(fleet.weft({"goal", "show", "abc"}).exit, Exit::refused);
+  EXPECT_EQ(fleet.weft({"goal", "why", "abc"}).exit, Exit::refused);
+}
+
+TEST(Commands, StopAndResume) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"stop", "r1"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().kind, Kind::stop);
+  EXPECT_EQ(fleet.weft({"resume", "r1"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().kind, Kind::resume);
+  Puppet& r2 = fleet.add_robot("r2");
+  fleet.run(1s);
+  EXPECT_EQ(fleet.weft({"stop", "--all"}).exit, Exit::done);
+  EXPECT_EQ(fleet.r1.told.back().kind, Kind::stop);
+  ASSERT_FALSE(r2.told.empty());
+  EXPECT_EQ(r2.told.back().kind, Kind::stop);
+}
+
+TEST(Commands, ClearNeedsARobot) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"robot", "clear", "r9"}).exit, Exit::refused);
+  const Said said = fleet.weft({"robot", "clear", "r1"});
+  EXPECT_TRUE(said.exit == Exit::done || said.exit == Exit::refused);
+  EXPECT_FALSE(said.out.empty() && said.err.empty());
+}
+
+TEST(Commands, DoctorFindsWhatIsWrong) {
+  OneRobot fleet;
+  const auto well = fleet.weft({"doctor", "--json"}).json();
+  EXPECT_EQ(well["server"]["vendor"], "inprocess");
+  EXPECT_EQ(well["client"]["vendor"], "inprocess");
+  fleet.r1.state.mode = msg::RobotMode::faulted;
+  fleet.r1.state.reason = "camera unplugged";
+  fleet.run(2s);
+  const Said said = fleet.weft({"doctor"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.out.find("camera unplugged"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::cli::test

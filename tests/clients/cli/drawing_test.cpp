@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "clients/cli/draw.hpp"
+#include "clients/cli/layout.hpp"
+#include "core/network/change.hpp"
+#include "tests/clients/cli/fleet.hpp"
+
+namespace weft::cli::test {
+namespace {
+
+Window loops(bool stitched) {
+  std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
+  if (!stitched) std::erase_if(batches.back().edges, [](const Edge& edge) { return edge.origin == Origin::stitch; });
+  Snapshot snapshot;
+  for (const Batch& batch : batches) snapshot = with(snapshot, batch);
+  snapshot = with_label(snapshot, "dock", {{0xA1}, 30});
+  return make_window(snapshot, WindowDefinition{});
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of this test's own.
+std::filesystem::path folder() {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_drawing";
+  std::filesystem::create_directories(path);
+  return path;
+}
+
+TEST(LayOut, RelationsHoldOnTheSheet) {
+  const Window network = loops(true);
+  const Layout layout = lay_out(network);
+  EXPECT_EQ(layout.islands, 1U);
+  ASSERT_EQ(layout.drawing_from_place.size(), network.places.size());
+  for (const auto& [id, edge] : network.edges) {
+    const Pose2 drawn = layout.drawing_from_place.at(id.a).inverse() * layout.drawing_from_place.at(id.b);
+    EXPECT_NEAR(drawn.x, planar(edge.a_from_b).x, 1e-3);
+    EXPECT_NEAR(drawn.y, planar(edge.a_from_b).y, 1e-3);
+  }
+}
+
+TEST(LayOut, WhatNothingJoinsStandsSideBySide) {
+  const Window network = loops(false);
+  const Layout layout = lay_out(network);
+  EXPECT_EQ(layout.islands, 2U);
+  double first_right = -1e9;
+  double second_left = 1e9;
+  for (const auto& [id, pose] : layout.drawing_from_place) {
+    if (id.experience.value == 0xA1) first_right = std::max(first_right, pose.x);
+    if (id.experience.value == 0xB2) second_left = std::min(second_left, pose.x);
+  }
+  EXPECT_GT(second_left, first_right + 1.0);
+}
+
+TEST(Draw, MakesAPicture) {
+  const std::filesystem::path file = folder() / "network.png";
+  ASSERT_TRUE(draw(loops(true), {}, file.string()).has_value());
+  const std::string bytes = read(file);
+  EXPECT_EQ(bytes.substr(1, 3), "PNG");
+  EXPECT_GT(bytes.size(), 5000U);
+}
+
+TEST(Draw, MakesAVectorPictureThatNamesLabelsAndRevision) {
+  const std::filesystem::path file = folder() / "network.svg";
+  ASSERT_TRUE(draw(loops(true), {}, file.string()).has_value());
+  EXPECT_NE(read(file).find("<svg"), std::string::npos);
+}
+
+TEST(Draw, EmptyNetworkIsAPictureToo) {
+  EXPECT_TRUE(draw(Window{}, {}, (folder() / "empty.png").string()).has_value());
+}
+
+TEST(Draw, OtherEndingsAndMissingFoldersAreRefused) {
+  EXPECT_EQ(draw(Window{}, {}, "x.pdf").error().code, ErrorCode::invalid);
+  EXPECT_FALSE(draw(Window{}, {}, "/nowhere/x.png").has_value());
+  EXPECT_FALSE(draw(Window{}, {}, "/nowhere/x.svg").has_value());
+}
+
+}  // namespace
+}  // namespace weft::cli::test

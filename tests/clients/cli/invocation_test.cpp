@@ -1,0 +1,124 @@
+#include "clients/cli/invocation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace weft::cli {
+namespace {
+
+std::variant<Invocation, NotRun> parsed(const std::vector<std::string>& arguments,
+                                        const Environment& environment = {}) {
+  std::vector<const char*> argv = {"weft"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  return parse(static_cast<int>(argv.size()), argv.data(), environment);
+}
+
+Invocation good(const std::vector<std::string>& arguments, const Environment& environment = {}) {
+  const auto result = parsed(arguments, environment);
+  const auto* const not_run = std::get_if<NotRun>(&result);
+  EXPECT_EQ(not_run, nullptr) << (not_run == nullptr ? "" : not_run->text);
+  return not_run == nullptr ? std::get<Invocation>(result) : Invocation{};
+}
+
+using Command = Invocation::Command;
+
+TEST(Invocation, EachCommandIsUnderstood) {
+  const std::vector<std::pair<std::vector<std::string>, Command>> all = {
+      {{"robots"}, Command::robots},
+      {{"teach", "r1", "start", "--as", "loop", "--along", "f"}, Command::teach_start},
+      {{"teach", "r1", "stop"}, Command::teach_stop},
+      {{"localise", "r1", "--at", "dock"}, Command::localise},
+      {{"map", "info"}, Command::map_info},
+      {{"map", "draw", "a.png"}, Command::map_draw},
+      {{"map", "label", "00000000000000a1:3", "dock"}, Command::map_label},
+      {{"map", "label", "here", "--robot", "r1", "dock"}, Command::map_label},
+      {{"map", "export", "a.json"}, Command::map_export},
+      {{"goal", "send", "--to", "dock", "--robot", "r1"}, Command::goal_send},
+      {{"goal", "list"}, Command::goal_list},
+      {{"goal", "show", "ab"}, Command::goal_show},
+      {{"goal", "watch", "ab"}, Command::goal_watch},
+      {{"goal", "cancel", "ab"}, Command::goal_cancel},
+      {{"goal", "why", "ab"}, Command::goal_why},
+      {{"stop", "r1"}, Command::stop},
+      {{"stop", "--all"}, Command::stop},
+      {{"resume", "--all"}, Command::resume},
+      {{"robot", "clear", "r1"}, Command::robot_clear},
+      {{"doctor"}, Command::doctor},
+  };
+  for (const auto& [arguments, command] : all) EXPECT_EQ(good(arguments).command, command) << arguments.front();
+}
+
+TEST(Invocation, FieldsArriveWhereTheyBelong) {
+  const Invocation teach = good({"--timeout", "7", "teach", "r1", "start", "--as", "loop", "--json"});
+  EXPECT_EQ(teach.robot, "r1");
+  EXPECT_EQ(teach.name, "loop");
+  EXPECT_TRUE(teach.json);
+  EXPECT_EQ(teach.timeout_s, 7.0);
+  const Invocation label = good({"map", "label", "here", "--robot", "r2", "dock"});
+  EXPECT_EQ(label.place, "here");
+  EXPECT_EQ(label.robot, "r2");
+  EXPECT_EQ(label.name, "dock");
+}
+
+TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
+  const Invocation after = good({"robots", "--server", "a", "--server", "b:3", "--dds", "fastdds", "--domain", "5"});
+  EXPECT_EQ(after.servers, (std::vector<std::string>{"a", "b:3"}));
+  EXPECT_EQ(after.vendor, "fastdds");
+  EXPECT_EQ(after.domain, 5U);
+  const Invocation filled = good({"robots"}, {"x,y:2", "fastdds"});
+  EXPECT_EQ(filled.servers, (std::vector<std::string>{"x", "y:2"}));
+  EXPECT_EQ(filled.vendor, "fastdds");
+  EXPECT_EQ(good({"--server", "z", "robots"}, {"x", ""}).servers, std::vector<std::string>{"z"});
+  EXPECT_EQ(good({"robots"}).servers, std::vector<std::string>{"127.0.0.1"});
+}
+
+TEST(Invocation, MistakesAreUsageAndSayWhich) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{}, "subcommand"},
+      {{"robotz"}, "robotz"},
+      {{"robots", "--colour"}, "--colour"},
+      {{"teach", "r1"}, "subcommand"},
+      {{"teach", "r1", "pause"}, "pause"},
+      {{"map", "label", "here", "dock"}, "--robot"},
+      {{"map", "label", "00000000000000a1:3", "--robot", "r1", "dock"}, "--robot"},
+      {{"goal", "send"}, "--to"},
+      {{"goal", "watch"}, "ID"},
+      {{"stop"}, "--all"},
+      {{"stop", "r1", "--all"}, "--all"},
+      {{"robots", "--dds", "rti"}, "rti"},
+      {{"robots", "--domain", "201"}, "201"},
+      {{"robots", "--timeout", "0"}, "--timeout"},
+      {{"robot", "clear"}, "ROBOT"},
+  };
+  for (const auto& [arguments, word] : wrong) {
+    const auto result = parsed(arguments);
+    const auto* const not_run = std::get_if<NotRun>(&result);
+    ASSERT_NE(not_run, nullptr) << word;
+    EXPECT_EQ(not_run->exit_code, 2) << word;
+    EXPECT_NE(not_run->text.find(word), std::string::npos) << not_run->text;
+  }
+}
+
+TEST(Invocation, HelpAndVersionAreNoMistakes) {
+  const auto help = parsed({"--help"});
+  EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
+  EXPECT_NE(std::get<NotRun>(help).text.find("goal"), std::string::npos);
+  EXPECT_EQ(std::get<NotRun>(parsed({"--version"})).exit_code, 0);
+}
+
+TEST(Polyline, PointsWithCommentsAndCommas) {
+  const auto points = parse_polyline("# a line\n1 2\n\n3.5,-4  # corner\n", "f");
+  ASSERT_TRUE(points.has_value()) << points.error().message;
+  ASSERT_EQ(points->size(), 2U);
+  EXPECT_EQ((*points)[1].x, 3.5);
+  EXPECT_EQ((*points)[1].y, -4.0);
+}
+
+TEST(Polyline, MistakesAreNamedByLine) {
+  EXPECT_NE(parse_polyline("1 2\n3\n", "f").error().message.find("f:2"), std::string::npos);
+  EXPECT_NE(parse_polyline("1 2 3\n", "f").error().message.find("f:1"), std::string::npos);
+  EXPECT_NE(parse_polyline("1 nan\n2 2\n", "f").error().message.find("f:1"), std::string::npos);
+  EXPECT_NE(parse_polyline("1 2\n", "f").error().message.find("fewer than two"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::cli
