@@ -42,7 +42,7 @@ Fleet::Fleet(std::uint64_t seed, std::size_t robots)
     robot.disk = std::make_shared<storage::SpoolDisk>();
     const double start = 9.0 + static_cast<double>(i) * site_->length_m() / static_cast<double>(robots);
     robot.body = std::make_unique<MarksBody>(site_, site_->pose(start, {}), random_.fork(100 + i));
-    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}};
+    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}};
     start_robot(i);
   }
 }
@@ -105,6 +105,7 @@ void Fleet::crash_robot(std::size_t index) {
   RobotProcess& robot = robots_[index];
   net_.detach(robot.id);
   ledger_.robots[robot.id].agent = nullptr;
+  ledger_.robots[robot.id].had.reset();
   robot.agent.reset();
   robot.link.reset();
   robot.spool.reset();
@@ -138,6 +139,7 @@ void Fleet::run_until(SteadyTime until) {
 
 void Fleet::play(SteadyTime at) {
   now_ = at;
+  ledger_.set_now(now_);
   net_.deliver_until(now_);
   if (server_.service) serve();
   for (RobotProcess& robot : robots_) {
@@ -173,6 +175,7 @@ void Fleet::serve(RobotProcess& robot) {
   while (const auto message = robot.link->take()) {
     ledger_.agent_heard(robot.id, *message, *server_.disk);
     carry_out(robot, robot.agent->handle(*message, clock(robot), wall(robot.wall_offset)));
+    if (std::holds_alternative<msg::RouteOrder>(*message)) ledger_.agent_took(robot.id);
   }
   if (const auto due = robot.agent->next_tick(); due && *due - robot.steady_offset <= now_) {
     carry_out(robot, robot.agent->tick(clock(robot)));
@@ -220,6 +223,43 @@ void Fleet::hear_client() {
 
 std::vector<msg::OperatorReply> Fleet::take_replies() {
   return std::exchange(client_.replies, {});
+}
+
+std::vector<std::string> Fleet::diary() const {
+  std::vector<std::string> lines;
+  const auto name_of = [this](const RobotId& id) {
+    const auto found = ledger_.robots.find(id);
+    return found == ledger_.robots.end() ? std::string("-") : found->second.name;
+  };
+  for (const msg::Event& event : server_.disk->events) {
+    lines.push_back(std::to_string(seconds(event.at.time_since_epoch())) + " " + event.kind + " " +
+                    name_of(event.robot) + " " + (event.goal ? to_string(event.goal).substr(0, 6) : "-") + " " +
+                    event.who + ": " + event.cause);
+  }
+  for (const auto& [id, goal] : server_.disk->goals) {
+    lines.push_back("goal " + to_string(id).substr(0, 6) + " to " + goal.label + " " + to_string(goal.state) + ": " +
+                    goal.history.back().cause);
+  }
+  if (server_.service) {
+    for (const auto& [id, experience] : server_.service->snapshot().experiences()) {
+      std::size_t both = 0;
+      for (const Edge& stitch : experience->stitches) both += stitch.drivable == Drivable::both ? 1 : 0;
+      lines.push_back("experience " + to_string(id) + " of " + name_of(experience->robot) + ": " +
+                      std::to_string(experience->places.size()) + " places, " +
+                      std::to_string(experience->stitches.size()) + " stitches, " + std::to_string(both) +
+                      " drivable");
+    }
+  }
+  for (const auto& [id, robot] : ledger_.robots) {
+    if (robot.agent != nullptr) {
+      std::string counts = "counters " + robot.name + ":";
+      for (const auto& [name, count] : robot.agent->counters()) counts += " " + name + "=" + std::to_string(count);
+      lines.push_back(counts);
+    }
+    lines.push_back("robot " + robot.name + " " + to_string(robot.state.mode) + " at " +
+                    to_string(robot.state.place) + ": " + robot.state.reason);
+  }
+  return lines;
 }
 
 void Fleet::look_when_quiet() {

@@ -7,7 +7,9 @@
 namespace weft::simulation {
 
 void Ledger::broken(const std::string& invariant, const std::string& what) {
-  if (said_.insert(invariant + what).second) violations_.push_back({invariant, what});
+  constexpr int most_of_a_kind = 3;
+  if (++said_[invariant] > most_of_a_kind) return;
+  violations_.push_back({invariant, what + ", at " + std::to_string(seconds(now_.time_since_epoch())) + " s"});
 }
 
 std::optional<Pose2> Ledger::truth_of(const PlaceId& place) const {
@@ -19,6 +21,7 @@ void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
   Robot& by = robots.at(robot);
   if (const auto* state = std::get_if<msg::RobotState>(&message)) by.state = *state;
   if (const auto* request = std::get_if<msg::WindowRequest>(&message)) by.wants = request->definition;
+  if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) by.progress = *progress;
   if (const auto* sent = std::get_if<msg::ExperienceBatch>(&message)) {
     const auto [known, first] = sent_[sent->batch.experience].emplace(sent->batch.sequence, sent->batch);
     if (!first && hash(known->second) != hash(sent->batch)) {
@@ -44,22 +47,32 @@ void Ledger::agent_heard(const RobotId& robot, const msg::Message& message, cons
 }
 
 void Ledger::server_heard(const msg::Message& message) {
-  if (const auto* state = std::get_if<msg::RobotState>(&message)) known_[state->header.sender] = *state;
+  if (const auto* state = std::get_if<msg::RobotState>(&message)) {
+    const RobotId sender = state->header.sender;
+    msg::RobotState& known = known_[sender];
+    const bool late =
+        known.header.incarnation == state->header.incarnation && known.header.sequence > state->header.sequence;
+    if (late) return;
+    known = *state;
+    const auto held = held_.find(sender);
+    if (held == held_.end() || state->route == held->second.route.id) return;
+    // It says that it has no such route, and that is so.
+    const agents::Agent* const agent = robots.at(sender).agent;
+    const bool has_it = agent != nullptr && agent->route() && agent->route()->id == held->second.route.id;
+    if (!has_it) held_.erase(held);
+  }
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) {
     const auto held = held_.find(progress->header.sender);
     if (held == held_.end() || held->second.route.id != progress->route) return;
-    if (progress->version == held->second.route.version) {
-      held->second.from = std::max(held->second.from, std::min(progress->freed, held->second.route.released));
-    }
+    if (progress->version != held->second.route.version) return;
+    held->second.from = std::max(held->second.from, std::min(progress->freed, held->second.route.released));
     if (progress->phase == msg::RoutePhase::arrived) held->second.from = held->second.route.released;
   }
 }
 
 void Ledger::server_sent(const msg::Message& message, const server::Service& service) {
   if (const auto* order = std::get_if<msg::RouteOrder>(&message)) {
-    if (!order->route.ended) check_release(order->route);
-    auto& version = robots.at(order->to).told[order->route.goal][order->route.id];
-    version = std::max(version, order->route.version);
+    if (!order->route.ended) check_release(order->route, service.snapshot());
   }
   if (const auto* reply = std::get_if<msg::OperatorReply>(&message)) {
     const bool accepted = reply->outcome == msg::Outcome::accepted || reply->outcome == msg::Outcome::done;
@@ -77,31 +90,73 @@ void Ledger::client_heard(const msg::Message& message) {
   if (reply->outcome == msg::Outcome::accepted || reply->outcome == msg::Outcome::done) accepted_.insert(reply->goal);
 }
 
+bool Ledger::are_close(const PlaceId& a, const PlaceId& b) const {
+  const double apart_m = 2.0 * footprint_m_ - 0.15;  // what localisation may be off by
+  const auto here = truth_of(a);
+  const auto there = truth_of(b);
+  return here && there && (here->translation() - there->translation()).norm() < apart_m;
+}
+
 /// A new piece of released route keeps clear of every other robot that the server knows the place of.
-void Ledger::check_release(const Route& route) {
+void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
   const auto before = held_.find(route.robot);
   const bool continued =
       before != held_.end() && before->second.route.id == route.id && before->second.route.version == route.version;
-  const std::uint32_t known_through = continued ? before->second.route.released : 0;
-  const double apart = 2.0 * footprint_m_ - 0.15;  // what localisation may be off by
-  for (std::uint32_t i = continued ? known_through + 1 : 0; i <= route.released && i < route.places.size(); ++i) {
-    const auto here = truth_of(route.places[i]);
-    if (!here) continue;
+  const std::uint32_t first = continued ? before->second.route.released + 1 : 0;
+  const Robot& mine = robots.at(route.robot);
+  for (std::uint32_t i = first; i <= route.released && i < route.places.size(); ++i) {
+    check_standing(mine, route.places[i], snapshot);
     for (const auto& [other, stretch] : held_) {
       if (other == route.robot) continue;
       for (std::uint32_t k = stretch.from; k <= stretch.route.released && k < stretch.route.places.size(); ++k) {
-        const auto there = truth_of(stretch.route.places[k]);
-        if (there && (here->translation() - there->translation()).norm() < apart) {
-          broken("occupancy", robots.at(route.robot).name + " was released to " + to_string(route.places[i]) +
-                                  " which " + robots.at(other).name + " holds at " +
-                                  to_string(stretch.route.places[k]));
-          k = stretch.route.released;
-        }
+        if (!are_close(route.places[i], stretch.route.places[k])) continue;
+        broken("occupancy", mine.name + " was released to " + to_string(route.places[i]) + " which " +
+                                robots.at(other).name + " holds at " + to_string(stretch.route.places[k]));
+        break;
       }
     }
   }
-  Stretch& mine = held_[route.robot];
-  mine = {route, continued ? mine.from : 0};
+  held_[route.robot] = {route, continued ? before->second.from : 0};
+}
+
+/// Nobody is sent through a robot that stands where it has told the server that it stands.
+void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot) {
+  for (const auto& [other, known] : known_) {
+    const Robot& standing = robots.at(other);
+    if (&standing == &robot || held_.contains(other)) continue;
+    if (!known.localised || known.mode != msg::RobotMode::idle || known.route) continue;
+    if (snapshot.place(known.place) == nullptr || !are_close(place, known.place)) continue;
+    broken("occupancy", robot.name + " was released to " + to_string(place) + " where " + standing.name +
+                            " stands, at " + to_string(known.place));
+  }
+}
+
+/// What two robots have been given and have not driven yet keeps clear of each other, whatever the server thinks.
+void Ledger::agent_took(const RobotId& robot) {
+  Robot& mine = robots.at(robot);
+  const std::optional<Route> route = mine.agent->route();
+  const bool same = route && mine.had && route->id == mine.had->id && route->version == mine.had->version;
+  if (same && route->released == mine.had->released) return;
+  const std::uint32_t first = same ? mine.had->released + 1 : 0;
+  mine.had = route;
+  if (!route) return;
+  for (const auto& [id, other] : robots) {
+    if (id == robot || other.agent == nullptr) continue;
+    const std::optional<Route> theirs = other.agent->route();
+    if (!theirs) continue;
+    const bool said = other.progress.route == theirs->id && other.progress.version == theirs->version;
+    const std::uint32_t from = !said                                                ? 0
+                               : other.progress.phase == msg::RoutePhase::arrived ? theirs->released
+                                                                                  : other.progress.freed;
+    for (std::uint32_t i = first; i <= route->released; ++i) {
+      for (std::uint32_t k = from; k <= theirs->released; ++k) {
+        if (!are_close(route->places[i], theirs->places[k])) continue;
+        broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +
+                                " to " + to_string(theirs->places[k]));
+        return;
+      }
+    }
+  }
 }
 
 void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& output) {
@@ -123,16 +178,18 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
 /// By the truth: a robot on a route is not ahead of the released place.
 void Ledger::check_released_point(const Robot& robot) {
   if (robot.agent == nullptr || std::abs(robot.body->true_speed_m_s()) < 0.01) return;
-  const auto held = held_.find(robot.body != nullptr ? robot.state.header.sender : RobotId{});
-  if (held == held_.end()) return;
-  const Route& route = held->second.route;
-  if (robot.state.route != route.id || route.released + 1 >= route.places.size()) return;
-  const auto at = truth_of(route.places[route.released]);
+  const std::optional<Route> route = robot.agent->route();
+  if (!route || route->released + 1 >= route->places.size()) return;
+  // A route may come by its beginning again at its end.
+  constexpr std::uint32_t near = 15;
+  const bool said = robot.progress.route == route->id && robot.progress.version == route->version;
+  if (!said || robot.progress.at + near < route->released) return;
+  const auto at = truth_of(route->places[route->released]);
   if (!at) return;
   const Pose2 beyond = at->inverse() * robot.body->site_from_robot();
   if (beyond.x > 0.25 && beyond.x < 1.0 && std::abs(beyond.y) < 0.4) {
     broken("released_point", robot.name + " is " + std::to_string(beyond.x) + " m beyond its released place " +
-                                 to_string(route.places[route.released]));
+                                 to_string(route->places[route->released]));
   }
 }
 

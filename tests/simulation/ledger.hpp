@@ -30,15 +30,20 @@ class Ledger {
     std::string name;
     msg::RobotState state;                                    ///< last one said
     WindowDefinition wants;                                   ///< last one asked for
-    std::map<GoalId, std::map<RouteId, std::uint32_t>> told;  ///< greatest version the server has sent
+    std::optional<Route> had;                                 ///< its route when last looked at
+    msg::RouteProgress progress;                              ///< last one said
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
   std::map<RobotId, Robot> robots;
 
+  /// Of everything that follows.
+  void set_now(SteadyTime now) { now_ = now; }
   void agent_sent(const RobotId& robot, const msg::Message& message);
   /// An acknowledgement as it arrives, checked against the disk at once.
   void agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk);
+  /// After the robot has taken a message in: what it may drive now.
+  void agent_took(const RobotId& robot);
   void server_sent(const msg::Message& message, const server::Service& service);
   void server_heard(const msg::Message& message);
   void client_heard(const msg::Message& message);
@@ -59,7 +64,9 @@ class Ledger {
   };
   void broken(const std::string& invariant, const std::string& what);
   std::optional<Pose2> truth_of(const PlaceId& place) const;
-  void check_release(const Route& route);
+  bool are_close(const PlaceId& a, const PlaceId& b) const;
+  void check_release(const Route& route, const Snapshot& snapshot);
+  void check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot);
   void check_released_point(const Robot& robot);
   void check_belief(const Robot& robot);
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
@@ -67,8 +74,9 @@ class Ledger {
   void check_goals(const server::Service& service);
 
   double footprint_m_;
+  SteadyTime now_{};
+  std::map<std::string, int> said_;
   std::vector<Violation> violations_;
-  std::set<std::string> said_;
   std::map<PlaceId, Pose2> truth_;  ///< of every place that was ever sent
   std::map<ExperienceId, std::map<std::uint64_t, Batch>> sent_;
   std::map<ExperienceId, std::uint64_t> acknowledged_;

@@ -96,6 +96,7 @@ bool Operator::teach_lap(std::size_t robot) {
 }
 
 bool Operator::teach_all() {
+  fleet_.run_until(fleet_.now() + std::chrono::seconds(45));  // until everybody has been heard
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     if (robot > 0) {
       msg::OperatorRequest localise;

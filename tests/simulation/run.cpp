@@ -42,6 +42,7 @@ RunResult run(const RunConfig& config) {
   result.goals_accepted = people.goals_accepted();
   result.acknowledged = fleet.ledger().acknowledged();
   result.simulated_hours = seconds(fleet.now() - began) / 3600.0 * static_cast<double>(config.robots);
+  result.diary = fleet.diary();
   result.goals = fleet.ledger().goals_by_state();
   return result;
 }

@@ -26,6 +26,7 @@ struct RunResult {
   std::uint64_t places = 0;
   double simulated_hours = 0.0;
   std::map<std::string, std::uint64_t> goals;
+  std::vector<std::string> diary;  ///< what the server's store holds as events, and how each goal stands
 };
 
 /// One whole life of a fleet: taught, sent about under faults, left alone. Pure: the config decides everything.

@@ -22,6 +22,7 @@ struct Options {
   std::size_t jobs = 2;
   bool verbose = false;
   bool keep_going = false;
+  bool diary = false;
 };
 
 struct Seeds {
@@ -45,6 +46,9 @@ std::string one(const Options& options, std::uint64_t seed) {
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
   for (const auto& violation : result.violations)
     line << "\n! seed " << seed << ": " << violation.invariant << ": " << violation.what;
+  for (const auto& entry : result.diary) {
+    if (options.diary) line << "\n! " << entry;
+  }
   return line.str() + "\n";
 }
 
@@ -105,6 +109,7 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "seeds at once")->check(CLI::Range(1, 64));
   app.add_flag("--verbose", options.verbose, "a line for each seed, with its trace hash");
   app.add_flag("--keep-going", options.keep_going, "go on after a failure");
+  app.add_flag("--diary", options.diary, "the server's events of each seed, and how goals and robots stand at its end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
