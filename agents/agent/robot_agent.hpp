@@ -34,6 +34,7 @@ struct Teaching {
   std::optional<CommandKey> stopped_by;
   SteadyTime deadline{};  ///< of preparing, seeking and ending
   bool hand_done = false;
+  bool asked_for_all = false;           ///< of the map: any of it may be met
   std::optional<CommandKey> next_part;  ///< who waits for the hand to take up another line of the same run
 };
 

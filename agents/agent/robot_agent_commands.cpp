@@ -104,7 +104,7 @@ void RobotAgent::teach_stop(const CommandKey& key, SteadyTime now) {
   teaching_->phase = Teaching::Phase::ending;
   teaching_->stopped_by = key;
   teaching_->deadline = now + kLastViewAtMost;
-  keep(navigator_->end_teach(), now);
+  keep(navigator_->end_teach(MapView{replica_.window(), cache_}), now);
 }
 
 void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {

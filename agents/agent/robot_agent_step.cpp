@@ -79,6 +79,11 @@ void RobotAgent::recentre(SteadyTime now) {
   // While teaching, everything that the network has is of use, as long as it fits: any of it may be met.
   const bool all_fits = !replica_.definition().centre.has_value() && window.places.size() < config_.window_cap;
   if (!replica_.is_settled() || (teaching_.has_value() && all_fits)) return;
+  if (teaching_.has_value() && !std::exchange(teaching_->asked_for_all, true)) {
+    WindowDefinition definition = replica_.definition();
+    definition.centre.reset();
+    return replica_.define(std::move(definition), now);
+  }
   std::optional<PlaceId> centre;
   if (window.place(focus_) != nullptr) {
     centre = focus_;

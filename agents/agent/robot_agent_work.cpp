@@ -132,7 +132,7 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
 }
 
 void RobotAgent::stop_teaching(const std::string& reason) {
-  std::ignore = navigator_->end_teach();
+  std::ignore = navigator_->end_teach(MapView{replica_.window(), cache_});
   output_.hand_stop = true;
   teaching_failed_ = reason;
   output_.notes.push_back(reason);

@@ -54,8 +54,9 @@ class Navigator {
   /// From now on places are kept, the first at the next view.
   virtual void begin_teach(const TeachStart& start) = 0;
   /// Keeps the last place now, from the newest view, unless it lies at the place before or the newest frame was
-  /// dropped; nothing more is kept afterwards.
-  virtual std::vector<Kept> end_teach() = 0;
+  /// dropped; nothing more is kept afterwards. It is stitched like any other: a run that ends beside another one is
+  /// no dead end.
+  virtual std::vector<Kept> end_teach(const MapView& map) = 0;
   /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
 

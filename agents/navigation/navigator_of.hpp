@@ -67,15 +67,12 @@ class NavigatorOf final : public Navigator {
     teacher_.emplace(config_.teach, start, M::name, M::content_format);
   }
 
-  std::vector<Kept> end_teach() override {
-    std::vector<Kept> kept;
-    if (!teacher_) return kept;
-    if (latest_ && latest_->view && teacher_->worth_an_end()) {
-      Navigated last;
-      if (const auto content = seen(last)) kept.push_back(keep_here(content));
-    }
+  std::vector<Kept> end_teach(const MapView& map) override {
+    Navigated last;
+    if (!teacher_) return {};
+    if (latest_ && latest_->view && teacher_->worth_an_end()) keep(map, last);
     teacher_.reset();
-    return kept;
+    return std::move(last.kept);
   }
 
   void keep_place() override {

@@ -55,8 +55,10 @@ void Ledger::server_heard(const msg::Message& message) {
     if (late) return;
     known = *state;
     const auto held = held_.find(sender);
-    if (held == held_.end() || state->route == held->second.route.id) return;
-    // It says that it has no such route, and that is so.
+    if (held == held_.end()) return;
+    held->second.known = held->second.known || state->route == held->second.route.id;
+    if (state->route == held->second.route.id || !held->second.known) return;
+    // It says that it has no such route any more, and that is so.
     const agents::Agent* const agent = robots.at(sender).agent;
     const bool has_it = agent != nullptr && agent->route() && agent->route()->id == held->second.route.id;
     if (!has_it) held_.erase(held);
@@ -64,6 +66,7 @@ void Ledger::server_heard(const msg::Message& message) {
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) {
     const auto held = held_.find(progress->header.sender);
     if (held == held_.end() || held->second.route.id != progress->route) return;
+    held->second.known = true;
     if (progress->version != held->second.route.version) return;
     held->second.from = std::max(held->second.from, std::min(progress->freed, held->second.route.released));
     if (progress->phase == msg::RoutePhase::arrived) held->second.from = held->second.route.released;
@@ -72,7 +75,12 @@ void Ledger::server_heard(const msg::Message& message) {
 
 void Ledger::server_sent(const msg::Message& message, const server::Service& service) {
   if (const auto* order = std::get_if<msg::RouteOrder>(&message)) {
-    if (!order->route.ended) check_release(order->route, service.snapshot());
+    const auto held = held_.find(order->to);
+    if (!order->route.ended) {
+      check_release(order->route, service.snapshot());
+    } else if (held != held_.end() && held->second.route.id == order->route.id) {
+      held->second.known = true;
+    }
   }
   if (const auto* reply = std::get_if<msg::OperatorReply>(&message)) {
     const bool accepted = reply->outcome == msg::Outcome::accepted || reply->outcome == msg::Outcome::done;
@@ -116,7 +124,7 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
       }
     }
   }
-  held_[route.robot] = {route, continued ? before->second.from : 0};
+  held_[route.robot] = {route, continued ? before->second.from : 0, continued && before->second.known};
 }
 
 /// Nobody is sent through a robot that stands where it has told the server that it stands.
@@ -145,7 +153,7 @@ void Ledger::agent_took(const RobotId& robot) {
     const std::optional<Route> theirs = other.agent->route();
     if (!theirs) continue;
     const bool said = other.progress.route == theirs->id && other.progress.version == theirs->version;
-    const std::uint32_t from = !said                                                ? 0
+    const std::uint32_t from = !said                                              ? 0
                                : other.progress.phase == msg::RoutePhase::arrived ? theirs->released
                                                                                   : other.progress.freed;
     for (std::uint32_t i = first; i <= route->released; ++i) {

@@ -28,10 +28,10 @@ class Ledger {
     const MarksBody* body = nullptr;
     const agents::Agent* agent = nullptr;  ///< null while it is down
     std::string name;
-    msg::RobotState state;                                    ///< last one said
-    WindowDefinition wants;                                   ///< last one asked for
-    std::optional<Route> had;                                 ///< its route when last looked at
-    msg::RouteProgress progress;                              ///< last one said
+    msg::RobotState state;        ///< last one said
+    WindowDefinition wants;       ///< last one asked for
+    std::optional<Route> had;     ///< its route when last looked at
+    msg::RouteProgress progress;  ///< last one said
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
@@ -61,6 +61,7 @@ class Ledger {
   struct Stretch {
     Route route;
     std::uint32_t from = 0;
+    bool known = false;  ///< its robot has said that it has it, or has been told that it is over
   };
   void broken(const std::string& invariant, const std::string& what);
   std::optional<Pose2> truth_of(const PlaceId& place) const;

@@ -109,7 +109,8 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "seeds at once")->check(CLI::Range(1, 64));
   app.add_flag("--verbose", options.verbose, "a line for each seed, with its trace hash");
   app.add_flag("--keep-going", options.keep_going, "go on after a failure");
-  app.add_flag("--diary", options.diary, "the server's events of each seed, and how goals and robots stand at its end");
+  app.add_flag("--diary", options.diary,
+               "the server's events of each seed, and how goals and robots stand at its end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -47,7 +47,7 @@ class NavigatedRobot {
       std::move(kept.begin(), kept.end(), std::back_inserter(all));
     };
     hand(path, [&] { take(step(server.map(), true).kept); });
-    take(navigator_->end_teach());
+    take(navigator_->end_teach(server.map()));
     if (!live) server.take(experience, robot, navigator_->method(), all);
   }
 

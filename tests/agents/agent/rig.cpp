@@ -28,7 +28,7 @@ class ScriptedNavigator final : public Navigator {
     script_->teaching = true;
     script_->index = 0;
   }
-  std::vector<Kept> end_teach() override {
+  std::vector<Kept> end_teach(const MapView& /*map*/) override {
     if (script_->teaching) script_->keep_wanted = true;
     script_->teaching = false;
     return {};

@@ -103,6 +103,20 @@ TEST(WindowOfAgent, MovesWithTheBelievedPlaceWhenItIsFarFromTheCentre) {
   EXPECT_EQ(rig.last<msg::WindowRequest>()->definition.centre, (PlaceId{laid, 11}));
 }
 
+TEST(WindowOfAgent, IsTheWholeMapWhileTeaching) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 60);
+  rig.run(2s);
+  rig.script->estimate = Estimate{{laid, 2}, Relation{}, 0.0};
+  rig.run(3s);
+  ASSERT_EQ(rig.agent->window().places.size(), 28U);
+  rig.tell(rig.command(msg::AgentCommand::Kind::teach_start, 1));
+  rig.script->estimate->place.index = 3;
+  rig.run(3s);
+  EXPECT_FALSE(rig.last<msg::WindowRequest>()->definition.centre.has_value());
+  EXPECT_EQ(rig.agent->window().places.size(), 60U);
+}
+
 TEST(WindowOfAgent, HoldsItsRoute) {
   Rig rig;
   const ExperienceId laid = rig.lay_out(70, 60);

@@ -213,7 +213,7 @@ TEST_F(MarksFleet, TurnsOnTheSpotWhereItWasTaughtTo) {
   hand.hand(Course({5, 5, 0}).straight(2.0).poses, [&] { take(hand.step(server.map(), true).kept); });
   hand.spin(0.5, M_PI / 2, [&] { take(hand.step(server.map(), true).kept); });
   hand.hand(Course(hand.world_from_robot()).straight(2.0).poses, [&] { take(hand.step(server.map(), true).kept); });
-  take(hand.navigator().end_teach());
+  take(hand.navigator().end_teach(server.map()));
 
   NavigatedRobot robot = localised_at(truth.at({first, 0}), {first, 0}, 2);
   const Driven driven = drive(robot, route_to_last({first, 0}));

@@ -56,8 +56,8 @@ TEST_F(Teach, TheEndIsKeptUnlessItIsAPlaceAlready) {
   NavigatedRobot robot = robot_at({5, 5, 0}, 1);
   robot.navigator().begin_teach({first, RobotId{{1}}});
   robot.step(server.map(), true);
-  EXPECT_TRUE(robot.navigator().end_teach().empty());
-  EXPECT_TRUE(robot.navigator().end_teach().empty());
+  EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
+  EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
 }
 
 TEST_F(Teach, AfterwardsTheRobotKnowsWhereItIsBeforeTheServerDoes) {
@@ -85,6 +85,17 @@ TEST_F(Teach, ALoopIsClosedByTwoStitchesThatAgree) {
   }
   EXPECT_GT(closures, 5);
   EXPECT_LT(closures, 25);
+}
+
+TEST_F(Teach, ARunThatEndsBesideAnotherOneIsNoDeadEnd) {
+  teach(first, Course({5, 5, 0}).straight(8.0).poses);
+  NavigatedRobot robot = localised_at({6, 5.1, 0}, {first, 5}, 2);
+  robot.teach(server, second, Course({6, 5.1, 0}).straight(2.5).poses, truth);
+  bool leads_on = false;
+  for (const Edge& edge : server.snapshot().experience(second)->stitches) {
+    leads_on = leads_on || (edge.id.b == last_of(second) && edge.drivable == Drivable::both);
+  }
+  EXPECT_TRUE(leads_on);
 }
 
 TEST_F(Teach, WrongViewsMakeNoWrongStitches) {
