@@ -167,7 +167,7 @@ Follower::Drive Follower::look(const Seen& seen) {
                       config_.follow.speed_m_s,
                       seen.speed_m_s,
                       seen.elapsed};
-  const Result<Spline> path = Spline::through(drive.along->robot_from_path);
+  Result<Spline> path = Spline::through(drive.along->robot_from_path);
   if (!path) {
     standing(drive.navigated, Following::stopped, "route_makes_no_path");
     drive.along.reset();
@@ -184,13 +184,12 @@ Follower::Drive Follower::look(const Seen& seen) {
     at_end_ = true;
     return end_of_path(around, *seen.estimate);
   }
+  drive.path = std::move(*path);
   return drive;
 }
 
-Steering Follower::steer(const Ahead& ahead) {
-  const Result<Spline> path = Spline::through(ahead.robot_from_path);
-  if (!path) return tl::unexpected(Stop{"route_makes_no_path"});
-  return tracker_.track(config_.tracker, *path, ahead.speed_limit_m_s, ahead.speed_m_s, ahead.elapsed).command;
+Steering Follower::steer(const Ahead& ahead, const Spline& path) {
+  return tracker_.track(config_.tracker, path, ahead.speed_limit_m_s, ahead.speed_m_s, ahead.elapsed).command;
 }
 
 }  // namespace weft::agents

@@ -34,11 +34,12 @@ class Follower {
   /// What to do with the path: for a method that steers itself, or the default.
   struct Drive {
     std::optional<Ahead> along;  ///< set: steer along this
+    std::optional<Spline> path;  ///< through `along`
     Navigated navigated;         ///< the command where there is nothing to steer along, progress, state and reason
   };
   Drive look(const Seen& seen);
   /// The default `steer`: spline, Hoffmann, PI.
-  Steering steer(const Ahead& ahead);
+  Steering steer(const Ahead& ahead, const Spline& path);
 
  private:
   void progress(const RouteAround& around);

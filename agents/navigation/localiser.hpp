@@ -30,6 +30,7 @@ class Localiser {
 
   const std::optional<Estimate>& estimate() const { return belief_.estimate(); }
   bool seeking() const { return seek_.active(); }
+  std::uint32_t samples_since_attempt() const { return since_samples_; }
 
   void advance(const Step& step) {
     belief_.advance(step);

@@ -60,7 +60,8 @@ class Navigator {
   /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
 
-  /// Look for oneself: around a seed, or, without one, in the whole window.
+  /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
+  /// this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
   virtual std::optional<Estimate> estimate() const = 0;
 

@@ -44,6 +44,8 @@ class NavigatorOf final : public Navigator {
     own_.update(map.window, !teacher_);
     if (teacher_) {
       teacher_->advance(step);
+      if (finder_) finder_->advance(step);
+      if (view != nullptr) find_anchor(map, navigated);
       if (view != nullptr && teacher_->due()) keep(map, navigated);
     } else if (view != nullptr) {
       localise(map, navigated);
@@ -60,7 +62,12 @@ class NavigatorOf final : public Navigator {
 
   void begin_teach(const TeachStart& start) override {
     anchor_.reset();
-    if (estimate() && !lost()) anchor_ = estimate();
+    finder_.reset();
+    if (localiser_.seeking() && !estimate()) {
+      finder_ = localiser_;
+    } else if (estimate() && !lost()) {
+      anchor_ = estimate();
+    }
     own_.clear();
     stitcher_.clear();
     follower_.stop();
@@ -72,6 +79,7 @@ class NavigatorOf final : public Navigator {
     if (!teacher_) return {};
     if (latest_ && latest_->view && teacher_->worth_an_end()) keep(map, last);
     teacher_.reset();
+    finder_.reset();
     return std::move(last.kept);
   }
 
@@ -80,8 +88,14 @@ class NavigatorOf final : public Navigator {
   }
 
   void seek(const std::optional<PlaceId>& seed) override {
-    localiser_.seek(seed);
-    anchor_.reset();
+    if (teacher_) {
+      finder_.emplace(method_, config_);
+      finder_->seek(seed);
+    } else if (lost() && !seed) {
+      localiser_.seek_again();  // what was believed still says where to look first
+    } else {
+      localiser_.seek(seed);
+    }
   }
 
   void follow(const Route& route) override { follower_.follow(route); }
@@ -141,9 +155,29 @@ class NavigatorOf final : public Navigator {
     auto found = stitcher_.look(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
     for (const Edge& edge : found.edges) own_.anchor(edge);
     kept.edges.insert(kept.edges.end(), found.edges.begin(), found.edges.end());
-    navigated.fix = found.fix;
+    if (found.fix) navigated.fix = found.fix;
     navigated.refusals.insert(navigated.refusals.end(), found.refusals.begin(), found.refusals.end());
     navigated.kept.push_back(std::move(kept));
+  }
+
+  /// A robot that does not know where it is when teaching begins goes on looking, so that what it teaches can be
+  /// stitched to the map.
+  void find_anchor(const MapView& map, Navigated& navigated) {
+    constexpr std::uint32_t every = 5;  // samples; a search at each would cost too much while driving
+    if (!finder_ || (finder_->samples_since_attempt() < every && !teacher_->due())) return;
+    const Pointer content = seen(navigated);
+    if (!content) return;
+    const auto outcome = finder_->attempt(*content, map.window, map.contents, decoded_, {});
+    navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
+    if (!outcome.fix) return;
+    navigated.fix = outcome.fix;
+    anchor_ = finder_->estimate();
+    finder_.reset();
+    const std::optional<Estimate> own = teacher_->estimate();
+    if (!own) return;  // the first place is about to be kept
+    const Relation believed_from_kept = compose(anchor_->place_from_robot, inverse(own->place_from_robot));
+    own_.anchor(anchor_edge({anchor_->place, believed_from_kept, 0.0}, own->place));
+    anchor_.reset();
   }
 
   /// What is believed, not handed in: stitches are found from it.
@@ -176,7 +210,7 @@ class NavigatorOf final : public Navigator {
     navigated.route_at = drive.navigated.route_at;
     navigated.route_freed = drive.navigated.route_freed;
     if (!drive.along) return;
-    const Steering steering = steer(*drive.along);
+    const Steering steering = steer(*drive.along, *drive.path);
     if (steering) {
       navigated.command = *steering;
     } else {
@@ -185,11 +219,12 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  Steering steer(const Ahead& ahead) {
+  Steering steer(const Ahead& ahead, const Spline& path) {
     if constexpr (SteersItself<M>) {
+      static_cast<void>(path);
       return method_.steer(ahead);
     } else {
-      return follower_.steer(ahead);
+      return follower_.steer(ahead, path);
     }
   }
 
@@ -201,6 +236,7 @@ class NavigatorOf final : public Navigator {
   Stitcher<M> stitcher_;
   Follower follower_;
   std::optional<Teacher> teacher_;
+  std::optional<Localiser<M>> finder_;  // looks for where teaching began
   OwnMap own_;
   std::optional<Estimate> anchor_;  // where teaching began, until the first place is kept
   std::optional<Latest> latest_;

@@ -116,6 +116,22 @@ TEST_F(Teach, WrongViewsMakeNoWrongStitches) {
   EXPECT_GT(stitches, 8);
 }
 
+TEST_F(Teach, TheSeedIsLookedForWhileTeachingGoesOn) {
+  teach(first, Course({5, 5, 0}).straight(8.0).poses);
+  for (const bool seeded : {true, false}) {
+    const ExperienceId experience{seeded ? 20U : 21U};
+    NavigatedRobot robot = robot_at({6, 5.1, 0}, 2);
+    robot.navigator().seek(seeded ? std::optional(PlaceId{first, 4}) : std::nullopt);
+    robot.teach(server, experience, Course({6, 5.1, 0}).straight(4.0).poses, truth);  // at once
+    const Experience& taught = *server.snapshot().experience(experience);
+    EXPECT_GT(taught.stitches.size(), 8U) << seeded;
+    for (const Edge& edge : taught.stitches) {
+      const Pose2 truly = truth.at(edge.id.a).inverse() * truth.at(edge.id.b);
+      EXPECT_LT(test::distance(truly, planar(edge.a_from_b)), 0.04);
+    }
+  }
+}
+
 TEST_F(Teach, ARoadMetAgainIsStitchedAgain) {
   teach(first, Course({5, 5, 0}).straight(12.0).poses);
   // Along it, off to the side for a while, and back on it.
