@@ -194,7 +194,9 @@ TEST_F(FloorRelate, DamagedContentsThatDecodeDoNoHarm) {
     for (const auto& guess :
          {std::optional<Relation>(Metric2{a_from_b, Eigen::Matrix3d::Zero()}), std::optional<Relation>()}) {
       const auto related = method.relate(a, *b, guess);
-      if (related) EXPECT_TRUE(check(related->a_from_b));
+      if (related) {
+        EXPECT_TRUE(check(related->a_from_b));
+      }
     }
   }
   EXPECT_GT(decoded, 5);
