@@ -78,7 +78,9 @@ class Grammar {
     CLI::Option* const robot = sub->add_option("ROBOT", into_.robot);
     CLI::Option* const all = sub->add_flag("--all", all_, "Every robot");
     robot->excludes(all);
-    sub->final_callback([this, sub] {
+    // Takes the place of the callback that add() gave.
+    sub->callback([this, sub, command] {
+      into_.command = command;
       if (into_.robot.empty() && !all_) throw CLI::RequiredError(sub->get_name() + ": ROBOT or --all");
     });
   }
@@ -133,6 +135,16 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+/// One line. CLI11 misses a subcommand before it looks at what stood in its place, which is what helps most.
+std::string mistake(const CLI::App& app, const CLI::ParseError& problem) {
+  const std::vector<std::string> strays = app.remaining(true);
+  std::string what = problem.what();
+  if (!strays.empty() && what.find(strays.front()) == std::string::npos) {
+    what = "'" + strays.front() + "' is not understood here (" + what + ")";
+  }
+  return "weft: " + what + "; see weft --help\n";
+}
+
 }  // namespace
 
 std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const Environment& environment) {
@@ -150,8 +162,8 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
   } catch (const CLI::ParseError& problem) {
     std::ostringstream out;
     std::ostringstream err;
-    const int code = app.exit(problem, out, err);
-    return NotRun{code == 0 ? 0 : 2, code == 0 ? out.str() : err.str()};
+    if (app.exit(problem, out, err) == 0) return NotRun{0, out.str()};
+    return NotRun{2, mistake(app, problem)};
   }
   if (invocation.servers.empty()) invocation.servers.emplace_back("127.0.0.1");
   return invocation;
