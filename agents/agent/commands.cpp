@@ -2,7 +2,7 @@
 
 namespace weft::agents {
 namespace {
-constexpr std::size_t kRemembered = 64;
+constexpr std::size_t kCommandsRemembered = 64;
 }  // namespace
 
 CommandLedger::Seen CommandLedger::see(const CommandKey& key) {
@@ -10,7 +10,7 @@ CommandLedger::Seen CommandLedger::see(const CommandKey& key) {
     if (entry.key == key) return entry.reply.has_value() ? Seen::answered : Seen::under_way;
   }
   entries_.push_back({key, std::nullopt});
-  if (entries_.size() > kRemembered) entries_.pop_front();
+  if (entries_.size() > kCommandsRemembered) entries_.pop_front();
   return Seen::fresh;
 }
 

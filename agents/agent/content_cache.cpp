@@ -9,8 +9,8 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kRetry = 2s;
-constexpr Duration kRetryMost = 8s;
+constexpr Duration kFetchAgain = 2s;
+constexpr Duration kFetchAgainMost = 8s;
 constexpr std::size_t kItems = 64;
 constexpr std::size_t kUnwanted = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t kUnderWayLeast = 256 * 1024;
@@ -74,11 +74,11 @@ bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
     return false;
   }
   Incoming& incoming = found->second;
-  if (Result<void> added = incoming.assembly.add(chunk); !added) {
+  if (const Result<void> added = incoming.assembly.add(chunk); !added) {
     ++counters_["chunk: out of bounds"];
     return false;
   }
-  incoming.wait = kRetry;
+  incoming.wait = kFetchAgain;
   incoming.ask_at = now + incoming.wait;
   if (!incoming.assembly.complete()) return false;
   const std::uint64_t total = incoming.assembly.total();
@@ -98,7 +98,7 @@ bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
 void ContentCache::server_restarted(SteadyTime now) {
   for (auto& [hash, incoming] : incoming_) {
     incoming.ask_at = now;
-    incoming.wait = kRetry;
+    incoming.wait = kFetchAgain;
   }
 }
 
@@ -107,7 +107,7 @@ std::optional<msg::ContentRequest> ContentCache::due(SteadyTime now) {
   for (auto& [hash, incoming] : incoming_) {
     if (incoming.ask_at > now || request.items.size() == kItems) continue;
     request.items.push_back({.hash = hash, .offset = incoming.assembly.contiguous()});
-    incoming.wait = std::min(incoming.wait * 2, kRetryMost);
+    incoming.wait = std::min(incoming.wait * 2, kFetchAgainMost);
     incoming.ask_at = now + incoming.wait;
   }
   while (!missing_.empty() && request.items.size() < kItems) {
@@ -116,7 +116,7 @@ std::optional<msg::ContentRequest> ContentCache::due(SteadyTime now) {
     missing_.pop_front();
     if (held_.contains(next.hash) || next.size > msg::kContentBytes) continue;
     under_way_ += next.size;
-    incoming_.emplace(next.hash, Incoming{Assembly(next.size), now + kRetry, kRetry});
+    incoming_.emplace(next.hash, Incoming{Assembly(next.size), now + kFetchAgain, kFetchAgain});
     request.items.push_back({.hash = next.hash, .offset = 0});
   }
   if (request.items.empty()) return std::nullopt;

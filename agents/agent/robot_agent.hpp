@@ -16,6 +16,9 @@
 
 namespace weft::agents {
 
+/// How long to wait for a piece of the map; then what there is has to do.
+inline constexpr Duration kMapAtMost = std::chrono::seconds(20);
+
 /// A run that is being taught, from the command to the sealed experience.
 struct Teaching {
   enum class Phase {

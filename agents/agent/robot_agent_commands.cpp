@@ -10,7 +10,6 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kMapAtMost = 20s;
 constexpr Duration kLastViewAtMost = 3s;
 constexpr Duration kPlaceAtMost = 15s;
 /// As near as this, a label on an existing place means here.

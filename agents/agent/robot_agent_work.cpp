@@ -10,7 +10,6 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kSeedHops = 3;      ///< map around a seed before looking for oneself there
 constexpr std::uint32_t kRouteAhead = 10;   ///< places of a route to have before driving it
 constexpr Duration kHandingInAtMost = 15s;  ///< then say that it is not yet done
-constexpr Duration kMapAtMost = 20s;        ///< then search with what there is
 constexpr Duration kSearchAtMost = 60s;     ///< then say that it was in vain
 constexpr Duration kBetweenSearches = 10s;  ///< of one's own accord
 }  // namespace

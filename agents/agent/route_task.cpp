@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenReports = 200ms;
 constexpr Duration kRepeat = 2s;
-constexpr std::size_t kRemembered = 64;
+constexpr std::size_t kRoutesRemembered = 64;
 }  // namespace
 
 RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
@@ -43,7 +43,7 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
 void RouteTask::end(const RouteId& id) {
   if (std::find(over_.begin(), over_.end(), id) != over_.end()) return;
   over_.push_back(id);
-  if (over_.size() > kRemembered) over_.pop_front();
+  if (over_.size() > kRoutesRemembered) over_.pop_front();
 }
 
 void RouteTask::touch(SteadyTime now) {

@@ -119,7 +119,7 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   if (unsealed != unsealed_.end()) forget = std::min(forget, unsealed->second - 1);
   // What the spool fails to forget it offers again at the next start: a repeat, harmless.
   if (forget > 0) std::ignore = spool_->acknowledged(ack.experience, forget);
-  for (Pending& pending : pending_) {
+  for (const Pending& pending : pending_) {
     if (pending.batch.experience != ack.experience || pending.batch.sequence != ack.durable_through + 1) continue;
     for (const Place& place : pending.batch.places) {
       const bool missing = std::find(ack.missing.begin(), ack.missing.end(), place.content.hash) != ack.missing.end();

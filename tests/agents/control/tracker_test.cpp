@@ -50,7 +50,7 @@ Driven drive(const std::vector<Pose2>& path, const Pose2& start, const test::Uni
   return driven;
 }
 
-std::vector<Pose2> straight(double length_m) {
+std::vector<Pose2> straight_path(double length_m) {
   std::vector<Pose2> path;
   for (double x = 0; x <= length_m + 1e-9; x += 0.2) path.push_back({x, 0, 0});
   return path;
@@ -76,7 +76,7 @@ class TrackerOnBases : public testing::TestWithParam<BaseCase> {};
 
 TEST_P(TrackerOnBases, ConvergesFromBesideThePathWithoutSwinging) {
   for (const double side : {1.0, -1.0}) {
-    const Driven driven = drive(straight(6.0), {0.0, 0.2 * side, 0.26 * side}, GetParam().base);
+    const Driven driven = drive(straight_path(6.0), {0.0, 0.2 * side, 0.26 * side}, GetParam().base);
     ASSERT_TRUE(driven.at_end);
     // It may cross the path a little, and each swing is smaller than the one before.
     double first_side = 0.0;
@@ -95,7 +95,7 @@ TEST_P(TrackerOnBases, ConvergesFromBesideThePathWithoutSwinging) {
 }
 
 TEST_P(TrackerOnBases, StopsAtTheEndWithItsHeading) {
-  const Driven driven = drive(straight(3.0), {0.0, 0.05, 0.0}, GetParam().base);
+  const Driven driven = drive(straight_path(3.0), {0.0, 0.05, 0.0}, GetParam().base);
   ASSERT_TRUE(driven.at_end);
   EXPECT_NEAR(driven.end.x, 3.0, 0.02);
   EXPECT_NEAR(driven.end.y, 0.0, 0.015);
@@ -113,7 +113,7 @@ TEST_P(TrackerOnBases, CutsNoCorners) {
 }
 
 TEST_P(TrackerOnBases, TakesLittleMoreTimeThanTheLimitAllows) {
-  const Driven driven = drive(straight(6.0), {0, 0, 0}, GetParam().base);
+  const Driven driven = drive(straight_path(6.0), {0, 0, 0}, GetParam().base);
   EXPECT_LT(driven.samples * elapsed_s, 6.0 / 0.6 + 4.0);
 }
 
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<BaseCase>& one) { return one.param.name; });
 
 TEST(Tracker, BackToThePathItTurnsOnTheSpotFirst) {
-  const Driven driven = drive(straight(4.0), {0.1, 0.0, 3.0}, {0.1, 1, 0, 0, 0});
+  const Driven driven = drive(straight_path(4.0), {0.1, 0.0, 3.0}, {0.1, 1, 0, 0, 0});
   ASSERT_TRUE(driven.at_end);
   EXPECT_NEAR(driven.end.x, 4.0, 0.02);
   EXPECT_NEAR(driven.end.y, 0.0, 0.02);

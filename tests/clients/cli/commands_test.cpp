@@ -14,12 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
-std::filesystem::path folder() {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_cli";
-  std::filesystem::create_directories(path);
-  return path;
-}
-
 std::string write(const std::string& name, const std::string& text) {
   const std::filesystem::path file = folder() / name;
   std::ofstream(file) << text;

@@ -26,13 +26,6 @@ std::string read(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder of this test's own.
-std::filesystem::path folder() {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_drawing";
-  std::filesystem::create_directories(path);
-  return path;
-}
-
 TEST(LayOut, RelationsHoldOnTheSheet) {
   const Window network = loops(true);
   const Layout layout = lay_out(network);

@@ -73,6 +73,12 @@ Batch taught(ExperienceId experience, const RobotId& robot, const std::vector<Po
 
 }  // namespace
 
+std::filesystem::path folder() {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_cli";
+  std::filesystem::create_directories(path);
+  return path;
+}
+
 Bytes content_bytes() {
   return {1, 2, 3};
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <sstream>
@@ -15,6 +16,9 @@
 #include "storage/memory/memory_store.hpp"
 
 namespace weft::cli::test {
+
+/// Where these tests write.
+std::filesystem::path folder();
 
 /// A robot that says what the test wants and does everything it is told.
 struct Puppet {
