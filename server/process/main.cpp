@@ -2,6 +2,7 @@
 #include <exception>
 #include <variant>
 
+#include "core/text.hpp"
 #include "server/process/options.hpp"
 #include "server/process/run.hpp"
 
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
     }
     const weft::Result<void> ran = weft::server::run(std::get<weft::server::Options>(parsed));
     if (ran) return 0;
-    std::fprintf(stderr, "weft-server: %s\n", ran.error().message.c_str());
+    std::fprintf(stderr, "weft-server: %s\n", weft::one_line(ran.error().message).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "weft-server: ended by a defect: %s\n", error.what());
   }

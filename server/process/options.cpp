@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -86,12 +88,6 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
       if (other.key == setting.key && !other.is_default) setting = other;
     }
   }
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n')) text.replace(at, 1, "; ");
-  return text;
 }
 
 Leave failed(const Error& error, int exit_code) {

@@ -4,6 +4,7 @@
 
 #include "agents/agent/process/options.hpp"
 #include "agents/agent/process/run.hpp"
+#include "core/text.hpp"
 
 int main(int argc, char** argv) {
   try {
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
     }
     const weft::Result<void> ran = weft::agents::run(std::get<weft::agents::Options>(parsed));
     if (ran) return 0;
-    std::fprintf(stderr, "weft-agent: %s\n", ran.error().message.c_str());
+    std::fprintf(stderr, "weft-agent: %s\n", weft::one_line(ran.error().message).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "weft-agent: ended by a defect: %s\n", error.what());
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/protocol/messages.hpp"
+#include "core/text.hpp"
 
 namespace weft::agents {
 namespace {
@@ -165,12 +166,6 @@ std::string missing(const Options& options) {
   if (options.body == "sim" && options.site.empty()) return "--body sim needs --site FILE";
   if (options.body == "replay" && options.recording.empty()) return "--body replay needs --recording DIR";
   return {};
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n')) text.replace(at, 1, "; ");
-  return text;
 }
 
 Leave wrong(const std::string& message, int exit_code) {

@@ -1,0 +1,125 @@
+#include "clients/evaluate/disturbances/rows.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace weft::evaluate {
+namespace {
+
+using nlohmann::json;
+constexpr const char* kJson = "disturbances.json";
+constexpr const char* kCsv = "disturbances.csv";
+
+json json_of(const Study& study) {
+  return {{"software", study.software},
+          {"site_sha256", study.site_sha256},
+          {"line_sha256", study.line_sha256},
+          {"metres", study.metres}};
+}
+
+/// What differs, for the one who has to choose another folder.
+std::string difference(const json& theirs, const json& ours) {
+  std::string keys;
+  for (const auto& [key, value] : ours.items()) {
+    if (!theirs.contains(key) || theirs[key] != value) keys += (keys.empty() ? "" : ", ") + key;
+  }
+  return keys;
+}
+
+Score score_of(const json& row) {
+  Score score;
+  for (const Column& column : columns()) {
+    const json& cell = row.at(column.name);
+    score.*column.value = cell.is_null() ? std::numeric_limits<double>::quiet_NaN() : cell.get<double>();
+  }
+  return score;
+}
+
+Result<void> write(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path beside = file.string() + ".new";
+  std::ofstream out(beside, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code problem;
+  if (out) std::filesystem::rename(beside, file, problem);
+  if (!out || problem) {
+    return fail(ErrorCode::unavailable, file.string() + ": cannot be written; is the disk full, the folder there?");
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = {
+      {"speed_error_mm_s", "speed mm/s", &Score::speed_error_mm_s, 1},
+      {"drift_mm", "drift mm", &Score::drift_mm, 0},
+      {"drift_deg", "drift deg", &Score::drift_deg, 2},
+      {"fix_mm", "fix mm", &Score::fix_mm, 1},
+      {"fix_95_mm", "fix 95 % mm", &Score::fix_95_mm, 1},
+      {"fix_deg", "fix deg", &Score::fix_deg, 2},
+      {"fixes_percent", "fixes %", &Score::fixes_percent, 1},
+      {"wrong_fixes", "wrong", &Score::wrong_fixes, 1},
+      {"blind_percent", "blind %", &Score::blind_percent, 2},
+  };
+  return all;
+}
+
+Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) {
+  const std::filesystem::path file = folder / kJson;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Rows{};
+  Rows rows;
+  try {
+    const json document = json::parse(in);
+    const std::string differs = difference(document.at("study"), json_of(study));
+    if (!differs.empty()) {
+      return fail(ErrorCode::conflict, file.string() + ": holds the rows of another study (other " + differs +
+                                           "); give another --out, or remove the file");
+    }
+    for (const json& row : document.at("rows")) {
+      rows.insert_or_assign({row.at("variant").get<std::string>(), row.at("seed").get<std::uint64_t>()},
+                            score_of(row));
+    }
+  } catch (const json::exception& problem) {
+    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
+                                        "); give another --out, or remove the file");
+  }
+  return rows;
+}
+
+Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows) {
+  json document = {{"study", json_of(study)}, {"rows", json::array()}};
+  for (const auto& [key, score] : rows) {
+    json row = {{"variant", key.first}, {"seed", key.second}};
+    for (const Column& column : columns()) row[column.name] = score.*column.value;  // NaN becomes null
+    document["rows"].push_back(row);
+  }
+  return write(folder / kJson, document.dump(1) + "\n");
+}
+
+Result<void> write_csv(const std::filesystem::path& folder, const std::vector<std::string>& variants,
+                       const Rows& rows) {
+  std::ostringstream text;
+  text << "variant,seed";
+  for (const Column& column : columns()) text << ',' << column.name;
+  text << '\n';
+  for (const std::string& variant : variants) {
+    for (auto at = rows.lower_bound({variant, 0}); at != rows.end() && at->first.first == variant; ++at) {
+      text << '"' << variant << "\"," << at->first.second;
+      for (const Column& column : columns()) {
+        const double value = at->second.*column.value;
+        text << ',';
+        if (std::isfinite(value)) text << value;
+      }
+      text << '\n';
+    }
+  }
+  return write(folder / kCsv, text.str());
+}
+
+}  // namespace weft::evaluate

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clients/evaluate/disturbances/rows.hpp"
+
+namespace weft::evaluate {
+
+struct Seeds {
+  std::uint64_t first = 1;
+  std::uint64_t last = 1;  ///< included
+};
+
+/// One variant over the seeds; NaN where no seed had anything to measure.
+struct Spread {
+  double mean = 0.0;
+  double least = 0.0;
+  double most = 0.0;
+};
+/// Of the seeds that are there.
+Spread spread_of(const Rows& rows, const std::string& variant, Seeds seeds, double Score::*value);
+
+/// The means, a row a variant, as a Markdown table with aligned columns.
+std::string table_of(const Rows& rows, const std::vector<std::string>& variants, Seeds seeds);
+
+}  // namespace weft::evaluate

@@ -1,0 +1,82 @@
+#include "clients/evaluate/invocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "clients/evaluate/line.hpp"
+
+namespace weft::evaluate {
+namespace {
+
+std::variant<DisturbancesOptions, NotRun> parsed(std::vector<const char*> words) {
+  words.insert(words.begin(), "weft-evaluate");
+  return parse(static_cast<int>(words.size()), words.data());
+}
+
+TEST(EvaluateInvocation, FlagsAndDefaults) {
+  const auto plain = std::get<DisturbancesOptions>(parsed({"disturbances"}));
+  EXPECT_EQ(plain.seeds.first, 1U);
+  EXPECT_EQ(plain.seeds.last, 3U);
+  EXPECT_EQ(plain.site, "deploy/sites/demo.toml");
+  const auto given = std::get<DisturbancesOptions>(
+      parsed({"disturbances", "--seeds", "4..9", "--site", "s", "--along", "l", "--metres", "20", "--out", "o"}));
+  EXPECT_EQ(given.seeds.first, 4U);
+  EXPECT_EQ(given.seeds.last, 9U);
+  EXPECT_EQ(given.metres, 20.0);
+  EXPECT_EQ(given.along, "l");
+  EXPECT_EQ(given.out, "o");
+}
+
+TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> wrong = {
+      {{}, "subcommand"},
+      {{"disturbanc"}, "disturbanc"},
+      {{"disturbances", "--colour"}, "--colour"},
+      {{"disturbances", "more"}, "more"},
+      {{"disturbances", "--seeds", "x"}, "'x'"},
+      {{"disturbances", "--seeds", "1..y"}, "'1..y'"},
+      {{"disturbances", "--seeds", "-1"}, "'-1'"},
+      {{"disturbances", "--seeds", "3..1"}, "'3..1'"},
+      {{"disturbances", "--seeds", "1..99999"}, "10000"},
+      {{"disturbances", "--metres", "10"}, "--metres"},
+      {{"disturbances", "--out"}, "--out"},
+  };
+  for (const auto& [words, word] : wrong) {
+    const auto result = parsed(words);
+    const auto* const not_run = std::get_if<NotRun>(&result);
+    ASSERT_NE(not_run, nullptr) << word;
+    EXPECT_EQ(not_run->exit_code, 2) << word;
+    EXPECT_NE(not_run->text.find(word), std::string::npos) << not_run->text;
+    EXPECT_EQ(std::count(not_run->text.begin(), not_run->text.end(), '\n'), 1) << not_run->text;
+  }
+}
+
+TEST(EvaluateInvocation, HelpIsNoMistake) {
+  const auto help = parsed({"disturbances", "--help"});
+  EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
+  EXPECT_NE(std::get<NotRun>(help).text.find("--seeds"), std::string::npos);
+}
+
+TEST(EvaluateLine, WrongRowsAreNamed) {
+  const auto good = parse_line("# start\n0 0\n\n3 4 # corner\n", "f");
+  ASSERT_TRUE(good.has_value());
+  EXPECT_EQ(*good, (std::vector<agents::SitePoint>{{0, 0}, {3, 4}}));
+  for (const char* const text : {"0 0\n1\n", "0 0\n1 x\n", "0 0\n1 2 3\n", "0 0\nnan 1\n"}) {
+    const auto wrong = parse_line(text, "f");
+    ASSERT_FALSE(wrong.has_value()) << text;
+    EXPECT_NE(wrong.error().message.find("f:2"), std::string::npos) << wrong.error().message;
+  }
+}
+
+TEST(EvaluateLine, TheBeginningIsCutToItsLength) {
+  const std::vector<agents::SitePoint> line = {{0, 0}, {4, 0}, {4, 6}};
+  EXPECT_EQ(first_metres(line, 7.0, "f").value(), (std::vector<agents::SitePoint>{{0, 0}, {4, 0}, {4, 3}}));
+  EXPECT_EQ(first_metres(line, 4.0, "f").value(), (std::vector<agents::SitePoint>{{0, 0}, {4, 0}}));
+  EXPECT_FALSE(first_metres(line, 10.1, "f").has_value());
+  EXPECT_FALSE(first_metres({}, 1.0, "f").has_value());
+}
+
+}  // namespace
+}  // namespace weft::evaluate
