@@ -66,7 +66,7 @@ std::variant<DisturbancesOptions, NotRun> parse(int argc, const char* const* arg
   option("--along", options.along, "FILE",
          "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
   option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [12]")
-      ->check(CLI::Range(11.0, 1000.0));
+      ->check(CLI::Range(11.0, 1000.0).description(""));
   option("--out", options.out, "DIR",
          "Folder for the results; rows that it holds already are kept [out/disturbances]");
   try {

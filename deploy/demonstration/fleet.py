@@ -24,6 +24,7 @@ class Fleet:
         self.out = pathlib.Path(options.out)
         self.bin = pathlib.Path('build/release/bin')
         self.work = self.out / 'run'
+        self.experiences = {}      # id -> the name that it was taught as
         self.work.mkdir(parents=True, exist_ok=True)
         self.server = Process('server', self.server_argv(), self.work / 'server.log')
         self.robots = {name: Process(name, self.robot_argv(name), self.work / f'{name}.log') for name in ROBOTS}

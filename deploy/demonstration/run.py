@@ -13,39 +13,58 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import scenario  # noqa: E402
 from fleet import Fleet  # noqa: E402
 
-RECORDS = ('truth.jsonl', 'fixes.jsonl', 'drives.jsonl', 'acks.jsonl', 'goals.jsonl', 'processes.jsonl', 'network.json',
+RECORDS = ('truth.jsonl', 'fixes.jsonl', 'drives.jsonl', 'acks.jsonl', 'goals.jsonl', 'processes.jsonl', 'experiences.jsonl', 'network.json',
            'network.png', 'map.svg', 'summary.json', 'site.toml', 'versions')
 
 
+ABOUT = """Weft's main job on this machine, from nothing: installs the Debian packages that are missing, builds, starts a fleet map
+server and three simulated robots in a warehouse, teaches two of them a loop each, sends one over a road that nobody
+taught as a whole, has the third find itself and drive, kills and restarts the server meanwhile, and judges all of it by
+the simulation's truth. Takes 3 to 5 minutes once built. Nothing is left running; logs stay in DIR/run.
+
+exit: 0 all goals reached and every bound of tests/judge held; 1 not so, or something is missing or wrong (one line
+says what); 2 wrong usage; 130 interrupted."""
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f'deploy/demo: {message}; see deploy/demo --help\n')
+
+
 def arguments():
-    parser = argparse.ArgumentParser(prog='deploy/demo', description=__doc__)
-    parser.add_argument('--headless', action='store_true', help='do not open the picture at the end')
-    parser.add_argument('--seed', type=int, default=1, help='of everything that is random in the simulation (default 1)')
+    parser = Parser(prog='deploy/demo', formatter_class=argparse.RawDescriptionHelpFormatter, description=ABOUT)
+    parser.add_argument('--headless', action='store_true', help='do not open the picture at the end (it is only opened where there is a display)')
+    parser.add_argument('--seed', type=int, default=1, metavar='N', help='of everything that is random in the simulation (default 1)')
     parser.add_argument('--dds', choices=('fastdds', 'cyclonedds', 'mixed'), default='mixed',
                         help='mixed: server and r2 Fast DDS, r1, r3 and the command line Cyclone DDS (default)')
-    parser.add_argument('--site', default='demo', help='a site of deploy/sites (default demo)')
+    parser.add_argument('--site', default='demo', metavar='SITE',
+                        help='a site of deploy/sites, or NAME.toml with NAME/r1.line and NAME/r2.line beside it (default demo)')
     parser.add_argument('--floors', default='', metavar='DIR', help='floor from photographs in DIR instead of procedural')
     parser.add_argument('--out', default='out/demo', metavar='DIR', help='where records and pictures go (default out/demo)')
-    parser.add_argument('--keep', action='store_true', help='leave the fleet running at the end, until Ctrl-C')
+    parser.add_argument('--keep', action='store_true', help='leave the fleet running at the end, to talk to with the weft command, until Ctrl-C')
     parser.add_argument('--domain', type=int, default=0, metavar='N', help='DDS domain, 1 to 200 (default: a free one)')
-    parser.add_argument('--pace', type=float, default=1.5, help='simulated seconds a second at most (default 1.5)')
+    parser.add_argument('--pace', type=float, default=1.5, metavar='X',
+                        help='simulated seconds a second at most, over 0 to 100 (default 1.5)')
+    parser.add_argument('--check', action='store_true', help=argparse.SUPPRESS)   # the arguments only
     return parser.parse_args()
 
 
 def check(options):
-    options.site_file = pathlib.Path('deploy/sites') / f'{options.site}.toml'
-    lines = pathlib.Path('deploy/sites') / options.site
+    options.site_file = pathlib.Path(options.site if options.site.endswith('.toml') else f'deploy/sites/{options.site}.toml')
+    lines = options.site_file.with_suffix('')
     if not options.site_file.is_file():
         known = ', '.join(sorted(path.stem for path in pathlib.Path('deploy/sites').glob('*.toml')))
-        return f'no site "{options.site}"; there are: {known}'
+        return f'--site: there is no {options.site_file}; deploy/sites has: {known}'
     if not (lines / 'r1.line').is_file() or not (lines / 'r2.line').is_file():
-        return f'site "{options.site}" has no {lines}/r1.line and r2.line to teach along'
+        return f'--site: {options.site_file} has no {lines}/r1.line and {lines}/r2.line to teach along'
     if options.floors and not pathlib.Path(options.floors).is_dir():
         return f'--floors: {options.floors} is no folder'
     if options.seed < 0:
         return f'--seed: {options.seed} is negative'
     if not 0 <= options.domain <= 200:
         return f'--domain: {options.domain} is not in 1 to 200'
+    if not 0 < options.pace <= 100:
+        return f'--pace: {options.pace} is not over 0 to 100'
     options.domain = options.domain or 1 + os.getpid() % 200
     options.lines = {'r1': lines / 'r1.line', 'r2': lines / 'r2.line'}
     return None
@@ -65,6 +84,7 @@ def gather(fleet, out, site_file):
                          peak_memory_mb=fleet.robots[row['name']].peak_memory_mb))
     rows.append(dict(name='cli', vendor=fleet.vendors['cli'], peer=None, peak_memory_mb=None))
     write_lines(out / 'processes.jsonl', rows)
+    write_lines(out / 'experiences.jsonl', [dict(experience=id, name=name) for id, name in fleet.experiences.items()])
     shutil.copy(site_file, out / 'site.toml')
     (out / 'versions').write_text(subprocess.run([fleet.bin / 'weft', '--version'], capture_output=True, text=True).stdout)
 
@@ -80,6 +100,8 @@ def main():
     if fault:
         print(f'deploy/demo: {fault}', file=sys.stderr)
         return 2
+    if options.check:
+        return 0
     out = pathlib.Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     for name in RECORDS:
@@ -94,13 +116,15 @@ def main():
         gather(fleet, out, options.site_file)
         judged = subprocess.run(['tests/judge', str(out)]).returncode
         if options.keep:
-            say(f'the fleet stays; talk to it with: {fleet.bin}/weft --server 127.0.0.1 --domain {options.domain} robots   (Ctrl-C ends it)')
+            say('the fleet stays until Ctrl-C here; in another shell, in this folder, talk to it, for example:')
+            for words in ('robots', 'goal send --to dock-2', 'goal list', 'stop --all', 'resume --all', 'map draw map.png'):
+                print(f'    {fleet.bin}/weft --domain {options.domain} {words}', flush=True)
             while all(process.running() for process in fleet.all()):
                 time.sleep(1)
     except KeyboardInterrupt:
         print('deploy/demo: interrupted', file=sys.stderr)
         return 130
-    except RuntimeError as failure:
+    except (RuntimeError, OSError, ValueError) as failure:
         print(f'deploy/demo: {failure}; logs are in {fleet.work}', file=sys.stderr)
         return 1
     finally:

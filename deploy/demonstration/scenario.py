@@ -13,17 +13,22 @@ def teach(fleet, robot, line, say):
     total = sum(lines.length_m(points) for points, _ in pieces)
     say(f'teach {robot}: {total:.0f} m as "{TEACH[robot]}"')
     done = 0.0
+
+    def begin(*more):
+        reply = fleet.weft('teach', robot, 'start', '--as', TEACH[robot], *more)
+        fleet.experiences[reply['experience']] = TEACH[robot]
+
     for number, (points, label) in enumerate(pieces):
         if len(points) > 1:
             part = lines.write(points, fleet.work / f'{robot}-{number}.line')
             before = fleet.robot(robot)['frame']
-            fleet.weft('teach', robot, 'start', '--as', TEACH[robot], '--along', part)
+            begin('--along', part)
             # what the server knew before the hand began to drive may still say that it has ended
             fleet.wait_robot(robot, 'to reach the end of its line',
                              lambda row: row['reason'] == 'hand_done' and row['frame'] > before + 10, 240)
             done += lines.length_m(points)
         elif number == 0:
-            fleet.weft('teach', robot, 'start', '--as', TEACH[robot])
+            begin()
         if label:
             fleet.weft('map', 'label', 'here', '--robot', robot, label)
         say(f'teach {robot}: {done:.0f} of {total:.0f} m' + (f', this spot is "{label}"' if label else ''))

@@ -5,6 +5,7 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt
 from matplotlib.patches import Polygon
+from matplotlib.ticker import MultipleLocator
 
 try:
     import tomllib
@@ -38,20 +39,40 @@ def draw_site(axes, path):
         axes.plot(*zip(row['from'], row['to']), color='#8c8c8c', linewidth=4, zorder=1, label=None if number else 'wall')
 
 
+def draw_stations(axes, path):
+    if tomllib is None or path is None or not path.exists():
+        return
+    for number, row in enumerate(tomllib.loads(path.read_text()).get('station', [])):
+        axes.plot(row['x'], row['y'], 's', color='none', markeredgecolor='#cc0000', markersize=13, markeredgewidth=1.4, zorder=8,
+                  linestyle='none', label=None if number else 'station of the site')
+        axes.annotate(row['name'], (row['x'], row['y']), xytext=(0, -17), textcoords='offset points', fontsize=8, ha='center',
+                      color='#cc0000', zorder=8)
+
+
 def draw_network(axes, records, found):
-    names = {row['id']: row.get('name') or row['id'][:6] for row in records.network.get('experiences', [])}
     groups = {}
     for row in sorted(records.places.values(), key=lambda r: (r['experience'], r['index'])):
         groups.setdefault(row['experience'], []).append(row)
-    for number, (experience, rows) in enumerate(groups.items()):
+    # in the order of teaching, so that colours do not depend on random ids
+    order = sorted(groups, key=lambda e: (records.names.get(e, e), groups[e][0]['robot']))
+    for number, experience in enumerate(order):
+        rows = groups[experience]
         poses = [records.true_place(row['id']) for row in rows]
-        axes.plot([p[0] for p in poses], [p[1] for p in poses], '.-', markersize=3, linewidth=1.2, zorder=3,
-                  color=COLOURS[number % len(COLOURS)], label=f'taught: {names.get(experience, experience[:6])} ({rows[0]["robot"]})')
-    for right, colour, label in ((True, '#e6b800', 'stitch'), (False, '#ff0000', 'wrong stitch')):
-        rows = [row for row in found if row['right'] == right]
-        for i, row in enumerate(rows):
-            p, q = records.true_place(row['a']), records.true_place(row['b'])
-            axes.plot([p[0], q[0]], [p[1], q[1]], '-', color=colour, linewidth=2, zorder=4, label=label if i == 0 else None)
+        name = f'"{records.names[experience]}"' if experience in records.names else f'experience {experience[:6]}'
+        axes.plot([p[0] for p in poses], [p[1] for p in poses], '.-', markersize=3, linewidth=1.2, zorder=4,
+                  color=COLOURS[number % len(COLOURS)], label=f'taught: {name} by {rows[0]["robot"]}, {len(rows)} places')
+    draw_stitches(axes, records, [row for row in found if row['right'] and not row['joins']], '#e6b800', 0.9, 3,
+                  'stitch within one experience')
+    draw_stitches(axes, records, [row for row in found if row['right'] and row['joins']], '#e6b800', 2.2, 5,
+                  'stitch between two')
+    draw_stitches(axes, records, [row for row in found if not row['right']], '#ff0000', 2.5, 9, 'WRONG stitch')
+
+
+def draw_stitches(axes, records, rows, colour, width, order, label):
+    for number, row in enumerate(rows):
+        p, q = records.true_place(row['a']), records.true_place(row['b'])
+        axes.plot([p[0], q[0]], [p[1], q[1]], '-', color=colour, linewidth=width, zorder=order,
+                  label=None if number else f'{label} ({len(rows)})')
 
 
 def draw_drives(axes, records, goals, frames_of):
@@ -61,10 +82,13 @@ def draw_drives(axes, records, goals, frames_of):
         if not poses:
             continue
         colour = DRIVES[number % len(DRIVES)]
-        axes.plot([p[0] for p in poses], [p[1] for p in poses], '--', color=colour, linewidth=1.6, zorder=5,
-                  label=f'driven: {goal["robot"]} to {goal["to"]} ({goal["state"]})')
-        axes.plot(poses[0][0], poses[0][1], 'o', color=colour, markersize=6, zorder=6)
-        axes.plot(poses[-1][0], poses[-1][1], '*', color=colour, markersize=12, zorder=6)
+        axes.plot([p[0] for p in poses], [p[1] for p in poses], '--', color=colour, linewidth=1.6, zorder=6,
+                  label=f'driven: {goal["robot"]} to {goal["to"]}, {goal["state"]}')
+        axes.plot(poses[0][0], poses[0][1], 'o', color=colour, markersize=6, zorder=7)
+        axes.plot(poses[-1][0], poses[-1][1], '*', color=colour, markersize=12, zorder=7)
+    axes.plot([], [], 's', color='white', markeredgecolor='#555555', markersize=9, linestyle='none', label='label of a place')
+    for sign, size, label in (('o', 6, 'start of a drive'), ('*', 12, 'end of a drive')):
+        axes.plot([], [], sign, color='#555555', markersize=size, linestyle='none', label=label)
 
 
 def draw(records, found, frames_of, path):
@@ -72,17 +96,19 @@ def draw(records, found, frames_of, path):
     draw_site(axes, records.site)
     draw_network(axes, records, found)
     draw_drives(axes, records, records.goals, frames_of)
+    draw_stations(axes, records.site)
     for name, place in records.network.get('labels', {}).items():
         x, y, _ = records.true_place(place)
-        axes.annotate(name, (x, y), xytext=(6, 6), textcoords='offset points', fontsize=9, zorder=7,
+        axes.annotate(name, (x, y), xytext=(8, 9), textcoords='offset points', fontsize=9, zorder=8,
                       bbox=dict(boxstyle='round,pad=0.2', facecolor='white', edgecolor='#555555', linewidth=0.5))
     axes.set_aspect('equal')
     axes.margins(0.03)
+    axes.xaxis.set_major_locator(MultipleLocator(2))
+    axes.yaxis.set_major_locator(MultipleLocator(2))
     axes.set_xlabel('x, metres (site frame)')
     axes.set_ylabel('y, metres (site frame)')
-    axes.set_title('One network from two teachings: true positions, as the judge sees them')
-    axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.0), fontsize=8, frameon=False)
+    axes.set_title(f'What {len(records.truth)} robots taught, stitched and drove: true positions, by the simulation')
+    axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.0), fontsize=9, frameon=False)
     axes.grid(linewidth=0.3)
-    figure.tight_layout()
-    figure.savefig(path, dpi=110)
+    figure.savefig(path, dpi=110, bbox_inches='tight', pad_inches=0.15)
     plt.close(figure)

@@ -34,6 +34,7 @@ class Records:
     acks: list = field(default_factory=list)         # robot, experience, sequence, first, places
     goals: list = field(default_factory=list)
     processes: list = field(default_factory=list)
+    names: dict = field(default_factory=dict)        # experience -> the name that it was taught as
     network: dict = field(default_factory=dict)
     places: dict = field(default_factory=dict)       # id -> row, robot by name
     site: pathlib.Path = None
@@ -61,6 +62,8 @@ def read(folder):
     records.acks = lines(folder / 'acks.jsonl')
     records.goals = lines(folder / 'goals.jsonl')
     records.processes = lines(folder / 'processes.jsonl')
+    if (folder / 'experiences.jsonl').exists():
+        records.names = {row['experience']: row['name'] for row in lines(folder / 'experiences.jsonl')}
     try:
         records.network = json.loads((folder / 'network.json').read_text())
     except (OSError, json.JSONDecodeError) as fault:

@@ -100,21 +100,35 @@ int main(int argc, char** argv) {
       "Simulates whole fleets under faults and checks what must always hold. Prints the seed of each failure;\n"
       "the same seed gives the same trace.",
       "tests/simulate");
-  app.add_option("--seeds", options.seeds, "A..B, or one seed")->check([&](const std::string& text) {
-    return parse(text, seeds) ? std::string() : "'" + text + "' is not A..B with A <= B";
-  });
-  app.add_option("--robots", options.robots, "robots in each fleet")->check(CLI::Range(1, 8));
-  app.add_option("--hours", options.hours, "simulated hours of errands for each seed")
-      ->check(CLI::Range(0.05, 1000.0));
-  app.add_option("--jobs", options.jobs, "seeds at once")->check(CLI::Range(1, 64));
+  app.add_option("--seeds", options.seeds, "Seeds A to B, or one")
+      ->capture_default_str()
+      ->type_name("A..B")
+      ->check([&](const std::string& text) {
+        return parse(text, seeds) ? std::string() : "'" + text + "' is not A..B with A <= B";
+      });
+  app.add_option("--robots", options.robots, "robots in each fleet, 1 to 8")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 8).description(""));
+  app.add_option("--hours", options.hours, "simulated hours of errands for each seed, 0.05 to 1000")
+      ->capture_default_str()
+      ->type_name("H")
+      ->check(CLI::Range(0.05, 1000.0).description(""));
+  app.add_option("--jobs", options.jobs, "seeds at once, 1 to 64")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 64).description(""));
   app.add_flag("--verbose", options.verbose, "a line for each seed, with its trace hash");
   app.add_flag("--keep-going", options.keep_going, "go on after a failure");
   app.add_flag("--diary", options.diary,
                "the server's events of each seed, and how goals and robots stand at its end");
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::cerr << "simulate: " << error.what() << "; see tests/simulate --help\n";
+    return 2;
   }
   parse(options.seeds, seeds);
 

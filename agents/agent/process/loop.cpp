@@ -12,6 +12,9 @@ constexpr int kMessagesATurn = 256;
 constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in between
 constexpr Duration kBehind = 500ms;        ///< later than this is not caught up with
 constexpr Duration kBetweenCounters = 30s;
+constexpr Duration kFirstSilent = 5s;
+constexpr Duration kSilent = 12s;  ///< a server greets every 5 s
+constexpr Duration kBetweenSilences = 30s;
 
 SteadyTime steady_now() {
   return SteadyTime{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
@@ -22,7 +25,11 @@ WallTime wall_now() {
 }  // namespace
 
 Loop::Loop(const Parts& parts, double pace)
-    : parts_(parts), pace_(pace), step_at_(steady_now()), counters_at_(step_at_ + kBetweenCounters) {}
+    : parts_(parts),
+      pace_(pace),
+      step_at_(steady_now()),
+      counters_at_(step_at_ + kBetweenCounters),
+      silent_at_(step_at_ + kFirstSilent) {}
 
 void Loop::until(const std::function<bool()>& stop) {
   while (!stop()) {
@@ -32,6 +39,7 @@ void Loop::until(const std::function<bool()>& stop) {
     }
     if (body_works_ && steady_now() >= step_at_) step();
     log_counters();
+    log_silence();
     SteadyTime next = steady_now() + kLongestSleep;
     if (body_works_) next = std::min(next, step_at_);
     if (const auto due = parts_.agent.next_tick(); due.has_value()) next = std::min(next, *due);
@@ -44,6 +52,7 @@ void Loop::take_messages() {
   for (int i = 0; i < kMessagesATurn; ++i) {
     const std::optional<msg::Message> message = parts_.link.take();
     if (!message.has_value()) break;
+    silent_at_ = steady_now() + kSilent;
     perform(parts_.agent.handle(*message, steady_now(), wall_now()));
   }
   for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: {}", text);
@@ -99,6 +108,12 @@ void Loop::log_counters() {
     told = times;
   }
   if (!line.empty()) parts_.log.info("counted: {}", line);
+}
+
+void Loop::log_silence() {
+  if (steady_now() < silent_at_) return;
+  silent_at_ = steady_now() + kBetweenSilences;
+  parts_.log.warn("no server is heard at {}: is weft-server running there? Trying on", parts_.server);
 }
 
 }  // namespace weft::agents

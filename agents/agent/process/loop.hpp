@@ -25,6 +25,7 @@ class Loop {
     bus::Link& link;
     Records* records = nullptr;  ///< null: none are kept
     spdlog::logger& log;
+    std::string server = {};  ///< where it is looked for, in words
   };
   /// `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
@@ -37,6 +38,7 @@ class Loop {
   void schedule(SensorTime sample);
   void perform(AgentOutput output);
   void log_counters();
+  void log_silence();
 
   Parts parts_;
   double pace_;
@@ -50,6 +52,7 @@ class Loop {
   std::optional<Anchor> anchor_;
   SteadyTime step_at_;
   SteadyTime counters_at_;
+  SteadyTime silent_at_;  // when it is said that no server is heard
   std::map<std::string, std::uint64_t> counted_;
 };
 

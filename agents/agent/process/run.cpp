@@ -41,6 +41,12 @@ void log_settings(spdlog::logger& log, const Options& options) {
   for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
 }
 
+std::string addresses(const Options& options) {
+  std::string words;
+  for (const std::string& server : options.servers) words += (words.empty() ? "" : ", ") + server;
+  return words + ", domain " + std::to_string(options.domain);
+}
+
 AgentConfig config_of(const Options& options, const RobotId& self, const Body& body, const std::string& vendor) {
   AgentConfig config;
   config.self = self;
@@ -112,7 +118,8 @@ Result<void> run(const Options& options) {
              .body = **body,
              .link = link,
              .records = records.has_value() ? &*records : nullptr,
-             .log = log},
+             .log = log,
+             .server = addresses(options)},
             options.pace);
   loop.until([&stop] { return stop.came(); });
   log.info("stopped");

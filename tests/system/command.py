@@ -1,0 +1,63 @@
+"""Runs a command as a person would, and holds its mistakes to one line."""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / 'build/release/bin'
+SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
+
+
+class Case(unittest.TestCase):
+    def run_command(self, *argv, seconds=60, env=None):
+        done = subprocess.run([str(a) for a in argv], cwd=ROOT, capture_output=True, text=True, timeout=seconds,
+                              stdin=subprocess.DEVNULL, env={**os.environ, **(env or {})})
+        return done.returncode, done.stdout, done.stderr
+
+    def refused(self, code, words, *argv, **more):
+        """It ends with this code and one line on standard error that has all the words."""
+        ended, _, said = self.run_command(*argv, **more)
+        self.assertEqual(ended, code, f'{argv}: {said}')
+        self.assertEqual(said.count('\n'), 1, f'{argv} said:\n{said}')
+        for word in words:
+            self.assertIn(word, said)
+
+
+class Running:
+    """A program that goes on, its words in a file, until it is left."""
+
+    def __init__(self, log, *argv):
+        self.log = pathlib.Path(log)
+        with open(self.log, 'wb') as out:
+            self.child = subprocess.Popen([str(a) for a in argv], stdout=out, stderr=subprocess.STDOUT,
+                                          stdin=subprocess.DEVNULL, cwd=ROOT)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.child.kill()
+        self.child.wait()
+
+    def text(self):
+        return self.log.read_text(errors='replace')
+
+    def says(self, words, seconds=60):
+        end = time.monotonic() + seconds
+        while words not in self.text():
+            if time.monotonic() > end or (self.child.poll() is not None and words not in self.text()):
+                return False
+            time.sleep(0.05)
+        return True
+
+    def stop(self):
+        self.child.send_signal(signal.SIGTERM)
+        return self.child.wait(30)
+
+
+def main():
+    unittest.main(argv=sys.argv[:1])
