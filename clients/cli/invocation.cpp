@@ -21,6 +21,12 @@ class Grammar {
     map();
     goals();
     add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
+    // Last, because commands inherit the footer that is there when they are added.
+    app_.footer(
+        "ROBOT is a robot's name or id. Each command has its own --help. An example, in order:\n"
+        "  weft robots; weft teach r1 start --as loop; weft map label here --robot r1 dock; weft teach r1 stop;\n"
+        "  weft goal send --to dock; weft goal list; weft goal watch ID; weft map draw map.svg\n"
+        "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no server reached, 4 refused, 5 no answer in time");
   }
 
  private:
@@ -38,12 +44,20 @@ class Grammar {
   }
 
   void globals() {
-    app_.add_option("--server", into_.servers, "The server's address, HOST or HOST:INDEX; repeatable [WEFT_SERVER]");
-    app_.add_option("--dds", into_.vendor, "fastdds or cyclonedds [WEFT_DDS]")
-        ->check(CLI::IsMember({"fastdds", "cyclonedds"}));
-    app_.add_option("--domain", into_.domain, "DDS domain")->check(CLI::Range(0U, 200U));
-    app_.add_option("--listen", into_.listen, "Own address to bind to");
-    app_.add_option("--timeout", into_.timeout_s, "Seconds to wait for an answer")->check(CLI::Range(0.1, 86400.0));
+    app_.add_option("--server", into_.servers, "Where weft-server listens; repeatable [WEFT_SERVER, or 127.0.0.1]")
+        ->type_name("HOST[:INDEX]");
+    app_.add_option("--dds", into_.vendor, "fastdds | cyclonedds; any goes with any server [WEFT_DDS, or cyclonedds]")
+        ->type_name("VENDOR")
+        ->check(CLI::IsMember({"fastdds", "cyclonedds"}).description(""));
+    app_.add_option("--domain", into_.domain, "The server's DDS domain, 0 to 200 [0]")
+        ->type_name("N")
+        ->check(CLI::Range(0U, 200U).description(""));
+    app_.add_option("--listen", into_.listen, "Own address, on the network of the server [127.0.0.1]")
+        ->type_name("HOST");
+    app_.add_option("--timeout", into_.timeout_s,
+                    "Seconds to wait for an answer, 0.1 to 86400 [as suits the command]")
+        ->type_name("S")
+        ->check(CLI::Range(0.1, 86400.0).description(""));
     app_.add_flag("--json", into_.json, "Print one JSON document");
     app_.set_version_flag("--version", "weft " WEFT_VERSION);
   }
@@ -53,29 +67,39 @@ class Grammar {
 
     CLI::App* const teach =
         app_.add_subcommand("teach", "Teach ROBOT: what it sees from start to stop joins the map");
-    teach->add_option("ROBOT", into_.robot)->required();
+    teach->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
     teach->require_subcommand(1);
     CLI::App* const start = add(*teach, "start", "Begin an experience", Command::teach_start);
-    start->add_option("--as", into_.name, "The experience's name");
-    start->add_option("--along", into_.file, "Simulated robots: a polyline to be led along, 'x y' a line");
+    start->add_option("--as", into_.name, "The experience's name, 1 to 64 letters, digits, '_', '.', '-'")
+        ->type_name("NAME");
+    start
+        ->add_option("--along", into_.file,
+                     "Simulated robots: lead it along the points of FILE, 'x y' a row in the site's metres")
+        ->type_name("FILE");
     add(*teach, "stop", "End the experience", Command::teach_stop);
 
-    CLI::App* const localise = add(app_, "localise", "Have ROBOT look for itself in its map", Command::localise);
-    localise->add_option("ROBOT", into_.robot)->required();
-    localise->add_option("--at", into_.place, "LABEL or PLACE near which it stands");
+    CLI::App* const localise =
+        add(app_, "localise", "Have ROBOT find out where in the map it stands", Command::localise);
+    localise->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
+    localise
+        ->add_option("--at", into_.place,
+                     "LABEL or PLACE near which it stands; without it all it has of the map is searched")
+        ->type_name("WHERE");
 
-    stop_or_resume("stop", "Stop ROBOT; its goal is paused", Command::stop);
+    stop_or_resume("stop",
+                   "Stop ROBOT; its goal is paused. A convenience: people are protected by the base's own safety",
+                   Command::stop);
     stop_or_resume("resume", "Let ROBOT drive again", Command::resume);
 
     CLI::App* const clear =
         add(*group("robot", "Robots that need help"), "clear",
             "Free what ROBOT occupies: only when it has been taken off the floor", Command::robot_clear);
-    clear->add_option("ROBOT", into_.robot)->required();
+    clear->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
   }
 
   void stop_or_resume(const char* name, const char* help, Command command) {
     CLI::App* const sub = add(app_, name, help, command);
-    CLI::Option* const robot = sub->add_option("ROBOT", into_.robot);
+    CLI::Option* const robot = sub->add_option("ROBOT", into_.robot, "Its name or id")->type_name("");
     CLI::Option* const all = sub->add_flag("--all", all_, "Every robot");
     robot->excludes(all);
     // Takes the place of the callback that add() gave.
@@ -88,13 +112,16 @@ class Grammar {
   void map() {
     CLI::App* const map = group("map", "The network");
     add(*map, "info", "How much there is, and what was refused", Command::map_info);
-    add(*map, "draw", "Draw the network", Command::map_draw)
-        ->add_option("OUT", into_.file, "*.png or *.svg")
+    add(*map, "draw", "Draw the network: experiences, stitches, labels, robots", Command::map_draw)
+        ->add_option("OUT", into_.file, "A file, *.png or *.svg")
+        ->type_name("")
         ->required();
-    CLI::App* const label = add(*map, "label", "Name a place", Command::map_label);
-    label->add_option("PLACE", into_.place, "A place's id, or here")->required();
-    label->add_option("NAME", into_.name, "1 to 64 letters, digits, '_', '.', '-'")->required();
-    label->add_option("--robot", into_.robot, "With here: the robot that stands there");
+    CLI::App* const label = add(*map, "label", "Name a place, to send goals to", Command::map_label);
+    label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
+        ->type_name("")
+        ->required();
+    label->add_option("NAME", into_.name, "1 to 64 letters, digits, '_', '.', '-'")->type_name("")->required();
+    label->add_option("--robot", into_.robot, "With here: the robot that stands there")->type_name("ROBOT");
     label->callback([this] {
       into_.command = Command::map_label;
       const bool here = into_.place == "here";
@@ -102,23 +129,29 @@ class Grammar {
       if (!here && !into_.robot.empty())
         throw CLI::ValidationError("map label PLACE NAME: --robot goes with here only");
     });
-    add(*map, "export", "Write the network as JSON", Command::map_export)->add_option("OUT", into_.file)->required();
+    add(*map, "export", "Write the network as JSON", Command::map_export)
+        ->add_option("OUT", into_.file, "The file")
+        ->type_name("")
+        ->required();
   }
 
   void goals() {
     CLI::App* const goal = group("goal", "Goals and their lives");
-    CLI::App* const send = add(*goal, "send", "Ask for a robot at a label", Command::goal_send);
-    send->add_option("--to", into_.name, "LABEL")->required();
-    send->add_option("--robot", into_.robot, "Which; otherwise any");
+    CLI::App* const send = add(*goal, "send", "Send a robot to a label; prints the goal's id", Command::goal_send);
+    send->add_option("--to", into_.name, "Where: a label of the map")->type_name("LABEL")->required();
+    send->add_option("--robot", into_.robot, "Which; otherwise the idle one with the shortest way")
+        ->type_name("ROBOT");
     add(*goal, "list", "All goals", Command::goal_list);
     one_goal(*goal, "show", "One goal with its history", Command::goal_show);
     one_goal(*goal, "watch", "Follow a goal to its end", Command::goal_watch);
     one_goal(*goal, "cancel", "Call a goal off", Command::goal_cancel);
-    one_goal(*goal, "why", "What holds a goal (or a robot) up", Command::goal_why);
+    one_goal(*goal, "why", "Why it, or a robot, does not get on: what it waits for, since when, who asked",
+             Command::goal_why, "A goal's id or its beginning, or a robot's name");
   }
 
-  void one_goal(CLI::App& parent, const char* name, const char* help, Command command) {
-    add(parent, name, help, command)->add_option("ID", into_.goal, "The id or its beginning")->required();
+  void one_goal(CLI::App& parent, const char* name, const char* help, Command command,
+                const char* id = "The goal's id or its beginning") {
+    add(parent, name, help, command)->add_option("ID", into_.goal, id)->type_name("")->required();
   }
 
   CLI::App& app_;
@@ -152,7 +185,7 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
   invocation.vendor = environment.vendor.empty() ? "cyclonedds" : environment.vendor;
   invocation.servers = split(environment.server, ',');
   invocation.listen = "127.0.0.1";
-  CLI::App app("weft: ask the fleet map server", "weft");
+  CLI::App app("The operator's command: talks to the fleet map server, weft-server.", "weft");
   app.require_subcommand(1);
   app.fallthrough();
   Grammar grammar(app, invocation);

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -89,7 +90,26 @@ def gather(fleet, out, site_file):
     (out / 'versions').write_text(subprocess.run([fleet.bin / 'weft', '--version'], capture_output=True, text=True).stdout)
 
 
+def keep(fleet, options, say):
+    """Until Ctrl-C, which is the way to end it, or a process of the fleet ends by itself."""
+    say('the fleet stays until Ctrl-C here; in another shell, in this folder, talk to it, for example:')
+    for words in ('robots', 'goal send --to dock-2', 'goal list', 'stop --all', 'resume --all', 'map draw map.png'):
+        print(f'    {fleet.bin}/weft --domain {options.domain} {words}', flush=True)
+    try:
+        while all(process.running() for process in fleet.all()):
+            time.sleep(1)
+        say('ended by itself: ' + ', '.join(process.name for process in fleet.all() if not process.running()))
+    except KeyboardInterrupt:
+        say('stopping the fleet')
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
 def main():
+    signal.signal(signal.SIGINT, interrupt)      # also where the shell has it ignored, in the background
+    signal.signal(signal.SIGTERM, interrupt)
     options = arguments()
     began = time.monotonic()
 
@@ -116,11 +136,7 @@ def main():
         gather(fleet, out, options.site_file)
         judged = subprocess.run(['tests/judge', str(out)]).returncode
         if options.keep:
-            say('the fleet stays until Ctrl-C here; in another shell, in this folder, talk to it, for example:')
-            for words in ('robots', 'goal send --to dock-2', 'goal list', 'stop --all', 'resume --all', 'map draw map.png'):
-                print(f'    {fleet.bin}/weft --domain {options.domain} {words}', flush=True)
-            while all(process.running() for process in fleet.all()):
-                time.sleep(1)
+            keep(fleet, options, say)
     except KeyboardInterrupt:
         print('deploy/demo: interrupted', file=sys.stderr)
         return 130

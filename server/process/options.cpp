@@ -25,6 +25,9 @@ struct Flags {
 
 void declare(CLI::App& app, Flags& flags) {
   app.set_version_flag("--version", "weft-server " WEFT_VERSION);
+  app.footer(
+      "Runs until SIGINT or SIGTERM; logs to standard error. Example: weft-server --store map\n"
+      "Exit codes: 0 stopped by a signal, 1 cannot work (one line says why), 2 wrong usage");
   app.add_option("--config", flags.config, "TOML file with any of the settings below (store = \"DIR\", ...)");
   app.add_option("--store", flags.store, "Directory of the map; made if it is not there. Required here or in FILE");
   app.add_option("--dds", flags.dds, "fastdds | cyclonedds [fastdds]");

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The two checks of this folder find what they are for, and nothing else."""
+"""The checks of this folder find what they are for, and nothing else."""
 import pathlib
 import subprocess
 import sys
@@ -51,6 +51,32 @@ class Deciding(unittest.TestCase):
     def test_comments_edges_and_lookalikes_pass(self):
         files = {'core/a.cpp': '// no steady_clock here\nint operand(int);\nint x = operand(3);\n', 'core/edge/b.cpp': 'std::thread t;'}
         self.assertEqual(run('lint_deciding.py', files, self.TABLE), (0, ''))
+
+
+class Docs(unittest.TestCase):
+    TREE = {'core/time.cpp': 'void wind_up(int) {}\nclass BigClock { void tick(); };\n', 'docs/other.md': ''}
+
+    def check(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, content in {**self.TREE, 'README.md': text}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(content)
+            done = subprocess.run([sys.executable, HERE / 'check_docs.py', root], capture_output=True, text=True)
+            return done.returncode, done.stdout + done.stderr
+
+    def test_what_exists_passes(self):
+        text = ('`core/time.cpp`, `core/`, core/time.cpp, time.cpp, `core/time.cpp:wind_up`, `wind_up()`, `BigClock::tick`, `BigClock`\n'
+                '[there](docs/other.md#part) [web](https://example.org/x) `std::string` `a/b` `goal send`\n'
+                '```\n`core/gone.cpp`\n```\n')
+        self.assertEqual(self.check(text), (0, ''))
+
+    def test_what_does_not_exist_is_named_with_its_line(self):
+        for term in ('`core/gone.cpp`', 'core/gone.cpp', '(gone.hpp)', '`core/time.cpp:wind_down`', '`wind_down()`',
+                     '`BigClock::strike`', '`SmallClock`', '`no_such_thing`', '[there](docs/gone.md)'):
+            code, text = self.check(f'# Words\n{term}\n')
+            self.assertEqual(code, 1, term)
+            self.assertTrue(text.startswith('README.md:2: '), text)
 
 
 if __name__ == '__main__':

@@ -175,8 +175,13 @@ Leave wrong(const std::string& message, int exit_code) {
 }  // namespace
 
 std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
-  CLI::App app("The agent of one robot: sees, localises, drives, and shares what it learns.", "weft-agent");
+  CLI::App app("The agent of one robot: sees, localises, drives, and shares what it learns with weft-server.",
+               "weft-agent");
   app.set_version_flag("--version", "weft-agent " WEFT_VERSION);
+  app.footer(
+      "Runs until SIGINT or SIGTERM; logs to standard error. Example, a simulated robot:\n"
+      "  weft-agent --name r1 --state state/r1 --site deploy/sites/demo.toml\n"
+      "Exit codes: 0 stopped by a signal, 1 cannot work (one line says why), 2 wrong usage");
   std::string file;
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
   std::map<std::string, std::vector<std::string>> given;
