@@ -56,6 +56,8 @@ void RobotAgent::note_following(const Navigated& navigated, SteadyTime now) {
       return task_.set(msg::RoutePhase::waiting, task_.route()->reason.empty() ? why : task_.route()->reason, now);
     case Following::stopped:
       return task_.set(msg::RoutePhase::stopped, why, now);
+    case Following::failed:
+      return task_.set(msg::RoutePhase::failed, why, now);
     case Following::arrived:
       break;
   }

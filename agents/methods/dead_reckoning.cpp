@@ -1,5 +1,6 @@
 #include "agents/methods/dead_reckoning.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace weft::agents {
@@ -16,6 +17,15 @@ Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::s
   step.a_from_b = exp2({distance_m, 0.0, turn_rad});
   step.covariance.diagonal() << sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad;
   return {step, false, reason};
+}
+
+bool agrees(const MotionGate& gate, const Motion& motion, const Pose2& expected, const Pose2& seen) {
+  const double loose = motion.wheels ? 1.0 : gate.command_factor;
+  const Pose2 off = expected.inverse() * seen;
+  const double distance = std::max(expected.translation().norm(), seen.translation().norm());
+  const double turn = std::max(std::abs(expected.heading), std::abs(seen.heading));
+  return off.translation().norm() < loose * (gate.metres + gate.share * distance) &&
+         std::abs(off.heading) < loose * (gate.radians + gate.share * turn);
 }
 
 }  // namespace weft::agents

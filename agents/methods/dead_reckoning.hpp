@@ -15,4 +15,16 @@ struct DeadReckoningConfig {
 /// integrated as an arc (constant velocity, Gadd & Newman III-C). Always blind; `reason` is static text.
 Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::string_view reason);
 
+/// How far vision may leave wheels or command before it is taken for wrong: gross errors only, as wheels slip and are
+/// some per cent off.
+struct MotionGate {
+  double share = 0.35;          ///< of the motion; (0, 2]
+  double metres = 0.04;         ///< plus this; (0, 1]
+  double radians = 0.06;        ///< plus this; (0, 1]
+  double command_factor = 3.0;  ///< looser by this where only the command is known; [1, 20]
+};
+
+/// Whether the motion `seen` is one that wheels or command, which say `expected`, could have made.
+bool agrees(const MotionGate& gate, const Motion& motion, const Pose2& expected, const Pose2& seen);
+
 }  // namespace weft::agents

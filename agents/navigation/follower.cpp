@@ -115,7 +115,7 @@ Follower::Drive Follower::end_of_path(const RouteAround& around, const Estimate&
   arrived_ = out.arrived;
   drive.navigated.command = out.command;
   if (!out.reason.empty()) {
-    standing(drive.navigated, Following::stopped, out.reason);
+    standing(drive.navigated, Following::failed, out.reason);
     return drive;
   }
   drive.navigated.following = arrived_ ? Following::arrived : Following::driving;

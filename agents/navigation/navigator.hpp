@@ -20,7 +20,8 @@ struct Kept {
   std::vector<Edge> edges;  ///< odometry to the place before, stitches to places of the window
 };
 
-enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped };
+/// `stopped` may go on by itself; `failed` has given up on this route.
+enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
 /// What one sample led to.
 struct Navigated {

@@ -134,16 +134,6 @@ std::string_view refused_by_homography(const CameraModel& camera, const FloorCon
   return chosen.motion ? std::string_view{} : "normal_refused";
 }
 
-/// A gate against gross errors only: wheels slip and are some per cent off.
-bool agrees(const FloorConfig& c, const Motion& motion, const Pose2& expected, const Pose2& seen) {
-  const double loose = motion.wheels ? 1.0 : c.command_factor;
-  const Pose2 off = expected.inverse() * seen;
-  const double distance = std::max(expected.translation().norm(), seen.translation().norm());
-  const double turn = std::max(std::abs(expected.heading), std::abs(seen.heading));
-  return off.translation().norm() < loose * (c.wheels_m + c.wheels_share * distance) &&
-         std::abs(off.heading) < loose * (c.wheels_rad + c.wheels_share * turn);
-}
-
 /// The fit's covariance is that of keyframe_from_robot; consecutive ones share most of it. Each step carries its
 /// share of a keyframe's life, and the scale's uncertainty such that it adds up linearly over `scale_memory_m`.
 Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fitted, const Pose2& moved) {
@@ -185,7 +175,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     fit = fit_planar_motion(camera_, camera_, followed.pairs, sway_prior(config_, s), expected);
     if (!fit.converged) return "not_converged";
     const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
-    if (!agrees(config_, motion, moved, seen))
+    const MotionGate gate{config_.wheels_share, config_.wheels_m, config_.wheels_rad, config_.command_factor};
+    if (!agrees(gate, motion, moved, seen))
       return motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
     return {};
   };

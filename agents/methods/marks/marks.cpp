@@ -158,12 +158,15 @@ Step MarksMethod::observe(Odometry& odometry, const View* view, const Motion& mo
   const Relation previous_from_last = inverse(Relation{odometry.last_from_now});
   Step step = blind({});
   const OrRefusal<Related> related = relate(odometry.last, *seen, Relation{odometry.last_from_now});
-  if (related) {
+  if (!related) {
+    step.blind_reason = related.error().reason;
+  } else if (!agrees(config_.gate, motion, planar(odometry.last_from_now), planar(related->a_from_b))) {
+    // One of the two views is of somewhere else. Which one shows at the next.
+    step.blind_reason = motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
+  } else {
     step.previous_from_current =
         Metric2{planar(compose(previous_from_last, related->a_from_b)), planar_covariance(related->a_from_b)};
     step.seen = true;
-  } else {
-    step.blind_reason = related.error().reason;
   }
   odometry.last = std::move(*seen);
   odometry.last_from_now = Metric2{};

@@ -17,6 +17,7 @@ struct MarksConfig {
   double least_share = 0.6;         ///< of the common marks must agree; [0.5, 1]
   double most_distance_m = 3.0;     ///< between two related views; (0, 20]
   DeadReckoningConfig blind;
+  MotionGate gate;  ///< of one step of odometry
 };
 /// Every bound that does not hold.
 std::vector<Error> check(const MarksConfig& config);
@@ -39,7 +40,8 @@ class MarksMethod {
 
   explicit MarksMethod(const MarksConfig& config = {}) : config_(config) {}
 
-  /// Seen: common marks of the last two views agree. Blind: "no_view", "few_marks" or what relate refused for.
+  /// Seen: common marks of the last two views agree. Blind: "no_view", "disagrees_with_wheels",
+  /// "disagrees_with_command", or what relate refused for.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
   /// Refused: "no_marks", "not_marks" (another sensor's view).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;

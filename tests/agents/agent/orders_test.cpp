@@ -77,6 +77,20 @@ TEST(Orders, RepeatsAreHarmlessOldVersionsIgnoredReleasesNeverTakenBack) {
   EXPECT_EQ(rig.script->followed.back().released, 7U);
 }
 
+TEST(Orders, AGoalThatIsGivenUpFails) {
+  Driving rig;
+  rig.tell(rig.order(a_route(rig.laid, 10, 1)));
+  rig.drive();
+  rig.run(1s);
+  rig.script->answer.following = Following::failed;
+  rig.script->answer.command = {};
+  rig.script->answer.reason = "goal_not_reached";
+  rig.run(1s);
+  const auto progress = rig.last<msg::RouteProgress>();
+  EXPECT_EQ(progress->phase, msg::RoutePhase::failed);
+  EXPECT_EQ(progress->reason, "goal_not_reached");
+}
+
 TEST(Orders, ArrivalIsRepeatedUntilTheServerForgetsTheRoute) {
   Driving rig;
   rig.tell(rig.order(a_route(rig.laid, 10, 1)));

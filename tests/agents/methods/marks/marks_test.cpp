@@ -129,6 +129,35 @@ TEST(MarksMethod, ObserveFollowsTheRobotAndSaysWhenItWasBlind) {
   EXPECT_LT(off(world_from_robot, robot.world_from_robot()), 0.12);
 }
 
+TEST(MarksMethod, AViewFromSomewhereElseDoesNotMoveTheRobot) {
+  const MarksWorld world({}, 13);
+  const MarksMethod method;
+  Random random(14);
+  MarksMethod::Odometry odometry;
+  const Pose2 here{10, 10, 0.3};
+  Motion still;
+  still.elapsed = from_seconds(0.1);
+  still.wheels = WheelStep{};
+  const auto observe = [&](const Pose2& from, const Motion& motion) {
+    View view;
+    view.data = world.see(from, random);
+    return method.observe(odometry, &view, motion);
+  };
+  ASSERT_FALSE(observe(here, still).seen);
+  ASSERT_TRUE(observe(here, still).seen);
+  // Close enough to share marks that agree with one another: only the wheels know better.
+  const Step away = observe(here * Pose2{0.5, 0.0, 0.0}, still);
+  EXPECT_EQ(away.blind_reason, "disagrees_with_wheels");
+  EXPECT_LT(distance_m(away.previous_from_current), 1e-9);
+  const Step back = observe(here, still);
+  EXPECT_FALSE(back.seen);
+  EXPECT_LT(distance_m(back.previous_from_current), 1e-9);
+  EXPECT_TRUE(observe(here, still).seen);
+  Motion commanded = still;
+  commanded.wheels.reset();
+  EXPECT_EQ(observe(here * Pose2{0.5, 0.0, 0.0}, commanded).blind_reason, "disagrees_with_command");
+}
+
 TEST(MarksMethod, AnotherSensorsViewIsRefused) {
   View view;
   view.data = Image{};
