@@ -206,23 +206,37 @@ void Fleet::carry_out(RobotProcess& robot, agents::AgentOutput output) {
   }
 }
 
+template <class Asked>
+void Fleet::send_as_client(Asked asked) {
+  asked.header.sender = client_.id;
+  asked.header.incarnation = client_.incarnation;
+  asked.header.sequence = ++client_.sequence;
+  record(asked);
+  if (const auto sent = client_.link->send(asked); !sent) throw std::runtime_error(sent.error().message);
+}
+
 void Fleet::send(msg::OperatorRequest request) {
-  request.header.sender = client_.id;
-  request.header.incarnation = client_.incarnation;
-  request.header.sequence = ++client_.sequence;
-  record(request);
-  if (const auto sent = client_.link->send(request); !sent) throw std::runtime_error(sent.error().message);
+  send_as_client(std::move(request));
+}
+
+void Fleet::send(msg::Query query) {
+  send_as_client(std::move(query));
 }
 
 void Fleet::hear_client() {
   while (const auto message = client_.link->take()) {
     ledger_.client_heard(*message);
     if (const auto* reply = std::get_if<msg::OperatorReply>(&*message)) client_.replies.push_back(*reply);
+    if (const auto* answer = std::get_if<msg::QueryReply>(&*message)) client_.answers.push_back(*answer);
   }
 }
 
 std::vector<msg::OperatorReply> Fleet::take_replies() {
   return std::exchange(client_.replies, {});
+}
+
+std::vector<msg::QueryReply> Fleet::take_answers() {
+  return std::exchange(client_.answers, {});
 }
 
 std::vector<std::string> Fleet::diary() const {

@@ -40,12 +40,15 @@ class Fleet {
   storage::MemoryDisk& disk() { return *server_.disk; }
 
   void send(msg::OperatorRequest request);
+  void send(msg::Query query);
   /// The answers that the client has had since the last call.
   std::vector<msg::OperatorReply> take_replies();
+  std::vector<msg::QueryReply> take_answers();
 
   const RingSite& site() const { return *site_; }
   const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }
   const msg::RobotState& state(std::size_t robot) const { return ledger_.robots.at(robots_[robot].id).state; }
+  const RobotId& id_of(std::size_t robot) const { return robots_[robot].id; }
   const std::string& name(std::size_t robot) const { return robots_[robot].name; }
 
   Ledger& ledger() { return ledger_; }
@@ -86,6 +89,7 @@ class Fleet {
     std::uint64_t incarnation = 0;
     std::uint64_t sequence = 0;
     std::vector<msg::OperatorReply> replies;
+    std::vector<msg::QueryReply> answers;
   };
 
   std::optional<SteadyTime> next_event() const;
@@ -95,6 +99,8 @@ class Fleet {
   void sample(RobotProcess& robot);
   void carry_out(RobotProcess& robot, agents::AgentOutput output);
   void send_all(const std::vector<msg::Message>& messages);
+  template <class Asked>
+  void send_as_client(Asked asked);
   void hear_client();
   void record(const msg::Message& message);
   SteadyTime clock(const RobotProcess& robot) const { return now_ + robot.steady_offset; }

@@ -1,18 +1,16 @@
 #include "tests/simulation/operator.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace weft::simulation {
 
-template <class Condition>
-bool Operator::wait(double seconds, Condition&& condition) {
-  const SteadyTime end = fleet_.now() + from_seconds(seconds);
-  while (!condition()) {
-    if (fleet_.now() >= end) return false;
-    fleet_.run_until(fleet_.now() + std::chrono::milliseconds(500));
+void Operator::pass(Duration time) {
+  constexpr Duration most = std::chrono::seconds(2);
+  const SteadyTime end = fleet_.now() + time;
+  while (fleet_.now() < end) {
+    chaos_.play();
+    fleet_.run_until(std::min(end, fleet_.now() + most));
   }
-  return true;
 }
 
 std::optional<msg::OperatorReply> Operator::ask(msg::OperatorRequest request, double give_up_s) {
@@ -21,7 +19,7 @@ std::optional<msg::OperatorReply> Operator::ask(msg::OperatorRequest request, do
   while (fleet_.now() < end) {
     fleet_.send(request);
     for (int i = 0; i < 8; ++i) {
-      fleet_.run_until(fleet_.now() + std::chrono::milliseconds(250));
+      pass(std::chrono::milliseconds(250));
       for (const msg::OperatorReply& reply : fleet_.take_replies()) {
         if (reply.request == request.request) return reply;
       }
@@ -35,148 +33,58 @@ bool Operator::give_up(const std::string& what, const std::optional<msg::Operato
   return false;
 }
 
-bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through) {
-  msg::OperatorRequest request;
-  request.kind = msg::OperatorRequest::Kind::teach_start;
-  request.robot = fleet_.name(robot);
-  request.label = "lap-" + fleet_.name(robot);
-  for (const auto& point : fleet_.site().line(from_m, to_m, through)) request.along.push_back({point.x, point.y});
-  const auto reply = ask(request);
-  if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) {
-    return give_up("teach " + fleet_.name(robot), reply);
-  }
-  const bool over = wait(60.0 + 4.0 * (to_m - from_m), [&] { return !fleet_.body(robot).by_hand(); });
-  if (over && fleet_.robot_up(robot) && fleet_.state(robot).mode == msg::RobotMode::teaching) return true;
-  trouble_ = fleet_.name(robot) + " is " + to_string(fleet_.state(robot).mode) + ": " + fleet_.state(robot).reason;
-  return false;
-}
-
-bool Operator::teach_lap(std::size_t robot) {
-  const RingSite& site = fleet_.site();
-  const auto start_of = [&](std::size_t i) {
-    return 9.0 + static_cast<double>(i) * site.length_m() / static_cast<double>(fleet_.robots());
-  };
-  struct Spot {
-    double at_m;
-    std::string label;
-  };
-  std::vector<std::size_t> through;
-  std::vector<Spot> spots;
-  const double begin = start_of(robot);
-  const auto ahead = [&](double at_m) {
-    return begin + std::fmod(at_m - begin + 2.0 * site.length_m(), site.length_m());
-  };
-  for (std::size_t k = robot; k < site.stations(); k += fleet_.robots()) {
-    through.push_back(k);
-    spots.push_back({ahead(site.station_m(k)), "station-" + std::to_string(k)});
-  }
-  for (std::size_t i = 1; robot == 0 && i < fleet_.robots(); ++i)
-    spots.push_back({start_of(i), "start-" + std::to_string(i)});
-  std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.at_m < b.at_m; });
-  spots.push_back({begin + site.length_m() + 1.5, ""});
-
-  double at = begin;
-  for (const Spot& spot : spots) {
-    if (!teach_piece(robot, at, spot.at_m, through)) return false;
-    at = spot.at_m;
-    if (spot.label.empty()) continue;
-    msg::OperatorRequest label;
-    label.kind = msg::OperatorRequest::Kind::label_here;
-    label.robot = fleet_.name(robot);
-    label.label = spot.label;
-    const auto reply = ask(label);
-    if (!reply || reply->outcome != msg::Outcome::done) return give_up("label " + spot.label, reply);
-    if (spot.label.starts_with("station")) labels_.push_back(spot.label);
-  }
-  msg::OperatorRequest stop;
-  stop.kind = msg::OperatorRequest::Kind::teach_stop;
-  stop.robot = fleet_.name(robot);
-  const auto reply = ask(stop);
-  return (reply && reply->outcome == msg::Outcome::done) || give_up("teach stop", reply);
-}
-
-bool Operator::teach_all() {
-  fleet_.run_until(fleet_.now() + std::chrono::seconds(45));  // until everybody has been heard
-  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
-    if (robot > 0) {
-      msg::OperatorRequest localise;
-      localise.kind = msg::OperatorRequest::Kind::localise;
-      localise.robot = fleet_.name(robot);
-      localise.label = "start-" + std::to_string(robot);
-      const auto reply = ask(localise);
-      if (!reply || !wait(120.0, [&] { return fleet_.state(robot).localised; })) {
-        return give_up("localise " + fleet_.name(robot), reply);
-      }
-    }
-    if (!teach_lap(robot)) return false;
-  }
-  return true;
-}
-
-void Operator::send_goal() {
+void Operator::send_goal(const std::string& label, const std::string& robot) {
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::goal_send;
-  request.label = labels_[random_.below(labels_.size())];
-  if (random_.chance(0.7)) request.robot = fleet_.name(random_.below(fleet_.robots()));
+  request.label = label;
+  request.robot = robot;
   for (std::uint8_t& byte : request.goal.bytes) byte = static_cast<std::uint8_t>(random_.next());
   ++goals_sent_;
   const auto reply = ask(request);
-  if (reply && reply->goal && reply->outcome != msg::Outcome::refused) {
-    ++goals_accepted_;
-    goals_.push_back(reply->goal);
-  }
+  // Not answered is not refused: it may have been taken all the same.
+  if (!reply || reply->outcome != msg::Outcome::refused) open_[request.goal] = {label, {}, fleet_.now()};
+  if (reply && reply->goal && reply->outcome != msg::Outcome::refused) ++goals_accepted_;
 }
 
-/// A hand takes an idle robot a few metres along the ring, teaching.
-void Operator::teach_more(std::size_t robot) {
-  if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return;
-  const RingSite& site = fleet_.site();
-  const Pose2& here = fleet_.body(robot).site_from_robot();
-  double best = 1e9;
-  double at = 0.0;
-  std::vector<std::size_t> through;
-  for (double along = 0.0; along < site.length_m(); along += 0.1) {
-    for (std::size_t k = 0; k <= site.stations(); ++k) {
-      const std::vector<std::size_t> way = k < site.stations() ? std::vector{k} : std::vector<std::size_t>{};
-      const double away = (site.pose(along, way).translation() - here.translation()).norm();
-      if (away < best) {
-        best = away;
-        at = along;
-        through = way;
-      }
-    }
+/// Whatever happens meanwhile, a robot that was told to stop is told to go on.
+void Operator::stop_a_while(std::size_t robot) {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::stop;
+  request.robot = fleet_.name(robot);
+  ask(request);
+  pass(from_seconds(random_.uniform(1.0, 60.0)));
+  request.kind = msg::OperatorRequest::Kind::resume;
+  while (true) {
+    const auto reply = ask(request, 600.0);
+    if (reply && reply->outcome == msg::Outcome::done) return;
   }
-  if (!teach_piece(robot, at, at + random_.uniform(3.0, 9.0), through)) return;
-  msg::OperatorRequest stop;
-  stop.kind = msg::OperatorRequest::Kind::teach_stop;
-  stop.robot = fleet_.name(robot);
-  ask(stop);
 }
 
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
-  msg::OperatorRequest request;
-  request.robot = fleet_.name(robot);
   if (what < 0.70) {
-    send_goal();
-  } else if (what < 0.78 && !goals_.empty()) {
+    auto label = stations_.begin();
+    std::advance(label, static_cast<std::ptrdiff_t>(random_.below(stations_.size())));
+    // Mostly where there is room; now and then where somebody stands, or is going.
+    const std::string room = random_.chance(0.8) ? free_station() : "";
+    send_goal(room.empty() ? label->first : room, random_.chance(0.7) ? fleet_.name(robot) : "");
+  } else if (what < 0.78 && !open_.empty()) {
+    auto open = open_.begin();
+    std::advance(open, static_cast<std::ptrdiff_t>(random_.below(open_.size())));
+    msg::OperatorRequest request;
     request.kind = msg::OperatorRequest::Kind::goal_cancel;
-    request.robot.clear();
-    request.goal = goals_[random_.below(goals_.size())];
+    request.goal = open->first;
     ask(request);
   } else if (what < 0.88) {
-    request.kind = msg::OperatorRequest::Kind::stop;
-    ask(request);
-    fleet_.run_until(fleet_.now() + from_seconds(random_.uniform(1.0, 60.0)));
-    request.kind = msg::OperatorRequest::Kind::resume;
-    while (!ask(request, 600.0)) {
-    }
+    stop_a_while(robot);
   } else if (what < 0.94) {
     teach_more(robot);
-  } else {
+  } else if (!fleet_.state(robot).localised) {
+    msg::OperatorRequest request;
     request.kind = msg::OperatorRequest::Kind::localise;
-    if (!fleet_.state(robot).localised) ask(request);
+    request.robot = fleet_.name(robot);
+    ask(request);
   }
 }
 

@@ -1,46 +1,78 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/random.hpp"
+#include "tests/simulation/chaos.hpp"
 #include "tests/simulation/fleet.hpp"
 
 namespace weft::simulation {
 
 /// What people ask of the fleet: they teach the ring and its sidings, then send robots about, change their minds,
-/// teach some more. Every request is repeated until it is answered, as `weft` does.
+/// teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until it is
+/// answered, as `weft` does. Faults play on meanwhile.
 class Operator {
  public:
-  Operator(Fleet& fleet, Random random) : fleet_(fleet), random_(random) {}
+  Operator(Fleet& fleet, Chaos& chaos, Random random) : fleet_(fleet), chaos_(chaos), random_(random) {}
 
-  /// One lap for each robot, through its own sidings; returns false when it could not be done in time.
+  /// One lap for each robot, through its own sidings; then each is sent to a station. False when it could not be done
+  /// in time.
   bool teach_all();
   /// One random errand. Never waits longer than a few minutes for it.
   void errand();
+  /// Looks at the goals that have not ended, and helps.
+  void help();
+  /// Time passes; faults play.
+  void pass(Duration time);
+  /// Goals that this operator has not seen end, as of its last look.
+  std::size_t open_goals() const { return open_.size(); }
   /// Why `teach_all` gave up.
   const std::string& trouble() const { return trouble_; }
   std::uint64_t goals_sent() const { return goals_sent_; }
   std::uint64_t goals_accepted() const { return goals_accepted_; }
 
  private:
+  struct Open {
+    std::string label;
+    Goal goal;  ///< as last seen
+    SteadyTime since{};  ///< its history has been as it is
+  };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
+  std::optional<Goal> look_at(const GoalId& goal);
   bool teach_lap(std::size_t robot);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
+  void teach_stop(std::size_t robot);
   void teach_more(std::size_t robot);
-  void send_goal();
+  void send_goal(const std::string& label, const std::string& robot);
+  void stop_a_while(std::size_t robot);
+  void look_around();
+  void help_waiting(const GoalId& id, Open& open);
+  std::string free_station();
+  std::optional<std::size_t> robot_named(const std::string& name) const;
+  bool is_idle(std::size_t robot) const;
+  bool has_errand(std::size_t robot) const;
   template <class Condition>
-  bool wait(double seconds, Condition&& condition);
+  bool wait(double seconds, Condition&& condition) {
+    const SteadyTime end = fleet_.now() + from_seconds(seconds);
+    while (!condition()) {
+      if (fleet_.now() >= end) return false;
+      pass(std::chrono::milliseconds(500));
+    }
+    return true;
+  }
 
   /// Notes what went wrong; always false.
   bool give_up(const std::string& what, const std::optional<msg::OperatorReply>& reply);
 
-  std::string trouble_;
   Fleet& fleet_;
+  Chaos& chaos_;
   Random random_;
-  std::vector<std::string> labels_;
-  std::vector<GoalId> goals_;
+  std::string trouble_;
+  std::map<std::string, std::size_t> stations_;  ///< labels that stand, and which station of the site
+  std::map<GoalId, Open> open_;
   std::uint64_t goals_sent_ = 0;
   std::uint64_t goals_accepted_ = 0;
 };

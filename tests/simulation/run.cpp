@@ -7,12 +7,19 @@
 #include "tests/simulation/operator.hpp"
 
 namespace weft::simulation {
+namespace {
+
+constexpr Duration kBetweenHelps = std::chrono::seconds(20);
+constexpr Duration kUntilAllEnd = std::chrono::minutes(20);
+constexpr Duration kUntilQuiet = std::chrono::minutes(2);
+
+}  // namespace
 
 RunResult run(const RunConfig& config) {
   Random random(config.seed * 0x9e3779b97f4a7c15ULL + 1);
   Fleet fleet(config.seed, config.robots);
   Chaos chaos(fleet, random.fork(1));
-  Operator people(fleet, random.fork(2));
+  Operator people(fleet, chaos, random.fork(2));
   const SteadyTime began = fleet.now();
   RunResult result;
   chaos.mild();
@@ -22,16 +29,26 @@ RunResult run(const RunConfig& config) {
   const SteadyTime end = fleet.now() + from_seconds(3600.0 * config.hours);
   const double mean_s = 3600.0 / (config.goals_per_robot_hour / 0.7 * static_cast<double>(config.robots));
   SteadyTime next = fleet.now();
+  SteadyTime help = fleet.now();
   while (result.violations.empty() && fleet.now() < end && fleet.ledger().violations().empty()) {
-    chaos.play();
+    if (fleet.now() >= help) {
+      people.help();
+      help = fleet.now() + kBetweenHelps;
+    }
     if (fleet.now() >= next) {
       people.errand();
       next = fleet.now() + from_seconds(-mean_s * std::log(1.0 - random.uniform()));
     }
-    fleet.run_until(fleet.now() + std::chrono::seconds(2));
+    people.pass(std::chrono::seconds(2));
   }
   chaos.over();
-  fleet.run_until(fleet.now() + std::chrono::minutes(10));
+  // With nothing broken and people who help, every goal ends.
+  const SteadyTime patience = fleet.now() + kUntilAllEnd;
+  while (fleet.ledger().violations().empty() && people.open_goals() > 0 && fleet.now() < patience) {
+    people.help();
+    people.pass(kBetweenHelps);
+  }
+  people.pass(kUntilQuiet);
   if (fleet.ledger().violations().empty()) fleet.look_when_quiet();
 
   for (const Violation& violation : fleet.ledger().violations()) result.violations.push_back(violation);

@@ -153,9 +153,6 @@ TEST(MarksMethod, AViewFromSomewhereElseDoesNotMoveTheRobot) {
   EXPECT_FALSE(back.seen);
   EXPECT_LT(distance_m(back.previous_from_current), 1e-9);
   EXPECT_TRUE(observe(here, still).seen);
-  Motion commanded = still;
-  commanded.wheels.reset();
-  EXPECT_EQ(observe(here * Pose2{0.5, 0.0, 0.0}, commanded).blind_reason, "disagrees_with_command");
 }
 
 TEST(MarksMethod, AnotherSensorsViewIsRefused) {

@@ -1,0 +1,140 @@
+#include <algorithm>
+
+#include "tests/simulation/operator.hpp"
+
+namespace weft::simulation {
+namespace {
+
+constexpr double kRoom_m = 2.5;
+constexpr Duration kPatience = std::chrono::minutes(4);
+
+/// Who the goal waits for: "A waits until B has left its way".
+std::string blocker_of(const Goal& goal) {
+  static const std::string before = " waits until ";
+  static const std::string after = " has left its way";
+  if (goal.history.empty()) return {};
+  const std::string& cause = goal.history.back().cause;
+  const auto begin = cause.find(before);
+  const auto end = cause.find(after);
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  return cause.substr(begin + before.size(), end - begin - before.size());
+}
+
+}  // namespace
+
+std::optional<std::size_t> Operator::robot_named(const std::string& name) const {
+  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    if (fleet_.name(robot) == name) return robot;
+  }
+  return std::nullopt;
+}
+
+bool Operator::is_idle(std::size_t robot) const {
+  const msg::RobotState& state = fleet_.state(robot);
+  return fleet_.robot_up(robot) && state.mode == msg::RobotMode::idle && !state.route;
+}
+
+bool Operator::has_errand(std::size_t robot) const {
+  const RobotId& id = fleet_.id_of(robot);
+  return std::any_of(open_.begin(), open_.end(), [&](const auto& entry) {
+    const Goal& goal = entry.second.goal;
+    return goal.robot == id || goal.wanted == id;
+  });
+}
+
+/// One that nobody is sent to, and where nobody stands, as one sees who walks there. Empty when there is none.
+std::string Operator::free_station() {
+  std::vector<std::string> free;
+  for (const auto& [label, station] : stations_) {
+    const bool is_asked_for = std::any_of(open_.begin(), open_.end(),
+                                          [&](const auto& entry) { return entry.second.label == label; });
+    const Pose2 there = fleet_.site().pose(fleet_.site().station_m(station), {station});
+    bool is_taken = false;
+    for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+      const Pose2& here = fleet_.body(robot).site_from_robot();
+      is_taken = is_taken || (here.translation() - there.translation()).norm() < kRoom_m;
+    }
+    if (!is_asked_for && !is_taken) free.push_back(label);
+  }
+  return free.empty() ? std::string() : free[random_.below(free.size())];
+}
+
+/// `weft goal show`; none when it is not answered, or the server knows no such goal.
+std::optional<Goal> Operator::look_at(const GoalId& goal) {
+  msg::Query query;
+  query.kind = msg::Query::Kind::goals;
+  query.request = random_.next();
+  query.goal = goal;
+  for (int tries = 0; tries < 5; ++tries) {
+    fleet_.send(query);
+    for (int i = 0; i < 8; ++i) {
+      pass(std::chrono::milliseconds(250));
+      for (const msg::QueryReply& answer : fleet_.take_answers()) {
+        if (answer.request == query.request && !answer.goals.empty()) return answer.goals.front();
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void Operator::look_around() {
+  std::vector<GoalId> ids;
+  for (const auto& [id, open] : open_) ids.push_back(id);
+  for (const GoalId& id : ids) {
+    std::optional<Goal> goal = look_at(id);
+    if (!goal) {
+      // The request may never have arrived.
+      if (open_[id].goal.history.empty()) open_.erase(id);
+      continue;
+    }
+    if (is_terminal(goal->state)) {
+      open_.erase(id);
+      continue;
+    }
+    Open& open = open_[id];
+    if (open.goal.history.size() != goal->history.size()) open.since = fleet_.now();
+    open.goal = std::move(*goal);
+  }
+}
+
+/// Who stands in the way with nothing to do is sent away. Who waits for long all the same gives up, and a hand takes
+/// it on a little: two robots that stand too close each keep the other from setting off.
+void Operator::help_waiting(const GoalId& id, Open& open) {
+  const std::optional<std::size_t> blocker = robot_named(blocker_of(open.goal));
+  if (!blocker) return;
+  if (is_idle(*blocker) && fleet_.state(*blocker).localised && !has_errand(*blocker)) {
+    if (const std::string label = free_station(); !label.empty()) send_goal(label, fleet_.name(*blocker));
+    return;
+  }
+  if (fleet_.now() - open.since < kPatience || fleet_.state(*blocker).mode == msg::RobotMode::driving) return;
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::goal_cancel;
+  request.goal = id;
+  ask(request);
+  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    if (fleet_.id_of(robot) != open.goal.robot) continue;
+    wait(20.0, [&] { return is_idle(robot); });
+    teach_more(robot);
+  }
+}
+
+void Operator::help() {
+  look_around();
+  std::vector<GoalId> ids;
+  for (const auto& [id, open] : open_) ids.push_back(id);
+  for (const GoalId& id : ids) {
+    if (const auto found = open_.find(id); found != open_.end()) help_waiting(id, found->second);
+  }
+  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    const msg::RobotState& state = fleet_.state(robot);
+    if (!fleet_.robot_up(robot)) continue;
+    if (state.mode == msg::RobotMode::teaching) teach_stop(robot);
+    if (state.mode != msg::RobotMode::idle || state.localised) continue;
+    msg::OperatorRequest request;
+    request.kind = msg::OperatorRequest::Kind::localise;
+    request.robot = fleet_.name(robot);
+    ask(request);
+  }
+}
+
+}  // namespace weft::simulation
