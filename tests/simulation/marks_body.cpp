@@ -23,7 +23,11 @@ MarksBody::MarksBody(std::shared_ptr<const RingSite> site, const Pose2& site_fro
 Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   const bool hand = by_hand() || hand_done_;
   const agents::Twist drive = by_hand() ? hand_twist() : hand ? agents::Twist{} : command;
-  const bool resting = drive == agents::Twist{} && std::abs(true_speed_m_s()) < 1e-3;
+  // A base that still turns, or has a command under way, does not rest.
+  const agents::Twist turning = base_.wheels();
+  const bool still = std::abs(turning.linear_m_s) < 1e-3 && std::abs(turning.angular_rad_s) < 1e-3;
+  const bool resting = drive == agents::Twist{} && driven_ == agents::Twist{} && still;
+  driven_ = drive;
   const double period = resting ? kRestPeriod_s : kMovingPeriod_s;
   base_.drive(drive, period);
 

@@ -49,6 +49,7 @@ class MarksBody : public agents::Body {
   std::size_t hand_at_ = 0;
   bool hand_done_ = false;
   double wander_ = 0.0;
+  agents::Twist driven_;  ///< the last command
   std::map<std::uint64_t, Pose2> truth_;
 };
 
