@@ -64,6 +64,7 @@ void check_stitch(const StitchConfig& stitch, Bounds& in) {
   in("stitch.trusted_sigma_m", stitch.trusted_sigma_m, Low::open, 0, 1);
   in("stitch.drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("stitch.drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);
+  in("stitch.merge_m", stitch.merge_m, Low::open, 0, 10);
 }
 
 void check_follow(const FollowConfig& follow, Bounds& in) {

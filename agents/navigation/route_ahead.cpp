@@ -24,6 +24,11 @@ bool drivable(const Pose2& from, const Pose2& next) {
   return std::abs(wrap_angle(std::atan2(step.y, step.x) - 0.5 * step.heading)) <= steepest_rad;
 }
 
+/// Whether a robot at `from` can get onto a way that leads straight on through `onto`.
+bool merges(const StitchConfig& config, const Pose2& from, const Pose2& onto) {
+  return drivable(from, onto * Pose2{config.merge_m, 0.0, 0.0});
+}
+
 /// Whether the hop from `a` to `b` turns the robot on the spot.
 bool on_the_spot(const RoutePose& a, const RoutePose& b) {
   const Pose2 hop = a.robot_from_place.inverse() * b.robot_from_place;
@@ -66,6 +71,13 @@ Pose2 laid_out(const Relation& a_from_b) {
     return exp2({along->distance_m, 0.0, along->heading_shift_rad});
   }
   return planar(a_from_b);
+}
+
+bool can_cross(const StitchConfig& config, const Relation& a_from_b) {
+  if (distance_m(a_from_b) > config.drivable_m || std::abs(heading_rad(a_from_b)) > config.drivable_rad) return false;
+  const Pose2 a;
+  const Pose2 b = laid_out(a_from_b);
+  return merges(config, a, b) && merges(config, b, a);
 }
 
 std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,

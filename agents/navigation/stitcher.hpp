@@ -10,6 +10,7 @@
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/route_ahead.hpp"
 #include "agents/navigation/teacher.hpp"
 
 namespace weft::agents {
@@ -123,9 +124,7 @@ class Stitcher {
     edge.a_from_b = related.a_from_b;
     edge.origin = Origin::stitch;
     edge.method = std::string(M::name);
-    const bool level = std::abs(heading_rad(related.a_from_b)) < config_.stitch.drivable_rad;
-    const bool near = distance_m(related.a_from_b) <= config_.stitch.drivable_m;
-    edge.drivable = level && near ? Drivable::both : Drivable::none;
+    edge.drivable = can_cross(config_.stitch, related.a_from_b) ? Drivable::both : Drivable::none;
     edge.inliers = related.inliers;
     edge.overlap = static_cast<float>(std::clamp(related.overlap, 0.0, 1.0));
     return edge;

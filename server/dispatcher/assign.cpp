@@ -138,6 +138,7 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
                                .kind = "goal.planned_anew"};
   if (!book_.write(goal, step, route_of(goal, *choice), {}, now)) return;
   errand.lost = false;
+  errand.waits_for.reset();  // told anew, if it waits again
   errand.has_latest_order = false;
   errand.heard_of_it.reset();
   errand.missing_since.reset();

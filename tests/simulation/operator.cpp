@@ -57,6 +57,7 @@ void Operator::stop_a_while(std::size_t robot) {
   while (true) {
     const auto reply = ask(request, 600.0);
     if (reply && reply->outcome == msg::Outcome::done) return;
+    pass(std::chrono::seconds(5));
   }
 }
 

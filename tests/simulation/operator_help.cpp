@@ -8,16 +8,19 @@ namespace {
 constexpr double kRoom_m = 2.5;
 constexpr Duration kPatience = std::chrono::minutes(4);
 
-/// Who the goal waits for: "A waits until B has left its way".
+/// Who the goal waits for, by the last that its history says of it: "A waits until B has left its way".
 std::string blocker_of(const Goal& goal) {
   static const std::string before = " waits until ";
   static const std::string after = " has left its way";
-  if (goal.history.empty()) return {};
-  const std::string& cause = goal.history.back().cause;
-  const auto begin = cause.find(before);
-  const auto end = cause.find(after);
-  if (begin == std::string::npos || end == std::string::npos) return {};
-  return cause.substr(begin + before.size(), end - begin - before.size());
+  for (auto event = goal.history.rbegin(); event != goal.history.rend(); ++event) {
+    const auto begin = event->cause.find(before);
+    const auto end = event->cause.find(after);
+    if (begin != std::string::npos && end != std::string::npos) {
+      return event->cause.substr(begin + before.size(), end - begin - before.size());
+    }
+    if (event->cause.ends_with(" has left the way")) return {};
+  }
+  return {};
 }
 
 }  // namespace

@@ -176,8 +176,7 @@ TYPED_TEST(EveryMethod, StitchesASecondExperienceAndDrivesAcross) {
     const Pose2 truly = this->truth.at(edge.id.a).inverse() * this->truth.at(edge.id.b);
     EXPECT_LT(test::distance(truly, laid_out(edge.a_from_b)), Asked<TypeParam>::bounds().stitch_m);
     // Where the roads part, places are still joined for a while, but not to be driven across.
-    EXPECT_EQ(edge.drivable == Drivable::both,
-              distance_m(edge.a_from_b) <= 0.6 && std::abs(heading_rad(edge.a_from_b)) < 0.5);
+    EXPECT_EQ(edge.drivable == Drivable::both, can_cross(StitchConfig{}, edge.a_from_b));
   }
   EXPECT_GT(stitches, 5);
 
