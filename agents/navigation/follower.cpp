@@ -184,6 +184,12 @@ Follower::Drive Follower::look(const Seen& seen) {
     at_end_ = true;
     return end_of_path(around, *seen.estimate);
   }
+  if (!ahead.reaches_end && path->length_m() <= 0.0) {
+    // Nothing ahead of it on this route can be bent into: another route may lead there.
+    standing(drive.navigated, Following::failed, "route_makes_no_path");
+    drive.along.reset();
+    return drive;
+  }
   drive.path = std::move(*path);
   return drive;
 }

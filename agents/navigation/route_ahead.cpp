@@ -13,12 +13,13 @@ namespace {
 constexpr double on_the_spot_m = 0.05;    // a hop shorter than this that turns is no driving
 constexpr double turn_counts_rad = 0.35;  // less than this is driven, not turned
 
+constexpr double gentle_rad = 0.2;  // how steep a bend is driven where there is a choice
+
 /// Whether `next` can be driven to from `from`, both headings kept, without a sharp bend: ahead, and no steeper to
 /// the side than the turn itself explains (an arc's chord lies half way between its headings). In front of a stitch
 /// the next places are tried instead.
-bool drivable(const Pose2& from, const Pose2& next) {
+bool drivable(const Pose2& from, const Pose2& next, double steepest_rad) {
   constexpr double least_ahead_m = 0.04;
-  constexpr double steepest_rad = 0.2;
   const Pose2 step = from.inverse() * next;
   if (step.x < least_ahead_m) return false;
   return std::abs(wrap_angle(std::atan2(step.y, step.x) - 0.5 * step.heading)) <= steepest_rad;
@@ -26,7 +27,7 @@ bool drivable(const Pose2& from, const Pose2& next) {
 
 /// Whether a robot at `from` can get onto a way that leads straight on through `onto`.
 bool merges(const StitchConfig& config, const Pose2& from, const Pose2& onto) {
-  return drivable(from, onto * Pose2{config.merge_m, 0.0, 0.0});
+  return drivable(from, onto * Pose2{config.merge_m, 0.0, 0.0}, gentle_rad);
 }
 
 /// Whether the hop from `a` to `b` turns the robot on the spot.
@@ -55,12 +56,12 @@ Spot next_spot(const std::vector<RoutePose>& poses, std::size_t from) {
   return {};
 }
 
-void append_end(std::vector<Pose2>& path, const Pose2& end) {
-  while (path.size() > 1 && !drivable(path.back(), end)) path.pop_back();
+void append_end(std::vector<Pose2>& path, const Pose2& end, double steepest_rad) {
+  while (path.size() > 1 && !drivable(path.back(), end, steepest_rad)) path.pop_back();
   constexpr double least_m = 0.005;
   if (!path.empty() && (path.back().translation() - end.translation()).norm() < least_m) path.pop_back();
   // Beyond the end, or beside it with nothing left to drive on: the end alone says where to stand.
-  if (path.size() == 1 && !drivable(path.back(), end)) path.pop_back();
+  if (path.size() == 1 && !drivable(path.back(), end, steepest_rad)) path.pop_back();
   path.push_back(end);
 }
 
@@ -146,7 +147,10 @@ RouteAround around(const NavigationConfig& config, const Route& route, const Joi
   return result;
 }
 
-PathAhead path_ahead(const NavigationConfig& config, const Route& route, const RouteAround& around) {
+namespace {
+
+PathAhead path_no_steeper(const NavigationConfig& config, const Route& route, const RouteAround& around,
+                          double steepest_rad) {
   const std::vector<RoutePose>& poses = around.poses;
   PathAhead ahead;
   const Spot spot = next_spot(poses, around.nearest);
@@ -163,20 +167,33 @@ PathAhead path_ahead(const NavigationConfig& config, const Route& route, const R
   double length_m = 0.0;
   for (std::size_t i = first + 1; i < end; ++i) {
     const Pose2& next = poses[i].robot_from_place;
-    if (!drivable(path.back(), next)) continue;
+    if (!drivable(path.back(), next, steepest_rad)) continue;
     length_m += (next.translation() - path.back().translation()).norm();
     path.push_back(next);
     if (i > around.nearest && length_m > config.follow.segment_m + behind_m) break;
   }
   const bool cut = length_m > config.follow.segment_m + behind_m;
   const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
-  if (!cut && first < end) append_end(path, poses[end].robot_from_place);
+  if (!cut && first < end) append_end(path, poses[end].robot_from_place, steepest_rad);
   ahead.reaches_end = !cut && (end < poses.size() - 1 || poses[end].index == last);
   if (!cut && spot.first < spot.last) {
     ahead.turn_to_rad = poses[spot.last].robot_from_place.heading;
     ahead.turn_reaches = poses[spot.last].index;
   }
   ahead.robot_from_path = std::move(path);
+  return ahead;
+}
+
+}  // namespace
+
+PathAhead path_ahead(const NavigationConfig& config, const Route& route, const RouteAround& around) {
+  // Where a way leads off beside the robot no gentle bend may lead there: then a steeper one, slower, is better than
+  // none.
+  PathAhead ahead;
+  for (const double steepest_rad : {gentle_rad, 2.0 * gentle_rad, 4.0 * gentle_rad}) {
+    ahead = path_no_steeper(config, route, around, steepest_rad);
+    if (ahead.reaches_end || ahead.robot_from_path.size() > 1) break;
+  }
   return ahead;
 }
 

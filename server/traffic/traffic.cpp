@@ -10,6 +10,9 @@ namespace {
 constexpr double kUnknownFootprint_m = 0.6;
 /// A standing robot whose nearest place changes within this is still at the place it was at.
 constexpr double kSameStand_m = 0.2;
+/// Left free before whoever is in the way: it may have to go back to a place behind it to set off, and two robots
+/// must not each wait for the other's first step.
+constexpr double kRoomToSetOff_m = 0.5;
 
 storage::PutOccupancy standing_at(const RobotId& robot, const PlaceId& place) {
   storage::PutOccupancy occupancy;
@@ -84,6 +87,15 @@ std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, co
   return found->robot;
 }
 
+/// Its own place, where a route begins, is the robot's in any case.
+void Traffic::leave_room(const Route& route, std::uint32_t from, Way& way) {
+  double room_m = 0.0;
+  while (way.through && room_m<kRoomToSetOff_m&& * way.through> 0) {
+    room_m += distance_m(route.relations[*way.through - 1]);
+    way.through = *way.through > from ? std::optional(*way.through - 1) : std::nullopt;
+  }
+}
+
 Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
   Way way;
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
@@ -91,7 +103,10 @@ Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
   for (std::uint32_t i = 0; i < wanted.size(); ++i) {
     way.blocked_by = holder_near(others, wanted[i]);
-    if (way.blocked_by) return way;
+    if (way.blocked_by) {
+      leave_room(route, from, way);
+      return way;
+    }
     way.through = from + i;
   }
   return way;

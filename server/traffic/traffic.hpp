@@ -63,6 +63,7 @@ class Traffic {
     std::vector<Looked> touched;
   };
 
+  static void leave_room(const Route& route, std::uint32_t from, Way& way);
   Holder& holder(const RobotId& robot);
   std::vector<Touched> touched(const Holder& holder) const;
   std::vector<Other> others_of(const RobotId& robot);

@@ -73,6 +73,20 @@ TEST_F(TrafficTest, StandingRobotIsInTheWayUntilItLeaves) {
   expect_apart();
 }
 
+TEST_F(TrafficTest, RoomIsLeftForTheFirstStepOfOneThatStands) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  // A stitch may lead it to a place behind it first.
+  storage::PutOccupancy step_back;
+  step_back.robot = r2.id;
+  step_back.held.places = {run.place(29)};
+  Nearness nearness(3.0);
+  EXPECT_FALSE(overlap(site.service().snapshot(), nearness, touched_by(site.disk->occupancies.at(r1.id), 0.4),
+                       touched_by(step_back, 0.4)));
+}
+
 TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
   site.say(site.state(r1, run.place(10)));
   site.say(site.state(r2, run.place(0)));

@@ -37,7 +37,7 @@ class Operator {
  private:
   struct Open {
     std::string label;
-    Goal goal;  ///< as last seen
+    Goal goal;           ///< as last seen
     SteadyTime since{};  ///< its history has been as it is
   };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
@@ -46,6 +46,7 @@ class Operator {
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);
   void teach_more(std::size_t robot);
+  bool is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line) const;
   void send_goal(const std::string& label, const std::string& robot);
   void stop_a_while(std::size_t robot);
   void look_around();

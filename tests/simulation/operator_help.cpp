@@ -49,8 +49,8 @@ bool Operator::has_errand(std::size_t robot) const {
 std::string Operator::free_station() {
   std::vector<std::string> free;
   for (const auto& [label, station] : stations_) {
-    const bool is_asked_for = std::any_of(open_.begin(), open_.end(),
-                                          [&](const auto& entry) { return entry.second.label == label; });
+    const bool is_asked_for =
+        std::any_of(open_.begin(), open_.end(), [&](const auto& entry) { return entry.second.label == label; });
     const Pose2 there = fleet_.site().pose(fleet_.site().station_m(station), {station});
     bool is_taken = false;
     for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {

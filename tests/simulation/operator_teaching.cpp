@@ -92,6 +92,19 @@ void Operator::teach_stop(std::size_t robot) {
   ask(stop);
 }
 
+/// Nobody drives a robot into another one; into the way of another one, perhaps.
+bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line) const {
+  constexpr double room_m = 1.5;
+  for (std::size_t other = 0; other < fleet_.robots(); ++other) {
+    const Pose2& there = fleet_.body(other).site_from_robot();
+    const bool is_near = std::any_of(line.begin(), line.end(), [&](const agents::SitePoint& point) {
+      return std::hypot(point.x - there.x, point.y - there.y) < room_m;
+    });
+    if (other != robot && is_near) return false;
+  }
+  return true;
+}
+
 /// A hand takes an idle robot a few metres along the ring, teaching.
 void Operator::teach_more(std::size_t robot) {
   if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return;
@@ -111,7 +124,9 @@ void Operator::teach_more(std::size_t robot) {
       }
     }
   }
-  teach_piece(robot, at, at + random_.uniform(3.0, 9.0), through);
+  const double to = at + random_.uniform(3.0, 9.0);
+  if (!is_clear(robot, site.line(at, to, through))) return;
+  teach_piece(robot, at, to, through);
   if (fleet_.robot_up(robot) && fleet_.state(robot).mode == msg::RobotMode::teaching) teach_stop(robot);
 }
 

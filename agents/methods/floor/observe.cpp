@@ -176,8 +176,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     if (!fit.converged) return "not_converged";
     const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
     const MotionGate gate{config_.wheels_share, config_.wheels_m, config_.wheels_rad, config_.command_factor};
-    if (!agrees(gate, motion, moved, seen))
-      return motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
+    if (!agrees(gate, motion, moved, seen)) return motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
     return {};
   };
   const std::string_view refused = try_to_see();
