@@ -28,7 +28,7 @@ std::vector<ContentRef> nearest_first(const Window& window, const std::optional<
   }
   if (focus.has_value()) {
     const auto all = static_cast<std::uint32_t>(window.places.size());
-    for (const Reached& reached : breadth_first(window, *focus, all, all)) take(reached.id);
+    for (const PlaceId& id : neighbourhood(window, *focus, all, all)) take(id);
   }
   for (const auto& [id, place] : window.places) take(id);
   return contents;
@@ -36,9 +36,9 @@ std::vector<ContentRef> nearest_first(const Window& window, const std::optional<
 
 bool is_covered(const MapView& map, const PlaceId& place, std::uint32_t hops) {
   const auto all = static_cast<std::uint32_t>(map.window.places.size());
-  const std::vector<Reached> around = breadth_first(map.window, place, hops, all);
-  return !around.empty() && std::all_of(around.begin(), around.end(),
-                                        [&](const Reached& reached) { return has_content(map, reached.id); });
+  const std::vector<PlaceId> around = neighbourhood(map.window, place, hops, all);
+  return !around.empty() &&
+         std::all_of(around.begin(), around.end(), [&](const PlaceId& id) { return has_content(map, id); });
 }
 
 bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::uint32_t count) {
@@ -51,8 +51,8 @@ bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::u
 
 bool is_near(const Window& window, const PlaceId& centre, const PlaceId& place, std::uint32_t hops) {
   const auto all = static_cast<std::uint32_t>(window.places.size());
-  const std::vector<Reached> around = breadth_first(window, centre, hops, all);
-  return std::any_of(around.begin(), around.end(), [&](const Reached& reached) { return reached.id == place; });
+  const std::vector<PlaceId> around = neighbourhood(window, centre, hops, all);
+  return std::find(around.begin(), around.end(), place) != around.end();
 }
 
 std::optional<Relation> seen_from(const Window& window, const PlaceId& goal, const PlaceId& place,

@@ -9,11 +9,26 @@
 
 namespace weft::agents {
 
+namespace {
+
+/// Certainly farther than `reach_m`, by the plane alone: most of a large map is, and costs little to leave out.
+bool is_beyond(const Reached& reached, const Relation& centre_from_robot, double reach_m) {
+  const bool metric = !std::holds_alternative<AlongPath>(reached.centre_from_place) &&
+                      !std::holds_alternative<AlongPath>(centre_from_robot);
+  constexpr double rounding_m = 1e-6;
+  return metric &&
+         (planar(reached.centre_from_place).translation() - planar(centre_from_robot).translation()).norm() >
+             reach_m + rounding_m;
+}
+
+}  // namespace
+
 std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
                                   std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred) {
   constexpr std::uint32_t cap = 2000;
   std::vector<Candidate> found;
   for (const Reached& reached : breadth_first(window, estimate.place, hops, cap)) {
+    if (is_beyond(reached, estimate.place_from_robot, reach_m)) continue;
     const double edges = std::sqrt(static_cast<double>(reached.depth));
     const Relation believed_from_place =
         with_noise(reached.centre_from_place, edges * config.belief.map_sigma_m, edges * config.belief.map_sigma_rad);

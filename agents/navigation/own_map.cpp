@@ -4,11 +4,13 @@ namespace weft::agents {
 
 namespace {
 
-void insert(Window& window, const Edge& edge) {
-  if (window.place(edge.id.a) == nullptr || window.place(edge.id.b) == nullptr) return;
-  if (!window.edges.emplace(edge.id, edge).second) return;
-  window.edges_at.emplace(edge.id.a, edge.id);
-  window.edges_at.emplace(edge.id.b, edge.id);
+void insert(Window& window, const std::vector<Edge>& edges) {
+  bool any = false;
+  for (const Edge& edge : edges) {
+    if (window.place(edge.id.a) == nullptr || window.place(edge.id.b) == nullptr) continue;
+    any = window.edges.emplace(edge.id, edge) || any;
+  }
+  if (any) index_edges(window);
 }
 
 }  // namespace
@@ -22,12 +24,12 @@ void OwnMap::add(const Place& place, const std::vector<Edge>& edges) {
   edges_.insert(edges_.end(), edges.begin(), edges.end());
   if (!joined_) return;
   joined_->places.emplace(place.id, place);
-  for (const Edge& edge : edges) insert(*joined_, edge);
+  insert(*joined_, edges);
 }
 
 void OwnMap::anchor(const Edge& edge) {
   edges_.push_back(edge);
-  if (joined_) insert(*joined_, edge);
+  if (joined_) insert(*joined_, {edge});
 }
 
 void OwnMap::update(const Window& window, bool done) {
@@ -42,7 +44,7 @@ void OwnMap::update(const Window& window, bool done) {
 void OwnMap::join(const Window& window) {
   joined_ = window;
   for (const Place& place : places_) joined_->places.emplace(place.id, place);
-  for (const Edge& edge : edges_) insert(*joined_, edge);
+  insert(*joined_, edges_);
 }
 
 }  // namespace weft::agents

@@ -164,10 +164,10 @@ class Drawing {
     for (const auto& [id, ink] : colours_) {
       std::uint32_t places = 0;
       RobotId robot;
-      for (auto at = network_.places.lower_bound({id, 0}); at != network_.places.end() && at->first.experience == id;
-           ++at) {
+      for (const auto& [place, held] : network_.places) {
+        if (place.experience != id) continue;
         ++places;
-        robot = at->second.robot;
+        robot = held.robot;
       }
       sample(y, ink, 5.0);
       text({kMargin + 60.0, y + 5.0},

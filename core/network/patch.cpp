@@ -57,6 +57,10 @@ Result<void> check_ends(const Window& window) {
 }  // namespace
 
 Patch difference(const Window& base, const Window& target) {
+  return difference(base, target, digest(target));
+}
+
+Patch difference(const Window& base, const Window& target, const Digest& target_digest) {
   Patch patch;
   patch.base = base.revision;
   patch.target = target.revision;
@@ -70,7 +74,7 @@ Patch difference(const Window& base, const Window& target) {
   const auto new_label = [&](const auto& entry) { patch.labels.insert(entry); };
   compare(base.labels, target.labels, new_label, new_label,
           [&](const auto& entry) { patch.labels_removed.push_back(entry.first); });
-  patch.digest = digest(target);
+  patch.digest = target_digest;
   return patch;
 }
 
@@ -81,8 +85,8 @@ Result<Window> apply(const Window& base, const Patch& patch) {
   }
   Window window = patch.base.value == 0 ? Window{} : base;
   window.revision = patch.target;
-  for (const EdgeId& id : patch.edges_removed) window.edges.erase(id);
-  for (const PlaceId& id : patch.removed) window.places.erase(id);
+  window.edges.erase_all(patch.edges_removed);
+  window.places.erase_all(patch.removed);
   for (const std::string& label : patch.labels_removed) window.labels.erase(label);
   for (const Place& place : patch.added) window.places.insert_or_assign(place.id, place);
   for (const Place& place : patch.changed) window.places.insert_or_assign(place.id, place);

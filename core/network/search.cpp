@@ -72,6 +72,15 @@ std::vector<Reached> search(const Graph& graph, const PlaceId& centre, std::uint
   return result;
 }
 
+template <class Graph>
+std::vector<PlaceId> search_ids(const Graph& graph, const PlaceId& centre, std::uint32_t max_depth,
+                                std::uint32_t cap) {
+  std::vector<PlaceId> ids;
+  expand(graph, centre, max_depth, cap,
+         [&](const Arrival& arrival, std::uint32_t, std::size_t) { ids.push_back(arrival.id); });
+  return ids;
+}
+
 }  // namespace
 
 std::vector<Reached> breadth_first(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
@@ -84,12 +93,14 @@ std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& cent
   return search(snapshot, centre, max_depth, cap);
 }
 
+std::vector<PlaceId> neighbourhood(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
+                                   std::uint32_t cap) {
+  return search_ids(window, centre, max_depth, cap);
+}
+
 std::vector<PlaceId> neighbourhood(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
-  std::vector<PlaceId> ids;
-  expand(snapshot, centre, max_depth, cap,
-         [&](const Arrival& arrival, std::uint32_t, std::size_t) { ids.push_back(arrival.id); });
-  return ids;
+  return search_ids(snapshot, centre, max_depth, cap);
 }
 
 bool can_drive(const Edge& edge, const PlaceId& from) {

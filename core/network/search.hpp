@@ -25,6 +25,8 @@ std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& cent
                                    std::uint32_t cap);
 
 /// The ids alone, without composing relations; same order.
+std::vector<PlaceId> neighbourhood(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
+                                   std::uint32_t cap);
 std::vector<PlaceId> neighbourhood(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap);
 

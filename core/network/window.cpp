@@ -41,13 +41,17 @@ std::vector<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& de
 
 void index_edges(Window& window) {
   window.edges_at.clear();
+  window.edges_at.reserve(2 * window.edges.size());
   for (const bool stitches : {false, true}) {
-    for (const auto& [id, edge] : window.edges) {
-      if ((edge.origin == Origin::stitch) != stitches) continue;
-      window.edges_at.emplace(id.a, id);
-      window.edges_at.emplace(id.b, id);
+    for (std::uint32_t at = 0; at < window.edges.size(); ++at) {
+      if ((window.edges.value_at(at).origin == Origin::stitch) != stitches) continue;
+      const EdgeId& id = window.edges.key_at(at);
+      window.edges_at.push_back({id.a, at});
+      window.edges_at.push_back({id.b, at});
     }
   }
+  std::stable_sort(window.edges_at.begin(), window.edges_at.end(),
+                   [](const auto& first, const auto& second) { return first.place < second.place; });
 }
 
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition) {
@@ -55,10 +59,11 @@ Window make_window(const Snapshot& snapshot, const WindowDefinition& definition)
   window.revision = snapshot.revision();
   const std::vector<PlaceId> chosen = choose(snapshot, definition);
   const auto inside = [&](const PlaceId& id) { return std::binary_search(chosen.begin(), chosen.end(), id); };
+  window.places.reserve(chosen.size());
   for (const PlaceId& id : chosen) {
-    window.places.emplace_hint(window.places.end(), id, *snapshot.place(id));
+    window.places.emplace(id, *snapshot.place(id));
     snapshot.for_each_edge(id, [&](const Edge& edge) {
-      if (edge.id.a == id && inside(edge.id.b)) window.edges.emplace_hint(window.edges.end(), edge.id, edge);
+      if (edge.id.a == id && inside(edge.id.b)) window.edges.emplace(edge.id, edge);
     });
   }
   for (const auto& [label, place] : snapshot.labels()) {

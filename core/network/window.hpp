@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/flat_map.hpp"
 #include "core/network/network.hpp"
 
 namespace weft {
@@ -20,23 +22,25 @@ struct WindowDefinition {
 /// The part of the network that one agent holds: places, the edges with both ends inside, labels of places inside.
 struct Window {
   Revision revision;
-  std::map<PlaceId, Place> places;
-  std::map<EdgeId, Edge> edges;
+  FlatMap<PlaceId, Place> places;
+  FlatMap<EdgeId, Edge> edges;
   std::map<std::string, PlaceId> labels;
 
-  const Place* place(const PlaceId& id) const {
-    const auto found = places.find(id);
-    return found == places.end() ? nullptr : &found->second;
-  }
+  const Place* place(const PlaceId& id) const { return places.value(id); }
   /// Same contract as Snapshot::for_each_edge. Linear only in the edges at `id`.
   template <class Visit>
   void for_each_edge(const PlaceId& id, Visit&& visit) const;
 
-  /// Second ends, kept by `make_window` and `apply` so that edges are found from either end.
-  std::multimap<PlaceId, EdgeId> edges_at;
+  struct EdgeEnd {
+    PlaceId place;
+    std::uint32_t edge = 0;  ///< position in `edges`
+    bool operator==(const EdgeEnd&) const = default;
+  };
+  /// Both ends of every edge, kept by `make_window` and `apply` so that edges are found from either end.
+  std::vector<EdgeEnd> edges_at;
 };
 
-/// Makes `edges_at` anew from `edges`.
+/// Makes `edges_at` anew from `edges`; to be called when edges were added or removed.
 void index_edges(Window& window);
 
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition);
@@ -60,6 +64,8 @@ struct Patch {
 };
 
 Patch difference(const Window& base, const Window& target);
+/// The same for whoever has the digest of `target` already: it costs more than all the rest.
+Patch difference(const Window& base, const Window& target, const Digest& target_digest);
 /// A patch from the empty window (base 0) replaces the window, whatever it was.
 /// stale: the patch is not made from this window's revision. corrupt: the result's digest is not the patch's, or an
 /// edge or a label points out of the window.
@@ -74,8 +80,9 @@ Result<Patch> join(const std::vector<Patch>& parts);
 
 template <class Visit>
 void Window::for_each_edge(const PlaceId& id, Visit&& visit) const {
-  const auto [first, last] = edges_at.equal_range(id);
-  for (auto at = first; at != last; ++at) visit(edges.at(at->second));
+  auto at = std::lower_bound(edges_at.begin(), edges_at.end(), id,
+                             [](const EdgeEnd& end, const PlaceId& place) { return end.place < place; });
+  for (; at != edges_at.end() && at->place == id; ++at) visit(edges.value_at(at->edge));
 }
 
 }  // namespace weft

@@ -26,7 +26,10 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
   // A window of another definition is as good a base, as long as both know it.
   const bool holds_what_we_think =
       asker.held && asker.held->revision == request.held && asker.held_digest == request.held_digest;
-  if (!holds_what_we_think) asker.held = window_at(request.held, request.definition, request.held_digest);
+  if (!holds_what_we_think) {
+    asker.held = window_at(request.held, request.definition, request.held_digest);
+    asker.held_definition = request.definition;
+  }
   asker.held_digest = request.held_digest;
   asker.behind = true;
   asker.asked = true;
@@ -46,17 +49,28 @@ std::shared_ptr<const Window> Subscriptions::window_at(Revision revision, const 
   return std::make_shared<const Window>(std::move(window));
 }
 
+std::pair<std::shared_ptr<const Window>, Digest> Subscriptions::window_now(const WindowDefinition& definition) const {
+  const Snapshot& current = context_.snapshots.current();
+  // Whoever asks again, or asks for what another one has, is told what is there already.
+  for (const auto& [peer, asker] : askers_) {
+    const bool is_it =
+        asker.held && asker.held->revision == current.revision() && asker.held_definition == definition;
+    if (is_it) return {asker.held, asker.held_digest};
+  }
+  auto window = std::make_shared<const Window>(make_window(current, definition));
+  const Digest of_it = digest(*window);
+  return {std::move(window), of_it};
+}
+
 void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
   asker.behind = false;
-  auto target = std::make_shared<const Window>(make_window(context_.snapshots.current(), asker.definition));
-  const Digest target_digest = digest(*target);
+  const auto [target, target_digest] = window_now(asker.definition);
   const bool holds_it = asker.held != nullptr && asker.held_digest == target_digest;
   // An asker is answered even if nothing changed: it may be waiting for its new definition to be confirmed.
   if (holds_it && !asker.asked) return;
   asker.asked = false;
   const Window empty;
-  Patch patch = difference(asker.held ? *asker.held : empty, *target);
-  patch.digest = target_digest;
+  const Patch patch = difference(asker.held ? *asker.held : empty, *target, target_digest);
   std::vector<Patch> parts = parts_of(patch, msg::kPatchEntities);
   const auto count = static_cast<std::uint32_t>(parts.size());
   for (std::uint32_t part = 0; part < count; ++part) {
@@ -67,8 +81,9 @@ void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
                                        .parts = count,
                                        .patch = std::move(parts[part])});
   }
-  asker.held = std::move(target);
+  asker.held = target;
   asker.held_digest = target_digest;
+  asker.held_definition = asker.definition;
   asker.next_patch = now + kBetweenPatches;
 }
 

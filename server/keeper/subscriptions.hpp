@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/protocol/messages.hpp"
 #include "server/context.hpp"
@@ -26,12 +27,15 @@ class Subscriptions {
     std::uint64_t definition_id = 0;
     WindowDefinition definition;
     std::shared_ptr<const Window> held;  ///< as far as we know; null: nothing, or nothing we can build on
+    WindowDefinition held_definition;    ///< what `held` is a window of
     Digest held_digest;
     SteadyTime next_patch;  ///< not earlier
     bool behind = true;     ///< its window may have changed
     bool asked = true;      ///< it asked, and has no answer yet
   };
 
+  /// As the network has it, with its digest.
+  std::pair<std::shared_ptr<const Window>, Digest> window_now(const WindowDefinition& definition) const;
   void serve(const PeerId& peer, Asker& asker, SteadyTime now);
   /// The window that somebody with this digest holds; null when we cannot tell what it is.
   std::shared_ptr<const Window> window_at(Revision revision, const WindowDefinition& definition,

@@ -1,4 +1,5 @@
 // tests/simulate: lives of a whole fleet in one thread each, two at a time, invariants checked all along.
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,12 +41,13 @@ bool parse(const std::string& text, Seeds& seeds) {
 std::string one(const Options& options, std::uint64_t seed) {
   const auto result = weft::simulation::run({.seed = seed, .robots = options.robots, .hours = options.hours});
   std::ostringstream line;
+  // First, because at the seed's own line whoever reads may stop.
+  for (const auto& violation : result.violations)
+    line << "! seed " << seed << ": " << violation.invariant << ": " << violation.what << '\n';
   line << seed << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
        << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' ' << result.acknowledged
        << ' ' << result.trace;
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
-  for (const auto& violation : result.violations)
-    line << "\n! seed " << seed << ": " << violation.invariant << ": " << violation.what;
   for (const auto& entry : result.diary) {
     if (options.diary) line << "\n! " << entry;
   }
@@ -55,6 +57,10 @@ std::string one(const Options& options, std::uint64_t seed) {
 /// Every jobs-th seed, a line each into the pipe.
 void work(const Options& options, const Seeds& seeds, std::size_t worker, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // Windows come and go all the time: their memory is kept, not handed back and cleared again.
+  constexpr int megabytes = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * megabytes);
+  mallopt(M_TRIM_THRESHOLD, 256 * megabytes);
   for (std::uint64_t seed = seeds.first + worker; seed <= seeds.last; seed += options.jobs) {
     const std::string line = one(options, seed);
     for (std::size_t done = 0; done < line.size();) {

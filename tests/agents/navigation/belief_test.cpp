@@ -39,8 +39,7 @@ Window two_places() {
   edge.id = {here, there};
   edge.a_from_b = metric({0.2, 0, 0}, 0.002, 0.002);
   window.edges.emplace(edge.id, edge);
-  window.edges_at.emplace(here, edge.id);
-  window.edges_at.emplace(there, edge.id);
+  index_edges(window);
   return window;
 }
 
