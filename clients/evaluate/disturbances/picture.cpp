@@ -134,6 +134,7 @@ class Drawing {
   void colour(const Colour& ink) { cairo_set_source_rgb(pen_, ink.r, ink.g, ink.b); }
 
   void mark(double x, double y, const Colour& ink, bool full) {
+    cairo_new_path(pen_);  // a text before it has left a point behind
     cairo_arc(pen_, x, y, 4.0, 0.0, 2.0 * std::numbers::pi);
     full ? colour(ink) : cairo_set_source_rgb(pen_, 1.0, 1.0, 1.0);
     cairo_fill_preserve(pen_);

@@ -112,13 +112,17 @@ Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& opt
   return Ended::complete;
 }
 
+std::string words_of(Seeds seeds) {
+  if (seeds.first == seeds.last) return "seed " + std::to_string(seeds.first);
+  return "seeds " + std::to_string(seeds.first) + " to " + std::to_string(seeds.last);
+}
+
 Result<void> report(const Subject& subject, const DisturbancesOptions& options, const Rows& rows, std::ostream& out) {
   std::vector<std::string> variants;
   for (const Variant& variant : variants_of(subject.site.disturbances)) variants.push_back(name_of(variant));
   if (const Result<void> csv = write_csv(options.out, variants, rows); !csv) return csv;
   const std::string about = "site " + subject.site.name + ", method floor, two runs over " +
-                            std::to_string(std::lround(options.metres)) + " m, seeds " +
-                            std::to_string(options.seeds.first) + " to " + std::to_string(options.seeds.last);
+                            std::to_string(std::lround(options.metres)) + " m, " + words_of(options.seeds);
   const std::filesystem::path picture = options.out / "disturbances.png";
   if (const Result<void> drawn = draw_disturbances(rows, disturbance_names(), options.seeds, about, picture);
       !drawn) {
