@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "agents/navigation/config.hpp"
 #include "core/network/codec.hpp"
 
 namespace weft::simulation {
@@ -174,8 +175,11 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
     broken("lost_stands",
            by.name + " says that it is lost and drives at " + std::to_string(output.command.linear_m_s) + " m/s");
   }
-  if (lost && !by.body->by_hand() && by.state.blind_m > 4.0) {
-    broken("lost_stands", by.name + " has driven " + std::to_string(by.state.blind_m) + " m blind");
+  // Whatever it says of itself: this far after its last fix it should know that it is lost, and stand.
+  constexpr double most_blind_m = agents::FollowConfig{}.blind_limit_m + 0.3;
+  const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
+  if (!by.body->by_hand() && estimate && estimate->blind_m > most_blind_m && output.command != agents::Twist{}) {
+    broken("lost_stands", by.name + " drives " + std::to_string(estimate->blind_m) + " m after its last fix");
   }
   if (!by.body->by_hand()) {
     check_released_point(by);

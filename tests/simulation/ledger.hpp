@@ -50,7 +50,8 @@ class Ledger {
   void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
   /// What must hold at any moment at which a server is up.
   void look(const server::Service& service, const storage::MemoryDisk& disk);
-  /// What must hold once faults are over, everyone is up and nothing has been asked for a while.
+  /// What must hold once faults are over, everyone is up, people have helped where robots waited for one another, and
+  /// nothing has been asked for a while.
   void look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk);
 
   const std::vector<Violation>& violations() const { return violations_; }

@@ -101,6 +101,8 @@ void Ledger::look_when_quiet(const server::Service& service, const storage::Memo
   }
   for (const Goal& goal : service.goals()) {
     if (is_terminal(goal.state)) continue;
+    broken("goals", "goal " + to_string(goal.id) + " to " + goal.label + " has not ended though people helped: " +
+                        to_string(goal.state) + ", " + goal.history.back().cause);
     if (goal.state == GoalState::pending) {
       for (const auto& [id, robot] : robots) {
         const bool able = (!goal.wanted || *goal.wanted == id) && !busy[id] && robot.state.localised &&

@@ -97,6 +97,27 @@ void add(Totals& totals, const std::string& line) {
   }
 }
 
+/// A simulation in which nothing drives checks nothing. Empty when enough did.
+std::string too_quiet(const Totals& totals) {
+  constexpr double least_share = 0.8;  // of the goals that nobody cancelled
+  const auto count = [&](const char* state) {
+    const auto found = totals.goals.find(state);
+    return found == totals.goals.end() ? 0.0 : static_cast<double>(found->second);
+  };
+  std::ostringstream why;
+  if (static_cast<double>(totals.accepted) < totals.hours) {
+    why << totals.accepted << " goals were accepted in " << totals.hours << " robot-hours: less than one each";
+    return why.str();
+  }
+  double all = 0.0;
+  for (const auto& [state, number] : totals.goals) all += static_cast<double>(number);
+  const double wanted = all - count("cancelled");
+  if (wanted <= 0.0 || count("succeeded") < least_share * wanted) {
+    why << "of " << wanted << " goals that nobody cancelled only " << count("succeeded") << " succeeded";
+  }
+  return why.str();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -194,5 +215,7 @@ int main(int argc, char** argv) {
   std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.broken
             << " seeds broke an invariant\n";
   if (died && totals.broken == 0) std::cout << "a worker ended early\n";
-  return totals.broken > 0 || died || totals.seeds != wanted ? 1 : 0;
+  const std::string quiet = totals.seeds == wanted ? too_quiet(totals) : "";
+  if (!quiet.empty()) std::cout << quiet << '\n';
+  return totals.broken > 0 || died || totals.seeds != wanted || !quiet.empty() ? 1 : 0;
 }
