@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kMovingPeriod_s = 0.1;
 constexpr double kRestPeriod_s = 2.0;
+constexpr double kDarkens = 2e-4;  // at a frame of a robot that drives itself: once in some ten minutes of driving
 constexpr std::size_t kTruthFrames = 4000;
 
 }  // namespace
@@ -40,7 +41,10 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   sample.motion.command = drive;
   const double rolled = base_.wheels().linear_m_s * period;
   sample.motion.wheels = agents::WheelStep{rolled * wheel_scale_, base_.last_step().heading + wheel_turn_ * rolled};
-  if (!random_.chance(0.005)) sample.view = look();
+  // Lamps fail, mostly for longer than a robot may drive blind.
+  const bool may_darken = !hand && !resting && time_ >= dark_until_;
+  if (may_darken && random_.chance(kDarkens)) dark_until_ = time_ + from_seconds(random_.uniform(2.0, 30.0));
+  if (!random_.chance(0.005) && time_ >= dark_until_) sample.view = look();
   truth_.emplace(frame_, site_from_robot());
   if (truth_.size() > kTruthFrames) truth_.erase(truth_.begin());
   return sample;

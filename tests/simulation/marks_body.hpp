@@ -45,6 +45,7 @@ class MarksBody : public agents::Body {
   double wheel_turn_;
   std::uint64_t frame_ = 0;
   SensorTime time_{};
+  SensorTime dark_until_{};
   std::vector<agents::SitePoint> hand_;
   std::size_t hand_at_ = 0;
   bool hand_done_ = false;
