@@ -170,14 +170,16 @@ void Ledger::agent_took(const RobotId& robot) {
 
 void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& output) {
   const Robot& by = robots.at(robot);
-  const bool lost = by.state.mode == msg::RobotMode::lost;
+  const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
+  // What it said last may be older than the view that has just shown it where it is.
+  const bool found = estimate && estimate->blind_m <= agents::FollowConfig{}.blind_limit_m;
+  const bool lost = by.state.mode == msg::RobotMode::lost && !found;
   if (lost && !by.body->by_hand() && output.command != agents::Twist{}) {
     broken("lost_stands",
            by.name + " says that it is lost and drives at " + std::to_string(output.command.linear_m_s) + " m/s");
   }
   // Whatever it says of itself: this far after its last fix it should know that it is lost, and stand.
   constexpr double most_blind_m = agents::FollowConfig{}.blind_limit_m + 0.3;
-  const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
   if (!by.body->by_hand() && estimate && estimate->blind_m > most_blind_m && output.command != agents::Twist{}) {
     broken("lost_stands", by.name + " drives " + std::to_string(estimate->blind_m) + " m after its last fix");
   }
