@@ -92,6 +92,14 @@ class Sites(WithFolder):
                          BIN / 'weft-evaluate', 'disturbances', '--site', site, '--out', self.folder / 'out')
 
 
+class Interruption(WithFolder):
+    def test_an_interrupted_study_says_how_to_go_on(self):
+        with Running(self.folder / 'log', BIN / 'weft-evaluate', 'disturbances', '--site', DEMO, '--out', self.folder / 'out') as study:
+            self.assertTrue(study.says('0 of them are there already'), study.text())
+            self.assertEqual(study.stop(), 130, study.text())
+            self.assertIn('the same command goes on from there', study.text())
+
+
 class Recordings(WithFolder):
     def test_a_damaged_image_is_dropped_and_named(self):
         images = recording(self.folder) / 'data'
