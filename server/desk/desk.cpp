@@ -133,11 +133,12 @@ void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
   waiting_[key].commands.insert(number);
 }
 
-std::string Desk::stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now) {
+Result<std::string> Desk::stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now) {
   const Result<std::string> done = stops ? dispatcher_.pause(robot, who, now) : dispatcher_.resume(robot, who, now);
-  // The robot is told all the same: standing is more urgent than writing it down.
-  return fleet_.name_of(robot) + ": " +
-         (done ? *done : "its goal's state could not be stored: " + done.error().message);
+  const std::string name = fleet_.name_of(robot) + ": ";
+  if (done) return name + *done;
+  return fail(ErrorCode::unavailable,
+              name + "its goal's state could not be stored: " + done.error().message + (stops ? "" : ": try again"));
 }
 
 void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
@@ -153,6 +154,7 @@ void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, c
   if (robots.empty()) return answer(key, msg::Outcome::done, "there is no robot");
   std::string message;
   bool waits = false;
+  bool failed = false;
   for (const RobotId& id : robots) {
     const Robot& robot = *fleet_.find(id);
     message += message.empty() ? "" : "; ";
@@ -167,7 +169,13 @@ void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, c
                           .cause = request.robot.empty() ? "all robots" : "",
                           .who = who},
                          now);
-    message += stop_or_resume_goal(stops, id, who, now);
+    const Result<std::string> stored = stop_or_resume_goal(stops, id, who, now);
+    message += stored ? *stored : stored.error().message;
+    // To stand is more urgent than to write it down; to go on while the goal is paused would be undone at once.
+    if (!stored && !stops) {
+      failed = true;
+      continue;
+    }
     msg::AgentCommand command;
     command.to = id;
     command.kind = stops ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;
@@ -181,8 +189,9 @@ void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, c
   }
   if (waits) {
     waiting_[key].message = message;
+    waiting_[key].failed = failed;
   } else {
-    answer(key, msg::Outcome::accepted, message);
+    answer(key, failed ? msg::Outcome::failed : msg::Outcome::accepted, message);
   }
 }
 

@@ -53,7 +53,7 @@ class Desk {
   Result<msg::AgentCommand> command_for(const msg::OperatorRequest& request, const Robot& robot) const;
   Result<const Robot*> reachable(const std::string& name) const;
   Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
-  std::string stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now);
+  Result<std::string> stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now);
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
   void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);

@@ -275,5 +275,27 @@ TEST_F(GoalLife, StateThatCannotBeStoredIsNotReached) {
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
+TEST_F(GoalLife, ResumeThatCannotBeStoredIsNotSaidToBeDone) {
+  start();
+  msg::OperatorRequest stop = site.request(Kind::stop);
+  stop.robot = "r1";
+  site.say(stop);
+  ASSERT_EQ(site.goal(1).state, GoalState::paused);
+  site.disk->faults.full = true;
+  site.hush();
+  msg::OperatorRequest resume = site.request(Kind::resume);
+  resume.robot = "r1";
+  EXPECT_EQ(site.ask(resume).outcome, msg::Outcome::failed);
+  for (const msg::AgentCommand& told : site.heard<msg::AgentCommand>()) {
+    EXPECT_NE(told.kind, msg::AgentCommand::Kind::resume) << "it would drive on a paused goal";
+  }
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+  site.disk->faults.full = false;
+  msg::OperatorRequest again = site.request(Kind::resume);
+  again.robot = "r1";
+  site.say(again);
+  EXPECT_NE(site.goal(1).state, GoalState::paused);
+}
+
 }  // namespace
 }  // namespace weft::server::test
