@@ -173,7 +173,7 @@ class FleetMapServer final : public Service {
     const Robot* const robot = fleet_.on_state(state, now);
     if (robot == nullptr) return;
     dispatcher_.on_state(*robot, now);
-    desk_.on_state(*robot, now.steady);
+    desk_.on_state(*robot, now);
   }
   void receive(const msg::ExperienceBatch& batch, Now now) {
     // What was seen stays true whichever incarnation hands it in.

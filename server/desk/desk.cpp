@@ -176,6 +176,11 @@ void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, c
       failed = true;
       continue;
     }
+    if (stored) {
+      unstored_stops_.erase(id);
+    } else {
+      unstored_stops_[id] = who;
+    }
     msg::AgentCommand command;
     command.to = id;
     command.kind = stops ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;

@@ -25,7 +25,7 @@ class Desk {
   void on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
   void on_reply(const msg::AgentReply& reply, Now now);
   /// Tells a robot again what it should know: a paused goal's robot stands, that of another goal drives.
-  void on_state(const Robot& robot, SteadyTime now);
+  void on_state(const Robot& robot, Now now);
   void on_silence(const RobotId& robot);
   /// Two live agents share the robot's id.
   void on_twins(const RobotId& robot, Now now);
@@ -70,9 +70,10 @@ class Desk {
   Commands commands_;
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;
-  std::map<std::uint64_t, Key> asked_for_;     ///< by command
-  std::map<Key, std::string> asked_by_;        ///< names, of those that wait for a kept place
-  std::map<PlaceId, LabelToBe> labels_to_be_;  ///< places that were kept and have not come yet
+  std::map<std::uint64_t, Key> asked_for_;         ///< by command
+  std::map<Key, std::string> asked_by_;            ///< names, of those that wait for a kept place
+  std::map<RobotId, std::string> unstored_stops_;  ///< who asked; the goal is still to be paused
+  std::map<PlaceId, LabelToBe> labels_to_be_;      ///< places that were kept and have not come yet
 };
 
 }  // namespace weft::server

@@ -73,7 +73,12 @@ void Desk::joined(const Batch& batch, Now now) {
   }
 }
 
-void Desk::on_state(const Robot& robot, SteadyTime now) {
+void Desk::on_state(const Robot& robot, Now now) {
+  if (const auto stop = unstored_stops_.find(robot.id); stop != unstored_stops_.end()) {
+    // Not to be taken for a robot that has missed its order to go on.
+    if (!dispatcher_.pause(robot.id, stop->second, now)) return;
+    unstored_stops_.erase(stop);
+  }
   const Goal* const goal = dispatcher_.goal_of(robot.id);
   if (goal == nullptr || commands_.is_busy(robot.id)) return;
   const msg::RobotMode mode = robot.state->mode;
@@ -84,7 +89,7 @@ void Desk::on_state(const Robot& robot, SteadyTime now) {
   msg::AgentCommand command;
   command.to = robot.id;
   command.kind = is_to_stop ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;
-  commands_.give(std::move(command), now);
+  commands_.give(std::move(command), now.steady);
 }
 
 void Desk::on_silence(const RobotId& robot) {

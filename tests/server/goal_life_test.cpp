@@ -297,5 +297,30 @@ TEST_F(GoalLife, ResumeThatCannotBeStoredIsNotSaidToBeDone) {
   EXPECT_NE(site.goal(1).state, GoalState::paused);
 }
 
+TEST_F(GoalLife, StopThatCannotBeStoredStandsAllTheSame) {
+  const Route route = start();
+  site.progress(r1, route, msg::RoutePhase::driving, 2);
+  ASSERT_EQ(site.goal(1).state, GoalState::executing);
+  site.disk->faults.full = true;
+  msg::OperatorRequest stop = site.request(Kind::stop);
+  stop.robot = "r1";
+  site.say(stop);
+  const msg::AgentCommand told = site.last<msg::AgentCommand>().value();
+  ASSERT_EQ(told.kind, msg::AgentCommand::Kind::stop);
+  site.say(msg::AgentReply{
+      .header = r1.header(), .command = told.command, .done = true, .reason = {}, .place = {}, .experience = {}});
+  site.hush();
+  msg::RobotState stopped = driving(route, run.place(3));
+  stopped.mode = msg::RobotMode::stopped;
+  stopped.header = r1.header();
+  site.say(stopped);
+  EXPECT_THAT(site.heard<msg::AgentCommand>(), IsEmpty()) << "it is not told to go on";
+  site.disk->faults.full = false;
+  stopped.header = r1.header();
+  site.say(stopped);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+  EXPECT_THAT(site.heard<msg::AgentCommand>(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace weft::server::test
