@@ -74,6 +74,7 @@ void RobotAgent::teach_on(const msg::AgentCommand& command, const CommandKey& ke
                     teaching_->phase == Teaching::Phase::on && !teaching_->next_part.has_value();
   if (!same) return refuse(key, config_.name + " is being taught '" + teaching_->name + "': stop that first");
   std::vector<SitePoint> along;
+  along.reserve(command.along.size());
   for (const msg::AgentCommand::Point& point : command.along) along.push_back({point.x, point.y});
   if (along.empty() || along == teaching_->along) {
     msg::AgentReply done;

@@ -86,7 +86,7 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   t->first_near_row = rows;
   const Eigen::Matrix3d homography = camera_from_floor(camera, Sway{});
   for (int r = 0; r < rows; ++r) {
-    if (finest_m_per_px(camera, t->on_floor(columns / 2, r)) < 0.55 * area.metres_per_pixel)
+    if (finest_m_per_px(camera, t->on_floor(0.5 * columns, r)) < 0.55 * area.metres_per_pixel)
       t->first_near_row = std::min(t->first_near_row, r);
     for (int c = 0; c < columns; ++c) {
       const Eigen::Vector3d ray = homography * t->on_floor(c, r).homogeneous();

@@ -60,11 +60,14 @@ cli::Exit run(const cli::Invocation& invocation) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const auto parsed = cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS")});
   if (const auto* const not_run = std::get_if<cli::NotRun>(&parsed)) {
     (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
     return not_run->exit_code;
   }
   return static_cast<int>(run(std::get<cli::Invocation>(parsed)));
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "weft: ended by a defect: %s\n", error.what());
+  return static_cast<int>(cli::Exit::failed);
 }

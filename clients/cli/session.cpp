@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -128,7 +129,7 @@ Result<msg::Hello> Session::connect(Duration at_most) {
   const Result<void> heard = converse(hello(), at_most, [this](const msg::Message&) { return server_.has_value(); });
   if (!heard) {
     return fail(ErrorCode::unavailable,
-                "no server was heard within " + std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                "no server was heard within " + std::to_string(std::lround(seconds(at_most))) +
                     " s: is weft-server running, and do --server, --domain and WEFT_SERVER name it?");
   }
   if (server_->protocol_min > msg::kProtocolVersion || server_->protocol_max < msg::kProtocolVersion) {
@@ -151,7 +152,7 @@ Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration a
   });
   if (!heard) {
     return fail(ErrorCode::timed_out, "the server did not answer in " +
-                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          std::to_string(std::lround(seconds(at_most))) +
                                           " s; what was asked may still happen: look with `weft robots` and "
                                           "`weft goal list`, or give a longer --timeout");
   }
@@ -169,7 +170,7 @@ Result<msg::QueryReply> Session::query(msg::Query query, Duration at_most) {
   });
   if (!heard) {
     return fail(ErrorCode::timed_out, "the server did not answer in " +
-                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          std::to_string(std::lround(seconds(at_most))) +
                                           " s: try again, or give a longer --timeout");
   }
   return join(pieces.all());
@@ -198,7 +199,7 @@ Result<Window> Session::network(Duration at_most) {
   });
   if (!heard) {
     return fail(ErrorCode::timed_out, "the network did not arrive whole in " +
-                                          std::to_string(static_cast<int>(seconds(at_most) + 0.5)) +
+                                          std::to_string(std::lround(seconds(at_most))) +
                                           " s: give a longer --timeout");
   }
   return std::move(*network);

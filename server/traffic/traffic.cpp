@@ -37,7 +37,7 @@ Touched standing(const msg::RobotState& state, double footprint_m) {
 
 Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored)
     : context_(context), nearness_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m) {
-  for (auto& [robot, occupancy] : stored) holder(robot).occupancy = std::move(occupancy);
+  for (auto& entry : stored) holder(entry.first).occupancy = std::move(entry.second);
 }
 
 Traffic::Holder& Traffic::holder(const RobotId& robot) {

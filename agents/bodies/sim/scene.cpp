@@ -29,7 +29,7 @@ std::array<Eigen::Vector3f, 8> corners_of(const Box& box) {
   std::array<Eigen::Vector3f, 8> corners;
   const std::array<Eigen::Vector2d, 4> around = {{{0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}}};
   for (std::size_t i = 0; i < 8; ++i) {
-    const Eigen::Vector2d half = around[i % 4];
+    const Eigen::Vector2d& half = around[i % 4];
     const Eigen::Vector2d p = box.site_from_box * Eigen::Vector2d(half.x() * box.length_m, half.y() * box.width_m);
     corners[i] = Eigen::Vector3d(p.x(), p.y(), i < 4 ? 0.0 : box.height_m).cast<float>();
   }
@@ -78,7 +78,7 @@ Scene::~Scene() = default;
 void Scene::cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions,
                  std::span<BoxHit> hits) const {
   alignas(64) std::array<int, kPacket> valid{};
-  alignas(64) RTCRayHit16 packet;
+  alignas(64) RTCRayHit16 packet{};
   const Eigen::Vector3f from = eye.cast<float>();
   for (std::size_t i = 0; i < kPacket; ++i) {
     valid[i] = i < directions.size() ? -1 : 0;
@@ -97,7 +97,7 @@ void Scene::cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> di
     packet.ray.flags[i] = 0;
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid.data(), embree_->scene, &context, &packet);

@@ -183,14 +183,14 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   s.newest = now;
   s.frame = view->frame;
   if (!refused.empty()) {
-    const Step step = blind(s, reckoned, refused);
+    Step step = blind(s, reckoned, refused);
     s.inliers = 0;
     begin_keyframe_unseen(config_, camera_, s);
     return step;
   }
 
   const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
-  const Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen)}, true, {}};
+  Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen)}, true, {}};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;
   s.sway_covariance = fit.covariance.bottomRightCorner<3, 3>();

@@ -148,7 +148,7 @@ OrRefusal<Related> MarksMethod::relate(const Content& a, const Content& b,
 
 Step MarksMethod::observe(Odometry& odometry, const View* view, const Motion& motion) const {
   const auto blind = [&](std::string_view reason) {
-    const Step step = dead_reckon(config_.blind, motion, reason);
+    Step step = dead_reckon(config_.blind, motion, reason);
     odometry.last_from_now = std::get<Metric2>(compose(odometry.last_from_now, step.previous_from_current));
     return step;
   };
