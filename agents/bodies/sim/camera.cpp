@@ -214,6 +214,7 @@ void Camera::fetch_floor() {
 void Camera::sample_floor(const Exposure& exposure) {
   const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
   const TileKey origin = tile_of(eye.x(), eye.y());
+  const auto sees_floor = [this](int u, int v) { return shows_.empty() || shows(u, v) != Shows::inside; };
   std::array<FloorFromRay, kSubsamples> floor_from_ray_of{};
   std::array<LevelPixels, kLevels> pixels{};
   for (std::size_t k = 0; k < kSubsamples; ++k) {
@@ -226,18 +227,25 @@ void Camera::sample_floor(const Exposure& exposure) {
   for (int v0 = 0; v0 < camera_.height; v0 += kBlock) {
     for (int u0 = 0; u0 < camera_.width; u0 += kBlock) {
       for (int v = v0; v < std::min(v0 + kBlock, camera_.height); ++v) {
-        const auto at =
-            static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u0);
         RowJob job;
-        job.ray_x = rays_.x.data() + at;
-        job.ray_y = rays_.y.data() + at;
-        job.count = std::min(kBlock, camera_.width - u0);
-        job.out = albedo_.data() + at;
         for (std::size_t k = 0; k < kSubsamples; ++k) {
           job.floor_from_ray[k] = &floor_from_ray_of[k];
           job.level[k] = &pixels[levels_[static_cast<std::size_t>(v)][k]];
         }
-        kernels().sample_row(job);
+        const int end = std::min(u0 + kBlock, camera_.width);
+        for (int u = u0; u < end;) {
+          const int from = u;
+          while (u < end && sees_floor(u, v)) u += kShadeCell;
+          if (u > from) {
+            job.ray_x = rays_.x.data() + pixel(from, v);
+            job.ray_y = rays_.y.data() + pixel(from, v);
+            job.count = u - from;
+            job.out = albedo_.data() + pixel(from, v);
+            kernels().sample_row(job);
+          } else {
+            u += kShadeCell;
+          }
+        }
       }
     }
   }
@@ -295,6 +303,7 @@ Bytes Camera::develop(const Exposure& exposure) const {
 Bytes Camera::render(const Exposure& exposure) {
   look_at_grid(exposure);
   fetch_floor();
+  find_boxes(exposure);
   sample_floor(exposure);
   light_grid(exposure);
   draw_boxes(exposure);

@@ -74,9 +74,23 @@ class Camera {
   std::size_t pixel(int u, int v) const;
 
   // camera_boxes.cpp
+  /// What a cell of the light grid shows of boxes, in the middle of the exposure.
+  enum class Shows : std::uint8_t {
+    floor,   ///< no box
+    mixed,   ///< perhaps a box
+    face,    ///< one face of one box
+    inside,  ///< one face, as the cells around it: no floor and no edge
+  };
+  void find_boxes(const Exposure& exposure);
   void draw_boxes(const Exposure& exposure);
-  std::vector<std::uint8_t> cells_with_boxes(const Eigen::Vector3d& eye) const;
-  void cast_cells(const std::vector<std::uint8_t>& cells, const Pose3& site_from_camera);
+  void draw_edges(const Exposure& exposure);
+  void forget_boxes();
+  void mark_cells(const Eigen::Vector3d& eye);
+  void cast_nodes(const Pose3& site_from_camera);
+  void cast_cells(const Pose3& site_from_camera);
+  Shows& shows(int u, int v) {
+    return shows_[static_cast<std::size_t>((v / kShadeCell) * (columns_ - 1) + u / kShadeCell)];
+  }
   bool at_edge(int u, int v) const;
   Bytes develop(const Exposure& exposure) const;
 
@@ -94,7 +108,13 @@ class Camera {
   // Of the image being made.
   std::vector<Node> nodes_;
   std::vector<float> albedo_, gain_, add_;
-  std::vector<BoxHit> hits_;  ///< of each pixel; none between images
+  std::vector<Shows> shows_;  ///< of each cell; empty: no box is near
+  struct Pixel {
+    int u, v;
+  };
+  std::vector<Pixel> edges_;       ///< pixels that an edge of a box runs through
+  std::vector<BoxHit> node_hits_;  ///< of each grid node that a cell with a box has
+  std::vector<BoxHit> hits_;       ///< of each pixel; none between images
 };
 
 }  // namespace weft::agents::sim

@@ -35,62 +35,114 @@ float grey_of(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& directio
 
 }  // namespace
 
-std::vector<std::uint8_t> Camera::cells_with_boxes(const Eigen::Vector3d& eye) const {
+/// Where a box may be seen: a line of sight to a node in or next to the cell passes over one; an edge may pass
+/// between two nodes.
+void Camera::mark_cells(const Eigen::Vector3d& eye) {
+  shows_.clear();
   const std::vector<std::int32_t> near = scene_->boxes_near(eye.x(), eye.y(), kFarthestBoxM);
-  std::vector<std::uint8_t> cells;
-  if (near.empty()) {
-    return cells;
-  }
   std::vector<std::uint8_t> nodes(nodes_.size(), 0);
   bool any = false;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    for (const std::int32_t box : near) {
-      if (scene_->crosses(box, eye.x(), eye.y(), nodes_[n].x, nodes_[n].y)) {
-        nodes[n] = 1;
-        any = true;
-        break;
-      }
-    }
+    const Node& node = nodes_[n];
+    nodes[n] = std::any_of(near.begin(), near.end(),
+                           [&](std::int32_t box) { return scene_->crosses(box, eye.x(), eye.y(), node.x, node.y); });
+    any = any || nodes[n] != 0;
   }
-  if (!any) {
-    return cells;
-  }
-  // A cell is drawn when one of the nodes in or next to it sees a box: an edge may pass between two nodes.
+  if (!any) return;
   const int across = columns_ - 1;
   const int down = rows_ - 2;
-  cells.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 0);
+  shows_.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), Shows::floor);
   for (int j = 0; j < down; ++j) {
     for (int i = 0; i < across; ++i) {
       for (int b = std::max(0, j - 1); b <= std::min(rows_ - 1, j + 2); ++b) {
         for (int a = std::max(0, i - 1); a <= std::min(columns_ - 1, i + 2); ++a) {
-          cells[static_cast<std::size_t>(j * across + i)] |= nodes[static_cast<std::size_t>(b * columns_ + a)];
+          if (nodes[static_cast<std::size_t>(b * columns_ + a)] != 0)
+            shows(i * kShadeCell, j * kShadeCell) = Shows::mixed;
         }
       }
     }
   }
-  return cells;
 }
 
-void Camera::cast_cells(const std::vector<std::uint8_t>& cells, const Pose3& site_from_camera) {
+/// Marks what four corners agree on: most of a rack is the inside of one of its faces.
+void Camera::cast_nodes(const Pose3& site_from_camera) {
   const Eye eye = eye_from(site_from_camera);
   const int across = columns_ - 1;
+  const int down = rows_ - 2;
+  node_hits_.resize(nodes_.size());
+  std::array<Eigen::Vector3f, Scene::kPacket> directions;
+  for (int j = 0; j <= down; ++j) {
+    const int v = std::min(j * kShadeCell, camera_.height - 1);
+    for (int first = 0; first <= across; first += static_cast<int>(Scene::kPacket)) {
+      const int count = std::min(static_cast<int>(Scene::kPacket), across + 1 - first);
+      for (int i = 0; i < count; ++i) {
+        const std::size_t at = pixel(std::min((first + i) * kShadeCell, camera_.width - 1), v);
+        directions[static_cast<std::size_t>(i)] =
+            eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
+      }
+      const auto n = static_cast<std::size_t>(count);
+      scene_->cast(eye.at, std::span(directions).first(n),
+                   std::span(node_hits_).subspan(static_cast<std::size_t>(j * columns_ + first), n));
+    }
+  }
+  const auto face_of = [&](int i, int j) -> const BoxHit& {
+    return node_hits_[static_cast<std::size_t>(std::clamp(j, 0, down) * columns_ + std::clamp(i, 0, across))];
+  };
+  const auto alike = [&](int i, int j, int beyond) {
+    const BoxHit& first = face_of(i, j);
+    for (int b = j - beyond; b <= j + 1 + beyond; ++b) {
+      for (int a = i - beyond; a <= i + 1 + beyond; ++a) {
+        if (face_of(a, b).box != first.box || face_of(a, b).face != first.face) return false;
+      }
+    }
+    return true;
+  };
+  for (int j = 0; j < down; ++j) {
+    for (int i = 0; i < across; ++i) {
+      Shows& cell = shows(i * kShadeCell, j * kShadeCell);
+      if (cell == Shows::floor || !alike(i, j, 0)) continue;
+      const bool around = alike(i, j, 1);
+      if (face_of(i, j).box >= 0) {
+        cell = around ? Shows::inside : Shows::face;
+      } else if (around) {
+        cell = Shows::floor;
+      }
+    }
+  }
+}
+
+void Camera::cast_cells(const Pose3& site_from_camera) {
+  const Eye eye = eye_from(site_from_camera);
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
   for (int v = 0; v < camera_.height; v += 2) {
     for (int u = 0; u < camera_.width; u += kShadeCell) {
-      if (cells[static_cast<std::size_t>((v / kShadeCell) * across + u / kShadeCell)] == 0) {
-        continue;
-      }
+      const Shows cell = shows(u, v);
+      if (cell == Shows::floor) continue;
       for (std::size_t i = 0; i < Scene::kPacket; ++i) {
         const std::size_t at = pixel(u + static_cast<int>(i % 8), v + static_cast<int>(i / 8));
         directions[i] = eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
       }
-      scene_->cast(eye.at, directions, hits);
+      if (cell == Shows::mixed) {
+        scene_->cast(eye.at, directions, hits);
+      } else {
+        const BoxHit& corner = node_hits_[static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell)];
+        for (std::size_t i = 0; i < Scene::kPacket; ++i) {
+          hits[i] = {corner.box, corner.face, scene_->to_face(corner.box, corner.face, eye.at, directions[i])};
+        }
+      }
       for (std::size_t i = 0; i < Scene::kPacket; ++i) {
         hits_[pixel(u + static_cast<int>(i % 8), v + static_cast<int>(i / 8))] = hits[i];
       }
     }
   }
+}
+
+void Camera::find_boxes(const Exposure& exposure) {
+  mark_cells(exposure.site_from_camera_mid.translation);
+  if (shows_.empty()) return;
+  cast_nodes(exposure.site_from_camera_mid);
+  cast_cells(exposure.site_from_camera_mid);
 }
 
 bool Camera::at_edge(int u, int v) const {
@@ -107,54 +159,76 @@ bool Camera::at_edge(int u, int v) const {
 }
 
 void Camera::draw_boxes(const Exposure& exposure) {
-  const Eigen::Vector3d& middle = exposure.site_from_camera_mid.translation;
-  const std::vector<std::uint8_t> cells = cells_with_boxes(middle);
-  if (cells.empty()) {
-    return;
-  }
-  cast_cells(cells, exposure.site_from_camera_mid);
-  const Eye mid_eye = eye_from(exposure.site_from_camera_mid);
-  std::array<Eye, kSubsamples> eyes;
-  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(), eye_from);
+  if (shows_.empty()) return;
+  const Eye eye = eye_from(exposure.site_from_camera_mid);
   const double per_focal = 1.0 / camera_.fx;
-  const int across = columns_ - 1;
+  edges_.clear();
   for (int v = 0; v < camera_.height; ++v) {
     for (int u = 0; u < camera_.width; ++u) {
-      if (cells[static_cast<std::size_t>((v / kShadeCell) * across + u / kShadeCell)] == 0) {
+      const Shows cell = shows(u, v);
+      if (cell == Shows::floor) {
+        u += kShadeCell - 1;
         continue;
       }
       const std::size_t at = pixel(u, v);
-      const bool edge = at_edge(u, v);
-      if (!edge && hits_[at].box < 0) {
-        continue;
+      if (cell != Shows::inside && at_edge(u, v)) {
+        edges_.push_back({u, v});
+      } else if (hits_[at].box >= 0) {
+        const Eigen::Vector3f direction = eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
+        const PixelLight light = light_at(u, v, exposure.gain);
+        const float grey = light.camera_gain * grey_of(hits_[at], eye, direction, *scene_, light_, per_focal);
+        // Development puts the floor's light on every pixel; here it is taken out beforehand.
+        albedo_[at] = (grey - light.add) / light.gain;
       }
-      const Eigen::Vector3f ray(rays_.x[at], rays_.y[at], 1.0F);
-      const PixelLight light = light_at(u, v, exposure.gain);
-      float sum = 0.0F;
-      if (!edge) {
-        const Eigen::Vector3f direction = mid_eye.site_from_camera * ray;
-        sum = kSubsamples * light.camera_gain * grey_of(hits_[at], mid_eye, direction, *scene_, light_, per_focal);
-      } else {
-        for (std::size_t k = 0; k < kSubsamples; ++k) {
-          const Eigen::Vector3f inside =
-              ray + Eigen::Vector3f(static_cast<float>(kSubsampleRight[k] * per_focal),
-                                    static_cast<float>(kSubsampleDown[k] * per_focal), 0.0F);
-          const Eigen::Vector3f direction = eyes[k].site_from_camera * inside;
-          BoxHit hit;
-          scene_->cast(eyes[k].at, {&direction, 1}, {&hit, 1});
-          sum += hit.box < 0 ? albedo_[at] * light.gain + light.add
-                             : light.camera_gain * grey_of(hit, eyes[k], direction, *scene_, light_, per_focal);
-        }
-      }
-      // Development puts the floor's light on every pixel; here it is taken out beforehand.
-      albedo_[at] = (sum / kSubsamples - light.add) / light.gain;
     }
   }
-  // Between images nothing is hit: clearing what was cast is cheaper than a whole picture.
+  draw_edges(exposure);
+  forget_boxes();
+}
+
+/// Where an edge runs through a pixel, each subsample looks for itself; four pixels make a packet of rays.
+void Camera::draw_edges(const Exposure& exposure) {
+  constexpr std::size_t together = Scene::kPacket / kSubsamples;
+  const double per_focal = 1.0 / camera_.fx;
+  std::array<Eye, kSubsamples> eyes;
+  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(), eye_from);
+  std::array<Eigen::Vector3f, Scene::kPacket> from;
+  std::array<Eigen::Vector3f, Scene::kPacket> directions;
+  std::array<BoxHit, Scene::kPacket> hits;
+  for (std::size_t first = 0; first < edges_.size(); first += together) {
+    const std::size_t count = std::min(together, edges_.size() - first);
+    for (std::size_t i = 0; i < count * kSubsamples; ++i) {
+      const std::size_t k = i % kSubsamples;
+      const std::size_t at = pixel(edges_[first + i / kSubsamples].u, edges_[first + i / kSubsamples].v);
+      const Eigen::Vector3f inside(rays_.x[at] + static_cast<float>(kSubsampleRight[k] * per_focal),
+                                   rays_.y[at] + static_cast<float>(kSubsampleDown[k] * per_focal), 1.0F);
+      from[i] = eyes[k].at.cast<float>();
+      directions[i] = eyes[k].site_from_camera * inside;
+    }
+    const std::size_t rays = count * kSubsamples;
+    scene_->cast(std::span(from).first(rays), std::span(directions).first(rays), std::span(hits).first(rays));
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto [u, v] = edges_[first + n];
+      const PixelLight light = light_at(u, v, exposure.gain);
+      float& albedo = albedo_[pixel(u, v)];
+      float sum = 0.0F;
+      for (std::size_t k = 0; k < kSubsamples; ++k) {
+        const std::size_t i = n * kSubsamples + k;
+        sum += hits[i].box < 0
+                   ? albedo * light.gain + light.add
+                   : light.camera_gain * grey_of(hits[i], eyes[k], directions[i], *scene_, light_, per_focal);
+      }
+      albedo = (sum / kSubsamples - light.add) / light.gain;
+    }
+  }
+}
+
+/// Between images nothing is hit: clearing what was cast is cheaper than a whole picture.
+void Camera::forget_boxes() {
   for (int v = 0; v < camera_.height; ++v) {
-    for (int cell = 0; cell < across; ++cell) {
-      if (cells[static_cast<std::size_t>((v / kShadeCell) * across + cell)] != 0) {
-        std::fill_n(hits_.begin() + static_cast<std::ptrdiff_t>(pixel(cell * kShadeCell, v)), kShadeCell, BoxHit{});
+    for (int u = 0; u < camera_.width; u += kShadeCell) {
+      if (shows(u, v) != Shows::floor) {
+        std::fill_n(hits_.begin() + static_cast<std::ptrdiff_t>(pixel(u, v)), kShadeCell, BoxHit{});
       }
     }
   }

@@ -77,12 +77,20 @@ Scene::~Scene() = default;
 
 void Scene::cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions,
                  std::span<BoxHit> hits) const {
+  std::array<Eigen::Vector3f, kPacket> eyes;
+  eyes.fill(eye.cast<float>());
+  cast(std::span(eyes).first(directions.size()), directions, hits);
+}
+
+void Scene::cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,
+                 std::span<BoxHit> hits) const {
   alignas(64) std::array<int, kPacket> valid{};
   alignas(64) RTCRayHit16 packet{};
-  const Eigen::Vector3f from = eye.cast<float>();
   for (std::size_t i = 0; i < kPacket; ++i) {
-    valid[i] = i < directions.size() ? -1 : 0;
-    const Eigen::Vector3f direction = i < directions.size() ? directions[i] : Eigen::Vector3f(0.0F, 0.0F, 1.0F);
+    const bool used = i < directions.size();
+    valid[i] = used ? -1 : 0;
+    const Eigen::Vector3f from = used ? eyes[i] : Eigen::Vector3f(0.0F, 0.0F, 1.0F);
+    const Eigen::Vector3f direction = used ? directions[i] : Eigen::Vector3f(0.0F, 0.0F, 1.0F);
     packet.ray.org_x[i] = from.x();
     packet.ray.org_y[i] = from.y();
     packet.ray.org_z[i] = from.z();
@@ -110,6 +118,21 @@ void Scene::cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> di
                  packet.ray.tfar[i]};
     }
   }
+}
+
+float Scene::to_face(std::int32_t box_index, std::int32_t face, const Eigen::Vector3d& eye,
+                     const Eigen::Vector3f& direction) const {
+  const Box& box = boxes_[static_cast<std::size_t>(box_index)];
+  if (face == 4) return (static_cast<float>(box.height_m) - static_cast<float>(eye.z())) / direction.z();
+  const Turn& turn = turns_[static_cast<std::size_t>(box_index)];
+  const Eigen::Vector2d from = in_box(box_index, eye.x(), eye.y());
+  const auto cosine = static_cast<float>(turn.cosine);
+  const auto sine = static_cast<float>(turn.sine);
+  const bool across = face % 2 == 1;
+  const double half = (across ? box.width_m : box.length_m) / 2 * (face < 2 ? 1.0 : -1.0);
+  const float way =
+      across ? cosine * direction.y() - sine * direction.x() : cosine * direction.x() + sine * direction.y();
+  return static_cast<float>(half - (across ? from.y() : from.x())) / way;
 }
 
 std::vector<std::int32_t> Scene::boxes_near(double x, double y, double reach_m) const {

@@ -27,6 +27,13 @@ class Scene {
   static constexpr std::size_t kPacket = 16;
   /// Rays from one eye (site frame), at most kPacket of them; `hits` has as many.
   void cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions, std::span<BoxHit> hits) const;
+  /// Likewise, each from an eye of its own.
+  void cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,
+            std::span<BoxHit> hits) const;
+
+  /// How far along `direction` the plane of a box's face lies, in lengths of it; both in the site's frame.
+  float to_face(std::int32_t box, std::int32_t face, const Eigen::Vector3d& eye,
+                const Eigen::Vector3f& direction) const;
 
   const std::vector<Box>& boxes() const { return boxes_; }
   /// A floor point in a box's own frame.
