@@ -109,7 +109,7 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   split(0, t->first_near_row, 1.0, t->far_xy, t->far_fraction);
   split(t->first_near_row, rows, 0.5, t->near_xy, t->near_fraction);
   const int border = 2 * descriptor_border_px + 1;
-  cv::Mat framed = cv::Mat::zeros(rows, columns, CV_8U);
+  const cv::Mat framed = cv::Mat::zeros(rows, columns, CV_8U);
   const cv::Rect inner(descriptor_border_px, descriptor_border_px, columns - border, rows - border);
   t->seen(inner).copyTo(framed(inner));
   cv::erode(framed, t->described, cv::Mat::ones(border, border, CV_8U));
@@ -119,7 +119,7 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
 RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_metres_per_pixel) const {
   const Tables& t = *tables_;
   const cv::Mat grey = as_mat(image);
-  cv::Mat map(t.seen.size(), CV_8U);
+  cv::Mat map(t.seen.size(), CV_8U);  // NOLINT(misc-const-correctness): written through its rows
   if (!t.far_xy.empty())
     cv::remap(grey, map.rowRange(0, t.first_near_row), t.far_xy, t.far_fraction, cv::INTER_LINEAR,
               cv::BORDER_REPLICATE);

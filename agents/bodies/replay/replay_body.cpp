@@ -87,7 +87,7 @@ Result<void> ReplayBody::drive_by_hand(const std::vector<SitePoint>& /*along*/) 
 }
 
 Result<std::string> read_text(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  const std::ifstream file(path, std::ios::binary);
   if (!file) {
     return fail(ErrorCode::not_found,
                 path.string() + ": missing; a recording has mav0/CAMERA/data.csv, sensor.yaml and data/");

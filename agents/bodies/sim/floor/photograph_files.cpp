@@ -25,7 +25,7 @@ constexpr int kLeastTexels = 320;  // 0.2 m: less is a pattern, not a floor
 using Scales = std::map<std::string, double>;  // mm_per_pixel by file name
 
 Result<std::string> read_text(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  const std::ifstream file(path, std::ios::binary);
   std::stringstream text;
   text << file.rdbuf();
   if (!file) {
