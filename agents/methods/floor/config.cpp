@@ -61,6 +61,7 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"ratio_unguided", &FloorConfig::ratio_unguided, 1e-6, 1},
     {"consensus_m", &FloorConfig::consensus_m, 1e-6, 0.2},
     {"fewest_inliers_share", &FloorConfig::fewest_inliers_share, 0, 1},
+    {"least_spread", &FloorConfig::least_spread, 0, 1},
     {"feature_sigma_m", &FloorConfig::feature_sigma_m, 1e-6, 0.05},
     {"inlier_sigmas", &FloorConfig::inlier_sigmas, 1, 10},
     {"kappa", &FloorConfig::kappa, 0, 1},

@@ -62,6 +62,7 @@ struct FloorConfig {
   int hypotheses = 600;                ///< [50, 20000] drawn
   int fewest_inliers = 20;             ///< psi: [12, 1000] after refinement
   double fewest_inliers_share = 0.12;  ///< psi as a share of the matches, [0, 1]
+  double least_spread = 0.4;           ///< [0, 1] without a guess: the inliers' area against the shared floor's
   double feature_sigma_m = 0.0015;     ///< [1e-6, 0.05] of a feature on the floor
   double inlier_sigmas = 3.0;          ///< [1, 10]
   double kappa = 0.15;                 ///< [0, 1] overlap: the share of b's view seen in a

@@ -253,6 +253,41 @@ Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const
   return 0.5 * (covariance + covariance.transpose());
 }
 
+bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
+  for (std::size_t i = 0; i < anticlockwise.size(); ++i) {
+    const Eigen::Vector2d& from = anticlockwise[i];
+    const Eigen::Vector2d side = anticlockwise[(i + 1) % anticlockwise.size()] - from;
+    if (side.x() * (point.y() - from.y()) - side.y() * (point.x() - from.x()) < 0.0) return false;
+  }
+  return !anticlockwise.empty();
+}
+
+/// A measure of the area that points take: the root of the determinant of their scatter.
+double area_of(const std::vector<Eigen::Vector2d>& points) {
+  if (points.size() < 3) return 0.0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : points) mean += point;
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& point : points) scatter += (point - mean) * (point - mean).transpose();
+  return std::sqrt(std::max(0.0, scatter.determinant())) / static_cast<double>(points.size());
+}
+
+/// How much of the floor that both see the agreeing features cover, [0, about 1]. Where a patch of a floor looks like
+/// one elsewhere, they agree within that patch alone.
+double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& matches, const Pose2& a_from_b,
+                           const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
+                           const Polygon& seen_by_a) {
+  std::vector<Eigen::Vector2d> shared;
+  for (const Eigen::Vector2d& point : at_b)
+    if (contains(seen_by_a, a_from_b * point)) shared.push_back(point);
+  std::vector<Eigen::Vector2d> agreeing;
+  for (const Match& match : matches)
+    if ((a_from_b * at_b[match.b] - at_a[match.a]).norm() < c.consensus_m) agreeing.push_back(at_b[match.b]);
+  const double whole = area_of(shared);
+  return whole > 0.0 ? area_of(agreeing) / whole : 0.0;
+}
+
 }  // namespace
 
 OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
@@ -291,6 +326,10 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   if (sway.z() > c.most_lift_m) return refuse("not_rigid", sway.z(), c.most_lift_m);
   const double overlap = share_of_b_seen_in_a(floor_a, floor_b, state.a_from_b);
   if (overlap < c.kappa) return refuse("little_overlap", overlap, c.kappa);
+  if (!gate) {
+    const double spread = spread_of_agreement(c, matches, state.a_from_b, at_a, at_b, floor_a.footprint);
+    if (spread < c.least_spread) return refuse("little_spread", spread, c.least_spread);
+  }
   double residual = 0.0;
   for (const double error : refined.residual_px) residual += huber_distance(error, c.eta_px);
   residual /= static_cast<double>(inliers);

@@ -202,6 +202,30 @@ TEST_F(FloorRelate, DamagedContentsThatDecodeDoNoHarm) {
   EXPECT_GT(decoded, 5);
 }
 
+/// A worn stencil, a mended slab, a photograph's crop used twice: there the two floors are equal, and nowhere else.
+TEST_F(FloorRelate, APatchThatLooksTheSameElsewhereIsNoPlace) {
+  const Floor method = make(test::paper_camera());
+  const FloorContent a = content(method, {3.2, 4.0, 0.0}, {});
+  FloorContent b = content(method, {8.0, 2.0, 1.0}, {});
+  const Pose2 b_from_a{0.1, 0.3, 0.2};
+  const auto in_patch = [](const Eigen::Vector2d& p) {
+    return (p - Eigen::Vector2d(0.8, 0.1)).cwiseAbs().maxCoeff() < 0.2;
+  };
+  std::erase_if(b.features, [&](const FloorFeature& f) { return in_patch(b_from_a.inverse() * f.on_floor); });
+  std::size_t same = 0;
+  for (FloorFeature feature : a.features) {
+    if (!in_patch(feature.on_floor)) continue;
+    feature.on_floor = b_from_a * feature.on_floor;
+    feature.heading_rad += b_from_a.heading;
+    b.features.push_back(feature);
+    ++same;
+  }
+  ASSERT_GT(same, 24U);
+  const auto related = method.relate(a, b, std::nullopt);
+  ASSERT_FALSE(related);
+  EXPECT_EQ(related.error().reason, "little_spread") << related.error().measured;
+}
+
 TEST_F(FloorRelate, APlaceIsAtMost40Kilobytes) {
   const Floor method = make(test::paper_camera());
   EXPECT_LT(method.encode(content(method, {3.0, 4.0, 0.0}, {})).size(), 40000U);
