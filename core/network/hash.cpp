@@ -1,13 +1,16 @@
-#include <sodium/crypto_hash_sha256.h>
+#include <nettle/sha2.h>
 
 #include "core/network/codec.hpp"
 
 namespace weft {
 
 ContentHash hash_bytes(ByteView bytes) {
-  static_assert(crypto_hash_sha256_BYTES == sizeof(ContentHash::bytes));
+  static_assert(SHA256_DIGEST_SIZE == sizeof(ContentHash::bytes));
   ContentHash hash;
-  crypto_hash_sha256(hash.bytes.data(), bytes.data(), bytes.size());
+  sha256_ctx state;
+  sha256_init(&state);
+  sha256_update(&state, bytes.size(), bytes.data());
+  sha256_digest(&state, hash.bytes.size(), hash.bytes.data());
   return hash;
 }
 

@@ -10,7 +10,7 @@
 namespace weft::server {
 namespace {
 
-constexpr std::size_t kMostPlaces = 512;
+constexpr std::size_t kMostPlaces = 8192;
 constexpr double kSigmas = 2.0;
 
 double clearance_m(const Relation& relation) {

@@ -140,6 +140,21 @@ void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snap
   }
 }
 
+/// The first of a route's places that the robot may still drive to. One that was restarted takes its route up from
+/// where it stands and has not said yet what it freed.
+std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route) const {
+  constexpr double here_m = 0.6;
+  const bool said = robot.progress.route == route.id && robot.progress.version == route.version;
+  if (said && robot.progress.phase == msg::RoutePhase::arrived) return route.released;
+  const std::uint32_t from = said ? robot.progress.freed : 0;
+  const Eigen::Vector2d at = robot.body->site_from_robot().translation();
+  for (std::uint32_t i = from; i <= route.released; ++i) {
+    const auto place = truth_of(route.places[i]);
+    if (place && (place->translation() - at).norm() < here_m) return i;
+  }
+  return from;
+}
+
 /// What two robots have been given and have not driven yet keeps clear of each other, whatever the server thinks.
 void Ledger::agent_took(const RobotId& robot) {
   Robot& mine = robots.at(robot);
@@ -149,15 +164,13 @@ void Ledger::agent_took(const RobotId& robot) {
   const std::uint32_t first = same ? mine.had->released + 1 : 0;
   mine.had = route;
   if (!route) return;
+  const std::uint32_t begin = std::max(first, ahead_from(mine, *route));
   for (const auto& [id, other] : robots) {
     if (id == robot || other.agent == nullptr) continue;
     const std::optional<Route> theirs = other.agent->route();
     if (!theirs) continue;
-    const bool said = other.progress.route == theirs->id && other.progress.version == theirs->version;
-    const std::uint32_t from = !said                                              ? 0
-                               : other.progress.phase == msg::RoutePhase::arrived ? theirs->released
-                                                                                  : other.progress.freed;
-    for (std::uint32_t i = first; i <= route->released; ++i) {
+    const std::uint32_t from = ahead_from(other, *theirs);
+    for (std::uint32_t i = begin; i <= route->released; ++i) {
       for (std::uint32_t k = from; k <= theirs->released; ++k) {
         if (!are_close(route->places[i], theirs->places[k])) continue;
         broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +
