@@ -34,7 +34,7 @@ class FleetMapServer final : public Service {
         snapshots_(std::move(stored.snapshot)),
         context_{config_, store, out_, counters_, record_, snapshots_},
         fleet_(context_, random.fork(1), stored.robots, now.steady),
-        intake_(context_, std::move(stored.durable_through)),
+        intake_(context_, stored.durable_through),
         subscriptions_(context_),
         shelf_(context_),
         traffic_(context_, std::move(stored.occupancies)),

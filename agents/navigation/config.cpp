@@ -72,6 +72,7 @@ void check_follow(const FollowConfig& follow, Bounds& in) {
   in("follow.segment_m", follow.segment_m, Low::closed, 0.5, 20);
   in("follow.footprint_radius_m", follow.footprint_radius_m, Low::open, 0, 5);
   in("follow.join_m", follow.join_m, Low::open, 0, 5);
+  in("follow.give_up_s", follow.give_up_s, Low::open, 0, 600);
   in("follow.blind_limit_m", follow.blind_limit_m, Low::open, 0, 20);
   in("follow.arrive_m", follow.arrive_m, Low::open, 0, 0.5);
   in("follow.arrive_rad", follow.arrive_rad, Low::open, 0, 0.5);

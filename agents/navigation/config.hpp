@@ -66,6 +66,7 @@ struct FollowConfig {
   double arrive_m = 0.03;             ///< distance to the goal that is good enough; (0, 0.5]
   double arrive_rad = 0.035;          ///< (0, 0.5]
   double stop_short_m = 0.02;         ///< before a released point that is not the goal; [0, 0.5]
+  double give_up_s = 30.0;            ///< standing where its route cannot be driven from; (0, 600]
   std::uint32_t settle_samples = 30;  ///< to wait for a fix at the goal before going by what is believed; [0, 1000]
 };
 

@@ -37,6 +37,7 @@ void Follower::follow(const Route& route) {
     // Another version is another list of places: where the robot is on it shows at the next look.
     at_.reset();
     freed_ = 0;
+    stuck_ = {};
     turning_to_.reset();
   }
   route_ = route;
@@ -122,6 +123,13 @@ Follower::Drive Follower::end_of_path(const RouteAround& around, const Estimate&
   return drive;
 }
 
+Follower::Drive Follower::stuck(Drive drive, const Seen& seen, std::string_view reason) {
+  stuck_ += seen.elapsed;
+  const bool gives_up = seconds(stuck_) > config_.follow.give_up_s;
+  standing(drive.navigated, gives_up ? Following::failed : Following::stopped, reason);
+  return drive;
+}
+
 Follower::Drive Follower::look(const Seen& seen) {
   Drive drive;
   fill(drive.navigated);
@@ -138,19 +146,16 @@ Follower::Drive Follower::look(const Seen& seen) {
     return drive;
   }
   const std::optional<Joint> found = joint(config_, seen.window, *route_, *seen.estimate, at_.value_or(0));
-  if (!found) {
-    standing(drive.navigated, Following::stopped, "route_not_joined");
-    return drive;
-  }
+  if (!found) return stuck(std::move(drive), seen, "route_not_joined");
   const RouteAround around = agents::around(config_, *route_, *found, seen.estimate->place_from_robot, at_);
   if (around.poses.back().index > end_of(*route_)) {
     standing(drive.navigated, Following::stopped, "beyond_release");
     return drive;
   }
   if (around.poses[around.nearest].robot_from_place.translation().norm() > config_.follow.join_m) {
-    standing(drive.navigated, Following::stopped, "off_route");
-    return drive;
+    return stuck(std::move(drive), seen, "off_route");
   }
+  stuck_ = {};
   progress(around);
   PathAhead ahead = path_ahead(config_, *route_, around);
   if (turning_to_) return turn_on_the_spot(around);

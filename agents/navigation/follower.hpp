@@ -44,6 +44,8 @@ class Follower {
  private:
   void progress(const RouteAround& around);
   void standing(Navigated& navigated, Following following, std::string_view reason);
+  /// The robot knows where it is and cannot go on from there: at last it gives the route up.
+  Drive stuck(Drive drive, const Seen& seen, std::string_view reason);
   Drive turn_on_the_spot(const RouteAround& around);
   Drive end_of_path(const RouteAround& around, const Estimate& estimate);
   void fill(Navigated& navigated) const;
@@ -54,7 +56,8 @@ class Follower {
   std::optional<std::uint32_t> at_;
   std::uint32_t freed_ = 0;
   bool arrived_ = false;
-  bool at_end_ = false;                      // the robot has stopped at the end of the released path
+  bool at_end_ = false;  // the robot has stopped at the end of the released path
+  Duration stuck_{};
   std::optional<std::uint32_t> turning_to_;  // on the spot, to this place's heading
   Tracker tracker_;
   Arrival arrival_;

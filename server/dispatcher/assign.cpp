@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "server/dispatcher/dispatcher.hpp"
@@ -9,7 +10,7 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenPlans = 1s;
 
 std::string metres(double length_m) {
-  const auto centimetres = static_cast<std::int64_t>(length_m * 100 + 0.5);
+  const auto centimetres = std::llround(length_m * 100);
   const std::string cents = std::to_string(centimetres % 100);
   return std::to_string(centimetres / 100) + (cents.size() == 1 ? ".0" : ".") + cents + " m";
 }

@@ -15,7 +15,7 @@ constexpr std::size_t kMissingInAck = 256;
 constexpr std::size_t kMostWaitingLines = 1024;
 }  // namespace
 
-Intake::Intake(Context& context, std::map<ExperienceId, std::uint64_t> durable_through) : context_(context) {
+Intake::Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through) : context_(context) {
   for (const auto& [experience, through] : durable_through) {
     Line& line = lines_[experience];
     line.durable_through = through;

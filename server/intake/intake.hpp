@@ -16,7 +16,7 @@ namespace weft::server {
 /// one transaction, and only then it is acknowledged. Repeats are answered like the first time.
 class Intake {
  public:
-  Intake(Context& context, std::map<ExperienceId, std::uint64_t> durable_through);
+  Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through);
 
   /// What joined the network by this message, in order; usually nothing or one batch.
   std::vector<Batch> on_batch(const msg::ExperienceBatch& message, Now now);

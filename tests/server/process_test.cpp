@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/own_domain.hpp"
+
 namespace {
 
 using testing::EndsWith;
@@ -82,8 +84,7 @@ struct ServerProcess : testing::Test {
     return code;
   }
   std::vector<std::string> serve(const std::string& store, const std::string& vendor = "cyclonedds") const {
-    // A domain of this test's own.
-    return {"--store", (directory / store).string(), "--domain", "141", "--dds", vendor};
+    return {"--store", (directory / store).string(), "--domain", std::to_string(domain.number()), "--dds", vendor};
   }
   /// One line, so that people see what is wrong at once.
   void expect_one_line() const {
@@ -91,6 +92,7 @@ struct ServerProcess : testing::Test {
     EXPECT_THAT(said, EndsWith("\n"));
   }
 
+  weft::test::OwnDomain domain;
   std::filesystem::path directory;
   std::string said;
 };
@@ -133,7 +135,7 @@ TEST_F(ServerProcess, ServesUntilTermAndKeepsItsIdentity) {
   for (const char* const vendor : {"cyclonedds", "fastdds"}) {
     Process server(serve("store", vendor), directory / "server.log");
     ASSERT_TRUE(server.says("ready")) << server.text();
-    EXPECT_THAT(server.text(), HasSubstr("* domain = 141"));
+    EXPECT_THAT(server.text(), HasSubstr("* domain = " + std::to_string(domain.number())));
     server.signal(identity.empty() ? SIGTERM : SIGINT);
     EXPECT_EQ(server.exit_code(), 0) << server.text();
     std::ifstream in(directory / "store" / "identity");

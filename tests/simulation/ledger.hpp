@@ -75,6 +75,7 @@ class Ledger {
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
   void check_stitches(const Snapshot& snapshot);
   void check_goals(const server::Service& service);
+  bool waits_for_the_lost(const Goal& goal) const;
 
   double footprint_m_;
   SteadyTime now_{};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/network/search.hpp"
@@ -79,6 +80,15 @@ void Ledger::check_goals(const server::Service& service) {
   seen_ = std::move(now);
 }
 
+/// Whether nobody who may serve the goal knows where he is: it stays possible, and ends when people find the robot.
+bool Ledger::waits_for_the_lost(const Goal& goal) const {
+  const std::optional<RobotId> only = goal.robot ? goal.robot : goal.wanted;
+  return std::ranges::none_of(robots, [&](const auto& entry) {
+    const auto& [id, robot] = entry;
+    return (!only || *only == id) && robot.state.localised && robot.state.mode != msg::RobotMode::lost;
+  });
+}
+
 void Ledger::look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk) {
   look(service, disk);
   for (const auto& [id, robot] : robots) {
@@ -100,7 +110,7 @@ void Ledger::look_when_quiet(const server::Service& service, const storage::Memo
     if (goal.robot && !is_terminal(goal.state) && goal.state != GoalState::pending) busy[*goal.robot] = true;
   }
   for (const Goal& goal : service.goals()) {
-    if (is_terminal(goal.state)) continue;
+    if (is_terminal(goal.state) || waits_for_the_lost(goal)) continue;
     broken("goals", "goal " + to_string(goal.id) + " to " + goal.label + " has not ended though people helped: " +
                         to_string(goal.state) + ", " + goal.history.back().cause);
     if (goal.state == GoalState::pending) {

@@ -72,8 +72,8 @@ class FlatFloor {
                          cv::BORDER_REFLECT);
     cv::RNG rng(seed);
     const cv::Size size(static_cast<int>(length_m / metres_per_texel), static_cast<int>(width_m / metres_per_texel));
-    cv::Mat sum = cv::Mat::zeros(size.height + patch, size.width + patch, CV_32F);
-    cv::Mat weight = sum.clone();
+    const cv::Mat sum = cv::Mat::zeros(size.height + patch, size.width + patch, CV_32F);
+    const cv::Mat weight = sum.clone();
     cv::Mat window;
     cv::createHanningWindow(window, {patch, patch}, CV_32F);
     window += 1e-3;

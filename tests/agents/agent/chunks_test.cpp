@@ -80,7 +80,7 @@ TEST(ChunkQueue, KeepsToItsBudgetAndPutsTheContentOutWhole) {
 
 TEST(ChunkQueue, AskedAgainWhileUnderWayIsSentOnce) {
   const Bytes bytes = some_content(3, 10);
-  SteadyTime now{};
+  const SteadyTime now{};
   Budget budget(msg::kChunkBytes, msg::kChunkBytes, now);
   ChunkQueue queue;
   const ChunkQueue::Read read = [&](const ContentHash&) { return Result<Bytes>(bytes); };
@@ -96,7 +96,7 @@ TEST(ChunkQueue, AskedAgainWhileUnderWayIsSentOnce) {
 }
 
 TEST(Budget, SaysWhenThereWillBeEnough) {
-  SteadyTime now{};
+  const SteadyTime now{};
   Budget budget(1000, 500, now);
   EXPECT_TRUE(budget.take(500, now));
   EXPECT_FALSE(budget.take(1, now));

@@ -23,7 +23,7 @@ TEST(ContentsOfAgent, OfTheWholeWindowArriveDespiteLossAndRepeats) {
 
 TEST(ContentsOfAgent, ResumeWhereTheyBrokeOff) {
   const Bytes bytes = some_content(1, 4 * msg::kChunkBytes);
-  SteadyTime now{};
+  const SteadyTime now{};
   ContentCache cache(1 << 20, 1 << 20);
   cache.want({{hash_bytes(bytes), bytes.size()}}, now);
   ASSERT_TRUE(cache.due(now).has_value());
@@ -40,7 +40,7 @@ TEST(ContentsOfAgent, ResumeWhereTheyBrokeOff) {
 
 TEST(ContentsOfAgent, WithAnotherHashAreThrownAwayAndAskedForAgain) {
   const Bytes bytes = some_content(1, 10);
-  SteadyTime now{};
+  const SteadyTime now{};
   ContentCache cache(1 << 20, 1 << 20);
   cache.want({{hash_bytes(bytes), bytes.size()}}, now);
   ASSERT_TRUE(cache.due(now).has_value());
@@ -64,7 +64,7 @@ TEST(ContentsOfAgent, NearestAreAskedForFirstAndGivenUpLast) {
     all.push_back(some_content(i, 1000));
     refs.push_back({hash_bytes(all.back()), 1000});
   }
-  SteadyTime now{};
+  const SteadyTime now{};
   ContentCache cache(3500, 1 << 20);
   cache.want(refs, now);
   EXPECT_EQ(cache.missing(), 3U);

@@ -117,6 +117,22 @@ TEST_F(Follow, TooFarFromTheRouteItStandsAndSaysSo) {
   EXPECT_EQ(navigated.command, Twist{});
 }
 
+TEST_F(Follow, TooFarFromTheRouteForLongItGivesUp) {
+  NavigatedRobot robot = localised_at(truth.at({first, 25}), {first, 25}, 8);
+  Route route = route_to_last({first, 0});
+  route.places.resize(8);
+  route.relations.resize(7);
+  route.released = 7;
+  robot.navigator().follow(route);
+  Navigated navigated = run(robot, 1);
+  for (int samples = 0; samples < 3000 && navigated.following == Following::stopped; ++samples) {
+    navigated = run(robot, 1);
+  }
+  EXPECT_EQ(navigated.following, Following::failed);
+  EXPECT_EQ(navigated.reason, "off_route");
+  EXPECT_EQ(navigated.command, Twist{});
+}
+
 TEST_F(Follow, ANewVersionMidWayIsDrivenOnSmoothly) {
   NavigatedRobot robot = localised_at(truth.at({first, 0}), {first, 0}, 9);
   Route route = route_to_last({first, 0});

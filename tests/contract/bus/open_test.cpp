@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <thread>
 
 #include "idl/bus/addresses.hpp"
 #include "idl/bus/bus.hpp"
 #include "tests/contract/bus/fleet.hpp"
+#include "tests/support/own_domain.hpp"
 
 namespace weft::contract {
 namespace {
@@ -15,9 +15,9 @@ using bus::BusConfig;
 using bus::Vendor;
 using testing::HasSubstr;
 
-/// Domains that the fleets of other tests do not take.
 unsigned own_domain() {
-  return 100 + static_cast<unsigned>(getpid()) % 100;
+  static const test::OwnDomain domain;
+  return domain.number();
 }
 
 BusConfig server() {

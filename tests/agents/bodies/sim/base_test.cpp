@@ -89,7 +89,7 @@ TEST(Base, WheelsReportTheStatedErrors) {
 }
 
 TEST(WheelErrors, AreAtLeastAsStatedAndDiffer) {
-  Disturbances d;
+  const Disturbances d;
   std::vector<WheelErrors> drawn;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const WheelErrors e = wheel_errors_from(d, Random(seed));

@@ -43,7 +43,7 @@ std::shared_ptr<const FloorSource> floor_of(const FloorSetup& setup) {
 /// Best correlation of a patch of one tile anywhere in another.
 double best_match(Tile& of, Tile& in) {
   cv::Mat scores;
-  cv::Mat patch = picture_of(of)(cv::Rect(400, 400, 160, 160));
+  const cv::Mat patch = picture_of(of)(cv::Rect(400, 400, 160, 160));
   cv::matchTemplate(picture_of(in), patch, scores, cv::TM_CCOEFF_NORMED);
   double best = 0.0;
   cv::minMaxLoc(scores, nullptr, &best);

@@ -17,7 +17,7 @@ using namespace weft;
 using namespace weft::agents;
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(path);
+  const std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
@@ -147,7 +147,7 @@ int look(const std::vector<std::string>& words, const std::optional<std::string>
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::vector<std::string> words;
   std::optional<std::string> floors;
   int every = 60;
@@ -166,4 +166,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   return look(words, floors, every);
+} catch (const std::exception& problem) {
+  std::fprintf(stderr, "sim-look: %s\n", problem.what());
+  return 1;
 }

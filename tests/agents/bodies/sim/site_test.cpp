@@ -28,7 +28,7 @@ heading_deg = 90
 )";
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(path);
+  const std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

@@ -169,7 +169,7 @@ TEST_F(FloorRelate, ABlankFloorIsNoPlace) {
 TEST_F(FloorRelate, NoiseOnABlankFloorRelatesToNothing) {
   const Floor method = make(test::paper_camera());
   const test::FlatFloor blank = test::FlatFloor::blank(6.0, 6.0);
-  test::Shot first;
+  const test::Shot first;
   test::Shot second;
   second.seed = 2;
   const auto a = test::look(method, *eye_, blank, {3.0, 3.0, 0.0}, {}, first);
