@@ -26,7 +26,7 @@ run_ctest() {
   report=$PWD/build/$preset/ctest-report.xml
   rm -f "$report"
   echo "--- tests ($preset $*)"
-  ctest --test-dir "build/$preset" -j 2 --output-on-failure --output-junit "$report" "$@" >"build/$preset/ctest.log" 2>&1
+  LSAN_OPTIONS="suppressions=$PWD/tests/leaks.txt:print_suppressions=0" ctest --test-dir "build/$preset" -j 2 --output-on-failure --output-junit "$report" "$@" >"build/$preset/ctest.log" 2>&1
   grep -E 'Failed|Timeout|\*\*\*|Skipped|^[0-9]+% tests' "build/$preset/ctest.log" | grep -v '^ *$' | tail -n 60
   count() { head -n 12 "$report" | grep -oE "$1=\"[0-9]+\"" | head -n 1 | grep -oE '[0-9]+'; }
   if [ ! -s "$report" ] || [ "$(count tests)" -eq 0 ]; then
