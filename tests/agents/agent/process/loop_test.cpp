@@ -115,7 +115,8 @@ TEST(AgentLoop, NeverRunsAheadOfItsPace) {
   bench.run(2.0);
   ASSERT_EQ(bench.agent.times.size(), 20U);
   // A sample is asked for when the one before it is due.
-  for (std::size_t i = 1; i < 20; ++i) EXPECT_GE(bench.agent.times[i], began + 5ms * static_cast<std::int64_t>(i - 1));
+  for (std::size_t i = 1; i < 20; ++i)
+    EXPECT_GE(bench.agent.times[i], began + 5ms * static_cast<std::int64_t>(i - 1));
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {
