@@ -57,7 +57,12 @@ class FlatMap {
     const std::size_t at = position(key);
     return at == size() ? nullptr : &values_[at];
   }
-  /// In the order of keys; `at` < size().
+  /// In the order of keys; size() when there is none.
+  std::size_t position(const Key& key) const {
+    const std::size_t at = lower_bound(key);
+    return at < size() && keys_[at] == key ? at : size();
+  }
+  /// `at` < size().
   const Key& key_at(std::size_t at) const { return keys_[at]; }
   const Value& value_at(std::size_t at) const { return values_[at]; }
   bool operator==(const FlatMap&) const = default;
@@ -102,10 +107,6 @@ class FlatMap {
   std::size_t lower_bound(const Key& key) const {
     if (keys_.empty() || keys_.back() < key) return size();  // what comes in order goes to the end
     return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());
-  }
-  std::size_t position(const Key& key) const {
-    const std::size_t at = lower_bound(key);
-    return at < size() && keys_[at] == key ? at : size();
   }
   void insert(std::size_t at, const Key& key, Value&& value) {
     keys_.insert(keys_.begin() + static_cast<std::ptrdiff_t>(at), key);

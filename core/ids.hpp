@@ -8,11 +8,28 @@
 
 namespace weft {
 
+/// Eight bytes as a number that sorts as they do.
+inline std::uint64_t big_endian(const std::uint8_t* bytes) {
+  std::uint64_t number = 0;
+  for (int i = 0; i < 8; ++i) number = (number << 8U) | bytes[i];
+  return number;
+}
+
 /// N opaque bytes with a type of their own. All zero means "none".
 template <class Tag, std::size_t N>
 struct ByteId {
   std::array<std::uint8_t, N> bytes{};
-  auto operator<=>(const ByteId&) const = default;
+  bool operator==(const ByteId&) const = default;
+  /// Byte by byte; eight at once, as maps of these are searched a lot.
+  friend std::strong_ordering operator<=>(const ByteId& a, const ByteId& b) {
+    static_assert(N % sizeof(std::uint64_t) == 0);
+    for (std::size_t at = 0; at < N; at += sizeof(std::uint64_t)) {
+      const std::uint64_t of_a = big_endian(a.bytes.data() + at);
+      const std::uint64_t of_b = big_endian(b.bytes.data() + at);
+      if (of_a != of_b) return of_a <=> of_b;
+    }
+    return std::strong_ordering::equal;
+  }
   explicit operator bool() const { return *this != ByteId{}; }
 };
 

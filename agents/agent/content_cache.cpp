@@ -26,29 +26,54 @@ std::shared_ptr<const Bytes> ContentCache::find(const ContentHash& hash) const {
 
 void ContentCache::want(const std::vector<ContentRef>& nearest_first, SteadyTime now) {
   rank_.clear();
-  missing_.clear();
   std::uint64_t sum = 0;
   for (const ContentRef& content : nearest_first) {
     sum += content.size;
     if (sum > most_bytes_) break;
-    rank_.emplace(content.hash, rank_.size());
-    if (!held_.contains(content.hash) && !incoming_.contains(content.hash)) missing_.push_back(content);
+    rank_.emplace_back(content.hash, rank_.size());
   }
-  std::erase_if(incoming_, [this](const auto& entry) {
-    if (rank_.contains(entry.first)) return false;
-    under_way_ -= entry.second.assembly.total();
-    return true;
-  });
+  std::vector<bool> is_missing(rank_.size(), true);
+  std::sort(rank_.begin(), rank_.end());
+  rank_.erase(std::unique(rank_.begin(), rank_.end(),
+                          [&](const auto& first, const auto& again) {
+                            if (first.first != again.first) return false;
+                            is_missing[again.second] = false;
+                            return true;
+                          }),
+              rank_.end());
+  // Both are sorted: side by side.
+  auto wanted = rank_.begin();
   for (auto& [hash, held] : held_) {
-    const auto wanted = rank_.find(hash);
-    held.rank = wanted == rank_.end() ? kUnwanted : wanted->second;
+    while (wanted != rank_.end() && wanted->first < hash) ++wanted;
+    const bool is_wanted = wanted != rank_.end() && wanted->first == hash;
+    held.rank = is_wanted ? wanted->second : kUnwanted;
+    if (is_wanted) is_missing[wanted->second] = false;
+  }
+  std::erase_if(incoming_, [&](const auto& entry) {
+    const std::size_t rank = rank_of(entry.first);
+    if (rank == kUnwanted) {
+      under_way_ -= entry.second.assembly.total();
+      return true;
+    }
+    is_missing[rank] = false;
+    return false;
+  });
+  missing_.clear();
+  for (std::size_t rank = 0; rank < is_missing.size(); ++rank) {
+    if (is_missing[rank]) missing_.push_back(nearest_first[rank]);
   }
   if (!missing_.empty()) ask_at_ = now;
 }
 
+std::size_t ContentCache::rank_of(const ContentHash& hash) const {
+  const auto found =
+      std::lower_bound(rank_.begin(), rank_.end(), hash,
+                       [](const auto& ranked, const ContentHash& other) { return ranked.first < other; });
+  return found == rank_.end() || found->first != hash ? kUnwanted : found->second;
+}
+
 void ContentCache::put(const ContentHash& hash, Bytes bytes) {
-  const auto wanted = rank_.find(hash);
-  keep(hash, std::move(bytes), wanted == rank_.end() ? kUnwanted : wanted->second);
+  keep(hash, std::move(bytes), rank_of(hash));
 }
 
 void ContentCache::keep(const ContentHash& hash, Bytes bytes, std::size_t rank) {

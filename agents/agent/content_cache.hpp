@@ -21,7 +21,7 @@ class ContentCache final : public Contents {
 
   std::shared_ptr<const Bytes> find(const ContentHash& hash) const override;
 
-  /// What the window names, nearest first, without repeats; replaces what was wanted before.
+  /// What the window names, nearest first; replaces what was wanted before.
   void want(const std::vector<ContentRef>& nearest_first, SteadyTime now);
   /// One's own, just taught.
   void put(const ContentHash& hash, Bytes bytes);
@@ -49,6 +49,7 @@ class ContentCache final : public Contents {
     SteadyTime ask_at;
     Duration wait{};
   };
+  std::size_t rank_of(const ContentHash& hash) const;
   void keep(const ContentHash& hash, Bytes bytes, std::size_t rank);
   void shrink();
 
@@ -56,8 +57,8 @@ class ContentCache final : public Contents {
   std::uint64_t under_way_most_;  ///< bytes asked for and not here
   std::uint64_t bytes_ = 0;
   std::map<ContentHash, Held> held_;
-  std::map<ContentHash, std::size_t> rank_;  ///< of everything wanted
-  std::list<ContentRef> missing_;            ///< nearest first, not asked for yet
+  std::vector<std::pair<ContentHash, std::size_t>> rank_;  ///< of everything wanted that fits, sorted
+  std::list<ContentRef> missing_;                          ///< nearest first, not asked for yet
   std::map<ContentHash, Incoming> incoming_;
   std::uint64_t under_way_ = 0;
   SteadyTime ask_at_{};

@@ -1,7 +1,6 @@
 #include "agents/agent/surroundings.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "core/network/search.hpp"
 
@@ -18,11 +17,13 @@ bool has_content(const MapView& map, const PlaceId& id) {
 std::vector<ContentRef> nearest_first(const Window& window, const std::optional<PlaceId>& focus,
                                       const std::optional<Route>& route, std::uint32_t route_at) {
   std::vector<ContentRef> contents;
-  std::set<ContentHash> seen;
-  const auto take = [&](const PlaceId& id) {
-    const Place* const place = window.place(id);
-    if (place != nullptr && seen.insert(place->content.hash).second) contents.push_back(place->content);
+  contents.reserve(window.places.size());
+  std::vector<bool> taken(window.places.size(), false);
+  const auto take_at = [&](std::size_t position) {
+    if (position < taken.size() && !taken[position]) contents.push_back(window.places.value_at(position).content);
+    if (position < taken.size()) taken[position] = true;
   };
+  const auto take = [&](const PlaceId& id) { take_at(window.places.position(id)); };
   if (route.has_value()) {
     for (std::size_t i = route_at; i < route->places.size(); ++i) take(route->places[i]);
   }
@@ -30,7 +31,7 @@ std::vector<ContentRef> nearest_first(const Window& window, const std::optional<
     const auto all = static_cast<std::uint32_t>(window.places.size());
     for (const PlaceId& id : neighbourhood(window, *focus, all, all)) take(id);
   }
-  for (const auto& [id, place] : window.places) take(id);
+  for (std::size_t position = 0; position < taken.size(); ++position) take_at(position);
   return contents;
 }
 

@@ -5,12 +5,11 @@ namespace weft::agents {
 namespace {
 
 void insert(Window& window, const std::vector<Edge>& edges) {
-  bool any = false;
   for (const Edge& edge : edges) {
     if (window.place(edge.id.a) == nullptr || window.place(edge.id.b) == nullptr) continue;
-    any = window.edges.emplace(edge.id, edge) || any;
+    window.edges.emplace(edge.id, edge);
   }
-  if (any) index_edges(window);
+  index_edges(window);
 }
 
 }  // namespace

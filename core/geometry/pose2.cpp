@@ -6,6 +6,7 @@
 namespace weft {
 
 double wrap_angle(double radians) {
+  if (std::abs(radians) < std::numbers::pi) return radians;
   const double wrapped = std::remainder(radians, 2.0 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }

@@ -37,13 +37,10 @@ void compare(const Map& base, const Map& target, Added&& added, Changed&& change
   }
 }
 
-Result<void> check_ends(const Window& window) {
-  for (const auto& [id, edge] : window.edges) {
-    for (const PlaceId& end : {id.a, id.b}) {
-      if (window.place(end) == nullptr) {
-        return fail(ErrorCode::corrupt, "patch: an edge ends at " + to_string(end) + ", which is not in the window");
-      }
-    }
+/// Indexes the window as well.
+Result<void> check_ends(Window& window) {
+  if (const std::optional<PlaceId> outside = index_edges(window)) {
+    return fail(ErrorCode::corrupt, "patch: an edge ends at " + to_string(*outside) + ", which is not in the window");
   }
   for (const auto& [label, place] : window.labels) {
     if (window.place(place) == nullptr) {
@@ -97,7 +94,6 @@ Result<Window> apply(const Window& base, const Patch& patch) {
     return fail(ErrorCode::corrupt, "patch: the window at revision " + std::to_string(patch.target.value) +
                                         " has another digest than the server's; ask for a fresh window");
   }
-  index_edges(window);
   return window;
 }
 

@@ -2,54 +2,94 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace weft {
 namespace {
 
+/// What is searched, place by place. Nodes sort as the ids of their places do: a window's are positions, as comparing
+/// ids is most of the work there.
+struct InWindow {
+  using Node = std::uint32_t;
+  const Window& window;
+  std::optional<Node> find(const PlaceId& place) const {
+    const std::size_t at = window.places.position(place);
+    return at == window.places.size() ? std::nullopt : std::optional(static_cast<Node>(at));
+  }
+  const PlaceId& id(Node node) const { return window.places.key_at(node); }
+  template <class Visit>
+  void for_each_edge(Node node, Visit&& visit) const {
+    window.for_each_edge_at(node, visit);
+  }
+};
+
+struct InSnapshot {
+  using Node = PlaceId;
+  const Snapshot& snapshot;
+  std::optional<Node> find(const PlaceId& place) const {
+    return snapshot.place(place) == nullptr ? std::nullopt : std::optional(place);
+  }
+  const PlaceId& id(const Node& node) const { return node; }
+  template <class Visit>
+  void for_each_edge(const Node& node, Visit&& visit) const {
+    snapshot.for_each_edge(node, [&](const Edge& edge) {
+      const PlaceId other = other_end(edge, node);
+      if (snapshot.place(other) != nullptr) visit(edge, other);
+    });
+  }
+};
+
 /// A way into a place of the next level.
+template <class Node>
 struct Arrival {
-  PlaceId id;
+  Node node;
   std::uint32_t parent = 0;  ///< position in the level before
   const Edge* edge = nullptr;
 };
 
-bool holds(const std::vector<PlaceId>& sorted, const PlaceId& id) {
-  return std::binary_search(sorted.begin(), sorted.end(), id);
+template <class Node>
+bool holds(const std::vector<Node>& sorted, const Node& node) {
+  return std::binary_search(sorted.begin(), sorted.end(), node);
+}
+
+/// Of several ways into a place the one from the smallest parent counts.
+template <class Node>
+void keep_first_ways(std::vector<Arrival<Node>>& arrivals) {
+  std::stable_sort(arrivals.begin(), arrivals.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.node, a.parent) < std::tie(b.node, b.parent);
+  });
+  arrivals.erase(
+      std::unique(arrivals.begin(), arrivals.end(), [](const auto& a, const auto& b) { return a.node == b.node; }),
+      arrivals.end());
 }
 
 /// Level by level, each sorted by id. A neighbour of a level lies in that level, in the one before or in the next:
 /// no set of all visited places is needed. `reach(arrival, depth, first_of_parents)` is called in order.
 template <class Graph, class Reach>
 void expand(const Graph& graph, const PlaceId& centre, std::uint32_t max_depth, std::uint32_t cap, Reach&& reach) {
-  if (cap == 0 || graph.place(centre) == nullptr) return;
-  std::vector<PlaceId> before;
-  std::vector<PlaceId> level{centre};
-  reach(Arrival{centre, 0, nullptr}, 0U, std::size_t{0});
+  using Node = typename Graph::Node;
+  const std::optional<Node> start = graph.find(centre);
+  if (cap == 0 || !start) return;
+  std::vector<Node> before;
+  std::vector<Node> level{*start};
+  std::vector<Arrival<Node>> arrivals;
+  reach(Arrival<Node>{*start, 0, nullptr}, 0U, std::size_t{0});
   std::size_t reached = 1;
   for (std::uint32_t depth = 1; depth <= max_depth && !level.empty() && reached < cap; ++depth) {
-    std::vector<Arrival> arrivals;
+    arrivals.clear();
     for (std::uint32_t parent = 0; parent < level.size(); ++parent) {
-      graph.for_each_edge(level[parent], [&](const Edge& edge) {
-        const PlaceId other = other_end(edge, level[parent]);
-        if (!holds(level, other) && !holds(before, other) && graph.place(other) != nullptr) {
-          arrivals.push_back({other, parent, &edge});
-        }
+      graph.for_each_edge(level[parent], [&](const Edge& edge, const Node& other) {
+        if (!holds(level, other) && !holds(before, other)) arrivals.push_back({other, parent, &edge});
       });
     }
-    // Of several ways into a place the one from the smallest parent counts.
-    std::stable_sort(arrivals.begin(), arrivals.end(), [](const Arrival& a, const Arrival& b) {
-      return std::tie(a.id, a.parent) < std::tie(b.id, b.parent);
-    });
-    arrivals.erase(std::unique(arrivals.begin(), arrivals.end(),
-                               [](const Arrival& a, const Arrival& b) { return a.id == b.id; }),
-                   arrivals.end());
+    keep_first_ways(arrivals);
     if (arrivals.size() > cap - reached) arrivals.resize(cap - reached);
     const std::size_t first_of_parents = reached - level.size();
-    before = std::move(level);
+    std::swap(before, level);
     level.clear();
-    for (const Arrival& arrival : arrivals) {
+    for (const Arrival<Node>& arrival : arrivals) {
       reach(arrival, depth, first_of_parents);
-      level.push_back(arrival.id);
+      level.push_back(arrival.node);
     }
     reached += arrivals.size();
   }
@@ -58,16 +98,16 @@ void expand(const Graph& graph, const PlaceId& centre, std::uint32_t max_depth, 
 template <class Graph>
 std::vector<Reached> search(const Graph& graph, const PlaceId& centre, std::uint32_t max_depth, std::uint32_t cap) {
   std::vector<Reached> result;
-  expand(graph, centre, max_depth, cap, [&](const Arrival& arrival, std::uint32_t depth, std::size_t first) {
+  expand(graph, centre, max_depth, cap, [&](const auto& arrival, std::uint32_t depth, std::size_t first) {
     if (arrival.edge == nullptr) {
-      result.push_back({arrival.id, 0, Metric2{}});
+      result.push_back({graph.id(arrival.node), 0, Metric2{}});
       return;
     }
     const Reached& parent = result[first + arrival.parent];
     const Relation step = relation_from(*arrival.edge, parent.id);
     // The identity of a kind-less centre must not change the kind of the first relation.
     Relation composed = depth == 1 ? step : compose(parent.centre_from_place, step);
-    result.push_back({arrival.id, depth, std::move(composed)});
+    result.push_back({graph.id(arrival.node), depth, std::move(composed)});
   });
   return result;
 }
@@ -77,7 +117,7 @@ std::vector<PlaceId> search_ids(const Graph& graph, const PlaceId& centre, std::
                                 std::uint32_t cap) {
   std::vector<PlaceId> ids;
   expand(graph, centre, max_depth, cap,
-         [&](const Arrival& arrival, std::uint32_t, std::size_t) { ids.push_back(arrival.id); });
+         [&](const auto& arrival, std::uint32_t, std::size_t) { ids.push_back(graph.id(arrival.node)); });
   return ids;
 }
 
@@ -85,22 +125,22 @@ std::vector<PlaceId> search_ids(const Graph& graph, const PlaceId& centre, std::
 
 std::vector<Reached> breadth_first(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
-  return search(window, centre, max_depth, cap);
+  return search(InWindow{window}, centre, max_depth, cap);
 }
 
 std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
-  return search(snapshot, centre, max_depth, cap);
+  return search(InSnapshot{snapshot}, centre, max_depth, cap);
 }
 
 std::vector<PlaceId> neighbourhood(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
-  return search_ids(window, centre, max_depth, cap);
+  return search_ids(InWindow{window}, centre, max_depth, cap);
 }
 
 std::vector<PlaceId> neighbourhood(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
-  return search_ids(snapshot, centre, max_depth, cap);
+  return search_ids(InSnapshot{snapshot}, centre, max_depth, cap);
 }
 
 bool can_drive(const Edge& edge, const PlaceId& from) {

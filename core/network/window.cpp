@@ -1,6 +1,7 @@
 #include "core/network/window.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/byte_writer.hpp"
 #include "core/network/codec.hpp"
@@ -37,21 +38,55 @@ std::vector<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& de
   return chosen;
 }
 
-}  // namespace
+/// An edge and the positions of its ends.
+struct BothEnds {
+  std::uint32_t at = 0;
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
 
-void index_edges(Window& window) {
-  window.edges_at.clear();
-  window.edges_at.reserve(2 * window.edges.size());
-  for (const bool stitches : {false, true}) {
-    for (std::uint32_t at = 0; at < window.edges.size(); ++at) {
-      if ((window.edges.value_at(at).origin == Origin::stitch) != stitches) continue;
-      const EdgeId& id = window.edges.key_at(at);
-      window.edges_at.push_back({id.a, at});
-      window.edges_at.push_back({id.b, at});
+/// Edges are sorted by their first ends, and most second ends are the next place.
+std::vector<BothEnds> both_ends(const Window& window, std::optional<PlaceId>& outside) {
+  const std::size_t places = window.places.size();
+  std::vector<BothEnds> edges;
+  edges.reserve(window.edges.size());
+  std::size_t a = 0;
+  for (std::uint32_t at = 0; at < window.edges.size(); ++at) {
+    const EdgeId& id = window.edges.key_at(at);
+    while (a < places && window.places.key_at(a) < id.a) ++a;
+    const bool a_inside = a < places && window.places.key_at(a) == id.a;
+    const bool is_next = a + 1 < places && window.places.key_at(a + 1) == id.b;
+    const std::size_t b = is_next ? a + 1 : window.places.position(id.b);
+    if (a_inside && b < places) {
+      edges.push_back({at, static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    } else if (!outside) {
+      outside = a_inside ? id.b : id.a;
     }
   }
-  std::stable_sort(window.edges_at.begin(), window.edges_at.end(),
-                   [](const auto& first, const auto& second) { return first.place < second.place; });
+  return edges;
+}
+
+}  // namespace
+
+std::optional<PlaceId> index_edges(Window& window) {
+  std::optional<PlaceId> outside;
+  const std::vector<BothEnds> edges = both_ends(window, outside);
+  window.first_end.assign(window.places.size() + 1, 0);
+  for (const BothEnds& edge : edges) {
+    ++window.first_end[edge.a + 1];
+    ++window.first_end[edge.b + 1];
+  }
+  std::partial_sum(window.first_end.begin(), window.first_end.end(), window.first_end.begin());
+  window.ends.resize(2 * edges.size());
+  std::vector<std::uint32_t> next = window.first_end;
+  for (const bool stitches : {false, true}) {
+    for (const BothEnds& edge : edges) {
+      if ((window.edges.value_at(edge.at).origin == Origin::stitch) != stitches) continue;
+      window.ends[next[edge.a]++] = {edge.at, edge.b};
+      window.ends[next[edge.b]++] = {edge.at, edge.a};
+    }
+  }
+  return outside;
 }
 
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition) {

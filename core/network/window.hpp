@@ -31,17 +31,24 @@ struct Window {
   template <class Visit>
   void for_each_edge(const PlaceId& id, Visit&& visit) const;
 
+  /// Calls `visit(const Edge&, std::uint32_t)` with the position of each edge's other end; the same order.
+  template <class Visit>
+  void for_each_edge_at(std::uint32_t position, Visit&& visit) const;
+
   struct EdgeEnd {
-    PlaceId place;
-    std::uint32_t edge = 0;  ///< position in `edges`
+    std::uint32_t edge = 0;   ///< position in `edges`
+    std::uint32_t other = 0;  ///< position in `places` of the edge's other end
     bool operator==(const EdgeEnd&) const = default;
   };
-  /// Both ends of every edge, kept by `make_window` and `apply` so that edges are found from either end.
-  std::vector<EdgeEnd> edges_at;
+  /// The ends at each place, one place's after the other's; kept by `make_window` and `apply` so that edges are found
+  /// from either end.
+  std::vector<EdgeEnd> ends;
+  std::vector<std::uint32_t> first_end;  ///< of each place in `ends`, and the number of all
 };
 
-/// Makes `edges_at` anew from `edges`; to be called when edges were added or removed.
-void index_edges(Window& window);
+/// Makes `ends` anew; to be called when places or edges were added or removed. Edges that lead out of the window are
+/// left out of it; returns an end outside, if there is one.
+std::optional<PlaceId> index_edges(Window& window);
 
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition);
 
@@ -80,9 +87,17 @@ Result<Patch> join(const std::vector<Patch>& parts);
 
 template <class Visit>
 void Window::for_each_edge(const PlaceId& id, Visit&& visit) const {
-  auto at = std::lower_bound(edges_at.begin(), edges_at.end(), id,
-                             [](const EdgeEnd& end, const PlaceId& place) { return end.place < place; });
-  for (; at != edges_at.end() && at->place == id; ++at) visit(edges.value_at(at->edge));
+  const std::size_t position = places.position(id);
+  if (position == places.size()) return;
+  for_each_edge_at(static_cast<std::uint32_t>(position), [&](const Edge& edge, std::uint32_t) { visit(edge); });
+}
+
+template <class Visit>
+void Window::for_each_edge_at(std::uint32_t position, Visit&& visit) const {
+  if (position + 1 >= first_end.size()) return;
+  for (std::uint32_t at = first_end[position]; at < first_end[position + 1]; ++at) {
+    visit(edges.value_at(ends[at].edge), ends[at].other);
+  }
 }
 
 }  // namespace weft

@@ -33,7 +33,8 @@ void expect_same(const Window& a, const Window& b) {
   EXPECT_EQ(a.revision, b.revision);
   EXPECT_EQ(everything(a), everything(b));
   EXPECT_EQ(a.labels, b.labels);
-  EXPECT_EQ(a.edges_at, b.edges_at);
+  EXPECT_EQ(a.ends, b.ends);
+  EXPECT_EQ(a.first_end, b.first_end);
   EXPECT_EQ(digest(a), digest(b));
 }
 

@@ -86,7 +86,7 @@ class FlatFloor {
         sum(cv::Rect(x, y, patch, patch)) += crop.mul(window);
         weight(cv::Rect(x, y, patch, patch)) += window;
       }
-    cv::Mat whole = sum / weight;
+    const cv::Mat whole = sum / weight;
     FlatFloor floor;
     whole(cv::Rect(0, 0, size.width, size.height)).convertTo(floor.texture_, CV_8U);
     return floor;

@@ -17,8 +17,8 @@ Site site_with(Scenery scenery) {
   Site site;
   site.name = "bench";
   site.floor.x_max = 40.0;
-  for (int i = 0; i < 12; ++i) {
-    site.lamps.push_back({3.0 + 4.5 * (i / 3), 2.0 + 4.0 * (i % 3), 6.0, 0.9});
+  for (const double x : {3.0, 7.5, 12.0, 16.5}) {
+    for (const double y : {2.0, 6.0, 10.0}) site.lamps.push_back({x, y, 6.0, 0.9});
   }
   if (scenery == Scenery::aisle) {
     for (const double y : {4.2, 7.8}) {
