@@ -31,6 +31,7 @@ class Body {
  public:
   virtual ~Body() = default;
   /// unavailable: the sensor or recording is over or broken; the message says where. The agent then stands.
+  /// corrupt: the same, and what it gave until then was damaged in part.
   virtual Result<Sample> step(const Twist& command) = 0;
   /// Simulated bodies: a clumsy hand drives this polyline (site frame, metres) from where the robot stands.
   /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.

@@ -59,7 +59,6 @@ class Grammar {
         ->type_name("S")
         ->check(CLI::Range(0.1, 86400.0).description(""));
     app_.add_flag("--json", into_.json, "Print one JSON document");
-    app_.set_version_flag("--version", "weft " WEFT_VERSION);
   }
 
   void robots() {
@@ -190,6 +189,7 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
   app.fallthrough();
   Grammar grammar(app, invocation);
   grammar.all();
+  app.set_version_flag("--version", "weft " WEFT_VERSION + environment.libraries);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {

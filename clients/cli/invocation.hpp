@@ -57,6 +57,7 @@ struct NotRun {
 struct Environment {
   std::string server;
   std::string vendor;
+  std::string libraries = {};  ///< what --version names beside weft itself
 };
 
 std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const Environment& environment);

@@ -87,7 +87,9 @@ def gather(fleet, out, site_file):
     write_lines(out / 'processes.jsonl', rows)
     write_lines(out / 'experiences.jsonl', [dict(experience=id, name=name) for id, name in fleet.experiences.items()])
     shutil.copy(site_file, out / 'site.toml')
-    (out / 'versions').write_text(subprocess.run([fleet.bin / 'weft', '--version'], capture_output=True, text=True).stdout)
+    programs = ('weft', 'weft-server', 'weft-agent')
+    (out / 'versions').write_text(''.join(
+        subprocess.run([fleet.bin / program, '--version'], capture_output=True, text=True).stdout for program in programs))
 
 
 def keep(fleet, options, say):

@@ -12,6 +12,8 @@ using TopicTable = std::span<const Topic, kTopics>;
 
 Result<std::unique_ptr<Bus>> open_fastdds(const BusConfig& config, TopicTable table);
 Result<std::unique_ptr<Bus>> open_cyclonedds(const BusConfig& config, TopicTable table);
+std::string fastdds_version();
+std::string cyclonedds_version();
 
 /// Both vendors know a participant as gone after this much silence, and say that they are there this often.
 inline constexpr Duration kParticipantLease = std::chrono::seconds(5);

@@ -63,6 +63,8 @@ class Bus {
 
 enum class Vendor : std::uint8_t { fastdds, cyclonedds };
 Result<Vendor> parse_vendor(std::string_view text);
+/// Of the library that this was built with: "Fast DDS 2.9.1".
+std::string library_version(Vendor vendor);
 /// unavailable: the participant index is in use (server), no such address, or the vendor refused; says which.
 Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config);
 

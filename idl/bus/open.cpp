@@ -12,4 +12,8 @@ Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config) {
   return vendor == Vendor::fastdds ? open_fastdds(config, topics()) : open_cyclonedds(config, topics());
 }
 
+std::string library_version(Vendor vendor) {
+  return vendor == Vendor::fastdds ? fastdds_version() : cyclonedds_version();
+}
+
 }  // namespace weft::bus

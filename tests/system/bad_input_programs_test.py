@@ -109,17 +109,30 @@ class Recordings(WithFolder):
             self.assertTrue(agent.says('recording is over after 3 images'), agent.text())
             self.assertRegex(agent.text(), r'b\.png: .*the frame is dropped')
             self.assertNotRegex(agent.text(), r'[ac]\.png')
-            self.assertEqual(agent.stop(), 0)
+            self.assertEqual(agent.stop(), 1)
+            self.assertIn('1 of them dropped', agent.text().splitlines()[-1])
 
     def test_images_that_do_not_match_the_calibration_are_dropped_and_named(self):
         recording(self.folder, size=(640, 480))
         with Running(self.folder / 'log', *self.replay()) as agent:
             self.assertTrue(agent.says('recording is over after 3 images'), agent.text())
             self.assertEqual(len(re.findall(r'\w\.png: is 752 x 480 pixels, sensor.yaml says 640 x 480', agent.text())), 3)
+            self.assertEqual(agent.stop(), 1)
 
     def test_a_calibration_without_focal_length_is_refused(self):
         recording(self.folder, focal=0)
         self.refused(1, ['weft-agent: ', 'recording/cam0', 'focal length 0'], *self.replay())
+
+
+class Photographs(WithFolder):
+    def test_a_damaged_photograph_of_a_floor_is_named(self):
+        floors = self.folder / 'floors'
+        floors.mkdir()
+        (floors / 'hall.png').write_bytes(b'no picture')
+        self.refused(1, ['weft-agent: ', 'hall.png', 'damaged'], *self.agent('--site', DEMO, '--floors', floors))
+
+    def test_a_folder_without_photographs_is_named(self):
+        self.refused(1, ['weft-agent: ', str(self.folder), 'no .png or .jpg'], *self.agent('--site', DEMO, '--floors', self.folder))
 
 
 class Peers(WithFolder):

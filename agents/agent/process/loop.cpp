@@ -31,7 +31,7 @@ Loop::Loop(const Parts& parts, double pace)
       counters_at_(step_at_ + kBetweenCounters),
       silent_at_(step_at_ + kFirstSilent) {}
 
-void Loop::until(const std::function<bool()>& stop) {
+Result<void> Loop::until(const std::function<bool()>& stop) {
   while (!stop()) {
     take_messages();
     if (const auto due = parts_.agent.next_tick(); due.has_value() && *due <= steady_now()) {
@@ -46,6 +46,8 @@ void Loop::until(const std::function<bool()>& stop) {
     const Duration sleep = next - steady_now();
     if (sleep > Duration{}) parts_.link.wait(sleep);
   }
+  if (damage_) return tl::unexpected(*damage_);
+  return {};
 }
 
 void Loop::take_messages() {
@@ -62,6 +64,7 @@ void Loop::step() {
   Result<Sample> sample = parts_.body.step(command_);
   if (!sample) {
     body_works_ = false;
+    if (sample.error().code == ErrorCode::corrupt) damage_ = sample.error();
     parts_.log.error("body: {}", sample.error().message);
     perform(parts_.agent.body_failed(sample.error(), steady_now()));
     return;

@@ -30,7 +30,8 @@ class Loop {
   /// `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
 
-  void until(const std::function<bool()>& stop);
+  /// corrupt: the body gave damaged data; said at the end too, so that whoever started this hears of it.
+  Result<void> until(const std::function<bool()>& stop);
 
  private:
   void take_messages();
@@ -45,6 +46,7 @@ class Loop {
   Twist command_;
   std::uint64_t frame_ = 0;
   bool body_works_ = true;
+  std::optional<Error> damage_;
   struct Anchor {
     SteadyTime steady;
     SensorTime sensor;

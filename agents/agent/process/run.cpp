@@ -121,9 +121,9 @@ Result<void> run(const Options& options) {
              .log = log,
              .server = addresses(options)},
             options.pace);
-  loop.until([&stop] { return stop.came(); });
+  const Result<void> ended = loop.until([&stop] { return stop.came(); });
   log.info("stopped");
-  return {};
+  return ended;
 }
 
 }  // namespace weft::agents

@@ -34,6 +34,7 @@ class ReplayBody final : public Body {
   std::vector<RecordedImage> images_;
   CameraModel camera_;
   std::size_t next_ = 0;
+  std::size_t dropped_ = 0;
 };
 
 std::optional<Image> ReplayBody::read(const fs::path& path) const {
@@ -62,8 +63,11 @@ std::optional<Image> ReplayBody::read(const fs::path& path) const {
 
 Result<Sample> ReplayBody::step(const Twist& /*command*/) {
   if (next_ == images_.size()) {
-    return fail(ErrorCode::unavailable,
-                config_.folder + ": recording is over after " + std::to_string(images_.size()) + " images");
+    const std::string over =
+        config_.folder + ": recording is over after " + std::to_string(images_.size()) + " images";
+    if (dropped_ == 0) return fail(ErrorCode::unavailable, over);
+    return fail(ErrorCode::corrupt,
+                over + ", " + std::to_string(dropped_) + " of them dropped as they could not be read or had the wrong size");
   }
   const RecordedImage& recorded = images_[next_];
   Sample sample;
@@ -78,6 +82,8 @@ Result<Sample> ReplayBody::step(const Twist& /*command*/) {
     view.calibration = camera_.id;
     view.data = std::move(*image);
     sample.view = std::move(view);
+  } else {
+    ++dropped_;
   }
   return sample;
 }

@@ -1,4 +1,5 @@
 #include <dds/ddsi/ddsi_serdata.h>
+#include <dds/version.h>
 
 #include <map>
 #include <string_view>
@@ -193,6 +194,10 @@ void CycloneBus::forget(const PeerId& id) {
 
 }  // namespace
 }  // namespace cyclonedds
+
+std::string cyclonedds_version() {
+  return "Cyclone DDS " DDS_VERSION;
+}
 
 Result<std::unique_ptr<Bus>> open_cyclonedds(const BusConfig& config, TopicTable table) {
   Result<Addresses> addresses = look_up(config);

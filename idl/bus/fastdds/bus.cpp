@@ -6,6 +6,7 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastrtps/config.h>
 #include <map>
 #include <utility>
 #include <vector>
@@ -180,6 +181,10 @@ void FastBus::forget(const PeerId& id) {
 
 }  // namespace
 }  // namespace fastdds
+
+std::string fastdds_version() {
+  return "Fast DDS " FASTRTPS_VERSION_STR;
+}
 
 Result<std::unique_ptr<Bus>> open_fastdds(const BusConfig& config, TopicTable table) {
   Result<Addresses> addresses = look_up(config);

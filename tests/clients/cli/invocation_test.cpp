@@ -102,7 +102,9 @@ TEST(Invocation, HelpAndVersionAreNoMistakes) {
   const auto help = parsed({"--help"});
   EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
   EXPECT_NE(std::get<NotRun>(help).text.find("goal"), std::string::npos);
-  EXPECT_EQ(std::get<NotRun>(parsed({"--version"})).exit_code, 0);
+  const auto version = parsed({"--version"}, {"", "", ", with a bus"});
+  EXPECT_EQ(std::get<NotRun>(version).exit_code, 0);
+  EXPECT_NE(std::get<NotRun>(version).text.find(", with a bus"), std::string::npos);
 }
 
 TEST(Polyline, PointsWithCommentsAndCommas) {

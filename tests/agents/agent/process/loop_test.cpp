@@ -18,7 +18,7 @@ class Clockwork final : public Body {
   explicit Clockwork(std::uint64_t frames) : frames_(frames) {}
   Result<Sample> step(const Twist& command) override {
     commands.push_back(command);
-    if (frame_ == frames_) return fail(ErrorCode::unavailable, "recording is over");
+    if (frame_ == frames_) return fail(ending, "recording is over");
     Sample sample;
     sample.frame = ++frame_;
     sample.time = SensorTime{10ms * static_cast<std::int64_t>(frame_)};
@@ -32,6 +32,7 @@ class Clockwork final : public Body {
 
   std::vector<Twist> commands;
   int hand_stops = 0;
+  ErrorCode ending = ErrorCode::unavailable;
 
  private:
   std::uint64_t frames_;
@@ -86,8 +87,8 @@ struct Bench {
     return peer;
   }
   static spdlog::sink_ptr sink() { return std::make_shared<spdlog::sinks::null_sink_mt>(); }
-  void run(double pace) {
-    Loop({.agent = agent, .body = body, .link = link, .records = nullptr, .log = log}, pace).until([this] {
+  Result<void> run(double pace) {
+    return Loop({.agent = agent, .body = body, .link = link, .records = nullptr, .log = log}, pace).until([this] {
       return !agent.failure.empty();
     });
   }
@@ -101,7 +102,7 @@ struct Bench {
 
 TEST(AgentLoop, EverySampleLeadsToTheNextCommand) {
   Bench bench(50);
-  bench.run(0.0);
+  EXPECT_TRUE(bench.run(0.0));
   ASSERT_EQ(bench.agent.frames.size(), 50U);
   for (std::size_t i = 0; i < bench.body.commands.size(); ++i) {
     EXPECT_EQ(bench.body.commands[i].linear_m_s, static_cast<double>(i));
@@ -112,16 +113,24 @@ TEST(AgentLoop, EverySampleLeadsToTheNextCommand) {
 TEST(AgentLoop, NeverRunsAheadOfItsPace) {
   Bench bench(20);
   const SteadyTime began{std::chrono::steady_clock::now().time_since_epoch()};
-  bench.run(2.0);
+  EXPECT_TRUE(bench.run(2.0));
   ASSERT_EQ(bench.agent.times.size(), 20U);
   // A sample is asked for when the one before it is due.
   for (std::size_t i = 1; i < 20; ++i)
     EXPECT_GE(bench.agent.times[i], began + 5ms * static_cast<std::int64_t>(i - 1));
 }
 
+TEST(AgentLoop, DamagedDataIsSaidAtTheEndToo) {
+  Bench bench(2);
+  bench.body.ending = ErrorCode::corrupt;
+  const Result<void> ended = bench.run(0.0);
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().message, "recording is over");
+}
+
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {
   Bench bench(2);
-  bench.run(0.0);
+  EXPECT_TRUE(bench.run(0.0));
   EXPECT_EQ(bench.agent.hand_answer, "no hand");
   EXPECT_EQ(bench.body.hand_stops, 1);
 }

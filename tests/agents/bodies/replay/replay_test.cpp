@@ -97,6 +97,10 @@ TEST_F(Recording, ADamagedImageIsADroppedFrameAndNamed) {
   EXPECT_FALSE(sample->view);
   EXPECT_THAT(warnings_, HasSubstr("b.png"));
   EXPECT_TRUE((*body)->step({})->view);
+  const auto over = (*body)->step({});
+  ASSERT_FALSE(over);
+  EXPECT_EQ(over.error().code, ErrorCode::corrupt);
+  EXPECT_THAT(over.error().message, HasSubstr("over after 3 images, 1 of them dropped"));
 }
 
 TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
