@@ -63,7 +63,8 @@ cli::Exit run(const cli::Invocation& invocation) {
 int main(int argc, char** argv) try {
   const std::string libraries = ", with " + bus::library_version(bus::Vendor::fastdds) + " and " +
                                 bus::library_version(bus::Vendor::cyclonedds);
-  const auto parsed = cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS"), libraries});
+  const auto parsed =
+      cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS"), libraries});
   if (const auto* const not_run = std::get_if<cli::NotRun>(&parsed)) {
     (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
     return not_run->exit_code;

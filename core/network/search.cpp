@@ -42,7 +42,7 @@ struct InSnapshot {
 /// A way into a place of the next level.
 template <class Node>
 struct Arrival {
-  Node node;
+  Node node{};
   std::uint32_t parent = 0;  ///< position in the level before
   const Edge* edge = nullptr;
 };

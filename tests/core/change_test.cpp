@@ -32,14 +32,14 @@ struct Fixture {
 };
 
 TEST(Batch, OneThatFitsHasNoIssues) {
-  Fixture f;
+  const Fixture f{};
   EXPECT_THAT(check(f.snapshot, f.batch), IsEmpty());
 }
 
 TEST(Batch, RandomOnesFit) {
   Random random(22);
   for (int round = 0; round < 20; ++round) {
-    Snapshot snapshot = support::make_network(random, 3, 2, 4, 3);
+    const Snapshot snapshot = support::make_network(random, 3, 2, 4, 3);
     const BatchPlan plan{
         snapshot.experiences().begin()->first, snapshot.experiences().begin()->second->robot, 3, 4, 4, "marks"};
     const Batch batch = support::make_batch(random, snapshot, plan);
@@ -173,7 +173,7 @@ TEST(Batch, WhatContradictsTheMapIsAConflict) {
 }
 
 TEST(With, JoinsPlacesChainAndStitches) {
-  Fixture f;
+  const Fixture f{};
   const Snapshot joined = with(f.snapshot, f.batch);
   EXPECT_EQ(joined.revision().value, f.snapshot.revision().value + 1);
   EXPECT_EQ(joined.place_count(), 9U);
@@ -231,7 +231,7 @@ TEST(With, SharesWhatItDoesNotTouch) {
 }
 
 TEST(With, TheSameBatchesGiveTheSameNetworkInOneOrInMany) {
-  Fixture f;
+  const Fixture f{};
   Batch first = f.batch;
   Batch second = f.batch;
   second.sequence = 2;
@@ -250,7 +250,7 @@ TEST(With, TheSameBatchesGiveTheSameNetworkInOneOrInMany) {
 }
 
 TEST(With, LabelsMoveAndSealsHold) {
-  Fixture f;
+  const Fixture f{};
   const PlaceId here{ExperienceId{100}, 1};
   const PlaceId there{ExperienceId{100}, 3};
   const Snapshot first = with_label(f.snapshot, "dock", here);

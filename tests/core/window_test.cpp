@@ -43,8 +43,8 @@ TEST(Window, IsAPureFunctionOfSnapshotAndDefinition) {
   for (int round = 0; round < 20; ++round) {
     const Snapshot snapshot = make_network(random, 3, 3, 5, 3);
     const WindowDefinition definition = random_definition(random, snapshot);
-    const Snapshot copy = snapshot;
-    expect_same(make_window(snapshot, definition), make_window(copy, definition));
+    const std::vector<Snapshot> copies{snapshot};
+    expect_same(make_window(snapshot, definition), make_window(copies.front(), definition));
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Patch, AnythingMissingOrWrongIsCorrupt) {
 }
 
 TEST(Patch, PartsKeepTheirSizeAndRefuseStrangers) {
-  TwoWindows w;
+  const TwoWindows w{};
   const std::vector<Patch> parts = split(difference(Window{}, w.base), 7);
   EXPECT_GT(parts.size(), 5U);
   std::size_t entities = 0;

@@ -19,7 +19,7 @@ std::vector<std::string> names() {
 }
 
 Example example_named(const std::string& name) {
-  for (Example& example : examples()) {
+  for (const Example& example : examples()) {
     if (example.name == name) return example;
   }
   std::abort();

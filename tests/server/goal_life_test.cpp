@@ -148,7 +148,7 @@ TEST_F(GoalLife, TiesGoToTheLowestId) {
   TaughtRun other(r2, 11);
   site.arrive(r2, std::nullopt);
   site.hand_in(r2, other.next(2));
-  Handed joined = other.next(1);
+  const Handed joined = other.next(1);
   site.hand_in(r2, joined);
   site.arrive(r2, run.place(5));
   stand(run.place(5));

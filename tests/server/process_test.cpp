@@ -148,7 +148,7 @@ TEST_F(ServerProcess, ServesUntilTermAndKeepsItsIdentity) {
 }
 
 TEST_F(ServerProcess, SecondServerOnAStoreOrAPortIsRefused) {
-  Process server(serve("store"), directory / "server.log");
+  const Process server(serve("store"), directory / "server.log");
   ASSERT_TRUE(server.says("ready")) << server.text();
   EXPECT_EQ(run(serve("store")), 1);
   EXPECT_THAT(said, HasSubstr("in use"));

@@ -296,7 +296,7 @@ void Fleet::record(const msg::Message& message) {
 }
 
 std::string Fleet::trace() const {
-  ExperienceId as_text{trace_};
+  const ExperienceId as_text{trace_};
   return to_string(as_text);
 }
 

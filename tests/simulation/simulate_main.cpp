@@ -120,7 +120,7 @@ std::string too_quiet(const Totals& totals) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   Options options;
   Seeds seeds;
   CLI::App app(
@@ -218,4 +218,7 @@ int main(int argc, char** argv) {
   const std::string quiet = totals.seeds == wanted ? too_quiet(totals) : "";
   if (!quiet.empty()) std::cout << quiet << '\n';
   return totals.broken > 0 || died || totals.seeds != wanted || !quiet.empty() ? 1 : 0;
+} catch (const std::exception& problem) {
+  std::fprintf(stderr, "simulate: ended by a defect: %s\n", problem.what());
+  return 1;
 }

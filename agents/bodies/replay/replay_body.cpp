@@ -66,8 +66,8 @@ Result<Sample> ReplayBody::step(const Twist& /*command*/) {
     const std::string over =
         config_.folder + ": recording is over after " + std::to_string(images_.size()) + " images";
     if (dropped_ == 0) return fail(ErrorCode::unavailable, over);
-    return fail(ErrorCode::corrupt,
-                over + ", " + std::to_string(dropped_) + " of them dropped as they could not be read or had the wrong size");
+    return fail(ErrorCode::corrupt, over + ", " + std::to_string(dropped_) +
+                                        " of them dropped as they could not be read or had the wrong size");
   }
   const RecordedImage& recorded = images_[next_];
   Sample sample;

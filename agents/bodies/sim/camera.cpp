@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFarthestM = 6.0;  // the floor is drawn no further; the horizon is out of view
 constexpr double kMarginM = 0.1;    // of what is fetched around each grid node
-constexpr int kBlock = 64;          // pixels a side that are sampled together: their texels share cache lines
+constexpr int kBlock = 128;         // pixels a side that are sampled together: their texels share cache lines
 constexpr std::size_t kNoise = 1U << 18U;
 
 TileKey tile_of(double x, double y) {

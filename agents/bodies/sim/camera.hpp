@@ -58,6 +58,20 @@ class Camera {
   };
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
   /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
+  /// Directions and what lights a hit, for one pose of the camera.
+  struct Eye {
+    Eigen::Vector3d at;
+    Eigen::Matrix3f site_from_camera;
+    explicit Eye(const Pose3& site_from_camera_pose = {})
+        : at(site_from_camera_pose.translation),
+          site_from_camera(site_from_camera_pose.rotation.toRotationMatrix().cast<float>()) {}
+  };
+  /// What is seen where a ray hits, and where that is.
+  struct Surface {
+    float albedo = 0.0F;
+    Eigen::Vector3d at;
+  };
+  Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
   struct PixelLight {
     float gain, add, camera_gain;
   };
@@ -83,6 +97,7 @@ class Camera {
   };
   void find_boxes(const Exposure& exposure);
   void draw_boxes(const Exposure& exposure);
+  void draw_run(const Eye& eye, double exposure_gain, int u, int v, int count);
   void draw_edges(const Exposure& exposure);
   void forget_boxes();
   void mark_cells(const Eigen::Vector3d& eye);
@@ -112,6 +127,7 @@ class Camera {
   struct Pixel {
     int u, v;
   };
+  FaceMemo face_memo_;
   std::vector<Pixel> edges_;       ///< pixels that an edge of a box runs through
   std::vector<BoxHit> node_hits_;  ///< of each grid node that a cell with a box has
   std::vector<BoxHit> hits_;       ///< of each pixel; none between images

@@ -10,30 +10,23 @@ namespace {
 
 constexpr double kFarthestBoxM = 6.0;
 
-/// Directions and what lights a hit, for one pose of the camera.
-struct Eye {
-  Eigen::Vector3d at;
-  Eigen::Matrix3f site_from_camera;
-};
-Eye eye_from(const Pose3& site_from_camera) {
-  return {site_from_camera.translation, site_from_camera.rotation.toRotationMatrix().cast<float>()};
-}
-
-/// Grey of a hit under the site's light, before the camera's gain.
-float grey_of(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction, const Scene& scene,
-              const Light& light, double per_focal) {
-  const Box& box = scene.boxes()[static_cast<std::size_t>(hit.box)];
-  const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
-  const Eigen::Vector2d in_box = scene.in_box(hit.box, p.x(), p.y());
-  const double along = hit.face == 4 || hit.face % 2 == 1 ? in_box.x() : in_box.y();
-  const double up = hit.face == 4 ? in_box.y() : p.z();
-  const float albedo = face_albedo(box, hit.box, hit.face, along, up, hit.distance * per_focal);
-  // Faces turned to different sides differ a little, as under any real light.
-  constexpr std::array<float, 5> kSide = {1.0F, 0.88F, 0.95F, 0.82F, 1.1F};
-  return albedo * kSide[static_cast<std::size_t>(hit.face)] * static_cast<float>(light.on_wall(p.x(), p.y(), p.z()));
+float light_at_wall(const Light& light, const Eigen::Vector3d& p) {
+  return static_cast<float>(light.on_wall(p.x(), p.y(), p.z()));
 }
 
 }  // namespace
+
+Camera::Surface Camera::surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction) {
+  const Box& box = scene_->boxes()[static_cast<std::size_t>(hit.box)];
+  const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
+  const Eigen::Vector2d in_box = scene_->in_box(hit.box, p.x(), p.y());
+  const double along = hit.face == 4 || hit.face % 2 == 1 ? in_box.x() : in_box.y();
+  const double up = hit.face == 4 ? in_box.y() : p.z();
+  const float albedo = face_albedo(box, hit.box, hit.face, along, up, hit.distance / camera_.fx, face_memo_);
+  // Faces turned to different sides differ a little, as under any real light.
+  constexpr std::array<float, 5> kSide = {1.0F, 0.88F, 0.95F, 0.82F, 1.1F};
+  return {albedo * kSide[static_cast<std::size_t>(hit.face)], p};
+}
 
 /// Where a box may be seen: a line of sight to a node in or next to the cell passes over one; an edge may pass
 /// between two nodes.
@@ -66,7 +59,7 @@ void Camera::mark_cells(const Eigen::Vector3d& eye) {
 
 /// Marks what four corners agree on: most of a rack is the inside of one of its faces.
 void Camera::cast_nodes(const Pose3& site_from_camera) {
-  const Eye eye = eye_from(site_from_camera);
+  const Eye eye(site_from_camera);
   const int across = columns_ - 1;
   const int down = rows_ - 2;
   node_hits_.resize(nodes_.size());
@@ -112,7 +105,7 @@ void Camera::cast_nodes(const Pose3& site_from_camera) {
 }
 
 void Camera::cast_cells(const Pose3& site_from_camera) {
-  const Eye eye = eye_from(site_from_camera);
+  const Eye eye(site_from_camera);
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
   for (int v = 0; v < camera_.height; v += 2) {
@@ -160,25 +153,21 @@ bool Camera::at_edge(int u, int v) const {
 
 void Camera::draw_boxes(const Exposure& exposure) {
   if (shows_.empty()) return;
-  const Eye eye = eye_from(exposure.site_from_camera_mid);
-  const double per_focal = 1.0 / camera_.fx;
+  const Eye eye(exposure.site_from_camera_mid);
   edges_.clear();
   for (int v = 0; v < camera_.height; ++v) {
-    for (int u = 0; u < camera_.width; ++u) {
+    for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
-      if (cell == Shows::floor) {
-        u += kShadeCell - 1;
-        continue;
-      }
-      const std::size_t at = pixel(u, v);
-      if (cell != Shows::inside && at_edge(u, v)) {
-        edges_.push_back({u, v});
-      } else if (hits_[at].box >= 0) {
-        const Eigen::Vector3f direction = eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
-        const PixelLight light = light_at(u, v, exposure.gain);
-        const float grey = light.camera_gain * grey_of(hits_[at], eye, direction, *scene_, light_, per_focal);
-        // Development puts the floor's light on every pixel; here it is taken out beforehand.
-        albedo_[at] = (grey - light.add) / light.gain;
+      if (cell == Shows::inside) {
+        draw_run(eye, exposure.gain, u, v, kShadeCell);
+      } else if (cell != Shows::floor) {
+        for (int i = u; i < u + kShadeCell; ++i) {
+          if (at_edge(i, v)) {
+            edges_.push_back({i, v});
+          } else if (hits_[pixel(i, v)].box >= 0) {
+            draw_run(eye, exposure.gain, i, v, 1);
+          }
+        }
       }
     }
   }
@@ -186,12 +175,34 @@ void Camera::draw_boxes(const Exposure& exposure) {
   forget_boxes();
 }
 
+/// Pixels side by side on one face: along so few, the light changes evenly.
+void Camera::draw_run(const Eye& eye, double exposure_gain, int u, int v, int count) {
+  std::array<Surface, kShadeCell> surfaces;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = pixel(u + i, v);
+    const Eigen::Vector3f direction = eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
+    surfaces[static_cast<std::size_t>(i)] = surface_at(hits_[at], eye, direction);
+  }
+  const float first = light_at_wall(light_, surfaces[0].at);
+  const float step = count < 2 ? 0.0F
+                               : (light_at_wall(light_, surfaces[static_cast<std::size_t>(count - 1)].at) - first) /
+                                     static_cast<float>(count - 1);
+  for (int i = 0; i < count; ++i) {
+    const PixelLight light = light_at(u + i, v, exposure_gain);
+    const float grey =
+        light.camera_gain * surfaces[static_cast<std::size_t>(i)].albedo * (first + step * static_cast<float>(i));
+    // Development puts the floor's light on every pixel; here it is taken out beforehand.
+    albedo_[pixel(u + i, v)] = (grey - light.add) / light.gain;
+  }
+}
+
 /// Where an edge runs through a pixel, each subsample looks for itself; four pixels make a packet of rays.
 void Camera::draw_edges(const Exposure& exposure) {
   constexpr std::size_t together = Scene::kPacket / kSubsamples;
   const double per_focal = 1.0 / camera_.fx;
   std::array<Eye, kSubsamples> eyes;
-  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(), eye_from);
+  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(),
+                 [](const Pose3& pose) { return Eye(pose); });
   std::array<Eigen::Vector3f, Scene::kPacket> from;
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
@@ -214,9 +225,12 @@ void Camera::draw_edges(const Exposure& exposure) {
       float sum = 0.0F;
       for (std::size_t k = 0; k < kSubsamples; ++k) {
         const std::size_t i = n * kSubsamples + k;
-        sum += hits[i].box < 0
-                   ? albedo * light.gain + light.add
-                   : light.camera_gain * grey_of(hits[i], eyes[k], directions[i], *scene_, light_, per_focal);
+        if (hits[i].box < 0) {
+          sum += albedo * light.gain + light.add;
+          continue;
+        }
+        const Surface surface = surface_at(hits[i], eyes[k], directions[i]);
+        sum += light.camera_gain * surface.albedo * light_at_wall(light_, surface.at);
       }
       albedo = (sum / kSubsamples - light.add) / light.gain;
     }

@@ -24,12 +24,17 @@ float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, c
   const float dy = (lamp_y - y) * top;
   const float bx = static_cast<float>(body.x) - x;
   const float by = static_cast<float>(body.y) - y;
-  const float t = std::clamp((bx * dx + by * dy) / std::max(1e-9F, dx * dx + dy * dy), 0.0F, 1.0F);
+  const float toward = bx * dx + by * dy;
+  const auto radius = static_cast<float>(body.radius_m);
+  constexpr float least_soft = 0.02F;
+  // Behind the ray's foot the body hides only what it stands on.
+  if (toward <= 0.0F && bx * bx + by * by > (radius + least_soft) * (radius + least_soft)) return 0.0F;
+  const float t = std::clamp(toward / std::max(1e-9F, dx * dx + dy * dy), 0.0F, 1.0F);
   const float u = bx - t * dx;
   const float v = by - t * dy;
-  const float gap = std::sqrt(u * u + v * v) - static_cast<float>(body.radius_m);
+  const float gap = std::sqrt(u * u + v * v) - radius;
   // Half shadow: the lamp's disc seen through the height at which the ray passes.
-  const float soft = 0.02F + kLampRadiusM * t * top / std::max(0.05F, 1.0F - t * top) * 2.0F;
+  const float soft = least_soft + kLampRadiusM * t * top / std::max(0.05F, 1.0F - t * top) * 2.0F;
   const float share = std::clamp(0.5F - gap / soft, 0.0F, 1.0F);
   return share * share * (3.0F - 2.0F * share);
 }

@@ -57,9 +57,18 @@ class Scene {
   std::unique_ptr<Embree> embree_;
 };
 
+/// Corners of the noise that was looked at last, by size: neighbouring pixels mostly share them. Changes no result.
+struct FaceMemo {
+  struct Cell {
+    std::int64_t x = INT64_MIN, y = 0, salt = 0;
+    std::array<double, 4> corners{};
+  };
+  std::array<Cell, 3> cells;
+};
+
 /// Grey level, as albedo, of a place on a face: `along_m` from the face's middle, `up_m` above the floor; details
 /// finer than `pixel_m` are left out.
 float face_albedo(const Box& box, std::int32_t box_index, std::int32_t face, double along_m, double up_m,
-                  double pixel_m);
+                  double pixel_m, FaceMemo& memo);
 
 }  // namespace weft::agents::sim

@@ -62,9 +62,8 @@ class MarksFleet : public testing::Test {
     int samples = 0;
   };
   /// Until the robot has not been driving for a while. `each` may intervene.
-  Driven drive(
-      test::NavigatedRobot& robot, const Route& route, double settled_m = 1.0,
-      const std::function<void(const Navigated&)>& each = [](const Navigated&) {}) {
+  Driven drive(test::NavigatedRobot& robot, const Route& route, double settled_m = 1.0,
+               const std::function<void(const Navigated&)>& each = nullptr) {
     robot.navigator().follow(route);
     const std::vector<Pose2> path = true_path(route);
     const Pose2 start = robot.world_from_robot();
@@ -72,7 +71,7 @@ class MarksFleet : public testing::Test {
     int standing = 0;
     for (; driven.samples < 4000 && standing < 30; ++driven.samples) {
       driven.last = robot.step(server.map());
-      each(driven.last);
+      if (each) each(driven.last);
       standing = driven.last.following == Following::driving ? 0 : standing + 1;
       if (const auto estimate = robot.navigator().estimate()) {
         driven.longest_blind_m = std::max(driven.longest_blind_m, estimate->blind_m);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace weft::agents::sim {
 namespace {
@@ -27,9 +26,9 @@ std::array<FloorWindow::Level, kLevels> FloorWindow::levels_from(const std::arra
     }
     // What reaches over n tile lengths touches up to n + 1 tiles.
     level.tiles = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(reach_m[l] / kTileM)) + 1U));
-    level.stride = level.tiles * level.tile_side + 4;
-    const auto rows = static_cast<std::size_t>(level.tiles * level.tile_side + 1);
-    level.texels.resize(rows * static_cast<std::size_t>(level.stride) + 8);
+    level.stride = 2 * (level.tiles * level.tile_side + 1);
+    const auto rows = static_cast<std::size_t>(level.tiles * level.tile_side);
+    level.pairs.resize(rows * static_cast<std::size_t>(level.stride));
     level.holding.resize(static_cast<std::size_t>(level.tiles) * static_cast<std::size_t>(level.tiles));
   }
   return levels;
@@ -53,17 +52,16 @@ void FloorWindow::place(Level& level, const std::vector<std::uint8_t>& tile, Til
   const std::size_t y0 = static_cast<std::size_t>(key.y & mask) * side;
   const std::size_t width = static_cast<std::size_t>(level.tiles) * side;
   for (std::size_t j = 0; j < side; ++j) {
-    std::uint8_t* row = level.texels.data() + (y0 + j) * stride;
-    std::memcpy(row + x0, tile.data() + j * side, side);
-    if (x0 == 0) {
-      row[width] = row[0];
+    const std::uint8_t* const from = tile.data() + j * side;
+    std::uint8_t* const own = level.pairs.data() + (y0 + j) * stride;
+    std::uint8_t* const above = level.pairs.data() + (y0 + j + width - 1) % width * stride;
+    for (std::size_t i = 0; i < side; ++i) {
+      own[2 * (x0 + i)] = from[i];
+      above[2 * (x0 + i) + 1] = from[i];
     }
-    if (y0 + j == 0) {
-      std::uint8_t* last = level.texels.data() + width * stride;
-      std::memcpy(last + x0, row + x0, side);
-      if (x0 == 0) {
-        last[width] = row[0];
-      }
+    if (x0 == 0) {
+      own[2 * width] = from[0];
+      above[2 * width + 1] = from[0];
     }
   }
 }
@@ -72,7 +70,7 @@ LevelPixels FloorWindow::level(int level_index, TileKey origin) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
   const int mask = level.tiles - 1;
   LevelPixels pixels;
-  pixels.texels = level.texels.data();
+  pixels.pairs = level.pairs.data();
   pixels.stride = level.stride;
   pixels.mask = level.tiles * level.tile_side - 1;
   pixels.x0 = (origin.x & mask) * level.tile_side;
@@ -84,7 +82,7 @@ LevelPixels FloorWindow::level(int level_index, TileKey origin) const {
 std::size_t FloorWindow::window_bytes() const {
   std::size_t sum = 0;
   for (const Level& level : levels_) {
-    sum += level.texels.size();
+    sum += level.pairs.size();
   }
   return sum;
 }

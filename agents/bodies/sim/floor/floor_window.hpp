@@ -29,7 +29,7 @@ class FloorWindow {
     int tiles = 0;      ///< a side; power of two, or none
     int tile_side = 0;  ///< texels
     int stride = 0;
-    std::vector<std::uint8_t> texels;             ///< one more column and row, which repeat the first
+    std::vector<std::uint8_t> pairs;              ///< as LevelPixels; one more column, which repeats the first
     std::vector<std::optional<TileKey>> holding;  ///< of each slot
   };
   static std::array<Level, kLevels> levels_from(const std::array<double, kLevels>& reach_m);

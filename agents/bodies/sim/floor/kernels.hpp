@@ -5,10 +5,11 @@
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
-/// One level of the floor around the robot; addresses wrap at mask + 1.
+/// One level of the floor around the robot; addresses wrap at mask + 1. Each texel stands beside the one below it, so
+/// that four consecutive bytes are what a bilinear sample needs.
 struct LevelPixels {
-  const std::uint8_t* texels = nullptr;
-  int stride = 0;
+  const std::uint8_t* pairs = nullptr;
+  int stride = 0;  ///< bytes
   int mask = 0;
   int x0 = 0, y0 = 0;  ///< texel of the sampling origin
   float texels_per_m = 0.0F;

@@ -25,16 +25,13 @@ __m256 sample(const LevelPixels& level, __m256 x_m, __m256 y_m) {
   const __m256i y =
       _mm256_and_si256(_mm256_add_epi32(_mm256_cvttps_epi32(v_floor), _mm256_set1_epi32(level.y0)), mask);
   const __m256i stride = _mm256_set1_epi32(level.stride);
-  const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(y, stride), x);
-  // Four bytes at once: this texel and its right neighbour are the low two.
-  const __m256i top = _mm256_i32gather_epi32(reinterpret_cast<const int*>(level.texels), at, 1);
-  const __m256i bottom =
-      _mm256_i32gather_epi32(reinterpret_cast<const int*>(level.texels), _mm256_add_epi32(at, stride), 1);
+  const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(y, stride), _mm256_slli_epi32(x, 1));
+  const __m256i four = _mm256_i32gather_epi32(reinterpret_cast<const int*>(level.pairs), at, 1);
   const __m256i byte = _mm256_set1_epi32(255);
-  const __m256 t0 = _mm256_cvtepi32_ps(_mm256_and_si256(top, byte));
-  const __m256 t1 = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(top, 8), byte));
-  const __m256 b0 = _mm256_cvtepi32_ps(_mm256_and_si256(bottom, byte));
-  const __m256 b1 = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(bottom, 8), byte));
+  const __m256 t0 = _mm256_cvtepi32_ps(_mm256_and_si256(four, byte));
+  const __m256 b0 = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(four, 8), byte));
+  const __m256 t1 = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(four, 16), byte));
+  const __m256 b1 = _mm256_cvtepi32_ps(_mm256_srli_epi32(four, 24));
   const __m256 t = _mm256_add_ps(t0, _mm256_mul_ps(fu, _mm256_sub_ps(t1, t0)));
   const __m256 b = _mm256_add_ps(b0, _mm256_mul_ps(fu, _mm256_sub_ps(b1, b0)));
   return _mm256_add_ps(t, _mm256_mul_ps(fv, _mm256_sub_ps(b, t)));

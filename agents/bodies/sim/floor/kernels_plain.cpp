@@ -18,12 +18,11 @@ float sample(const LevelPixels& level, float x_m, float y_m) {
   const float fv = v - v_floor;
   const int x = (static_cast<int>(u_floor) + level.x0) & level.mask;
   const int y = (static_cast<int>(v_floor) + level.y0) & level.mask;
-  const std::uint8_t* top = level.texels + static_cast<std::ptrdiff_t>(y) * level.stride + x;
-  const std::uint8_t* bottom = top + level.stride;
-  const auto t0 = static_cast<float>(top[0]);
-  const auto b0 = static_cast<float>(bottom[0]);
-  const float t = t0 + fu * (static_cast<float>(top[1]) - t0);
-  const float b = b0 + fu * (static_cast<float>(bottom[1]) - b0);
+  const std::uint8_t* four = level.pairs + static_cast<std::ptrdiff_t>(y) * level.stride + 2 * x;
+  const auto t0 = static_cast<float>(four[0]);
+  const auto b0 = static_cast<float>(four[1]);
+  const float t = t0 + fu * (static_cast<float>(four[2]) - t0);
+  const float b = b0 + fu * (static_cast<float>(four[3]) - b0);
   return t + fv * (b - t);
 }
 

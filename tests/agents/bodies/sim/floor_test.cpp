@@ -144,7 +144,7 @@ TEST(TileCache, LevelsAreAreaMeans) {
 }
 
 TEST(FloorWindow, KeepsItsBudgetWhateverIsLookedAt) {
-  constexpr std::size_t kBudget = 64'000'000;
+  constexpr std::size_t kBudget = 128'000'000;
   FloorWindow window(floor_of(setup_of("epoxy")), {1.8, 4.0, 4.0, 0.0, 0.0}, kBudget);
   for (int i = -10; i < 40; ++i) {
     window.need(0, {i, i / 3});
