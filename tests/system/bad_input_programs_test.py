@@ -129,6 +129,7 @@ class Photographs(WithFolder):
         floors = self.folder / 'floors'
         floors.mkdir()
         (floors / 'hall.png').write_bytes(b'no picture')
+        (floors / 'hall.png.toml').write_text('mm_per_pixel = 0.5\n')
         self.refused(1, ['weft-agent: ', 'hall.png', 'damaged'], *self.agent('--site', DEMO, '--floors', floors))
 
     def test_a_folder_without_photographs_is_named(self):
