@@ -178,6 +178,10 @@ class Drawing {
     }
     sample(y, kStitch, 1.6);
     text({kMargin + 60.0, y + 5.0}, "stitch: the same spot, seen in two runs", 15.0, kInk);
+    if (!has_blind(network_)) return;
+    y += kLine;
+    sample(y, kInk, 4.0, true);
+    text({kMargin + 60.0, y + 5.0}, "dashed: joined by odometry alone", 15.0, kInk);
   }
 
   static std::size_t legend_lines(const Window& network) {
@@ -187,15 +191,23 @@ class Drawing {
       experiences += id.experience != last ? 1 : 0;
       last = id.experience;
     }
-    return experiences + 1;
+    return experiences + 1 + (has_blind(network) ? 1 : 0);
+  }
+
+  static bool has_blind(const Window& network) {
+    return std::any_of(network.edges.begin(), network.edges.end(),
+                       [](const auto& entry) { return entry.second.origin == Origin::blind; });
   }
 
  private:
   void colour(const Colour& ink) { cairo_set_source_rgb(pen_, ink.r, ink.g, ink.b); }
 
   void path(const EdgeId& id, const Colour& ink, double thick, bool dashed) {
-    const Point a = sheet_(layout_.drawing_from_place.at(id.a));
-    const Point b = sheet_(layout_.drawing_from_place.at(id.b));
+    stroke(sheet_(layout_.drawing_from_place.at(id.a)), sheet_(layout_.drawing_from_place.at(id.b)), ink, thick,
+           dashed);
+  }
+
+  void stroke(const Point& a, const Point& b, const Colour& ink, double thick, bool dashed) {
     const std::array<double, 2> dashes = {7.0, 7.0};
     colour(ink);
     cairo_set_dash(pen_, dashes.data(), dashed ? 2 : 0, 0.0);
@@ -242,12 +254,8 @@ class Drawing {
     text(from, words, size, ink);
   }
 
-  void sample(double y, const Colour& ink, double thick) {
-    colour(ink);
-    cairo_set_line_width(pen_, thick);
-    cairo_move_to(pen_, kMargin, y);
-    cairo_line_to(pen_, kMargin + 44.0, y);
-    cairo_stroke(pen_);
+  void sample(double y, const Colour& ink, double thick, bool dashed = false) {
+    stroke({kMargin, y}, {kMargin + 44.0, y}, ink, thick, dashed);
   }
 
   void text(const Point& at, const std::string& words, double size, const Colour& ink) {

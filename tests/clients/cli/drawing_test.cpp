@@ -59,10 +59,34 @@ TEST(Draw, MakesAPicture) {
   EXPECT_GT(bytes.size(), 5000U);
 }
 
-TEST(Draw, MakesAVectorPictureThatNamesLabelsAndRevision) {
+/// How many dashed strokes the vector picture of a network has.
+std::size_t dashed_strokes(const Window& network) {
   const std::filesystem::path file = folder() / "network.svg";
-  ASSERT_TRUE(draw(loops(true), {}, file.string()).has_value());
-  EXPECT_NE(read(file).find("<svg"), std::string::npos);
+  EXPECT_TRUE(draw(network, {}, file.string()).has_value());
+  const std::string svg = read(file);
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  std::size_t count = 0;
+  for (auto at = svg.find("stroke-dasharray"); at != std::string::npos; at = svg.find("stroke-dasharray", at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Draw, WhatIsJoinedByOdometryAloneIsDashedAndExplained) {
+  std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
+  std::size_t blind = 0;
+  Snapshot snapshot;
+  for (Batch& batch : batches) {
+    for (Edge& edge : batch.edges) {
+      if (edge.origin != Origin::odometry || edge.id.a.index % 7 != 3) continue;
+      edge.origin = Origin::blind;
+      ++blind;
+    }
+    snapshot = with(snapshot, batch);
+  }
+  ASSERT_GT(blind, 0U);
+  EXPECT_EQ(dashed_strokes(make_window(snapshot, WindowDefinition{})), blind + 1);
+  EXPECT_EQ(dashed_strokes(loops(true)), 0U);
 }
 
 TEST(Draw, EmptyNetworkIsAPictureToo) {
