@@ -69,7 +69,10 @@ class Fleet:
             return None
 
     def robot(self, name):
-        return next(row for row in self.weft('robots')['robots'] if row['name'] == name)
+        found = [row for row in self.weft('robots')['robots'] if row['name'] == name]
+        if not found:
+            raise Refused(f'the server knows no robot {name} any more')
+        return found[0]
 
     def wait_robot(self, name, what, condition, seconds):
         return wait_until(f'{name} {what}', lambda: condition(self.robot(name)), seconds, self.all(), every=0.5)

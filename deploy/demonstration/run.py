@@ -11,6 +11,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import lines as teach_lines  # noqa: E402
 import scenario  # noqa: E402
 from fleet import Fleet  # noqa: E402
 
@@ -58,6 +59,13 @@ def check(options):
         return f'--site: there is no {options.site_file}; deploy/sites has: {known}'
     if not (lines / 'r1.line').is_file() or not (lines / 'r2.line').is_file():
         return f'--site: {options.site_file} has no {lines}/r1.line and {lines}/r2.line to teach along'
+    try:
+        spots = {label for robot in ('r1', 'r2') for _, label in teach_lines.parts(lines / f'{robot}.line')}
+    except ValueError as fault:
+        return f'--site: {fault}'
+    missing = {scenario.R2_SEED, *(label for label, _ in scenario.GOALS)} - spots
+    if missing:
+        return f"--site: the lines in {lines} name no spot {', '.join(sorted(missing))} (a row '# label NAME')"
     if options.floors and not pathlib.Path(options.floors).is_dir():
         return f'--floors: {options.floors} is no folder'
     if options.seed < 0:
@@ -80,10 +88,12 @@ def gather(fleet, out, site_file):
     fleet.weft('map', 'draw', out / 'map.svg')
     write_lines(out / 'goals.jsonl', fleet.weft('goal', 'list')['goals'])
     rows = [dict(name='server', vendor=fleet.weft('map', 'info')['vendor'], peer=None, peak_memory_mb=fleet.server.peak_memory_mb)]
+    client = fleet.weft('doctor')['client']
     for row in fleet.weft('robots')['robots']:
         rows.append(dict(name=row['name'], vendor=row['vendor'], peer=row['id'],
                          peak_memory_mb=fleet.robots[row['name']].peak_memory_mb))
-    rows.append(dict(name='cli', vendor=fleet.vendors['cli'], peer=None, peak_memory_mb=None))
+    rows.append(dict(name='cli', vendor=client['vendor'], peer=None, peak_memory_mb=None))
+    rows = [dict(row, asked=fleet.vendors[row['name']]) for row in rows]
     write_lines(out / 'processes.jsonl', rows)
     write_lines(out / 'experiences.jsonl', [dict(experience=id, name=name) for id, name in fleet.experiences.items()])
     shutil.copy(site_file, out / 'site.toml')
@@ -142,15 +152,16 @@ def main():
     except KeyboardInterrupt:
         print('deploy/demo: interrupted', file=sys.stderr)
         return 130
-    except (RuntimeError, OSError, ValueError) as failure:
+    except (RuntimeError, OSError, ValueError, subprocess.SubprocessError) as failure:
         print(f'deploy/demo: {failure}; logs are in {fleet.work}', file=sys.stderr)
         return 1
     finally:
         fleet.stop()
     good = judged == 0 and all(row['state'] == 'succeeded' for row in ended)
     say(f"{'done' if good else 'NOT as wanted'}: look at {out}/network.png")
-    if good and not options.headless and os.environ.get('DISPLAY'):
-        subprocess.run(['xdg-open', str(out / 'network.png')], check=False)
+    viewer = shutil.which('xdg-open')
+    if good and viewer and not options.headless and os.environ.get('DISPLAY'):
+        subprocess.run([viewer, str(out / 'network.png')], check=False)
     return 0 if good else 1
 
 

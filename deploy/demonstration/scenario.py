@@ -44,7 +44,10 @@ def wait_for_map(fleet, experiences, say):
 
 
 def goal(fleet, goal_id):
-    return next(row for row in fleet.weft('goal', 'list')['goals'] if row['id'] == goal_id)
+    found = [row for row in fleet.weft('goal', 'list')['goals'] if row['id'] == goal_id]
+    if not found:
+        raise RuntimeError(f'the server knows no goal {goal_id} any more')
+    return found[0]
 
 
 def send(fleet, label, robot, say):
@@ -70,15 +73,17 @@ def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
     return wait_until(f'goal {goal_id} to end', over, seconds, fleet.robots.values(), every=0.5)
 
 
-def once_in_the_middle():
-    fired = []
+class OnceInTheMiddle:
+    """True once, when the robot has driven a third of its route."""
 
-    def check(row):
-        if fired or row['state'] != 'executing' or (row['route_at'] or 0) < 0.3 * len(row['route']):
+    def __init__(self):
+        self.fired = False
+
+    def __call__(self, row):
+        if self.fired or row['state'] != 'executing' or (row['route_at'] or 0) < 0.3 * len(row['route']):
             return False
-        fired.append(True)
+        self.fired = True
         return True
-    return check
 
 
 def run(fleet, site_lines, say):
@@ -94,5 +99,8 @@ def run(fleet, site_lines, say):
     fleet.weft('localise', 'r3')
     fleet.wait_robot('r3', 'to find itself', lambda row: row['localised'], 90)
     say('r3 has found itself without a seed')
-    ended.append(watch(fleet, send(fleet, second, second_robot, say), say, once_in_the_middle()))
+    middle = OnceInTheMiddle()
+    ended.append(watch(fleet, send(fleet, second, second_robot, say), say, middle))
+    if not middle.fired:
+        raise RuntimeError(f'the goal {second} ended before the server could be killed in the middle of it')
     return ended

@@ -28,7 +28,7 @@ def made():
     places += [dict(id=f'{B}:{i}', experience=B, index=i, robot=R2, frame=2 * i) for i in range(51)]
     edges = [dict(a=f'{A}:{25 + i}', b=f'{B}:{i}', a_from_b=pose(0.0, 0.1), origin='stitch') for i in range(0, 26)]
     route = [f'{A}:{i}' for i in range(31)] + [f'{B}:{i}' for i in range(5, 51)]
-    goal = dict(id='g1', robot='r1', to='end', state='succeeded', place=f'{B}:50', route=route, duration_s=15.0)
+    goal = dict(id='g1', robot='r1', wanted='r1', to='end', state='succeeded', place=f'{B}:50', route=route, duration_s=15.0)
     return {
         'truth.jsonl': truth, 'goals.jsonl': [goal, dict(goal, id='g2')],
         'fixes.jsonl': [dict(robot='r1', frame=200 + f, place=f'{A}:0', place_from_robot=pose(f / 10, 0.1 if f > 60 else 0.0))
@@ -86,6 +86,14 @@ class Judge(unittest.TestCase):
             content['truth.jsonl'][-1]['x'] += 0.06
         self.assertIn('final_error_m', self.broken(off))
 
+    def test_a_stitch_within_one_experience_is_a_join(self):
+        content = made()
+        route = [f'{A}:{i}' for i in range(10)] + [f'{A}:{i}' for i in range(30, 51)]
+        with tempfile.TemporaryDirectory() as folder:
+            pieces, joins = metrics.taught_polyline(records.read(written(folder, content)), route)
+        self.assertEqual([len(piece) for piece in pieces], [19, 41])
+        self.assertEqual(len(joins), 3)
+
     def test_driving_beside_the_taught_path_is_seen(self):
         def off(content):
             for row in content['truth.jsonl']:
@@ -106,6 +114,32 @@ class Judge(unittest.TestCase):
 
     def test_a_failed_goal_is_seen(self):
         self.assertIn('failed', self.broken(lambda c: c['goals.jsonl'][1].update(state='failed')))
+
+
+class Misplaced(unittest.TestCase):
+    """Who served which goal, and over which vendor."""
+
+    def found(self, change):
+        content = made()
+        content['goals.jsonl'][1].update(robot='r3', wanted=None)
+        for row in content['processes.jsonl']:
+            row['asked'] = row['vendor']
+        change(content)
+        with tempfile.TemporaryDirectory() as folder:
+            return ' | '.join(verdict.misplaced(records.read(written(folder, content))))
+
+    def test_a_demo_as_asked_for_has_none(self):
+        self.assertEqual(self.found(lambda content: None), '')
+
+    def test_another_robot_than_the_one_asked_for_is_seen(self):
+        self.assertIn('asked of r1, served by r2', self.found(lambda content: content['goals.jsonl'][0].update(robot='r2')))
+
+    def test_a_teacher_in_place_of_a_third_robot_is_seen(self):
+        self.assertIn('served by r2, which taught', self.found(lambda content: content['goals.jsonl'][1].update(robot='r2')))
+
+    def test_another_vendor_than_the_one_asked_for_is_seen(self):
+        self.assertIn('r1 speaks cyclonedds, fastdds was asked for',
+                      self.found(lambda content: content['processes.jsonl'][1].update(asked='fastdds')))
 
 
 class Command(unittest.TestCase):

@@ -62,7 +62,7 @@ def taught_polyline(records, route):
     pieces, joins = [], [records.true_place(route[0])]
     for place in route:
         row = records.places[place]
-        if pieces and pieces[-1][-1]['experience'] == row['experience'] and pieces[-1][-1]['index'] < row['index']:
+        if pieces and pieces[-1][-1]['experience'] == row['experience'] and pieces[-1][-1]['index'] + 1 == row['index']:
             pieces[-1].append(row)
         else:
             if pieces:

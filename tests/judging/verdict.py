@@ -28,6 +28,21 @@ def faults(summary, wanted_goals=2):
     return broken
 
 
+def misplaced(records):
+    """What a demo is to show beside its bounds: who was asked for served, and every process spoke what it was told to."""
+    broken = []
+    taught = {place['robot'] for place in records.places.values()}
+    for goal in records.goals:
+        if goal.get('wanted') and goal['robot'] != goal['wanted']:
+            broken.append(f"goal {goal['to']}: asked of {goal['wanted']}, served by {goal['robot']}")
+        if not goal.get('wanted') and goal['robot'] in taught:
+            broken.append(f"goal {goal['to']}: for any robot, served by {goal['robot']}, which taught: a third was wanted")
+    for row in records.processes:
+        if row['vendor'] != row.get('asked', row['vendor']):
+            broken.append(f"{row['name']} speaks {row['vendor']}, {row['asked']} was asked for")
+    return broken
+
+
 def number(value, digits=3):
     return '-' if value is None else f'{value:.{digits}f}'
 
