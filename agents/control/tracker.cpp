@@ -2,35 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "agents/control/settings.hpp"
 
 namespace weft::agents {
 
 std::vector<Error> check(const TrackerConfig& config) {
-  std::vector<Error> issues;
-  const auto within = [&](const char* name, double value, double low, double high, bool low_too) {
-    if (value <= high && (value > low || (low_too && value == low))) return;
-    issues.push_back({ErrorCode::invalid, std::string("control: ") + name + " is " + std::to_string(value) +
-                                              "; it must be in " + (low_too ? "[" : "(") + std::to_string(low) +
-                                              ", " + std::to_string(high) + "]"});
-  };
-  within("steering.cross_track_gain_1_s", config.steering.cross_track_gain_1_s, 0, 5, false);
-  within("steering.softening_m_s", config.steering.softening_m_s, 0, 1, false);
-  within("steering.heading_gain_1_s", config.steering.heading_gain_1_s, 0, 10, false);
-  within("steering.max_approach_rad", config.steering.max_approach_rad, 0, 1.5, false);
-  within("steering.max_angular_rad_s", config.steering.max_angular_rad_s, 0, 5, false);
-  within("speed.acceleration_m_s2", config.speed.acceleration_m_s2, 0, 3, false);
-  within("speed.deceleration_m_s2", config.speed.deceleration_m_s2, 0, 3, false);
-  within("speed.lateral_acceleration_m_s2", config.speed.lateral_acceleration_m_s2, 0, 3, false);
-  within("speed.slowest_m_s", config.speed.slowest_m_s, 0, 0.3, false);
-  within("speed.cross_track_halves_m", config.speed.cross_track_halves_m, 0, 2, false);
-  within("speed.proportional", config.speed.proportional, 0, 2, true);
-  within("speed.integral_1_s", config.speed.integral_1_s, 0, 5, true);
-  within("speed.integral_limit_m_s", config.speed.integral_limit_m_s, 0, 0.5, true);
-  within("lag_s", config.lag_s, 0, 0.5, true);
-  within("stop_at_m", config.stop_at_m, 0, 0.05, false);
-  within("turn_first_rad", config.turn_first_rad, 0, 1.5, false);
-  within("turn_slowest_rad_s", config.turn_slowest_rad_s, 0, 0.5, false);
-  return issues;
+  OutOfBounds out("control");
+  each_control_setting(config, [&](const char* part) { return out.section(part); });
+  return std::move(out.issues);
 }
 
 Twist Tracker::turn(const TrackerConfig& config, double heading_rad, double within_rad) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "agents/control/tracker.hpp"
+#include "core/config/config.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -82,5 +83,10 @@ struct NavigationConfig {
 
 /// Every bound that does not hold, each naming field, value and bound.
 std::vector<Error> check(const NavigationConfig& config);
+
+/// A table of parts: [teach], [belief], [locate], [stitch], [follow], [control], [control.steering], [control.speed],
+/// each with the settings above by their names, but for footprint_radius_m, which others need too. What is wrong is
+/// collected by the table.
+NavigationConfig read_navigation_config(const config::Table& table, const NavigationConfig& defaults);
 
 }  // namespace weft::agents

@@ -56,8 +56,7 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
 }
 
 Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const Body& body) {
-  NavigationConfig config;
-  config.follow.footprint_radius_m = options.footprint_radius_m;
+  const NavigationConfig& config = options.navigation;
   if (const std::vector<Error> wrong = check(config); !wrong.empty()) return fail(wrong.front());
   Result<AnyMethod> method = make_method(options, body);
   if (!method) return fail(method.error());

@@ -155,6 +155,9 @@ Options read(const Sources& from) {
   options.bytes_per_second =
       from.integer<std::uint64_t>("bytes_per_second", 4LL << 20U, msg::kChunkBytes, 1LL << 34U);
   options.floor = read_floor_config(from.file().table("floor"));
+  NavigationConfig navigation;
+  navigation.follow.footprint_radius_m = options.footprint_radius_m;
+  options.navigation = read_navigation_config(from.file().table("navigation"), navigation);
   options.effective = from.effective();
   return options;
 }

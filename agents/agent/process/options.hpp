@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agents/methods/floor/config.hpp"
+#include "agents/navigation/config.hpp"
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
@@ -40,6 +41,7 @@ struct Options {
   std::uint64_t content_cache_mb = 256;
   std::uint64_t bytes_per_second = 0;
   FloorConfig floor;                       ///< the file's table [floor]
+  NavigationConfig navigation;             ///< the file's table [navigation]
   std::vector<config::Setting> effective;  ///< for the log
 };
 

@@ -58,6 +58,28 @@ TEST(AgentOptions, FlagWinsOverFile) {
   EXPECT_EQ(options->floor.corners, 99);
 }
 
+TEST(AgentOptions, FileSetsHowItNavigates) {
+  const Folder folder;
+  const std::string file = folder.write("n.toml",
+                                        "footprint_radius_m = 0.3\n"
+                                        "[navigation.teach]\nspacing_m = 0.25\n"
+                                        "[navigation.belief]\nfuse = false\n"
+                                        "[navigation.locate]\nmost_hops = 40\n"
+                                        "[navigation.control]\nlag_s = 0.2\n"
+                                        "[navigation.control.speed]\nslowest_m_s = 0.1\n");
+  const auto result = parsed(with({"--config", file}));
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(options->navigation.teach.spacing_m, 0.25);
+  EXPECT_FALSE(options->navigation.belief.fuse);
+  EXPECT_EQ(options->navigation.locate.most_hops, 40U);
+  EXPECT_EQ(options->navigation.tracker.lag_s, 0.2);
+  EXPECT_EQ(options->navigation.tracker.speed.slowest_m_s, 0.1);
+  EXPECT_EQ(options->navigation.follow.footprint_radius_m, 0.3);
+  EXPECT_EQ(options->navigation.follow.speed_m_s, NavigationConfig{}.follow.speed_m_s);
+  EXPECT_TRUE(check(options->navigation).empty());
+}
+
 TEST(AgentOptions, MistakesAreUsageInOneLine) {
   expect_left(with({"--colour", "red"}), 2, "--colour");
   expect_left(with({"--dds", "rti"}), 2, "dds");
@@ -76,6 +98,10 @@ TEST(AgentOptions, MistakesInTheFileNameItsLine) {
   expect_left(with({"--config", folder.file("none.toml")}), 1, "none.toml");
   expect_left(with({"--config", folder.write("a.toml", "colour = 1\n")}), 1, "a.toml:1: colour");
   expect_left(with({"--config", folder.write("b.toml", "\n[floor]\ncorners = 2\n")}), 1, "b.toml:3: floor.corners");
+  expect_left(with({"--config", folder.write("c.toml", "[navigation.follow]\nspeed_m_s = 9\n")}), 1,
+              "c.toml:2: navigation.follow.speed_m_s");
+  expect_left(with({"--config", folder.write("d.toml", "[navigation.folow]\nspeed_m_s = 0.5\n")}), 1,
+              "navigation.folow");
 }
 
 TEST(AgentOptions, HelpAndVersion) {

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "agents/control/tracker.hpp"
+
+namespace weft::agents {
+
+/// Whether a setting may be as low as its low bound.
+enum class Low : std::uint8_t { open, closed };
+
+/// Every setting of the controller with its bounds, for whoever checks or reads them:
+/// `in(name, value, Low, low, high)`; `section(name)` gives the `in` of a part.
+template <class Config, class Section>
+void each_control_setting(Config& config, Section&& section) {
+  const auto tracker = section("");
+  tracker("lag_s", config.lag_s, Low::closed, 0, 0.5);
+  tracker("stop_at_m", config.stop_at_m, Low::open, 0, 0.05);
+  tracker("turn_first_rad", config.turn_first_rad, Low::open, 0, 1.5);
+  tracker("turn_slowest_rad_s", config.turn_slowest_rad_s, Low::open, 0, 0.5);
+  const auto steering = section("steering");
+  steering("cross_track_gain_1_s", config.steering.cross_track_gain_1_s, Low::open, 0, 5);
+  steering("softening_m_s", config.steering.softening_m_s, Low::open, 0, 1);
+  steering("heading_gain_1_s", config.steering.heading_gain_1_s, Low::open, 0, 10);
+  steering("max_approach_rad", config.steering.max_approach_rad, Low::open, 0, 1.5);
+  steering("max_angular_rad_s", config.steering.max_angular_rad_s, Low::open, 0, 5);
+  const auto speed = section("speed");
+  speed("acceleration_m_s2", config.speed.acceleration_m_s2, Low::open, 0, 3);
+  speed("deceleration_m_s2", config.speed.deceleration_m_s2, Low::open, 0, 3);
+  speed("lateral_acceleration_m_s2", config.speed.lateral_acceleration_m_s2, Low::open, 0, 3);
+  speed("slowest_m_s", config.speed.slowest_m_s, Low::open, 0, 0.3);
+  speed("cross_track_halves_m", config.speed.cross_track_halves_m, Low::open, 0, 2);
+  speed("proportional", config.speed.proportional, Low::closed, 0, 2);
+  speed("integral_1_s", config.speed.integral_1_s, Low::closed, 0, 5);
+  speed("integral_limit_m_s", config.speed.integral_limit_m_s, Low::closed, 0, 0.5);
+}
+
+/// Collects what is out of bounds: "<room>: <part>.<name> is 7; it must be in (0, 2]".
+class OutOfBounds {
+ public:
+  explicit OutOfBounds(std::string room) : room_(std::move(room)) {}
+  auto section(const std::string& part) {
+    return [this, prefix = part.empty() ? part : part + "."](const char* name, const auto& value, Low kind,
+                                                             double low, double high) {
+      const auto number = static_cast<double>(value);
+      if (number <= high && (number > low || (kind == Low::closed && number == low))) return;
+      issues.push_back({ErrorCode::invalid, room_ + ": " + prefix + name + " is " + std::to_string(number) +
+                                                "; it must be in " + (kind == Low::closed ? "[" : "(") +
+                                                std::to_string(low) + ", " + std::to_string(high) + "]"});
+    };
+  }
+  std::vector<Error> issues;
+
+ private:
+  std::string room_;
+};
+
+}  // namespace weft::agents
