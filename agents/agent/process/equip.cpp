@@ -8,7 +8,6 @@
 #include "agents/bodies/replay/replay_body.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/marks/marks.hpp"
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator_of.hpp"
 
@@ -16,10 +15,9 @@ namespace weft::agents {
 namespace {
 
 /// Every method that an agent can run; chosen here and nowhere else.
-using AnyMethod = std::variant<Floor, MarksMethod>;
+using AnyMethod = std::variant<Floor>;
 
 Result<AnyMethod> make_method(const Options& options, const Body& body) {
-  if (options.method == "marks") return AnyMethod(MarksMethod());
   const std::vector<CameraModel> cameras = body.cameras();
   if (cameras.empty()) return fail(ErrorCode::invalid, "method floor: the body has no camera");
   Result<Floor> floor = Floor::make(options.floor, cameras.front());
