@@ -86,10 +86,18 @@ void Loop::schedule(SensorTime sample) {
   }
 }
 
+/// A robot drives on without its records, but whoever reads them hears of it.
+void Loop::note(const AgentOutput& output) {
+  parts_.records->note(output, frame_);
+  if (damage_ || parts_.records->lost() == 0) return;
+  damage_ = Error{ErrorCode::exhausted, "records could not be written; is the disk full?"};
+  parts_.log.error("{}", damage_->message);
+}
+
 void Loop::perform(AgentOutput output) {
   command_ = output.command;
   for (const std::string& note : output.notes) parts_.log.info("{}", note);
-  if (parts_.records != nullptr) parts_.records->note(output, frame_);
+  if (parts_.records != nullptr) note(output);
   for (const msg::Message& message : output.send) {
     // What is not sent is repeated by the agent, like what is lost on the way.
     if (const Result<void> sent = parts_.link.send(message); !sent)

@@ -30,13 +30,15 @@ class Loop {
   /// `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
 
-  /// corrupt: the body gave damaged data; said at the end too, so that whoever started this hears of it.
+  /// corrupt: the body gave damaged data; exhausted: records could not be written. Said at the end too, so that
+  /// whoever started this hears of it.
   Result<void> until(const std::function<bool()>& stop);
 
  private:
   void take_messages();
   void step();
   void schedule(SensorTime sample);
+  void note(const AgentOutput& output);
   void perform(AgentOutput output);
   void log_counters();
   void log_silence();

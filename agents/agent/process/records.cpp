@@ -12,12 +12,6 @@
 namespace weft::agents {
 namespace {
 
-/// One write a line: with O_APPEND, lines of several robots in one file stay whole.
-void append(int file, const std::string& line) {
-  const std::string whole = line + "\n";
-  std::ignore = ::write(file, whole.data(), whole.size());
-}
-
 template <class... Values>
 std::string text(const char* format, Values... values) {
   std::array<char, 320> line{};
@@ -45,7 +39,14 @@ Records::Records(Records&& other) noexcept
       fixes_(std::exchange(other.fixes_, -1)),
       acks_(std::exchange(other.acks_, -1)),
       drives_(std::exchange(other.drives_, -1)),
-      told_(std::move(other.told_)) {}
+      told_(std::move(other.told_)),
+      lost_(other.lost_) {}
+
+/// One write a line: with O_APPEND, lines of several robots in one file stay whole.
+void Records::append(int file, const std::string& line) {
+  const std::string whole = line + "\n";
+  if (::write(file, whole.data(), whole.size()) != static_cast<ssize_t>(whole.size())) ++lost_;
+}
 
 Records::~Records() {
   for (const int file : {fixes_, acks_, drives_}) {

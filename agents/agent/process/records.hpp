@@ -20,16 +20,20 @@ class Records {
   ~Records();
 
   void note(const AgentOutput& output, std::uint64_t frame);
+  /// Lines that could not be written whole, as on a full disk: what is judged from these files is not all there was.
+  std::uint64_t lost() const { return lost_; }
 
  private:
   explicit Records(std::string robot) : robot_(std::move(robot)) {}
   void note(const msg::RouteProgress& progress, std::uint64_t frame);
+  void append(int file, const std::string& line);
 
   std::string robot_;
   int fixes_ = -1;
   int acks_ = -1;
   int drives_ = -1;
   msg::RouteProgress told_;  ///< the last one written
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace weft::agents

@@ -5,8 +5,10 @@
 
 #include <chrono>
 
+#include "agents/agent/process/records.hpp"
 #include "core/random.hpp"
 #include "idl/bus/inprocess/net.hpp"
+#include "tests/agents/agent/process/folder.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -51,6 +53,7 @@ class Echo final : public Agent {
     AgentOutput output;
     output.command.linear_m_s = static_cast<double>(sample.frame);
     if (sample.frame == 1) output.hand_start.emplace();
+    output.acks = std::exchange(acks, {});
     return output;
   }
   AgentOutput body_failed(const Error& error, SteadyTime) override {
@@ -73,6 +76,7 @@ class Echo final : public Agent {
   std::vector<SteadyTime> times;
   std::string failure;
   std::string hand_answer;
+  std::vector<AckRecord> acks;  ///< to go out with the next sample
 
  private:
   Window window_;
@@ -87,8 +91,8 @@ struct Bench {
     return peer;
   }
   static spdlog::sink_ptr sink() { return std::make_shared<spdlog::sinks::null_sink_mt>(); }
-  Result<void> run(double pace) {
-    return Loop({.agent = agent, .body = body, .link = link, .records = nullptr, .log = log}, pace).until([this] {
+  Result<void> run(double pace, Records* records = nullptr) {
+    return Loop({.agent = agent, .body = body, .link = link, .records = records, .log = log}, pace).until([this] {
       return !agent.failure.empty();
     });
   }
@@ -126,6 +130,18 @@ TEST(AgentLoop, DamagedDataIsSaidAtTheEndToo) {
   const Result<void> ended = bench.run(0.0);
   ASSERT_FALSE(ended);
   EXPECT_EQ(ended.error().message, "recording is over");
+}
+
+TEST(AgentLoop, RecordsThatAreLostAreSaidAtTheEndToo) {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "acks.jsonl");
+  auto records = Records::open(folder.path(), "r1");
+  ASSERT_TRUE(records.has_value());
+  Bench bench(2);
+  bench.agent.acks.push_back({.experience = {0xA1}, .sequence = 1, .first = 0, .places = 1});
+  const Result<void> ended = bench.run(0.0, &*records);
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().code, ErrorCode::exhausted);
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {

@@ -36,5 +36,19 @@ TEST(AgentRecords, AreTheLinesThatTheJudgeReads) {
   EXPECT_NE(drives.find(R"("phase":"arrived")"), std::string::npos);
 }
 
+TEST(AgentRecords, WhatAFullDiskTakesIsCounted) {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "fixes.jsonl");
+  auto records = Records::open(folder.path(), "r1");
+  ASSERT_TRUE(records.has_value());
+  AgentOutput output;
+  output.acks.push_back({.experience = {0xA1}, .sequence = 2, .first = 5, .places = 4});
+  records->note(output, 12);
+  EXPECT_EQ(records->lost(), 0U);
+  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}, {}}, {}}});
+  records->note(output, 13);
+  EXPECT_EQ(records->lost(), 1U);
+}
+
 }  // namespace
 }  // namespace weft::agents::test
