@@ -138,8 +138,8 @@ TEST(Tracker, ABadBoundIsNamed) {
   config.lag_s = 2;
   const std::vector<Error> issues = check(config);
   ASSERT_EQ(issues.size(), 2U);
-  EXPECT_NE(issues[0].message.find("heading_gain_1_s"), std::string::npos);
-  EXPECT_NE(issues[1].message.find("lag_s"), std::string::npos);
+  EXPECT_NE(issues[1].message.find("heading_gain_1_s"), std::string::npos);
+  EXPECT_NE(issues[0].message.find("lag_s"), std::string::npos);
 }
 
 }  // namespace
