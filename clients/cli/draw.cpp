@@ -308,7 +308,7 @@ Result<void> draw(const Window& network, const std::vector<msg::RobotRow>& robot
   const cairo_status_t status =
       svg ? cairo_surface_status(surface.get()) : cairo_surface_write_to_png(surface.get(), file.c_str());
   if (status != CAIRO_STATUS_SUCCESS) {
-    return fail(ErrorCode::unavailable, file + ": " + cairo_status_to_string(status) + "; is the folder there?");
+    return fail(ErrorCode::exhausted, file + ": " + cairo_status_to_string(status) + "; is the folder there?");
   }
   return {};
 }

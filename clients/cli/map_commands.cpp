@@ -41,7 +41,7 @@ Result<void> write(const std::string& text, const std::string& file) {
   std::ofstream out(file, std::ios::trunc);
   out << text << '\n';
   out.close();
-  if (!out) return fail(ErrorCode::invalid, file + ": cannot be written; is the folder there?");
+  if (!out) return fail(ErrorCode::exhausted, file + ": cannot be written; is the folder there?");
   return {};
 }
 

@@ -149,6 +149,7 @@ TEST(Commands, ExportsWhatTheJudgeReads) {
   OneRobot fleet;
   const std::string file = (folder() / "network.json").string();
   ASSERT_EQ(fleet.weft({"map", "export", file}).exit, Exit::done);
+  EXPECT_EQ(fleet.weft({"map", "export", "/nowhere/network.json"}).exit, Exit::failed);
   std::ifstream in(file);
   const nlohmann::json network = nlohmann::json::parse(in);
   EXPECT_EQ(network["places"].size(), fleet.service->snapshot().place_count());

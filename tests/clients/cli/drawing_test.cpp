@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "clients/cli/draw.hpp"
+#include "clients/cli/exit.hpp"
 #include "clients/cli/layout.hpp"
 #include "core/network/change.hpp"
 #include "tests/clients/cli/fleet.hpp"
@@ -95,8 +96,9 @@ TEST(Draw, EmptyNetworkIsAPictureToo) {
 
 TEST(Draw, OtherEndingsAndMissingFoldersAreRefused) {
   EXPECT_EQ(draw(Window{}, {}, "x.pdf").error().code, ErrorCode::invalid);
-  EXPECT_FALSE(draw(Window{}, {}, "/nowhere/x.png").has_value());
-  EXPECT_FALSE(draw(Window{}, {}, "/nowhere/x.svg").has_value());
+  // Not the operator's grammar, and no word of a server: it failed.
+  EXPECT_EQ(exit_of(draw(Window{}, {}, "/nowhere/x.png").error()), Exit::failed);
+  EXPECT_EQ(exit_of(draw(Window{}, {}, "/nowhere/x.svg").error()), Exit::failed);
 }
 
 }  // namespace
