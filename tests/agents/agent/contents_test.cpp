@@ -57,6 +57,19 @@ TEST(ContentsOfAgent, WithAnotherHashAreThrownAwayAndAskedForAgain) {
   EXPECT_EQ(*cache.find(chunk.hash), bytes);
 }
 
+TEST(ContentsOfAgent, WhatTwoPlacesShareIsAskedForOnce) {
+  const ContentRef shared{hash_bytes(some_content(1, 10)), 10};
+  const ContentRef other{hash_bytes(some_content(2, 10)), 10};
+  const SteadyTime now{};
+  ContentCache cache(1 << 20, 1 << 20);
+  cache.want({shared, other, shared}, now);
+  EXPECT_EQ(cache.missing(), 2U);
+  const auto request = cache.due(now);
+  ASSERT_TRUE(request.has_value());
+  ASSERT_EQ(request->items.size(), 2U);
+  EXPECT_EQ(request->items.front().hash, shared.hash);
+}
+
 TEST(ContentsOfAgent, NearestAreAskedForFirstAndGivenUpLast) {
   std::vector<Bytes> all;
   std::vector<ContentRef> refs;

@@ -12,6 +12,13 @@ class Follow : public MarksFleet {
   static std::vector<Pose2> course() {
     return Course({5, 5, 0}).straight(3.0).turn(1.0, M_PI / 2).straight(2.5).poses;
   }
+  Route route_that_ends_at_place_7() {
+    Route route = route_to_last({first, 0});
+    route.places.resize(8);
+    route.relations.resize(7);
+    route.released = 7;
+    return route;
+  }
   double beyond_m(const NavigatedRobot& robot, const PlaceId& place) const {
     return (truth.at(place).inverse() * robot.world_from_robot()).x;
   }
@@ -106,11 +113,7 @@ TEST_F(Follow, StartsWithTheNearestPlaceWhenItStandsFurtherOn) {
 
 TEST_F(Follow, TooFarFromTheRouteItStandsAndSaysSo) {
   NavigatedRobot robot = localised_at(truth.at({first, 25}), {first, 25}, 8);
-  Route route = route_to_last({first, 0});
-  route.places.resize(8);
-  route.relations.resize(7);
-  route.released = 7;
-  robot.navigator().follow(route);
+  robot.navigator().follow(route_that_ends_at_place_7());
   const Navigated navigated = run(robot, 5);
   EXPECT_EQ(navigated.following, Following::stopped);
   EXPECT_EQ(navigated.reason, "off_route");
@@ -119,11 +122,7 @@ TEST_F(Follow, TooFarFromTheRouteItStandsAndSaysSo) {
 
 TEST_F(Follow, TooFarFromTheRouteForLongItGivesUp) {
   NavigatedRobot robot = localised_at(truth.at({first, 25}), {first, 25}, 8);
-  Route route = route_to_last({first, 0});
-  route.places.resize(8);
-  route.relations.resize(7);
-  route.released = 7;
-  robot.navigator().follow(route);
+  robot.navigator().follow(route_that_ends_at_place_7());
   Navigated navigated = run(robot, 1);
   for (int samples = 0; samples < 3000 && navigated.following == Following::stopped; ++samples) {
     navigated = run(robot, 1);
