@@ -143,6 +143,7 @@ std::optional<SteadyTime> RobotAgent::next_tick() const {
                                 (teaching_->phase == Phase::preparing && teaching_->seed.has_value()));
   if (limited) sooner(teaching_->deadline);
   if (!keeping_.empty()) sooner(keeping_until_);
+  if (keeping_alone_.has_value()) sooner(keeping_alone_->deadline);
   if (handing_in_.has_value()) sooner(handing_in_->deadline);
   if (localising_.has_value()) sooner(localising_->deadline);
   if (follow_pending_ && !stopped_ && fault_.empty() && !teaching_.has_value()) sooner(follow_at_latest_);

@@ -48,6 +48,14 @@ struct HandingIn {
   SteadyTime deadline{};
 };
 
+/// A place that is wanted where the robot stands, without its being taught.
+struct KeepingAlone {
+  CommandKey asked_by;
+  std::string name;
+  SteadyTime deadline{};
+  std::string refused = "no image came";  ///< by the last view
+};
+
 /// A search for oneself that somebody waits for.
 struct Localising {
   std::optional<CommandKey> asked_by;  ///< none: the agent's own idea
@@ -93,11 +101,17 @@ class RobotAgent final : public Agent {
   void teach_on(const msg::AgentCommand& command, const CommandKey& key);
   void teach_stop(const CommandKey& key, SteadyTime now);
   void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
-  void keep_place(const CommandKey& key, SteadyTime now);
   void stop(const CommandKey& key, SteadyTime now);
   void resume(const CommandKey& key, SteadyTime now);
+  ExperienceId new_experience();
   void reply(const CommandKey& key, const msg::AgentReply& reply);
   void refuse(const CommandKey& key, std::string reason);
+
+  // A place that somebody wants to name (robot_agent_keep.cpp).
+  void keep_place(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
+  void try_keep_alone(SteadyTime now);
+  Result<void> hand_in_alone(const TeachStart& start, const Kept& kept, const std::string& name, SteadyTime now);
+  void give_up_keeping(SteadyTime now);
 
   // What takes longer than one message (robot_agent_work.cpp).
   void work(SteadyTime now);
@@ -150,6 +164,7 @@ class RobotAgent final : public Agent {
   std::optional<Localising> localising_;
   std::vector<CommandKey> keeping_;  ///< who waits for the next kept place
   SteadyTime keeping_until_{};
+  std::optional<KeepingAlone> keeping_alone_;
   std::string teaching_failed_;  ///< why teaching ended by itself; until the next command
   bool stopped_ = false;         ///< by an operator
   bool lost_ = false;

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <numbers>
 #include <utility>
 
 #include "agents/agent/robot_agent.hpp"
@@ -11,18 +7,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kLastViewAtMost = 3s;
-constexpr Duration kPlaceAtMost = 15s;
-/// As near as this, a label on an existing place means here.
-constexpr double kHereM = 0.05;
-constexpr double kHereRad = 3.0 * std::numbers::pi / 180.0;
-
-std::string where(const Estimate& estimate) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%.2f m and %.1f degrees from place %s",
-                distance_m(estimate.place_from_robot),
-                heading_rad(estimate.place_from_robot) * 180.0 / std::numbers::pi, to_string(estimate.place).c_str());
-  return text.data();
-}
 }  // namespace
 
 void RobotAgent::reply(const CommandKey& key, const msg::AgentReply& given) {
@@ -50,9 +34,7 @@ void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey&
   if (stopped_) return refuse(key, config_.name + " is stopped: resume it first");
   Teaching teaching;
   handing_in_.reset();
-  do {
-    teaching.experience = ExperienceId{random_.next()};
-  } while (!teaching.experience);
+  teaching.experience = new_experience();
   teaching.name = command.name;
   teaching.seed = command.seed;
   for (const msg::AgentCommand::Point& point : command.along) teaching.along.push_back({point.x, point.y});
@@ -117,30 +99,6 @@ void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& ke
     refuse(*localising_->asked_by, "another search was asked for meanwhile");
   }
   start_localising(key, command.seed, now);
-}
-
-void RobotAgent::keep_place(const CommandKey& key, SteadyTime now) {
-  if (teaching_.has_value()) {
-    if (teaching_->phase != Teaching::Phase::on) return refuse(key, "teaching has not begun or is ending: try again");
-    keeping_.push_back(key);
-    keeping_until_ = now + kPlaceAtMost;
-    navigator_->keep_place();
-    return;
-  }
-  const std::optional<Estimate> estimate = navigator_->estimate();
-  if (!estimate.has_value() || lost_) {
-    return refuse(key, config_.name + " does not know where it is: localise it, or label while teaching");
-  }
-  const bool here = distance_m(estimate->place_from_robot) <= kHereM &&
-                    std::abs(heading_rad(estimate->place_from_robot)) <= kHereRad;
-  if (!here || replica_.window().place(estimate->place) == nullptr) {
-    return refuse(key, config_.name + " is " + where(*estimate) +
-                           ": label that place by its id, or label here while teaching, which makes a place");
-  }
-  msg::AgentReply done;
-  done.done = true;
-  done.place = estimate->place;
-  reply(key, done);
 }
 
 void RobotAgent::stop(const CommandKey& key, SteadyTime now) {

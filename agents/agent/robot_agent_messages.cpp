@@ -138,7 +138,7 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
     case msg::AgentCommand::Kind::resume:
       return resume(key, now);
     case msg::AgentCommand::Kind::keep_place:
-      return keep_place(key, now);
+      return keep_place(command, key, now);
   }
   refuse(key, "this agent does not know the command");
 }

@@ -37,6 +37,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
     ++seen_["navigation: fixes"];
     note_fix(*navigated.fix);
   }
+  if (view != nullptr) try_keep_alone(now);
   note_following(navigated, now);
   recentre(now);
   return finish(now);

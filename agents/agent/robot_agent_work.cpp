@@ -19,11 +19,7 @@ void RobotAgent::work(SteadyTime now) {
   if (teaching_.has_value() && teaching_->phase == Teaching::Phase::ending && now >= teaching_->deadline) {
     end_teaching(now);
   }
-  if (!keeping_.empty() && now >= keeping_until_) {
-    for (const CommandKey& key : std::exchange(keeping_, {})) {
-      refuse(key, "nothing that is worth keeping was seen here for 15 s: move a little and try again");
-    }
-  }
+  give_up_keeping(now);
   if (handing_in_.has_value()) finish_handing_in(now);
   prepare_localising(now);
   search_when_of_use(now);

@@ -60,6 +60,10 @@ class Navigator {
   virtual std::vector<Kept> end_teach(const MapView& map) = 0;
   /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
+  /// An experience of one place: where the robot stands, without being taught, joined to the map by stitches of which
+  /// at least one can be driven. Nothing but the newest view counts; what is believed stays as it is. Refused while
+  /// teaching, when it does not know where it is, and when what is seen joins nothing ("nothing_joined", or why not).
+  virtual OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) = 0;
 
   /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
   /// this finds where the experience joins the map.

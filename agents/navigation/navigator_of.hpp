@@ -87,6 +87,31 @@ class NavigatorOf final : public Navigator {
     if (teacher_) teacher_->ask();
   }
 
+  OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) override {
+    if (teacher_) return tl::unexpected(Refusal{"being_taught"});
+    if (!estimate() || lost()) return tl::unexpected(Refusal{"not_localised"});
+    if (!latest_ || !latest_->view) return tl::unexpected(Refusal{"no_view"});
+    Navigated noted;
+    const Pointer content = seen(noted);
+    if (!content) return tl::unexpected(latest_->content->error());
+    Teacher teacher(config_.teach, start, M::name, M::content_format);
+    Kept kept = teacher.keep(method_.encode(*content), latest_->frame, latest_->time);
+    OwnMap own = own_;
+    own.add(kept.place, {});
+    own.update(map.window, false);
+    own.anchor(anchor_edge(*estimate(), kept.place.id));
+    auto found = Stitcher<M>(method_, config_)
+                     .look(own.map(map.window), map.contents, decoded_, teacher, kept.place, *content);
+    kept.edges = std::move(found.edges);
+    // Places that are still on their way to the server are none that an edge may hang on.
+    std::erase_if(kept.edges, [&](const Edge& edge) { return map.window.place(edge.id.a) == nullptr; });
+    const bool reachable = std::any_of(kept.edges.begin(), kept.edges.end(),
+                                       [](const Edge& edge) { return edge.drivable != Drivable::none; });
+    if (reachable) return kept;
+    if (!kept.edges.empty()) return tl::unexpected(Refusal{"stands_across"});
+    return tl::unexpected(found.refusals.empty() ? Refusal{"nothing_joined"} : found.refusals.front());
+  }
+
   void seek(const std::optional<PlaceId>& seed) override {
     if (teacher_) {
       finder_.emplace(method_, config_);

@@ -34,6 +34,15 @@ class ScriptedNavigator final : public Navigator {
     return {};
   }
   void keep_place() override { script_->keep_wanted = true; }
+  OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& /*map*/) override {
+    if (!script_->joins) return tl::unexpected(script_->joins.error());
+    script_->taught.push_back(start);
+    script_->index = 0;
+    Kept kept = keep(0);
+    kept.edges = *script_->joins;
+    for (Edge& edge : kept.edges) edge.id.b = kept.place.id;
+    return kept;
+  }
   void seek(const std::optional<PlaceId>& seed) override { script_->sought.push_back(seed); }
   std::optional<Estimate> estimate() const override { return script_->estimate; }
   void follow(const Route& route) override { script_->followed.push_back(route); }

@@ -23,6 +23,7 @@ struct Script {
   bool teaching = false;
   bool keep_wanted = false;
   std::uint32_t index = 0;
+  OrRefusal<std::vector<Edge>> joins = tl::unexpected(Refusal{"few_inliers"});  ///< of a place kept alone
   std::vector<std::optional<PlaceId>> sought;
   std::vector<Route> followed;
   int stops = 0;

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -130,23 +128,6 @@ TEST(Teaching, LabelHereWithNothingToSeeIsRefused) {
   rig.run(20s);
   EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
   EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("worth keeping"), std::string::npos);
-}
-
-TEST(Teaching, LabelHereWithoutTeachingNeedsAPlaceUnderTheRobot) {
-  Rig rig;
-  const ExperienceId laid = rig.lay_out(70, 10);
-  rig.run(4s);
-  rig.tell(rig.command(Kind::keep_place, 1));
-  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("does not know where it is"), std::string::npos);
-  rig.script->estimate = Estimate{{laid, 3}, Metric2{Pose2{0.2, 0.0, 0.0}, Eigen::Matrix3d::Zero()}, 0.0};
-  rig.tell(rig.command(Kind::keep_place, 2));
-  EXPECT_FALSE(rig.last<msg::AgentReply>()->done);
-  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("0.20 m"), std::string::npos);
-  const double turned = 2.0 * std::numbers::pi / 180.0;
-  rig.script->estimate->place_from_robot = Metric2{Pose2{0.03, 0.0, turned}, Eigen::Matrix3d::Zero()};
-  rig.tell(rig.command(Kind::keep_place, 3));
-  EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
-  EXPECT_EQ(rig.last<msg::AgentReply>()->place, (PlaceId{laid, 3}));
 }
 
 TEST(Teaching, StopTakesTheLastViewAndSeals) {
