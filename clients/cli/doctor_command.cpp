@@ -19,17 +19,15 @@ struct Finding {
 };
 
 std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info, const std::string& vendor) {
-  const std::string own = "weft " WEFT_VERSION;
   std::vector<Finding> found;
   found.push_back({"server", true,
                    "reached: " + server.name + ", epoch " + std::to_string(info.epoch.value) + ", revision " +
                        std::to_string(info.revision.value)});
   found.push_back({"vendors", true, "server " + info.vendor + ", this " + vendor});
-  const std::string version = WEFT_VERSION;
-  const bool same = info.software.find(version) != std::string::npos;
+  const bool same = info.software == WEFT_VERSION;
   found.push_back(
       {"versions", same,
-       "server " + info.software + ", this " + own + (same ? "" : ": update the older one when it suits")});
+       "server " + info.software + ", this " WEFT_VERSION + (same ? "" : ": update the older one when it suits")});
   const bool room = info.disk_free_bytes >= kDiskLow;
   found.push_back({"disk", room,
                    fixed(static_cast<double>(info.disk_free_bytes) / kGiB, 1) + " GiB free at the server" +
@@ -40,13 +38,19 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   return found;
 }
 
-std::vector<Finding> of_robot(const msg::RobotRow& row) {
+std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& server_software) {
   const std::string name = "robot " + row.description.name;
   std::vector<Finding> found;
   const bool heard = row.silent_s <= kSilent;
   found.push_back({name, heard,
                    heard ? row.vendor + ", " + msg::to_string(row.state.mode)
                          : "not heard for " + fixed(row.silent_s, 0) + " s: is its agent running?"});
+  if (!row.software.empty()) {  // it has said hello since the server's start
+    const bool same = row.software == server_software;
+    found.push_back({name, same,
+                     "version " + row.software +
+                         (same ? "" : ", the server's " + server_software + ": update the older one when it suits")});
+  }
   const bool close = std::abs(row.clock_skew_s) <= kSkewed;
   found.push_back({name, close,
                    "clock " + fixed(row.clock_skew_s * 1000.0, 0) + " ms ahead of the server's" +
@@ -67,7 +71,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
   if (!robots) return report(robots.error(), invocation.json, output);
   std::vector<Finding> findings = of_server(server, info->info, session.vendor());
   for (const msg::RobotRow& row : robots->robots) {
-    for (Finding& finding : of_robot(row)) findings.push_back(std::move(finding));
+    for (Finding& finding : of_robot(row, info->info.software)) findings.push_back(std::move(finding));
   }
   bool good = true;
   Table table;
@@ -81,7 +85,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
     const nlohmann::json all = {{"good", good},
                                 {"findings", std::move(document)},
                                 {"server", to_json(info->info)},
-                                {"client", {{"vendor", session.vendor()}, {"software", "weft " WEFT_VERSION}}},
+                                {"client", {{"vendor", session.vendor()}, {"software", WEFT_VERSION}}},
                                 {"robots", robots->robots.size()}};
     output.out << all.dump(2) << '\n';
   } else {

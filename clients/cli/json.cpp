@@ -42,6 +42,7 @@ json to_json(const msg::RobotRow& row) {
                  {"body", row.description.body},
                  {"methods", row.description.methods},
                  {"vendor", row.vendor},
+                 {"software", row.software},
                  {"mode", msg::to_string(state.mode)},
                  {"reason", state.reason},
                  {"localised", state.localised},

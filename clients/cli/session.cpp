@@ -87,7 +87,7 @@ msg::Hello Session::hello() const {
   own.incarnation = incarnation_;
   own.role = msg::Role::client;
   own.name = name_;
-  own.software = "weft " WEFT_VERSION;
+  own.software = WEFT_VERSION;
   own.vendor = link_.bus().vendor();
   return own;
 }

@@ -262,6 +262,7 @@ struct RobotRow {
   RobotState state;
   double silent_s = 0.0;  ///< by the server's steady clock
   std::string vendor;
+  std::string software;  ///< the agent's version
   double clock_skew_s = 0.0;
   std::string occupies;  ///< for people: from place to place
 };

@@ -85,6 +85,7 @@ static idl::RobotRow row_to_idl(const msg::RobotRow& row) {
   wire.state(to_idl(row.state));
   wire.silent_s(row.silent_s);
   wire.vendor(row.vendor);
+  wire.software(row.software);
   wire.clock_skew_s(row.clock_skew_s);
   wire.occupies(row.occupies);
   return wire;
@@ -96,6 +97,7 @@ static msg::RobotRow from_idl(const idl::RobotRow& wire, Reading reading) {
   if (wire.has_state()) value.state = from_idl(wire.state(), reading.in("state"));
   value.silent_s = reading.not_negative("silent_s", wire.silent_s());
   value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
+  value.software = reading.text("software", wire.software(), kNameLength);
   value.clock_skew_s = reading.finite("clock_skew_s", wire.clock_skew_s());
   value.occupies = reading.text("occupies", wire.occupies(), kTextLength);
   return value;

@@ -61,6 +61,7 @@ std::vector<msg::QueryReply> Answers::robots(SteadyTime now) const {
     row.description.header.sender = id;
     row.silent_s = seconds(now - robot.heard);
     row.vendor = robot.vendor;
+    row.software = robot.software;
     row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);
     row.occupies = occupies(id);
     parts.back().robots.push_back(std::move(row));

@@ -12,6 +12,19 @@ using Kind = msg::OperatorRequest::Kind;
 constexpr double kOnPlace_m = 0.03;
 constexpr double kOnPlace_rad = 0.035;
 
+/// Whether it is the asker's to mend, or ours: a store that takes nothing has failed.
+msg::Outcome outcome_of(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::invalid:
+    case ErrorCode::not_found:
+    case ErrorCode::refused:
+    case ErrorCode::conflict:
+      return msg::Outcome::refused;
+    default:
+      return msg::Outcome::failed;
+  }
+}
+
 bool stands_on_its_place(const msg::RobotState& state) {
   return state.localised && state.place && distance_m(state.place_from_robot) <= kOnPlace_m &&
          std::abs(heading_rad(state.place_from_robot)) <= kOnPlace_rad;
@@ -222,7 +235,7 @@ Result<void> Desk::put_label(const std::string& label, const PlaceId& place, con
 
 void Desk::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
   const Result<void> done = put_label(request.label, request.place, who, now);
-  if (!done) return answer(key, msg::Outcome::refused, done.error().message);
+  if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   msg::OperatorReply reply;
   reply.message = request.label + " is " + to_string(request.place);
   reply.place = request.place;
@@ -255,7 +268,7 @@ void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std:
   const Result<RobotId> id = fleet_.by_name(request.robot);
   if (!id) return answer(key, msg::Outcome::refused, id.error().message);
   const Result<std::string> done = dispatcher_.clear(*id, who, now);
-  if (!done) return answer(key, msg::Outcome::refused, done.error().message);
+  if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
 }
 

@@ -66,6 +66,7 @@ bool Fleet::on_hello(const msg::Hello& hello, Now now) {
   if (robots_.size() >= kMostRobots && !robots_.contains(hello.peer)) return false;
   Robot& robot = entry(hello.peer, now);
   robot.vendor = hello.vendor;
+  robot.software = hello.software;
   named(robot, hello.name, now);
   return true;
 }

@@ -17,8 +17,9 @@ namespace weft::server {
 /// One robot as the server knows it.
 struct Robot {
   RobotId id;
-  std::string name;  ///< a label; from the store until the robot says it
-  std::string vendor;
+  std::string name;      ///< a label; from the store until the robot says it
+  std::string vendor;    ///< of its bus, by its last hello
+  std::string software;  ///< the agent's version, by its last hello
   std::optional<msg::RobotDescription> description;
   std::optional<msg::RobotState> state;  ///< the latest of the current incarnation
   Incarnations incarnations;

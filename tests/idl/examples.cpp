@@ -143,7 +143,8 @@ msg::QueryReply query_reply() {
   made.request = 31;
   made.part = 0;
   made.parts = 2;
-  made.robots = {{description(), state(), 0.5, "cyclonedds", -0.001, "0000000000000001:5 to 0000000000000002:0"}};
+  made.robots = {
+      {description(), state(), 0.5, "cyclonedds", "0.1.0", -0.001, "0000000000000001:5 to 0000000000000002:0"}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};

@@ -99,6 +99,16 @@ TEST_F(Desk, LabelIsSetMovedAndChecked) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(2));
 }
 
+TEST_F(Desk, ALabelThatTheStoreDoesNotTakeHasFailed) {
+  site.disk->faults.full = true;
+  msg::OperatorRequest dock = site.request(Kind::label);
+  dock.label = "dock";
+  dock.place = run.place(1);
+  EXPECT_EQ(site.ask(dock).outcome, msg::Outcome::failed);
+  EXPECT_FALSE(site.service().snapshot().labels().contains("dock"));
+  site.disk->faults.full = false;
+}
+
 TEST_F(Desk, LabelHereTakesThePlaceOnWhichTheRobotStands) {
   site.say(site.state(r1, run.place(3)));
   msg::OperatorRequest here = site.request(Kind::label_here);

@@ -263,12 +263,23 @@ TEST(Commands, DoctorFindsWhatIsWrong) {
   const auto well = fleet.weft({"doctor", "--json"}).json();
   EXPECT_EQ(well["server"]["vendor"], "inprocess");
   EXPECT_EQ(well["client"]["vendor"], "inprocess");
+  EXPECT_EQ(well["server"]["software"], well["client"]["software"]);
   fleet.r1.state.mode = msg::RobotMode::faulted;
   fleet.r1.state.reason = "camera unplugged";
   fleet.run(2s);
   const Said said = fleet.weft({"doctor"});
   EXPECT_EQ(said.exit, Exit::failed);
   EXPECT_NE(said.out.find("camera unplugged"), std::string::npos);
+}
+
+TEST(Commands, DoctorNamesAgentsOfAnotherVersion) {
+  OneRobot fleet;
+  EXPECT_EQ(fleet.weft({"doctor"}).out.find("PROBLEM"), std::string::npos);
+  fleet.add_robot("r9", "0.1.00");  // contains the server's, and is another one
+  fleet.run(1s);
+  const Said said = fleet.weft({"doctor"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.out.find("version 0.1.00, the server's 0.1.0"), std::string::npos) << said.out;
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void Fleet::say(Puppet& puppet, M message) {
   EXPECT_TRUE(puppet.link->send(std::move(message)).has_value());
 }
 
-Puppet& Fleet::add_robot(const std::string& name) {
+Puppet& Fleet::add_robot(const std::string& name, const std::string& software) {
   auto puppet = std::make_unique<Puppet>();
   puppet->id = peer(static_cast<std::uint8_t>(11 + puppets.size()));
   puppet->name = name;
@@ -161,6 +161,7 @@ Puppet& Fleet::add_robot(const std::string& name) {
   hello.incarnation = 1;
   hello.name = name;
   hello.vendor = "inprocess";
+  hello.software = software;
   EXPECT_TRUE(puppet->link->send(hello).has_value());
   msg::RobotDescription description;
   description.name = name;

@@ -51,7 +51,7 @@ class Fleet {
   /// Runs one command line; the server and the robots live on while it waits.
   Said weft(const std::vector<std::string>& arguments);
   void run(Duration duration);
-  Puppet& add_robot(const std::string& name);
+  Puppet& add_robot(const std::string& name, const std::string& software = "0.1.0");
   void restart_server();
 
   ExperienceId first{0xA1};
