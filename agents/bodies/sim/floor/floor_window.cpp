@@ -26,9 +26,7 @@ std::array<FloorWindow::Level, kLevels> FloorWindow::levels_from(const std::arra
     }
     // What reaches over n tile lengths touches up to n + 1 tiles.
     level.tiles = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(reach_m[l] / kTileM)) + 1U));
-    level.stride = 2 * (level.tiles * level.tile_side + 1);
-    const auto rows = static_cast<std::size_t>(level.tiles * level.tile_side);
-    level.pairs.resize(rows * static_cast<std::size_t>(level.stride));
+    level.pairs.resize(level.side() / kStripTexels * level.strip_bytes());
     level.holding.resize(static_cast<std::size_t>(level.tiles) * static_cast<std::size_t>(level.tiles));
   }
   return levels;
@@ -46,22 +44,24 @@ void FloorWindow::need(int level_index, TileKey key) {
 
 void FloorWindow::place(Level& level, const std::vector<std::uint8_t>& tile, TileKey key) {
   const int mask = level.tiles - 1;
-  const auto stride = static_cast<std::size_t>(level.stride);
-  const auto side = static_cast<std::size_t>(level.tile_side);
-  const std::size_t x0 = static_cast<std::size_t>(key.x & mask) * side;
-  const std::size_t y0 = static_cast<std::size_t>(key.y & mask) * side;
-  const std::size_t width = static_cast<std::size_t>(level.tiles) * side;
-  for (std::size_t j = 0; j < side; ++j) {
-    const std::uint8_t* const from = tile.data() + j * side;
-    std::uint8_t* const own = level.pairs.data() + (y0 + j) * stride;
-    std::uint8_t* const above = level.pairs.data() + (y0 + j + width - 1) % width * stride;
-    for (std::size_t i = 0; i < side; ++i) {
-      own[2 * (x0 + i)] = from[i];
-      above[2 * (x0 + i) + 1] = from[i];
-    }
-    if (x0 == 0) {
-      own[2 * width] = from[0];
-      above[2 * width + 1] = from[0];
+  const auto tile_side = static_cast<std::size_t>(level.tile_side);
+  const std::size_t side = level.side();
+  const std::size_t strips = side / kStripTexels;
+  const std::size_t first = static_cast<std::size_t>(key.x & mask) * tile_side / kStripTexels;
+  const std::size_t y0 = static_cast<std::size_t>(key.y & mask) * tile_side;
+  for (std::size_t s = 0; s < tile_side / kStripTexels; ++s) {
+    std::uint8_t* const strip = level.pairs.data() + (first + s) * level.strip_bytes();
+    std::uint8_t* const before = level.pairs.data() + (first + s + strips - 1) % strips * level.strip_bytes();
+    for (std::size_t j = 0; j < tile_side; ++j) {
+      const std::uint8_t* const from = tile.data() + j * tile_side + s * kStripTexels;
+      const std::size_t own = (y0 + j) * kStripRowBytes;
+      const std::size_t above = (y0 + j + side - 1) % side * kStripRowBytes + 1;
+      for (std::size_t i = 0; i < kStripTexels; ++i) {
+        strip[own + 2 * i] = from[i];
+        strip[above + 2 * i] = from[i];
+      }
+      before[own + 2 * kStripTexels] = from[0];
+      before[above + 2 * kStripTexels] = from[0];
     }
   }
 }
@@ -71,7 +71,7 @@ LevelPixels FloorWindow::level(int level_index, TileKey origin) const {
   const int mask = level.tiles - 1;
   LevelPixels pixels;
   pixels.pairs = level.pairs.data();
-  pixels.stride = level.stride;
+  pixels.strip_bytes = static_cast<int>(level.strip_bytes());
   pixels.mask = level.tiles * level.tile_side - 1;
   pixels.x0 = (origin.x & mask) * level.tile_side;
   pixels.y0 = (origin.y & mask) * level.tile_side;

@@ -28,8 +28,9 @@ class FloorWindow {
   struct Level {
     int tiles = 0;      ///< a side; power of two, or none
     int tile_side = 0;  ///< texels
-    int stride = 0;
-    std::vector<std::uint8_t> pairs;              ///< as LevelPixels; one more column, which repeats the first
+    std::size_t side() const { return static_cast<std::size_t>(tiles) * static_cast<std::size_t>(tile_side); }
+    std::size_t strip_bytes() const { return side() * kStripRowBytes; }
+    std::vector<std::uint8_t> pairs;              ///< as LevelPixels
     std::vector<std::optional<TileKey>> holding;  ///< of each slot
   };
   static std::array<Level, kLevels> levels_from(const std::array<double, kLevels>& reach_m);

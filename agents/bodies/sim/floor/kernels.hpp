@@ -5,11 +5,17 @@
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
-/// One level of the floor around the robot; addresses wrap at mask + 1. Each texel stands beside the one below it, so
-/// that four consecutive bytes are what a bilinear sample needs.
+/// Texels across a strip of a level, and the bytes of its row: each texel stands beside the one below it, and the first
+/// of the strip to the right is repeated, so that four consecutive bytes are what a bilinear sample needs.
+inline constexpr int kStripLog2 = 5;
+inline constexpr int kStripTexels = 1 << kStripLog2;
+inline constexpr int kStripRowBytes = 2 * (kStripTexels + 1);
+
+/// One level of the floor around the robot; addresses wrap at mask + 1. Rows of a strip follow each other closely:
+/// whole rows would lie a multiple of a page apart, and a walk down a column would miss every cache there is.
 struct LevelPixels {
   const std::uint8_t* pairs = nullptr;
-  int stride = 0;  ///< bytes
+  int strip_bytes = 0;  ///< of one strip, all its rows
   int mask = 0;
   int x0 = 0, y0 = 0;  ///< texel of the sampling origin
   float texels_per_m = 0.0F;

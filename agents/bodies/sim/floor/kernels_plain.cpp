@@ -18,7 +18,8 @@ float sample(const LevelPixels& level, float x_m, float y_m) {
   const float fv = v - v_floor;
   const int x = (static_cast<int>(u_floor) + level.x0) & level.mask;
   const int y = (static_cast<int>(v_floor) + level.y0) & level.mask;
-  const std::uint8_t* four = level.pairs + static_cast<std::ptrdiff_t>(y) * level.stride + 2 * x;
+  const std::uint8_t* four = level.pairs + static_cast<std::ptrdiff_t>(x >> kStripLog2) * level.strip_bytes +
+                             static_cast<std::ptrdiff_t>(y) * kStripRowBytes + 2 * (x & (kStripTexels - 1));
   const auto t0 = static_cast<float>(four[0]);
   const auto b0 = static_cast<float>(four[1]);
   const float t = t0 + fu * (static_cast<float>(four[2]) - t0);
