@@ -43,22 +43,3 @@ void halve(const std::uint8_t* from, int side, std::uint8_t* to) {
     }
   }
 }
-
-void shade_row(const ShadeJob& job) {
-  const float below = job.below;
-  const float above = 1.0F - below;
-  for (int cell = 0; cell * kShadeCell < job.count; ++cell) {
-    const float g0 = above * job.gain_above[cell] + below * job.gain_below[cell];
-    const float g1 = above * job.gain_above[cell + 1] + below * job.gain_below[cell + 1];
-    const float a0 = above * job.add_above[cell] + below * job.add_below[cell];
-    const float a1 = above * job.add_above[cell + 1] + below * job.add_below[cell + 1];
-    for (int i = 0; i < kShadeCell; ++i) {
-      const float t = static_cast<float>(i) * (1.0F / kShadeCell);
-      const int p = cell * kShadeCell + i;
-      float v = job.albedo[p] * (g0 + t * (g1 - g0)) + (a0 + t * (a1 - a0)) + job.noise[p] * job.noise_scale + 0.5F;
-      v = v < 0.0F ? 0.0F : v;
-      v = v > 255.0F ? 255.0F : v;
-      job.out[p] = static_cast<std::uint8_t>(static_cast<std::int32_t>(v));
-    }
-  }
-}
