@@ -228,6 +228,42 @@ TEST(Kernels, BothBuildsGiveTheSameNumbers) {
   EXPECT_EQ(from_a, from_b);
 }
 
+TEST(Kernels, BothBuildsShadeAlikeAndCut) {
+  if (!__builtin_cpu_supports("avx2")) {
+    GTEST_SKIP() << "this machine has no AVX2";
+  }
+  constexpr int kCount = 32;
+  const std::vector<float> gain_above = {1.0F, 0.7F, 1.3F, 0.9F, 1.1F};
+  const std::vector<float> gain_below = {0.8F, 1.2F, 0.6F, 1.0F, 2.0F};
+  const std::vector<float> add_above = {0.0F, 30.0F, 2.0F, 0.5F, 7.0F};
+  const std::vector<float> add_below = {9.0F, 1.0F, 4.0F, 60.0F, 0.0F};
+  std::vector<float> albedo;
+  std::vector<float> noise;
+  for (int i = 0; i < kCount; ++i) {
+    albedo.push_back(static_cast<float>((i * 41) % 256));
+    noise.push_back(static_cast<float>((i * 29) % 64 - 32));
+  }
+  ShadeJob job;
+  job.albedo = albedo.data();
+  job.gain_above = gain_above.data();
+  job.gain_below = gain_below.data();
+  job.add_above = add_above.data();
+  job.add_below = add_below.data();
+  job.below = 0.375F;
+  job.noise = noise.data();
+  job.noise_scale = 3.1F;
+  job.count = kCount;
+  std::vector<std::uint8_t> by_plain(kCount);
+  std::vector<std::uint8_t> by_avx2(kCount);
+  job.out = by_plain.data();
+  plain::make_kernels().shade_row(job);
+  job.out = by_avx2.data();
+  avx2::make_kernels().shade_row(job);
+  EXPECT_EQ(by_plain, by_avx2);
+  EXPECT_EQ(*std::min_element(by_plain.begin(), by_plain.end()), 0);
+  EXPECT_EQ(*std::max_element(by_plain.begin(), by_plain.end()), 255);
+}
+
 class Photographs : public testing::Test {
  protected:
   void SetUp() override {
