@@ -5,8 +5,8 @@
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
-/// Texels across a strip of a level, and the bytes of its row: each texel stands beside the one below it, and the first
-/// of the strip to the right is repeated, so that four consecutive bytes are what a bilinear sample needs.
+/// Texels across a strip of a level, and the bytes of its row: each texel stands beside the one below it, and the
+/// first of the strip to the right is repeated, so that four consecutive bytes are what a bilinear sample needs.
 inline constexpr int kStripLog2 = 5;
 inline constexpr int kStripTexels = 1 << kStripLog2;
 inline constexpr int kStripRowBytes = 2 * (kStripTexels + 1);
