@@ -1,10 +1,13 @@
 #include "agents/bodies/sim/floor/stamp.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace weft::agents::sim {
 namespace {
+
+constexpr int kColumns = 64;  // whose places are worked out together, once for all their rows
 
 /// Texels whose centres lie within [low, high] metres, cut to the canvas.
 struct Range {
@@ -25,13 +28,19 @@ void add_where(const Canvas& canvas, Range xs, Range ys, double grey, double sof
   const double soft = std::max(soft_m, 0.7 * canvas.texel_m);
   const auto per_soft = static_cast<float>(1.0 / soft);
   const auto amount = static_cast<float>(grey);
-  for (int j = ys.first; j <= ys.last; ++j) {
-    const auto y = static_cast<float>(canvas.y0_m + (j + 0.5) * canvas.texel_m);
-    float* row = canvas.values.data() + static_cast<std::ptrdiff_t>(j) * canvas.side;
-    for (int i = xs.first; i <= xs.last; ++i) {
-      const auto x = static_cast<float>(canvas.x0_m + (i + 0.5) * canvas.texel_m);
-      const float share = 0.5F + depth_of(x, y) * per_soft;
-      row[i] += amount * std::clamp(share, 0.0F, 1.0F);
+  std::array<float, kColumns> x;
+  for (int from = xs.first; from <= xs.last; from += kColumns) {
+    const int count = std::min(kColumns, xs.last - from + 1);
+    for (int i = 0; i < count; ++i) {
+      x[static_cast<std::size_t>(i)] = static_cast<float>(canvas.x0_m + (from + i + 0.5) * canvas.texel_m);
+    }
+    for (int j = ys.first; j <= ys.last; ++j) {
+      const auto y = static_cast<float>(canvas.y0_m + (j + 0.5) * canvas.texel_m);
+      float* row = canvas.values.data() + static_cast<std::ptrdiff_t>(j) * canvas.side + from;
+      for (int i = 0; i < count; ++i) {
+        const float share = 0.5F + depth_of(x[static_cast<std::size_t>(i)], y) * per_soft;
+        row[i] += amount * std::min(std::max(share, 0.0F), 1.0F);
+      }
     }
   }
 }
