@@ -35,7 +35,8 @@ Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::sha
   assert(camera_.width % kShadeCell == 0);
   make_noise();
   const auto nodes = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  nodes_.resize(nodes);
+  nodes_.x.resize(nodes);
+  nodes_.y.resize(nodes);
   gain_.resize(nodes);
   add_.resize(nodes);
   albedo_.resize(rays_.x.size());
@@ -173,8 +174,9 @@ void Camera::look_at_grid(const Exposure& exposure) {
       const auto at =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
       const Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]);
-      nodes_[static_cast<std::size_t>(j * columns_ + i)] = {static_cast<float>(p.x() + eye.x()),
-                                                            static_cast<float>(p.y() + eye.y())};
+      const auto n = static_cast<std::size_t>(j * columns_ + i);
+      nodes_.x[n] = static_cast<float>(p.x() + eye.x());
+      nodes_.y[n] = static_cast<float>(p.y() + eye.y());
     }
   }
 }
@@ -192,9 +194,9 @@ void Camera::fetch_floor() {
     TileKey last_low{INT32_MIN, 0};
     TileKey last_high{};
     for (int i = 0; i < columns_; ++i) {
-      const Node& node = nodes_[static_cast<std::size_t>(j * columns_ + i)];
-      const TileKey low = tile_of(node.x - kMarginM, node.y - kMarginM);
-      const TileKey high = tile_of(node.x + kMarginM, node.y + kMarginM);
+      const auto n = static_cast<std::size_t>(j * columns_ + i);
+      const TileKey low = tile_of(nodes_.x[n] - kMarginM, nodes_.y[n] - kMarginM);
+      const TileKey high = tile_of(nodes_.x[n] + kMarginM, nodes_.y[n] + kMarginM);
       if (low == last_low && high == last_high) {
         continue;
       }
@@ -254,12 +256,11 @@ void Camera::sample_floor(const Exposure& exposure) {
 void Camera::light_grid(const Exposure& exposure) {
   const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
   light_.look_around(eye.x(), eye.y());
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Light::AtPoint light =
-        light_.on_floor(nodes_[n].x, nodes_[n].y, eye.x(), eye.y(), eye.z(), exposure.body, options_.shadow);
+  light_.on_floor(nodes_.x, nodes_.y, eye, exposure.body, options_.shadow, gain_, add_);
+  for (std::size_t n = 0; n < gain_.size(); ++n) {
     const float gain = static_cast<float>(exposure.gain) * vignette_[n];
-    gain_[n] = gain * light.gain;
-    add_[n] = gain * light.shine;
+    gain_[n] *= gain;
+    add_[n] *= gain;
   }
 }
 

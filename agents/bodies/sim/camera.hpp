@@ -48,8 +48,9 @@ class Camera {
   const FloorWindow& floor() const { return floor_; }
 
  private:
-  struct Node {
-    float x, y;  ///< floor point, site frame
+  /// Floor points of the light grid, site frame.
+  struct Nodes {
+    std::vector<float> x, y;
   };
   /// Normalised, without distortion, of each pixel.
   struct Rays {
@@ -121,7 +122,7 @@ class Camera {
   Light light_;
 
   // Of the image being made.
-  std::vector<Node> nodes_;
+  Nodes nodes_;
   std::vector<float> albedo_, gain_, add_;
   std::vector<Shows> shows_;  ///< of each cell; empty: no box is near
   struct Pixel {

@@ -11,7 +11,10 @@ namespace {
 constexpr double kFarthestBoxM = 6.0;
 
 float light_at_wall(const Light& light, const Eigen::Vector3d& p) {
-  return static_cast<float>(light.on_wall(p.x(), p.y(), p.z()));
+  const Eigen::Vector3f at = p.cast<float>();
+  float gain = 0.0F;
+  light.on_wall({&at.x(), 1}, {&at.y(), 1}, {&at.z(), 1}, {&gain, 1});
+  return gain;
 }
 
 }  // namespace
@@ -33,12 +36,12 @@ Camera::Surface Camera::surface_at(const BoxHit& hit, const Eye& eye, const Eige
 void Camera::mark_cells(const Eigen::Vector3d& eye) {
   shows_.clear();
   const std::vector<std::int32_t> near = scene_->boxes_near(eye.x(), eye.y(), kFarthestBoxM);
-  std::vector<std::uint8_t> nodes(nodes_.size(), 0);
+  std::vector<std::uint8_t> nodes(nodes_.x.size(), 0);
   bool any = false;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Node& node = nodes_[n];
-    nodes[n] = std::any_of(near.begin(), near.end(),
-                           [&](std::int32_t box) { return scene_->crosses(box, eye.x(), eye.y(), node.x, node.y); });
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    nodes[n] = std::any_of(near.begin(), near.end(), [&](std::int32_t box) {
+      return scene_->crosses(box, eye.x(), eye.y(), nodes_.x[n], nodes_.y[n]);
+    });
     any = any || nodes[n] != 0;
   }
   if (!any) return;
@@ -62,7 +65,7 @@ void Camera::cast_nodes(const Pose3& site_from_camera) {
   const Eye eye(site_from_camera);
   const int across = columns_ - 1;
   const int down = rows_ - 2;
-  node_hits_.resize(nodes_.size());
+  node_hits_.resize(nodes_.x.size());
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   for (int j = 0; j <= down; ++j) {
     const int v = std::min(j * kShadeCell, camera_.height - 1);

@@ -1,6 +1,8 @@
 #include "agents/bodies/sim/light.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 
 namespace weft::agents::sim {
@@ -9,6 +11,7 @@ namespace {
 constexpr float kMirrorBlurM = 0.9F;  // a lamp's own size and the floor's roughness, at the lamp
 constexpr float kLampRadiusM = 0.25F;
 constexpr double kNearM = 9.0;
+constexpr std::size_t kTogether = 64;  // points whose values stay in the nearest cache from lamp to lamp
 
 /// Point lamp over a floor: the cosine to the fourth (two for distance, one for each surface).
 float falloff(float dx, float dy, float height) {
@@ -17,25 +20,27 @@ float falloff(float dx, float dy, float height) {
   return c2 * c2;
 }
 
-/// Share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis.
+constexpr float between(float x, float low, float high) {
+  return x < low ? low : (x > high ? high : x);
+}
+
+/// Share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis. Behind the
+/// ray's foot it hides only what it stands on. Without a branch, so that several points are worked out together.
 float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, const ShadowBody& body) {
   const float top = static_cast<float>(body.height_m) / lamp_h;
   const float dx = (lamp_x - x) * top;
   const float dy = (lamp_y - y) * top;
   const float bx = static_cast<float>(body.x) - x;
   const float by = static_cast<float>(body.y) - y;
-  const float toward = bx * dx + by * dy;
-  const auto radius = static_cast<float>(body.radius_m);
-  constexpr float least_soft = 0.02F;
-  // Behind the ray's foot the body hides only what it stands on.
-  if (toward <= 0.0F && bx * bx + by * by > (radius + least_soft) * (radius + least_soft)) return 0.0F;
-  const float t = std::clamp(toward / std::max(1e-9F, dx * dx + dy * dy), 0.0F, 1.0F);
+  const float length2 = dx * dx + dy * dy;
+  const float t = between((bx * dx + by * dy) / (length2 < 1e-9F ? 1e-9F : length2), 0.0F, 1.0F);
   const float u = bx - t * dx;
   const float v = by - t * dy;
-  const float gap = std::sqrt(u * u + v * v) - radius;
+  const float gap = std::sqrt(u * u + v * v) - static_cast<float>(body.radius_m);
   // Half shadow: the lamp's disc seen through the height at which the ray passes.
-  const float soft = least_soft + kLampRadiusM * t * top / std::max(0.05F, 1.0F - t * top) * 2.0F;
-  const float share = std::clamp(0.5F - gap / soft, 0.0F, 1.0F);
+  const float above = 1.0F - t * top;
+  const float soft = 0.02F + kLampRadiusM * t * top / (above < 0.05F ? 0.05F : above) * 2.0F;
+  const float share = between(0.5F - gap / soft, 0.0F, 1.0F);
   return share * share * (3.0F - 2.0F * share);
 }
 
@@ -74,43 +79,68 @@ void Light::look_around(double x, double y) {
   }
 }
 
-Light::AtPoint Light::on_floor(double px, double py, double eye_x, double eye_y, double eye_z, const ShadowBody& body,
-                               double shadow_share) const {
-  const auto x = static_cast<float>(px);
-  const auto y = static_cast<float>(py);
-  const auto away_x = static_cast<float>((px - eye_x) / eye_z);
-  const auto away_y = static_cast<float>((py - eye_y) / eye_z);
-  // Schlick 1994: mirrors better at grazing view.
-  const float cosine = 1.0F / std::sqrt(1.0F + away_x * away_x + away_y * away_y);
-  const float grazing = (1.0F - cosine) * (1.0F - cosine) * (1.0F - cosine);
-  const float mirror = gloss_ * (0.5F + 2.5F * grazing);
-  float sum = ambient_;
-  float shine = 0.0F;
-  for (const LampNow& lamp : near_) {
-    const float hidden =
-        shadow_share > 0.0 ? static_cast<float>(shadow_share) * hidden_share(x, y, lamp.x, lamp.y, lamp.height, body)
-                           : 0.0F;
-    sum += lamp.brightness * falloff(x - lamp.x, y - lamp.y, lamp.height) * (1.0F - hidden);
-    const float u = (x + away_x * lamp.height - lamp.x) / kMirrorBlurM;
-    const float v = (y + away_y * lamp.height - lamp.y) / kMirrorBlurM;
-    const float lobe = 1.0F / (1.0F + u * u + v * v);
-    shine += lamp.brightness * mirror * lobe * lobe;
+void Light::on_floor(std::span<const float> x, std::span<const float> y, const Eigen::Vector3d& eye,
+                     const ShadowBody& body, double shadow_share, std::span<float> gain,
+                     std::span<float> shine) const {
+  assert(x.size() == y.size() && x.size() == gain.size() && x.size() == shine.size());
+  for (std::size_t from = 0; from < x.size(); from += kTogether) {
+    const std::size_t count = std::min(kTogether, x.size() - from);
+    on_floor_part(x.data() + from, y.data() + from, count, eye, body, static_cast<float>(shadow_share),
+                  gain.data() + from, shine.data() + from);
   }
-  for (const LampNow& lamp : far_) {
-    sum += lamp.brightness * falloff(x - lamp.x, y - lamp.y, lamp.height);
-  }
-  return {sum * per_mean_, shine};
 }
 
-double Light::on_wall(double x, double y, double z) const {
-  // Faces look sideways: the ambient light and the lamps at a slant.
-  float sum = ambient_;
-  for (const LampNow& lamp : lamps_) {
-    sum += 0.7F * lamp.brightness *
-           falloff(static_cast<float>(x) - lamp.x, static_cast<float>(y) - lamp.y,
-                   std::max(0.5F, lamp.height - static_cast<float>(z)));
+void Light::on_floor_part(const float* x, const float* y, std::size_t count, const Eigen::Vector3d& eye,
+                          const ShadowBody& body, float shadow_share, float* gain, float* shine) const {
+  std::array<float, kTogether> away_x;
+  std::array<float, kTogether> away_y;
+  std::array<float, kTogether> mirror;
+  std::array<float, kTogether> sum;
+  std::array<float, kTogether> mirrored{};
+  for (std::size_t i = 0; i < count; ++i) {
+    away_x[i] = static_cast<float>((static_cast<double>(x[i]) - eye.x()) / eye.z());
+    away_y[i] = static_cast<float>((static_cast<double>(y[i]) - eye.y()) / eye.z());
+    // Schlick 1994: mirrors better at grazing view.
+    const float cosine = 1.0F / std::sqrt(1.0F + away_x[i] * away_x[i] + away_y[i] * away_y[i]);
+    const float grazing = (1.0F - cosine) * (1.0F - cosine) * (1.0F - cosine);
+    mirror[i] = gloss_ * (0.5F + 2.5F * grazing);
+    sum[i] = ambient_;
   }
-  return 0.8 * static_cast<double>(sum * per_mean_);
+  for (const LampNow& lamp : near_) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float hidden = shadow_share * hidden_share(x[i], y[i], lamp.x, lamp.y, lamp.height, body);
+      sum[i] += lamp.brightness * falloff(x[i] - lamp.x, y[i] - lamp.y, lamp.height) * (1.0F - hidden);
+      const float u = (x[i] + away_x[i] * lamp.height - lamp.x) / kMirrorBlurM;
+      const float v = (y[i] + away_y[i] * lamp.height - lamp.y) / kMirrorBlurM;
+      const float lobe = 1.0F / (1.0F + u * u + v * v);
+      mirrored[i] += lamp.brightness * mirror[i] * lobe * lobe;
+    }
+  }
+  for (const LampNow& lamp : far_) {
+    for (std::size_t i = 0; i < count; ++i) {
+      sum[i] += lamp.brightness * falloff(x[i] - lamp.x, y[i] - lamp.y, lamp.height);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    gain[i] = sum[i] * per_mean_;
+    shine[i] = mirrored[i];
+  }
+}
+
+void Light::on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+                    std::span<float> gain) const {
+  assert(x.size() == y.size() && x.size() == z.size() && x.size() == gain.size());
+  // Faces look sideways: the ambient light and the lamps at a slant.
+  std::fill(gain.begin(), gain.end(), ambient_);
+  const std::size_t count = gain.size();
+  for (const LampNow& lamp : lamps_) {
+    const float share = 0.7F * lamp.brightness;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float height = lamp.height - z[i];
+      gain[i] += share * falloff(x[i] - lamp.x, y[i] - lamp.y, height < 0.5F ? 0.5F : height);
+    }
+  }
+  for (float& value : gain) value = static_cast<float>(0.8 * static_cast<double>(value * per_mean_));
 }
 
 }  // namespace weft::agents::sim

@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "agents/bodies/sim/site.hpp"
@@ -18,19 +20,19 @@ class Light {
  public:
   Light(const Site& site, double gloss_grey, Random random);
 
-  struct AtPoint {
-    float gain = 1.0F;   ///< on the floor's albedo; 1 on average over the site
-    float shine = 0.0F;  ///< grey levels that the mirrored lamps add
-  };
-  /// Floor point (x, y) seen from (eye_x, eye_y, eye_z). `shadow_share` 0: no shadow.
-  AtPoint on_floor(double x, double y, double eye_x, double eye_y, double eye_z, const ShadowBody& body,
-                   double shadow_share) const;
-  /// On an upright face at a point, without shadow or shine.
-  double on_wall(double x, double y, double z) const;
+  /// Floor points (x, y) seen from `eye`: `gain` on the floor's albedo, 1 on average over the site, and `shine`, the
+  /// grey levels that the mirrored lamps add. `shadow_share` 0: no shadow. All spans of one length.
+  void on_floor(std::span<const float> x, std::span<const float> y, const Eigen::Vector3d& eye,
+                const ShadowBody& body, double shadow_share, std::span<float> gain, std::span<float> shine) const;
+  /// On upright faces at points (x, y, z), without shadow or shine.
+  void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+               std::span<float> gain) const;
   /// Lamps further than this from the robot are taken without shadow and shine.
   void look_around(double x, double y);
 
  private:
+  void on_floor_part(const float* x, const float* y, std::size_t count, const Eigen::Vector3d& eye,
+                     const ShadowBody& body, float shadow_share, float* gain, float* shine) const;
   struct LampNow {
     float x, y, height, brightness;
   };
