@@ -264,10 +264,6 @@ void Camera::light_grid(const Exposure& exposure) {
   }
 }
 
-std::size_t Camera::pixel(int u, int v) const {
-  return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
-}
-
 Camera::PixelLight Camera::light_at(int u, int v, double exposure_gain) const {
   const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
   const auto below = n + static_cast<std::size_t>(columns_);

@@ -70,9 +70,8 @@ class Camera {
   /// What is seen where a ray hits, and where that is.
   struct Surface {
     float albedo = 0.0F;
-    Eigen::Vector3d at;
+    Eigen::Vector3f at = Eigen::Vector3f::Zero();
   };
-  Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
   struct PixelLight {
     float gain, add, camera_gain;
   };
@@ -86,7 +85,9 @@ class Camera {
   void sample_floor(const Exposure& exposure);
   void light_grid(const Exposure& exposure);
   PixelLight light_at(int u, int v, double exposure_gain) const;
-  std::size_t pixel(int u, int v) const;
+  std::size_t pixel(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
+  }
 
   // camera_boxes.cpp
   /// What a cell of the light grid shows of boxes, in the middle of the exposure.
@@ -96,10 +97,28 @@ class Camera {
     face,    ///< one face of one box
     inside,  ///< one face, as the cells around it: no floor and no edge
   };
+  /// Points on faces and how bright the lamps make them.
+  struct WallPoints {
+    std::vector<float> x, y, z, gain;
+    void clear() {
+      x.clear();
+      y.clear();
+      z.clear();
+    }
+    void add(const Eigen::Vector3f& p) {
+      x.push_back(p.x());
+      y.push_back(p.y());
+      z.push_back(p.z());
+    }
+    void look(const Light& light) {
+      gain.resize(x.size());
+      light.on_wall(x, y, z, gain);
+    }
+  };
+  struct Pixel {
+    int u, v;
+  };
   void find_boxes(const Exposure& exposure);
-  void draw_boxes(const Exposure& exposure);
-  void draw_run(const Eye& eye, double exposure_gain, int u, int v, int count);
-  void draw_edges(const Exposure& exposure);
   void forget_boxes();
   void mark_cells(const Eigen::Vector3d& eye);
   void cast_nodes(const Pose3& site_from_camera);
@@ -107,7 +126,22 @@ class Camera {
   Shows& shows(int u, int v) {
     return shows_[static_cast<std::size_t>((v / kShadeCell) * (columns_ - 1) + u / kShadeCell)];
   }
-  bool at_edge(int u, int v) const;
+  /// What the cell's upper left corner shows.
+  const BoxHit& corner_hit(int u, int v) const {
+    return node_hits_[static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell)];
+  }
+  Eigen::Vector3f direction_of(const Eye& eye, std::size_t at) const {
+    return eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
+  }
+
+  // camera_faces.cpp
+  void draw_boxes(const Exposure& exposure);
+  void draw_insides(const Eye& eye, double exposure_gain, int v);
+  void draw_lone(const Eye& eye, double exposure_gain);
+  void draw_edges(const Exposure& exposure);
+  float face_grey(const BoxHit& hit, const Eigen::Vector2d& in_face);
+  Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
+  bool at_edge(int u, int v);
   Bytes develop(const Exposure& exposure) const;
 
   CameraModel camera_;
@@ -125,13 +159,13 @@ class Camera {
   Nodes nodes_;
   std::vector<float> albedo_, gain_, add_;
   std::vector<Shows> shows_;  ///< of each cell; empty: no box is near
-  struct Pixel {
-    int u, v;
-  };
   FaceMemo face_memo_;
+  WallPoints ends_;                ///< of the pixels being drawn
+  std::vector<Pixel> inside_;      ///< first pixels of the cells within faces, of the row being drawn
+  std::vector<Pixel> lone_;        ///< other pixels that show one face
   std::vector<Pixel> edges_;       ///< pixels that an edge of a box runs through
   std::vector<BoxHit> node_hits_;  ///< of each grid node that a cell with a box has
-  std::vector<BoxHit> hits_;       ///< of each pixel; none between images
+  std::vector<BoxHit> hits_;       ///< of each pixel of cells that are not inside; none between images
 };
 
 }  // namespace weft::agents::sim

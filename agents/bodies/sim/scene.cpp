@@ -120,19 +120,28 @@ void Scene::cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::V
   }
 }
 
-float Scene::to_face(std::int32_t box_index, std::int32_t face, const Eigen::Vector3d& eye,
-                     const Eigen::Vector3f& direction) const {
+FacePlane Scene::plane_of(std::int32_t box_index, std::int32_t face, const Eigen::Vector3d& eye) const {
   const Box& box = boxes_[static_cast<std::size_t>(box_index)];
-  if (face == 4) return (static_cast<float>(box.height_m) - static_cast<float>(eye.z())) / direction.z();
   const Turn& turn = turns_[static_cast<std::size_t>(box_index)];
-  const Eigen::Vector2d from = in_box(box_index, eye.x(), eye.y());
-  const auto cosine = static_cast<float>(turn.cosine);
-  const auto sine = static_cast<float>(turn.sine);
+  const Eigen::Vector2d ahead(turn.cosine, turn.sine);
+  const Eigen::Vector2d left(-turn.sine, turn.cosine);
+  FacePlane plane;
+  plane.middle = {turn.x, turn.y};
+  plane.top = face == 4;
+  if (plane.top) {
+    plane.normal = Eigen::Vector3f::UnitZ();
+    plane.ahead = static_cast<float>(box.height_m) - static_cast<float>(eye.z());
+    plane.along = ahead;
+    return plane;
+  }
   const bool across = face % 2 == 1;
+  const Eigen::Vector2d& normal = across ? left : ahead;
+  const Eigen::Vector2d from = in_box(box_index, eye.x(), eye.y());
   const double half = (across ? box.width_m : box.length_m) / 2 * (face < 2 ? 1.0 : -1.0);
-  const float way =
-      across ? cosine * direction.y() - sine * direction.x() : cosine * direction.x() + sine * direction.y();
-  return static_cast<float>(half - (across ? from.y() : from.x())) / way;
+  plane.normal = Eigen::Vector3d(normal.x(), normal.y(), 0.0).cast<float>();
+  plane.ahead = static_cast<float>(half - (across ? from.y() : from.x()));
+  plane.along = across ? ahead : left;
+  return plane;
 }
 
 std::vector<std::int32_t> Scene::boxes_near(double x, double y, double reach_m) const {

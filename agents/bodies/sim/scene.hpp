@@ -17,6 +17,26 @@ struct BoxHit {
   float distance = 0.0F;  ///< in lengths of the ray's direction
 };
 
+/// The plane of one face of a box, for many rays from one eye, and the face's own coordinates in it.
+struct FacePlane {
+  Eigen::Vector3f normal;  ///< site frame
+  float ahead = 0.0F;      ///< metres from the eye along the normal
+  Eigen::Vector2d middle;  ///< of the box, on the floor
+  Eigen::Vector2d along;   ///< site frame; `along_m` of face_albedo counts this way
+  bool top = false;        ///< its `up_m` lies across `along` on the floor
+
+  /// How far away a ray of this direction meets the plane, in lengths of it.
+  float distance(const Eigen::Vector3f& direction) const {
+    return ahead / (normal.x() * direction.x() + normal.y() * direction.y() + normal.z() * direction.z());
+  }
+  /// along_m and up_m of a point of the plane, site frame.
+  Eigen::Vector2d in_face(const Eigen::Vector3d& p) const {
+    const double x = p.x() - middle.x();
+    const double y = p.y() - middle.y();
+    return {along.x() * x + along.y() * y, top ? along.x() * y - along.y() * x : p.z()};
+  }
+};
+
 /// The things that stand on the floor, for ray queries. May be used by several cameras, one thread each.
 class Scene {
  public:
@@ -32,9 +52,8 @@ class Scene {
   void cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,
             std::span<BoxHit> hits) const;
 
-  /// How far along `direction` the plane of a box's face lies, in lengths of it; both in the site's frame.
-  float to_face(std::int32_t box, std::int32_t face, const Eigen::Vector3d& eye,
-                const Eigen::Vector3f& direction) const;
+  /// A face as seen from `eye` (site frame).
+  FacePlane plane_of(std::int32_t box, std::int32_t face, const Eigen::Vector3d& eye) const;
 
   const std::vector<Box>& boxes() const { return boxes_; }
   /// A floor point in a box's own frame.

@@ -1,0 +1,159 @@
+// What stands on the floor, drawn over the sampled floor: four rays only where an edge runs through a pixel.
+#include <algorithm>
+#include <cmath>
+
+#include "agents/bodies/sim/camera.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+/// Faces turned to different sides differ a little, as under any real light.
+constexpr std::array<float, 5> kSide = {1.0F, 0.88F, 0.95F, 0.82F, 1.1F};
+
+}  // namespace
+
+float Camera::face_grey(const BoxHit& hit, const Eigen::Vector2d& in_face) {
+  const Box& box = scene_->boxes()[static_cast<std::size_t>(hit.box)];
+  return kSide[static_cast<std::size_t>(hit.face)] *
+         face_albedo(box, hit.box, hit.face, in_face.x(), in_face.y(), hit.distance / camera_.fx, face_memo_);
+}
+
+Camera::Surface Camera::surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction) {
+  const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
+  return {face_grey(hit, scene_->plane_of(hit.box, hit.face, eye.at).in_face(p)), p.cast<float>()};
+}
+
+bool Camera::at_edge(int u, int v) {
+  // Cells within a face were not cast pixel by pixel: their corner tells.
+  const auto hit_at = [this](int a, int b) -> const BoxHit& {
+    return shows(a, b) == Shows::inside ? corner_hit(a, b) : hits_[pixel(a, b)];
+  };
+  const BoxHit& here = hits_[pixel(u, v)];
+  const auto differs = [&](int a, int b) {
+    const BoxHit& there = hit_at(std::clamp(a, 0, camera_.width - 1), std::clamp(b, 0, camera_.height - 1));
+    return there.box != here.box || there.face != here.face;
+  };
+  return differs(u + 1, v) || differs(u - 1, v) || differs(u, v + 1) || differs(u, v - 1);
+}
+
+void Camera::draw_boxes(const Exposure& exposure) {
+  if (shows_.empty()) return;
+  const Eye eye(exposure.site_from_camera_mid);
+  edges_.clear();
+  lone_.clear();
+  for (int v = 0; v < camera_.height; ++v) {
+    draw_insides(eye, exposure.gain, v);
+    for (int u = 0; u < camera_.width; u += kShadeCell) {
+      const Shows cell = shows(u, v);
+      if (cell == Shows::inside || cell == Shows::floor) continue;
+      for (int i = u; i < u + kShadeCell; ++i) {
+        if (at_edge(i, v)) {
+          edges_.push_back({i, v});
+        } else if (hits_[pixel(i, v)].box >= 0) {
+          lone_.push_back({i, v});
+        }
+      }
+    }
+  }
+  draw_lone(eye, exposure.gain);
+  draw_edges(exposure);
+  forget_boxes();
+}
+
+/// Cells of one row of pixels that lie within faces. Along a cell the light changes evenly.
+void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
+  inside_.clear();
+  ends_.clear();
+  for (int u = 0; u < camera_.width; u += kShadeCell) {
+    if (shows(u, v) != Shows::inside) continue;
+    inside_.push_back({u, v});
+    BoxHit hit = corner_hit(u, v);
+    const FacePlane plane = scene_->plane_of(hit.box, hit.face, eye.at);
+    for (int i = 0; i < kShadeCell; ++i) {
+      const std::size_t at = pixel(u + i, v);
+      const Eigen::Vector3f direction = direction_of(eye, at);
+      hit.distance = plane.distance(direction);
+      const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
+      albedo_[at] = face_grey(hit, plane.in_face(p));
+      if (i == 0 || i == kShadeCell - 1) ends_.add(p.cast<float>());
+    }
+  }
+  ends_.look(light_);
+  for (std::size_t n = 0; n < inside_.size(); ++n) {
+    const float first = ends_.gain[2 * n];
+    const float step = (ends_.gain[2 * n + 1] - first) / static_cast<float>(kShadeCell - 1);
+    for (int i = 0; i < kShadeCell; ++i) {
+      const PixelLight light = light_at(inside_[n].u + i, v, exposure_gain);
+      float& albedo = albedo_[pixel(inside_[n].u + i, v)];
+      // Development puts the floor's light on every pixel; here it is taken out beforehand.
+      albedo = (light.camera_gain * albedo * (first + step * static_cast<float>(i)) - light.add) / light.gain;
+    }
+  }
+}
+
+/// Pixels on a face in cells that show other things too.
+void Camera::draw_lone(const Eye& eye, double exposure_gain) {
+  ends_.clear();
+  for (const auto& [u, v] : lone_) {
+    const std::size_t at = pixel(u, v);
+    const Surface surface = surface_at(hits_[at], eye, direction_of(eye, at));
+    albedo_[at] = surface.albedo;
+    ends_.add(surface.at);
+  }
+  ends_.look(light_);
+  for (std::size_t n = 0; n < lone_.size(); ++n) {
+    const auto [u, v] = lone_[n];
+    const PixelLight light = light_at(u, v, exposure_gain);
+    float& albedo = albedo_[pixel(u, v)];
+    albedo = (light.camera_gain * albedo * ends_.gain[n] - light.add) / light.gain;
+  }
+}
+
+/// Where an edge runs through a pixel, each subsample looks for itself; four pixels make a packet of rays.
+void Camera::draw_edges(const Exposure& exposure) {
+  constexpr std::size_t together = Scene::kPacket / kSubsamples;
+  const double per_focal = 1.0 / camera_.fx;
+  std::array<Eye, kSubsamples> eyes;
+  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(),
+                 [](const Pose3& pose) { return Eye(pose); });
+  std::array<Eigen::Vector3f, Scene::kPacket> from;
+  std::array<Eigen::Vector3f, Scene::kPacket> directions;
+  std::array<BoxHit, Scene::kPacket> hits;
+  std::array<Surface, Scene::kPacket> surfaces;
+  for (std::size_t first = 0; first < edges_.size(); first += together) {
+    const std::size_t count = std::min(together, edges_.size() - first);
+    for (std::size_t i = 0; i < count * kSubsamples; ++i) {
+      const std::size_t k = i % kSubsamples;
+      const std::size_t at = pixel(edges_[first + i / kSubsamples].u, edges_[first + i / kSubsamples].v);
+      const Eigen::Vector3f inside(rays_.x[at] + static_cast<float>(kSubsampleRight[k] * per_focal),
+                                   rays_.y[at] + static_cast<float>(kSubsampleDown[k] * per_focal), 1.0F);
+      from[i] = eyes[k].at.cast<float>();
+      directions[i] = eyes[k].site_from_camera * inside;
+    }
+    const std::size_t rays = count * kSubsamples;
+    scene_->cast(std::span(from).first(rays), std::span(directions).first(rays), std::span(hits).first(rays));
+    ends_.clear();
+    for (std::size_t i = 0; i < rays; ++i) {
+      surfaces[i] = hits[i].box < 0 ? Surface{} : surface_at(hits[i], eyes[i % kSubsamples], directions[i]);
+      ends_.add(surfaces[i].at);
+    }
+    ends_.look(light_);
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto [u, v] = edges_[first + n];
+      const PixelLight light = light_at(u, v, exposure.gain);
+      float& albedo = albedo_[pixel(u, v)];
+      float sum = 0.0F;
+      for (std::size_t k = 0; k < kSubsamples; ++k) {
+        const std::size_t i = n * kSubsamples + k;
+        if (hits[i].box < 0) {
+          sum += albedo * light.gain + light.add;
+          continue;
+        }
+        sum += light.camera_gain * surfaces[i].albedo * ends_.gain[i];
+      }
+      albedo = (sum / kSubsamples - light.add) / light.gain;
+    }
+  }
+}
+
+}  // namespace weft::agents::sim
