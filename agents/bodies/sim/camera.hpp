@@ -115,6 +115,15 @@ class Camera {
       light.on_wall(x, y, z, gain);
     }
   };
+  /// As a FaceJob wants them.
+  struct PaintPlaces {
+    std::array<double, kShadeCell> along_m, up_m, pixel_m;
+    void set(std::size_t i, const Eigen::Vector2d& in_face, double pixel_size_m) {
+      along_m[i] = in_face.x();
+      up_m[i] = in_face.y();
+      pixel_m[i] = pixel_size_m;
+    }
+  };
   struct Pixel {
     int u, v;
   };
@@ -139,7 +148,8 @@ class Camera {
   void draw_insides(const Eye& eye, double exposure_gain, int v);
   void draw_lone(const Eye& eye, double exposure_gain);
   void draw_edges(const Exposure& exposure);
-  float face_grey(const BoxHit& hit, const Eigen::Vector2d& in_face);
+  /// Grey levels of places on a face, without the lamps.
+  void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
   Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
   bool at_edge(int u, int v);
   Bytes develop(const Exposure& exposure) const;

@@ -10,17 +10,41 @@ namespace {
 /// Faces turned to different sides differ a little, as under any real light.
 constexpr std::array<float, 5> kSide = {1.0F, 0.88F, 0.95F, 0.82F, 1.1F};
 
+FaceLook look_of(Box::Kind kind, std::int32_t face) {
+  switch (kind) {
+    case Box::Kind::rack:
+      return face == 4 ? FaceLook::plain : FaceLook::rack;
+    case Box::Kind::wall:
+      return FaceLook::wall;
+    case Box::Kind::pillar:
+      break;
+  }
+  return FaceLook::pillar;
+}
+
 }  // namespace
 
-float Camera::face_grey(const BoxHit& hit, const Eigen::Vector2d& in_face) {
-  const Box& box = scene_->boxes()[static_cast<std::size_t>(hit.box)];
-  return kSide[static_cast<std::size_t>(hit.face)] *
-         face_albedo(box, hit.box, hit.face, in_face.x(), in_face.y(), hit.distance / camera_.fx, face_memo_);
+void Camera::paint(const BoxHit& face, const PaintPlaces& places, int count, float* out) {
+  FaceJob job;
+  job.look = look_of(scene_->boxes()[static_cast<std::size_t>(face.box)].kind, face.face);
+  job.salt = face.box * 8 + face.face;
+  job.along_m = places.along_m.data();
+  job.up_m = places.up_m.data();
+  job.pixel_m = places.pixel_m.data();
+  job.count = count;
+  job.memo = &face_memo_;
+  job.out = out;
+  kernels().face_row(job);
+  for (int i = 0; i < count; ++i) out[i] *= kSide[static_cast<std::size_t>(face.face)];
 }
 
 Camera::Surface Camera::surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction) {
   const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
-  return {face_grey(hit, scene_->plane_of(hit.box, hit.face, eye.at).in_face(p)), p.cast<float>()};
+  PaintPlaces places;
+  places.set(0, scene_->plane_of(hit.box, hit.face, eye.at).in_face(p), hit.distance / camera_.fx);
+  Surface surface{0.0F, p.cast<float>()};
+  paint(hit, places, 1, &surface.albedo);
+  return surface;
 }
 
 bool Camera::at_edge(int u, int v) {
@@ -67,16 +91,17 @@ void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
   for (int u = 0; u < camera_.width; u += kShadeCell) {
     if (shows(u, v) != Shows::inside) continue;
     inside_.push_back({u, v});
-    BoxHit hit = corner_hit(u, v);
-    const FacePlane plane = scene_->plane_of(hit.box, hit.face, eye.at);
+    const BoxHit& face = corner_hit(u, v);
+    const FacePlane plane = scene_->plane_of(face.box, face.face, eye.at);
+    PaintPlaces places;
     for (int i = 0; i < kShadeCell; ++i) {
-      const std::size_t at = pixel(u + i, v);
-      const Eigen::Vector3f direction = direction_of(eye, at);
-      hit.distance = plane.distance(direction);
-      const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
-      albedo_[at] = face_grey(hit, plane.in_face(p));
+      const Eigen::Vector3f direction = direction_of(eye, pixel(u + i, v));
+      const float distance = plane.distance(direction);
+      const Eigen::Vector3d p = eye.at + (direction * distance).cast<double>();
+      places.set(static_cast<std::size_t>(i), plane.in_face(p), distance / camera_.fx);
       if (i == 0 || i == kShadeCell - 1) ends_.add(p.cast<float>());
     }
+    paint(face, places, kShadeCell, &albedo_[pixel(u, v)]);
   }
   ends_.look(light_);
   for (std::size_t n = 0; n < inside_.size(); ++n) {

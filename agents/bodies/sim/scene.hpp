@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -22,7 +21,7 @@ struct FacePlane {
   Eigen::Vector3f normal;  ///< site frame
   float ahead = 0.0F;      ///< metres from the eye along the normal
   Eigen::Vector2d middle;  ///< of the box, on the floor
-  Eigen::Vector2d along;   ///< site frame; `along_m` of face_albedo counts this way
+  Eigen::Vector2d along;   ///< site frame; `along_m` of a FaceJob counts this way
   bool top = false;        ///< its `up_m` lies across `along` on the floor
 
   /// How far away a ray of this direction meets the plane, in lengths of it.
@@ -76,19 +75,5 @@ class Scene {
   std::vector<Turn> turns_;  ///< of each box; asked for at every pixel that shows one
   std::unique_ptr<Embree> embree_;
 };
-
-/// Corners of the noise that was looked at last, by size: neighbouring pixels mostly share them. Changes no result.
-struct FaceMemo {
-  struct Cell {
-    std::int64_t x = INT64_MIN, y = 0, salt = 0;
-    std::array<double, 4> corners{};
-  };
-  std::array<Cell, 3> cells;
-};
-
-/// Grey level, as albedo, of a place on a face: `along_m` from the face's middle, `up_m` above the floor; details
-/// finer than `pixel_m` are left out.
-float face_albedo(const Box& box, std::int32_t box_index, std::int32_t face, double along_m, double up_m,
-                  double pixel_m, FaceMemo& memo);
 
 }  // namespace weft::agents::sim

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "agents/bodies/sim/faces.hpp"
+
 /// The loops that touch every pixel or texel, in two builds: one for any x86-64 and one for AVX2, chosen at run time.
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
@@ -66,6 +68,7 @@ struct Kernels {
   /// Doubles a row of a lattice: even and odd children weigh their parents 3 : 1. `from` has count / 2 + 2 values,
   /// the first is the parent before.
   void (*double_row)(const float* from_near, const float* from_far, int count, float* to);
+  void (*face_row)(const FaceJob& job);
 };
 const Kernels& kernels();
 

@@ -7,6 +7,8 @@
 namespace weft::agents::sim::avx2 {
 namespace {
 
+constexpr int kFaceLanes = 4;
+#include "agents/bodies/sim/faces_body.hpp"
 #include "agents/bodies/sim/floor/kernels_body.hpp"
 
 __m128i two_at(const std::uint8_t* from, std::int64_t places) {
@@ -117,7 +119,7 @@ void shade_row(const ShadeJob& job) {
 }  // namespace
 
 Kernels make_kernels() {
-  return {sample_row, shade_row, halve, add_noise_row, double_row};
+  return {sample_row, shade_row, halve, add_noise_row, double_row, face_row};
 }
 
 }  // namespace weft::agents::sim::avx2

@@ -7,6 +7,8 @@ namespace weft::agents::sim {
 namespace plain {
 namespace {
 
+constexpr int kFaceLanes = 2;
+#include "agents/bodies/sim/faces_body.hpp"
 #include "agents/bodies/sim/floor/kernels_body.hpp"
 
 float sample(const LevelPixels& level, float x_m, float y_m) {
@@ -67,7 +69,7 @@ void shade_row(const ShadeJob& job) {
 }  // namespace
 
 Kernels make_kernels() {
-  return {sample_row, shade_row, halve, add_noise_row, double_row};
+  return {sample_row, shade_row, halve, add_noise_row, double_row, face_row};
 }
 
 }  // namespace plain
