@@ -1,21 +1,17 @@
 #include "server/desk/commands.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
+#include "server/repeating.hpp"
+
 namespace weft::server {
-namespace {
-using namespace std::chrono_literals;
-constexpr Duration kFirstRepeat = 500ms;
-constexpr Duration kLastRepeat = 4s;
-}  // namespace
 
 std::uint64_t Commands::give(msg::AgentCommand command, SteadyTime now) {
   const RobotId robot = command.to;
   const std::uint64_t number = next_number_++;
   command.command = number;
-  queues_[robot].push_back({.command = std::move(command), .send_at = now, .wait = kFirstRepeat});
+  queues_[robot].push_back({.command = std::move(command), .send_at = now});
   tick(now);
   return number;
 }
@@ -51,8 +47,8 @@ void Commands::tick(SteadyTime now) {
     for (std::size_t i = 0; i < queue.size(); ++i) {
       Waiting& waiting = queue[i];
       if (!may_go(queue, i) || waiting.send_at > now) continue;
+      waiting.wait = next_wait(waiting.wait);
       waiting.send_at = now + waiting.wait;
-      waiting.wait = std::min(waiting.wait * 2, kLastRepeat);
       context_.out.send(waiting.command);
     }
   }

@@ -3,13 +3,12 @@
 #include <utility>
 
 #include "server/dispatcher/dispatcher.hpp"
+#include "server/repeating.hpp"
 
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kFirstRepeat = 500ms;
-constexpr Duration kLastRepeat = 4s;
 constexpr Duration kBetweenLooks = 500ms;
 /// No order is longer on its way than this.
 constexpr Duration kLongestWay = 3s;
@@ -85,7 +84,7 @@ void Dispatcher::send_order(const RobotId& robot, Errand& errand, SteadyTime now
   } else {
     errand.ordered_at = now;
   }
-  errand.wait = errand.wait == Duration{} ? kFirstRepeat : std::min(errand.wait * 2, kLastRepeat);
+  errand.wait = next_wait(errand.wait);
   errand.send_at = now + errand.wait;
   context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
 }

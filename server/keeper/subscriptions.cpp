@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "server/keeper/parts.hpp"
+#include "server/repeating.hpp"
 
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kBetweenPatches = 500ms;
-constexpr std::size_t kMostAskers = 1024;
 }  // namespace
 
 void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/repeating.hpp"
+
 namespace weft::server {
 namespace {
 
 constexpr double kBytesPerSecond = 4.0 * (1U << 20U);  ///< for each asker
 constexpr double kBurstBytes = 8.0 * msg::kChunkBytes;
 constexpr std::size_t kMostWanted = 8192;
-constexpr std::size_t kMostAskers = 1024;
 
 }  // namespace
 

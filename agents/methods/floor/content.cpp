@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t magic = 0x52464C57U;  // "WLFR", little-endian
 constexpr std::size_t longest_camera_id = 64;
 constexpr double grain_m = 1e-4;
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double full_turn = 2.0 * std::numbers::pi;
 
 class Writer {
  public:
@@ -114,7 +114,7 @@ void write_features(Writer& out, const std::vector<FloorFeature>& features) {
   for (const FloorFeature& f : features) {
     out.number(grains(f.on_floor.x()));
     out.number(grains(f.on_floor.y()));
-    const double share = f.heading_rad / turn - std::floor(f.heading_rad / turn);
+    const double share = f.heading_rad / full_turn - std::floor(f.heading_rad / full_turn);
     out.number(static_cast<std::uint8_t>(std::lround(share * 256.0) & 255));
     for (const std::uint64_t word : f.descriptor) out.number(word);
   }
@@ -128,7 +128,7 @@ std::vector<FloorFeature> read_features(Reader& in) {
     FloorFeature f;
     f.on_floor.x() = grain_m * in.number<std::int16_t>("feature.x");
     f.on_floor.y() = grain_m * in.number<std::int16_t>("feature.y");
-    f.heading_rad = wrap_angle(turn / 256.0 * in.number<std::uint8_t>("feature.heading"));
+    f.heading_rad = wrap_angle(full_turn / 256.0 * in.number<std::uint8_t>("feature.heading"));
     for (std::uint64_t& word : f.descriptor) word = in.number<std::uint64_t>("feature.descriptor");
     features.push_back(f);
   }

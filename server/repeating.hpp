@@ -1,0 +1,20 @@
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+#include "core/time.hpp"
+
+namespace weft::server {
+
+/// What is not answered is said again: after this, then after twice as long each time, up to the last.
+inline constexpr Duration kFirstRepeat = std::chrono::milliseconds(500);
+inline constexpr Duration kLastRepeat = std::chrono::seconds(4);
+inline Duration next_wait(Duration wait) {
+  return wait == Duration{} ? kFirstRepeat : std::min(wait * 2, kLastRepeat);
+}
+
+/// Peers whose wishes are remembered; more are not listened to.
+inline constexpr std::size_t kMostAskers = 1024;
+
+}  // namespace weft::server
