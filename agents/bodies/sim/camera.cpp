@@ -276,7 +276,9 @@ Camera::PixelLight Camera::light_at(int u, int v, double exposure_gain) const {
 }
 
 Bytes Camera::develop(const Exposure& exposure) const {
-  Bytes image(rays_.x.size());
+  Bytes image;
+  image.reserve(rays_.x.size());
+  Bytes row(static_cast<std::size_t>(camera_.width));
   Random random(exposure.noise_seed);
   for (int v = 0; v < camera_.height; ++v) {
     const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width);
@@ -291,8 +293,9 @@ Bytes Camera::develop(const Exposure& exposure) const {
     job.noise = noise_.data() + random.below(kNoise);
     job.noise_scale = static_cast<float>(options_.noise_grey);
     job.count = camera_.width;
-    job.out = image.data() + at;
+    job.out = row.data();
     kernels().shade_row(job);
+    image.insert(image.end(), row.begin(), row.end());  // cheaper than to clear a whole image first
   }
   return image;
 }

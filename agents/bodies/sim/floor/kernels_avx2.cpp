@@ -44,10 +44,11 @@ __m256 sample(const LevelPixels& level, __m256 x_m, __m256 y_m) {
       _mm256_and_si256(_mm256_add_epi32(_mm256_cvttps_epi32(u_floor), _mm256_set1_epi32(level.x0)), mask);
   const __m256i y =
       _mm256_and_si256(_mm256_add_epi32(_mm256_cvttps_epi32(v_floor), _mm256_set1_epi32(level.y0)), mask);
-  const __m256i strip = _mm256_mullo_epi32(_mm256_srli_epi32(x, kStripLog2), _mm256_set1_epi32(level.strip_bytes));
+  // A step to the right is two bytes, and one into the next strip what its rows take less those two bytes a texel.
+  const __m256i strip =
+      _mm256_mullo_epi32(_mm256_srli_epi32(x, kStripLog2), _mm256_set1_epi32(level.strip_bytes - 2 * kStripTexels));
   const __m256i row = _mm256_mullo_epi32(y, _mm256_set1_epi32(kStripRowBytes));
-  const __m256i across = _mm256_slli_epi32(_mm256_and_si256(x, _mm256_set1_epi32(kStripTexels - 1)), 1);
-  const __m256i at = _mm256_add_epi32(_mm256_add_epi32(strip, row), across);
+  const __m256i at = _mm256_add_epi32(_mm256_add_epi32(strip, row), _mm256_slli_epi32(x, 1));
   const __m256i four = four_bytes_at(level.pairs, at);
   // Of each pair the left in the lower half, the right in the upper: one multiply-add takes their difference.
   const __m256i tops = _mm256_and_si256(four, _mm256_set1_epi32(0x00ff00ff));
