@@ -264,15 +264,37 @@ void Camera::light_grid(const Exposure& exposure) {
   }
 }
 
+namespace {
+
+/// Between a cell's corners: `s` to the right and `t` down, from `above` and the one after it to those `below`.
+float between(const float* above, const float* below, float s, float t) {
+  return (1 - t) * ((1 - s) * above[0] + s * above[1]) + t * ((1 - s) * below[0] + s * below[1]);
+}
+
+}  // namespace
+
 Camera::PixelLight Camera::light_at(int u, int v, double exposure_gain) const {
   const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
   const auto below = n + static_cast<std::size_t>(columns_);
   const float s = static_cast<float>(u % kShadeCell) / kShadeCell;
   const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
-  const auto between = [&](const std::vector<float>& grid) {
-    return (1 - t) * ((1 - s) * grid[n] + s * grid[n + 1]) + t * ((1 - s) * grid[below] + s * grid[below + 1]);
-  };
-  return {between(gain_), between(add_), static_cast<float>(exposure_gain) * between(vignette_)};
+  return {between(&gain_[n], &gain_[below], s, t), between(&add_[n], &add_[below], s, t),
+          static_cast<float>(exposure_gain) * between(&vignette_[n], &vignette_[below], s, t)};
+}
+
+Camera::CellLight Camera::light_in_cell(int u, int v, double exposure_gain) const {
+  const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
+  const auto below = n + static_cast<std::size_t>(columns_);
+  const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
+  CellLight light;
+#pragma GCC unroll 1  // several at a time rather than one after the other
+  for (std::size_t i = 0; i < kShadeCell; ++i) {
+    const float s = static_cast<float>(i) / kShadeCell;
+    light.gain[i] = between(&gain_[n], &gain_[below], s, t);
+    light.add[i] = between(&add_[n], &add_[below], s, t);
+    light.camera_gain[i] = static_cast<float>(exposure_gain) * between(&vignette_[n], &vignette_[below], s, t);
+  }
+  return light;
 }
 
 Bytes Camera::develop(const Exposure& exposure) const {

@@ -75,6 +75,10 @@ class Camera {
   struct PixelLight {
     float gain, add, camera_gain;
   };
+  /// The same for one row of a cell's pixels, from its first on.
+  struct CellLight {
+    std::array<float, kShadeCell> gain, add, camera_gain;
+  };
   std::vector<RowLevels> levels_of_rows() const;
   void make_noise();
   std::array<double, kLevels> reach_m() const;
@@ -84,6 +88,7 @@ class Camera {
   void fetch_floor();
   void sample_floor(const Exposure& exposure);
   void light_grid(const Exposure& exposure);
+  CellLight light_in_cell(int u, int v, double exposure_gain) const;
   PixelLight light_at(int u, int v, double exposure_gain) const;
   std::size_t pixel(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);

@@ -88,11 +88,15 @@ void Camera::draw_boxes(const Exposure& exposure) {
 void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
   inside_.clear();
   ends_.clear();
+  BoxHit face;
+  FacePlane plane;
   for (int u = 0; u < camera_.width; u += kShadeCell) {
     if (shows(u, v) != Shows::inside) continue;
     inside_.push_back({u, v});
-    const BoxHit& face = corner_hit(u, v);
-    const FacePlane plane = scene_->plane_of(face.box, face.face, eye.at);
+    if (const BoxHit& here = corner_hit(u, v); here.box != face.box || here.face != face.face) {
+      face = here;
+      plane = scene_->plane_of(face.box, face.face, eye.at);
+    }
     PaintPlaces places;
     for (int i = 0; i < kShadeCell; ++i) {
       const Eigen::Vector3f direction = direction_of(eye, pixel(u + i, v));
@@ -107,11 +111,14 @@ void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
   for (std::size_t n = 0; n < inside_.size(); ++n) {
     const float first = ends_.gain[2 * n];
     const float step = (ends_.gain[2 * n + 1] - first) / static_cast<float>(kShadeCell - 1);
+    const CellLight light = light_in_cell(inside_[n].u, v, exposure_gain);
+    float* const albedo = &albedo_[pixel(inside_[n].u, v)];
+#pragma GCC unroll 1  // several at a time rather than one after the other
     for (int i = 0; i < kShadeCell; ++i) {
-      const PixelLight light = light_at(inside_[n].u + i, v, exposure_gain);
-      float& albedo = albedo_[pixel(inside_[n].u + i, v)];
+      const auto at = static_cast<std::size_t>(i);
+      const float lamps = first + step * static_cast<float>(i);
       // Development puts the floor's light on every pixel; here it is taken out beforehand.
-      albedo = (light.camera_gain * albedo * (first + step * static_cast<float>(i)) - light.add) / light.gain;
+      albedo[i] = (light.camera_gain[at] * albedo[i] * lamps - light.add[at]) / light.gain[at];
     }
   }
 }

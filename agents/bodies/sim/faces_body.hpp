@@ -54,24 +54,29 @@ inline double noise_at(double x, double y, std::int64_t salt) {
   return static_cast<double>(h >> 11U) * 0x1.0p-53;
 }
 
+[[gnu::noinline]] inline void look_up(double x, double y, std::int64_t salt, FaceMemo::Cell& cell) {
+  cell = {x,
+          y,
+          salt,
+          {noise_at(x, y, salt), noise_at(x + 1, y, salt), noise_at(x, y + 1, salt), noise_at(x + 1, y + 1, salt)}};
+}
+
 /// Smooth noise in [-1, 1].
 template <class Real>
 [[gnu::always_inline]] inline Real smooth_noise(const Real& x, const Real& y, std::int64_t salt,
                                                 FaceMemo::Cell& cell) {
   const Real fx = floor_of(x);
   const Real fy = floor_of(y);
-  Real corners[4];
+  Real corners[4] = {};
+#pragma GCC unroll 4  // lanes known when compiled stay in registers: through memory they would wait for each other
   for (int i = 0; i < kLanesOf<Real>; ++i) {
     const double cx = lane(fx, i);
     const double cy = lane(fy, i);
-    if (cell.x != cx || cell.y != cy || cell.salt != salt) {
-      cell = {cx,
-              cy,
-              salt,
-              {noise_at(cx, cy, salt), noise_at(cx + 1, cy, salt), noise_at(cx, cy + 1, salt),
-               noise_at(cx + 1, cy + 1, salt)}};
-    }
-    for (int c = 0; c < 4; ++c) set_lane(corners[c], i, cell.corners[c]);
+    if (cell.x != cx || cell.y != cy || cell.salt != salt) look_up(cx, cy, salt, cell);
+    set_lane(corners[0], i, cell.corners[0]);
+    set_lane(corners[1], i, cell.corners[1]);
+    set_lane(corners[2], i, cell.corners[2]);
+    set_lane(corners[3], i, cell.corners[3]);
   }
   const Real u = x - fx;
   const Real v = y - fy;
@@ -95,7 +100,8 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline Real load_grey(const Real& along, const Real& shelf, std::int64_t salt,
                                              FaceMemo::Load& load) {
-  Real grey;
+  Real grey = {};
+#pragma GCC unroll 4
   for (int i = 0; i < kLanesOf<Real>; ++i) {
     if (load.along != lane(along, i) || load.shelf != lane(shelf, i) || load.salt != salt) {
       load = {lane(along, i), lane(shelf, i), salt, 60.0 + 120.0 * noise_at(lane(along, i), lane(shelf, i), salt)};

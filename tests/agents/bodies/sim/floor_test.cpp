@@ -264,6 +264,40 @@ TEST(Kernels, BothBuildsShadeAlikeAndCut) {
   EXPECT_EQ(*std::max_element(by_plain.begin(), by_plain.end()), 255);
 }
 
+TEST(Kernels, BothBuildsPaintFacesAlike) {
+  if (!__builtin_cpu_supports("avx2")) {
+    GTEST_SKIP() << "this machine has no AVX2";
+  }
+  constexpr int kCount = 67;  // the last pixels stand alone
+  std::vector<double> along;
+  std::vector<double> up;
+  std::vector<double> pixel;
+  for (int i = 0; i < kCount; ++i) {
+    along.push_back(-1.3 + 0.037 * i);
+    up.push_back(0.01 + 0.026 * i);
+    pixel.push_back(0.0011 * (i % 11 + 1));
+  }
+  for (const FaceLook look : {FaceLook::rack, FaceLook::plain, FaceLook::wall, FaceLook::pillar}) {
+    const auto painted_by = [&](const Kernels& kernels) {
+      FaceMemo memo;
+      std::vector<float> out(kCount);
+      kernels.face_row({look, 19, along.data(), up.data(), pixel.data(), kCount, &memo, out.data()});
+      return out;
+    };
+    const std::vector<float> together = painted_by(avx2::make_kernels());
+    EXPECT_EQ(painted_by(plain::make_kernels()), together);
+    for (int i = 0; i < kCount; ++i) {
+      FaceMemo memo;
+      float alone = 0.0F;
+      kernels().face_row({look, 19, &along[static_cast<std::size_t>(i)], &up[static_cast<std::size_t>(i)],
+                          &pixel[static_cast<std::size_t>(i)], 1, &memo, &alone});
+      EXPECT_EQ(alone, together[static_cast<std::size_t>(i)]) << i;
+    }
+    const auto [least, most] = std::minmax_element(together.begin(), together.end());
+    EXPECT_GE(*most - *least, 5.0F);
+  }
+}
+
 class Photographs : public testing::Test {
  protected:
   void SetUp() override {
