@@ -5,15 +5,12 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "core/random.hpp"
-
 namespace weft::agents::sim {
 namespace {
 
 constexpr double kFarthestM = 6.0;  // the floor is drawn no further; the horizon is out of view
 constexpr double kMarginM = 0.1;    // of what is fetched around each grid node
 constexpr int kBlock = 128;         // pixels a side that are sampled together: their texels share cache lines
-constexpr std::size_t kNoise = 1U << 18U;
 
 TileKey tile_of(double x, double y) {
   return {static_cast<std::int32_t>(std::floor(x / kTileM)), static_cast<std::int32_t>(std::floor(y / kTileM))};
@@ -156,14 +153,6 @@ std::vector<Camera::RowLevels> Camera::levels_of_rows() const {
   return levels;
 }
 
-void Camera::make_noise() {
-  Random random(0x6e6f697365ULL);
-  noise_.resize(kNoise + static_cast<std::size_t>(camera_.width));
-  for (float& value : noise_) {
-    value = static_cast<float>(random.normal());
-  }
-}
-
 void Camera::look_at_grid(const Exposure& exposure) {
   const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
   const FloorFromRay h = floor_from_ray(exposure.site_from_camera_mid, eye.x(), eye.y(), 0.0, 0.0);
@@ -251,75 +240,6 @@ void Camera::sample_floor(const Exposure& exposure) {
       }
     }
   }
-}
-
-void Camera::light_grid(const Exposure& exposure) {
-  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
-  light_.look_around(eye.x(), eye.y());
-  light_.on_floor(nodes_.x, nodes_.y, eye, exposure.body, options_.shadow, gain_, add_);
-  for (std::size_t n = 0; n < gain_.size(); ++n) {
-    const float gain = static_cast<float>(exposure.gain) * vignette_[n];
-    gain_[n] *= gain;
-    add_[n] *= gain;
-  }
-}
-
-namespace {
-
-/// Between a cell's corners: `s` to the right and `t` down, from `above` and the one after it to those `below`.
-float between(const float* above, const float* below, float s, float t) {
-  return (1 - t) * ((1 - s) * above[0] + s * above[1]) + t * ((1 - s) * below[0] + s * below[1]);
-}
-
-}  // namespace
-
-Camera::PixelLight Camera::light_at(int u, int v, double exposure_gain) const {
-  const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
-  const auto below = n + static_cast<std::size_t>(columns_);
-  const float s = static_cast<float>(u % kShadeCell) / kShadeCell;
-  const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
-  return {between(&gain_[n], &gain_[below], s, t), between(&add_[n], &add_[below], s, t),
-          static_cast<float>(exposure_gain) * between(&vignette_[n], &vignette_[below], s, t)};
-}
-
-Camera::CellLight Camera::light_in_cell(int u, int v, double exposure_gain) const {
-  const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
-  const auto below = n + static_cast<std::size_t>(columns_);
-  const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
-  CellLight light;
-#pragma GCC unroll 1  // several at a time rather than one after the other
-  for (std::size_t i = 0; i < kShadeCell; ++i) {
-    const float s = static_cast<float>(i) / kShadeCell;
-    light.gain[i] = between(&gain_[n], &gain_[below], s, t);
-    light.add[i] = between(&add_[n], &add_[below], s, t);
-    light.camera_gain[i] = static_cast<float>(exposure_gain) * between(&vignette_[n], &vignette_[below], s, t);
-  }
-  return light;
-}
-
-Bytes Camera::develop(const Exposure& exposure) const {
-  Bytes image;
-  image.reserve(rays_.x.size());
-  Bytes row(static_cast<std::size_t>(camera_.width));
-  Random random(exposure.noise_seed);
-  for (int v = 0; v < camera_.height; ++v) {
-    const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width);
-    const auto node = static_cast<std::ptrdiff_t>(v / kShadeCell) * columns_;
-    ShadeJob job;
-    job.albedo = albedo_.data() + at;
-    job.gain_above = gain_.data() + node;
-    job.gain_below = job.gain_above + columns_;
-    job.add_above = add_.data() + node;
-    job.add_below = job.add_above + columns_;
-    job.below = static_cast<float>(v % kShadeCell) / kShadeCell;
-    job.noise = noise_.data() + random.below(kNoise);
-    job.noise_scale = static_cast<float>(options_.noise_grey);
-    job.count = camera_.width;
-    job.out = row.data();
-    kernels().shade_row(job);
-    image.insert(image.end(), row.begin(), row.end());  // cheaper than to clear a whole image first
-  }
-  return image;
 }
 
 Bytes Camera::render(const Exposure& exposure) {

@@ -58,7 +58,6 @@ class Camera {
     std::vector<float> x, y;
   };
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
-  /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
   /// Directions and what lights a hit, for one pose of the camera.
   struct Eye {
     Eigen::Vector3d at;
@@ -72,6 +71,7 @@ class Camera {
     float albedo = 0.0F;
     Eigen::Vector3f at = Eigen::Vector3f::Zero();
   };
+  /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
   struct PixelLight {
     float gain, add, camera_gain;
   };
@@ -80,16 +80,12 @@ class Camera {
     std::array<float, kShadeCell> gain, add, camera_gain;
   };
   std::vector<RowLevels> levels_of_rows() const;
-  void make_noise();
   std::array<double, kLevels> reach_m() const;
   FloorFromRay floor_from_ray(const Pose3& site_from_camera, double origin_x, double origin_y, double right_px,
                               double down_px) const;
   void look_at_grid(const Exposure& exposure);
   void fetch_floor();
   void sample_floor(const Exposure& exposure);
-  void light_grid(const Exposure& exposure);
-  CellLight light_in_cell(int u, int v, double exposure_gain) const;
-  PixelLight light_at(int u, int v, double exposure_gain) const;
   std::size_t pixel(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
   }
@@ -122,7 +118,7 @@ class Camera {
   };
   /// As a FaceJob wants them.
   struct PaintPlaces {
-    std::array<double, kShadeCell> along_m, up_m, pixel_m;
+    std::array<double, kShadeCell> along_m{}, up_m{}, pixel_m{};
     void set(std::size_t i, const Eigen::Vector2d& in_face, double pixel_size_m) {
       along_m[i] = in_face.x();
       up_m[i] = in_face.y();
@@ -157,6 +153,12 @@ class Camera {
   void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
   Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
   bool at_edge(int u, int v);
+
+  // camera_light.cpp
+  void make_noise();
+  void light_grid(const Exposure& exposure);
+  CellLight light_in_cell(int u, int v, double exposure_gain) const;
+  PixelLight light_at(int u, int v, double exposure_gain) const;
   Bytes develop(const Exposure& exposure) const;
 
   CameraModel camera_;

@@ -5,7 +5,9 @@
 using Doubles [[gnu::vector_size(kFaceLanes * sizeof(double))]] = double;
 
 template <class Real>
-constexpr int kLanesOf = static_cast<int>(sizeof(Real) / sizeof(double));
+constexpr int kLanesOf = 1;
+template <>
+constexpr int kLanesOf<Doubles> = kFaceLanes;
 
 [[gnu::always_inline]] inline double lane(const double& x, int) {
   return x;
