@@ -9,6 +9,7 @@
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
+#include "core/network/removal.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -23,6 +24,7 @@ struct AppendBatch {
   Batch batch;
   ContentHash hash;
 };
+/// A place of no experience: the label goes.
 struct PutLabel {
   std::string label;
   PlaceId place;
@@ -30,6 +32,18 @@ struct PutLabel {
 struct SealExperience {
   ExperienceId experience;
   std::string reason;
+};
+/// Out of the map; nothing is deleted.
+struct TakeOut {
+  Removal what;
+};
+/// What was taken out is in the map again.
+struct BringBack {
+  Removal what;
+};
+/// The map as it was at that revision. What was taken for durable since stays stored, and is no part of the map.
+struct RollBack {
+  Revision to;
 };
 struct PutGoal {
   Goal goal;
@@ -52,11 +66,34 @@ struct PutEvent {
   msg::Event event;
 };
 
-/// One atomic step. Batches, labels and seals change the network: together they make one revision.
+/// What a revision did, for people: the log of the map.
+struct RevisionNote {
+  Revision revision;
+  Revision base;  ///< what it stands on: the one before it, or the one that was gone back to
+  WallTime at{};
+  std::string kind;   ///< batch, label, seal, undo, quarantine, rollback, ...
+  std::string who;    ///< who asked
+  std::string cause;  ///< what exactly, and why
+  bool operator==(const RevisionNote&) const = default;
+};
+
+/// One atomic step. Batches, labels, seals and what goes out and comes back change the network: together they make
+/// one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in its
+/// step.
 struct Transaction {
-  std::vector<std::variant<PutContent, AppendBatch, PutLabel, SealExperience, PutGoal, PutRoute, PutOccupancy,
-                           PutRobot, PutEvent>>
+  std::vector<std::variant<PutContent, AppendBatch, PutLabel, SealExperience, TakeOut, BringBack, RollBack, PutGoal,
+                           PutRoute, PutOccupancy, PutRobot, PutEvent>>
       changes;
+  RevisionNote note{};  ///< the store sets revision and base
+};
+
+/// What a revision changed, so that it can be undone.
+struct RevisionChanges {
+  RevisionNote note;
+  Removal added;  ///< by batches
+  Removal taken_out;
+  Removal brought_back;
+  std::map<std::string, PlaceId> labels_before;  ///< of the labels it set; a place of no experience: there was none
 };
 
 /// Everything a server needs to resume. Contents stay on disk.
@@ -100,6 +137,11 @@ class MapStore {
   /// Newest last, at most `limit`; filters that are none take everything.
   virtual Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot,
                                                  std::size_t limit) const = 0;
+  /// The map as it was then. not_found: no such revision, or older than what is kept.
+  virtual Result<Snapshot> snapshot_at(Revision revision) const = 0;
+  /// Newest first, from `newest` on (0: from the latest), at most `limit`.
+  virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
+  virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
   virtual StoreSize size() const = 0;
   virtual std::string engine() const = 0;
 };

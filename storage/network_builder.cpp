@@ -22,17 +22,22 @@ void sort_latest(std::vector<Row>& rows) {
   rows.erase(rows.begin(), kept.base());
 }
 
-/// How many rows stand at their own index from 0 on.
-template <class Row>
-std::size_t contiguous(const std::vector<Row>& rows) {
-  std::size_t count = 0;
-  while (count < rows.size() && index_of(rows[count]) == count) ++count;
-  return count;
+/// Ranges of indices as text: "3, 7 to 9".
+std::string ranges(const std::vector<std::uint32_t>& sorted) {
+  std::string text;
+  for (std::size_t first = 0; first < sorted.size();) {
+    std::size_t last = first;
+    while (last + 1 < sorted.size() && sorted[last + 1] == sorted[last] + 1) ++last;
+    text += (text.empty() ? "" : ", ") + std::to_string(sorted[first]);
+    if (last > first) text += " to " + std::to_string(sorted[last]);
+    first = last + 1;
+  }
+  return text;
 }
 
 bool is_served(const std::map<ExperienceId, Experience>& experiences, const PlaceId& id) {
   const auto found = experiences.find(id.experience);
-  return found != experiences.end() && id.index < found->second.places.size();
+  return found != experiences.end() && found->second.place(id.index) != nullptr;
 }
 
 std::string name_of(const EdgeId& id) {
@@ -49,35 +54,94 @@ void NetworkBuilder::add(Place place) {
   rows_[place.id.experience].places.push_back(std::move(place));
 }
 
-void NetworkBuilder::add(Edge edge) {
+void NetworkBuilder::add(Edge edge, Revision since) {
   if (edge.origin == Origin::stitch) {
-    stitches_.push_back(std::move(edge));
+    stitches_.push_back({std::move(edge), since});
   } else {
     rows_[edge.id.a.experience].chain.push_back(std::move(edge));
   }
 }
 
 void NetworkBuilder::add_label(const std::string& label, const PlaceId& place) {
-  labels_[label] = place;
+  if (place.experience) {
+    labels_[label] = place;
+  } else {
+    labels_.erase(label);
+  }
 }
 
 void NetworkBuilder::add_damage(std::string what) {
   damage_.push_back(std::move(what));
 }
 
+void NetworkBuilder::add_absent(const PlaceId& place) {
+  rows_[place.experience].absent_places.push_back(place.index);
+}
+
+void NetworkBuilder::add_absent(const EdgeId& edge) {
+  const bool is_hop = edge.a.experience == edge.b.experience && edge.b.index == edge.a.index + 1;
+  if (is_hop) rows_[edge.a.experience].absent_hops.push_back(edge.a.index);
+}
+
+void NetworkBuilder::move(const Removal& removal, bool is_back, Revision at) {
+  for (const Stretch& stretch : removal.places) {
+    rows_[stretch.experience].moves.push_back({stretch.first, stretch.last, is_back});
+  }
+  for (const EdgeId& stitch : removal.stitches) {
+    if (is_back) {
+      stitches_out_.erase(stitch);
+    } else {
+      stitches_out_[stitch] = at;
+    }
+  }
+}
+
+/// Leaves what is part of the map; names what should be there and is not.
+void NetworkBuilder::thin(Rows& rows) {
+  const auto extent = static_cast<std::uint32_t>(rows.head.places);
+  std::vector<bool> out(extent);
+  for (const Move& move : rows.moves) {
+    for (std::uint64_t i = move.first; i <= move.last && i < extent; ++i) out[i] = !move.is_back;
+  }
+  std::erase_if(rows.places, [&](const Place& place) { return place.id.index >= extent || out[place.id.index]; });
+
+  std::vector<bool> there(extent);
+  for (const Place& place : rows.places) there[place.id.index] = true;
+  std::erase_if(rows.chain, [&](const Edge& hop) {
+    return hop.id.b.index >= extent || !there[hop.id.a.index] || !there[hop.id.b.index];
+  });
+
+  std::vector<bool> known = out;
+  for (std::uint32_t i = 0; i < extent; ++i) known[i] = known[i] || there[i];
+  for (const std::uint32_t index : rows.absent_places) {
+    if (index < extent) known[index] = true;
+  }
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t i = 0; i < extent; ++i) {
+    if (!known[i]) missing.push_back(i);
+  }
+  const std::string experience = "experience " + to_string(rows.head.id);
+  if (!missing.empty()) damage_.push_back(experience + ": the rows of places " + ranges(missing) + " are missing");
+
+  std::vector<bool> hops(extent);
+  for (const Edge& hop : rows.chain) hops[hop.id.a.index] = true;
+  for (const std::uint32_t index : rows.absent_hops) {
+    if (index < extent) hops[index] = true;
+  }
+  missing.clear();
+  for (std::uint32_t i = 0; i + 1 < extent; ++i) {
+    if (there[i] && there[i + 1] && !hops[i]) missing.push_back(i);
+  }
+  if (!missing.empty()) {
+    damage_.push_back(experience + ": the rows of the edges after places " + ranges(missing) + " are missing");
+  }
+  if (std::ranges::find(out, true) != out.end()) out_[rows.head.id] = std::move(out);
+}
+
 Experience NetworkBuilder::assemble(Rows& rows) {
   sort_latest(rows.places);
   sort_latest(rows.chain);
-  const std::size_t joined = contiguous(rows.chain) + 1;
-  const std::size_t served = std::min(contiguous(rows.places), joined);
-  const std::uint64_t expected = std::max<std::uint64_t>(rows.head.places, rows.places.size());
-  if (served < expected) {
-    damage_.push_back("experience " + to_string(rows.head.id) + ": the row of place " + std::to_string(served) +
-                      " or of the edge before it is damaged or missing; places " + std::to_string(served) + " to " +
-                      std::to_string(expected - 1) + " are not served");
-  }
-  rows.places.resize(served);
-  rows.chain.resize(served == 0 ? 0 : served - 1);
+  thin(rows);
   Experience experience;
   experience.id = rows.head.id;
   experience.robot = rows.head.robot;
@@ -85,17 +149,29 @@ Experience NetworkBuilder::assemble(Rows& rows) {
   experience.method = std::move(rows.head.method);
   experience.sealed = rows.head.sealed;
   experience.seal_reason = std::move(rows.head.seal_reason);
+  experience.extent = static_cast<std::uint32_t>(rows.head.places);
   experience.places = std::move(rows.places);
   experience.chain = std::move(rows.chain);
   return experience;
 }
 
+bool NetworkBuilder::is_out(const PlaceId& place) const {
+  const auto experience = out_.find(place.experience);
+  return experience != out_.end() && place.index < experience->second.size() && experience->second[place.index];
+}
+
+bool NetworkBuilder::is_out(const EdgeId& stitch, Revision since) const {
+  const auto taken = stitches_out_.find(stitch);
+  return (taken != stitches_out_.end() && since <= taken->second) || is_out(stitch.a) || is_out(stitch.b);
+}
+
 void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experiences) {
   std::stable_sort(stitches_.begin(), stitches_.end(),
-                   [](const Edge& left, const Edge& right) { return left.id < right.id; });
+                   [](const Stitch& left, const Stitch& right) { return left.edge.id < right.edge.id; });
   for (std::size_t at = 0; at < stitches_.size(); ++at) {
-    const Edge& stitch = stitches_[at];
-    if (at + 1 < stitches_.size() && stitches_[at + 1].id == stitch.id) continue;  // replaced
+    const auto& [stitch, since] = stitches_[at];
+    if (at + 1 < stitches_.size() && stitches_[at + 1].edge.id == stitch.id) continue;  // replaced
+    if (is_out(stitch.id, since)) continue;
     if (!is_served(experiences, stitch.id.a) || !is_served(experiences, stitch.id.b)) {
       damage_.push_back("stitch " + name_of(stitch.id) + ": one of its places is not served");
       continue;
@@ -123,7 +199,7 @@ Snapshot NetworkBuilder::build(Revision revision) {
   for (const auto& [label, place] : labels_) {
     if (is_served(experiences, place)) {
       labels->emplace(label, place);
-    } else {
+    } else if (!is_out(place)) {
       damage_.push_back("label " + label + ": its place " + to_string(place) + " is not served");
     }
   }

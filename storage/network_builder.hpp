@@ -6,6 +6,7 @@
 
 #include "core/network/change.hpp"
 #include "core/network/network.hpp"
+#include "core/network/removal.hpp"
 
 namespace weft::storage {
 
@@ -21,33 +22,55 @@ class NetworkBuilder {
     std::string method{};
     bool sealed = false;
     std::string seal_reason{};
-    std::uint64_t places = 0;  ///< how many rows there must be
+    std::uint64_t places = 0;  ///< indices given so far; each has a row, or was taken out
   };
 
   void add(Head head);
   /// In any order. An edge that is added again replaces the earlier one.
   void add(Place place);
-  void add(Edge edge);
+  void add(Edge edge, Revision since = {});
+  /// A row that is none of this map: a rollback left it behind, or it is damaged and named so.
+  void add_absent(const PlaceId& place);
+  void add_absent(const EdgeId& edge);
+  /// Taken out, or brought back, at that revision; in the order of revisions. A stitch that was added later stays.
+  void move(const Removal& removal, bool is_back, Revision at);
+  /// In the order of revisions. A place of no experience: the label goes.
   void add_label(const std::string& label, const PlaceId& place);
   void add_damage(std::string what);
 
-  /// An experience is served up to its first place, or odometry edge, that is not there; stitches and labels of
-  /// places that are not served are left out.
+  /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
   Snapshot build(Revision revision);
   /// What was damaged or left out, each named; complete after `build`.
   std::vector<std::string> take_damage() { return std::move(damage_); }
 
  private:
+  struct Move {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    bool is_back = false;
+  };
   struct Rows {
     Head head;
     std::vector<Place> places;
     std::vector<Edge> chain;
+    std::vector<std::uint32_t> absent_places;
+    std::vector<std::uint32_t> absent_hops;
+    std::vector<Move> moves;
+  };
+  struct Stitch {
+    Edge edge;
+    Revision since;
   };
   Experience assemble(Rows& rows);
+  void thin(Rows& rows);
+  bool is_out(const PlaceId& place) const;
+  bool is_out(const EdgeId& stitch, Revision since) const;
   void join_stitches(std::map<ExperienceId, Experience>& experiences);
 
   std::map<ExperienceId, Rows> rows_;
-  std::vector<Edge> stitches_;
+  std::map<ExperienceId, std::vector<bool>> out_;  // of each index, for experiences of which something is out
+  std::vector<Stitch> stitches_;
+  std::map<EdgeId, Revision> stitches_out_;
   Snapshot::Labels labels_;
   std::vector<std::string> damage_;
 };

@@ -1,5 +1,7 @@
 #include "storage/plan.hpp"
 
+#include <algorithm>
+
 #include "core/network/codec.hpp"
 
 namespace weft::storage {
@@ -18,9 +20,11 @@ std::string name_of(const Batch& batch) {
 
 class Planner {
  public:
-  Planner(const Transaction& transaction, const Facts& facts) : facts_(facts), contents_(facts.contents) {
+  Planner(const Transaction& transaction, const Facts& facts)
+      : transaction_(transaction), facts_(facts), contents_(facts.contents) {
     plan_.experiences = facts.experiences;
     for (const auto& change : transaction.changes) {
+      events_ += std::holds_alternative<PutEvent>(change) ? 1 : 0;
       if (const auto* put = std::get_if<PutContent>(&change)) offered_.insert(put->hash);
     }
   }
@@ -56,9 +60,23 @@ class Planner {
   }
 
   Result<bool> operator()(const PutLabel& put) {
-    const auto found = plan_.experiences.find(put.place.experience);
-    if (found == plan_.experiences.end() || put.place.index >= found->second.places) {
+    if (put.place.experience && !is_stored(put.place.experience, put.place.index)) {
       return fail(ErrorCode::conflict, "label " + put.label + ": place " + to_string(put.place) + " is not stored");
+    }
+    plan_.changes_network = true;
+    return true;
+  }
+
+  Result<bool> operator()(const TakeOut& out) { return moved(out.what); }
+  Result<bool> operator()(const BringBack& back) { return moved(back.what); }
+
+  Result<bool> operator()(const RollBack& back) {
+    if (transaction_.changes.size() - events_ != 1) {
+      return fail(ErrorCode::invalid, "rollback: it must be alone in its transaction");
+    }
+    if (back.to >= facts_.revision) {
+      return fail(ErrorCode::conflict, "rollback: revision " + std::to_string(back.to.value) +
+                                           " is not before the newest, " + std::to_string(facts_.revision.value));
     }
     plan_.changes_network = true;
     return true;
@@ -97,6 +115,23 @@ class Planner {
         name_of(append.batch) + " is already stored with another hash; the robot must start a new experience");
   }
 
+  bool is_stored(ExperienceId id, std::uint32_t index) const {
+    const auto found = plan_.experiences.find(id);
+    return found != plan_.experiences.end() && index < found->second.places;
+  }
+
+  Result<bool> moved(const Removal& removal) {
+    for (const Stretch& stretch : removal.places) {
+      if (stretch.first > stretch.last || !is_stored(stretch.experience, stretch.last)) {
+        return fail(ErrorCode::conflict, "places " + std::to_string(stretch.first) + " to " +
+                                             std::to_string(stretch.last) + " of experience " +
+                                             to_string(stretch.experience) + " are not stored");
+      }
+    }
+    plan_.changes_network = true;
+    return true;
+  }
+
   Result<void> check_places(const Batch& batch, const ExperienceFacts& known) const {
     std::uint64_t next = known.places;
     for (const Place& place : batch.places) {
@@ -119,12 +154,28 @@ class Planner {
     return {};
   }
 
+  const Transaction& transaction_;
   const Facts& facts_;
+  std::size_t events_ = 0;
   Plan plan_;
   std::set<ContentHash> contents_;
   std::set<ContentHash> offered_;
   std::map<BatchKey, ContentHash> batches_;
 };
+
+}  // namespace
+
+namespace {
+
+void needs_of(const Removal& removal, Needs& needs) {
+  for (const Stretch& stretch : removal.places) needs.experiences.insert(stretch.experience);
+}
+
+std::string count_of(const Removal& removal) {
+  std::uint64_t places = 0;
+  for (const Stretch& stretch : removal.places) places += stretch.last - stretch.first + 1;
+  return std::to_string(places) + " places, " + std::to_string(removal.stitches.size()) + " stitches";
+}
 
 }  // namespace
 
@@ -139,6 +190,8 @@ Needs needs_of(const Transaction& transaction) {
       },
       [&](const PutLabel& put) { needs.experiences.insert(put.place.experience); },
       [&](const SealExperience& seal) { needs.experiences.insert(seal.experience); },
+      [&](const TakeOut& out) { needs_of(out.what, needs); },
+      [&](const BringBack& back) { needs_of(back.what, needs); },
       [](const auto&) {},
   };
   for (const auto& change : transaction.changes) std::visit(collect, change);
@@ -154,6 +207,39 @@ Result<Plan> make_plan(const Transaction& transaction, const Facts& facts) {
     fresh.push_back(*is_fresh);
   }
   return planner.take(std::move(fresh));
+}
+
+RevisionNote note_of(const Transaction& transaction, Revision newest) {
+  RevisionNote note = transaction.note;
+  note.revision = {newest.value + 1};
+  note.base = newest;
+  for (const auto& change : transaction.changes) {
+    if (const auto* back = std::get_if<RollBack>(&change)) note.base = back->to;
+  }
+  if (!note.kind.empty()) return note;
+  const auto add = [&](const char* kind, const std::string& cause) {
+    note.kind = kind;
+    note.cause += (note.cause.empty() ? "" : "; ") + cause;
+  };
+  const Match explain{
+      [&](const AppendBatch& append) {
+        const Batch& batch = append.batch;
+        const auto stitches = std::ranges::count(batch.edges, Origin::stitch, &Edge::origin);
+        add("batch", name_of(batch) + ": " + std::to_string(batch.places.size()) + " places, " +
+                         std::to_string(stitches) + " stitches");
+        if (note.who.empty()) note.who = to_string(batch.robot);
+      },
+      [&](const PutLabel& put) {
+        add("label", put.label + (put.place.experience ? " is " + to_string(put.place) : " goes"));
+      },
+      [&](const SealExperience& seal) { add("seal", to_string(seal.experience) + ": " + seal.reason); },
+      [&](const TakeOut& out) { add("out", count_of(out.what)); },
+      [&](const BringBack& back) { add("back", count_of(back.what)); },
+      [&](const RollBack& back) { add("rollback", "to revision " + std::to_string(back.to.value)); },
+      [](const auto&) {},
+  };
+  for (const auto& change : transaction.changes) std::visit(explain, change);
+  return note;
 }
 
 }  // namespace weft::storage

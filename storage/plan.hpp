@@ -13,7 +13,7 @@ namespace weft::storage {
 
 using BatchKey = std::pair<ExperienceId, std::uint64_t>;
 
-/// What must be known about the store to judge a transaction.
+/// What must be known about the store to judge a transaction, besides its revision.
 struct Needs {
   std::set<ExperienceId> experiences;
   std::set<BatchKey> batches;
@@ -28,6 +28,7 @@ struct ExperienceFacts {
 
 /// What is stored of what was needed; absent means not stored.
 struct Facts {
+  Revision revision;
   std::map<ExperienceId, ExperienceFacts> experiences;
   std::map<BatchKey, ContentHash> batches;
   std::set<ContentHash> contents;  ///< without quarantined ones
@@ -43,5 +44,8 @@ struct Plan {
 /// conflict: a batch out of order or repeated with another hash, places that do not continue the experience, a
 /// content that is neither stored nor in the transaction, a label or seal of something that is not stored.
 Result<Plan> make_plan(const Transaction& transaction, const Facts& facts);
+
+/// The note of the revision that the transaction makes after `newest`: its own, or one made from its changes.
+RevisionNote note_of(const Transaction& transaction, Revision newest);
 
 }  // namespace weft::storage

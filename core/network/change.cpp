@@ -66,12 +66,13 @@ std::shared_ptr<const Snapshot::Labels> share(Snapshot::Labels labels) {
 Snapshot with(const Snapshot& snapshot, const Batch& batch) {
   Draft draft(snapshot);
   Experience& experience = draft.touch(batch.experience);
-  if (experience.places.empty()) {
+  if (experience.extent == 0) {
     experience.robot = batch.robot;
     experience.name = batch.name;
     experience.method = batch.method;
   }
   experience.places.insert(experience.places.end(), batch.places.begin(), batch.places.end());
+  experience.extent += static_cast<std::uint32_t>(batch.places.size());
   for (const Edge& edge : batch.edges) {
     if (edge.origin == Origin::stitch) {
       draft.stitch(edge);

@@ -11,7 +11,7 @@ class Checker {
  public:
   Checker(const Snapshot& snapshot, const Batch& batch)
       : snapshot_(snapshot), batch_(batch), known_(snapshot.experience(batch.experience)) {
-    if (known_ != nullptr) first_new_ = static_cast<std::uint32_t>(known_->places.size());
+    if (known_ != nullptr) first_new_ = known_->extent;
   }
 
   std::vector<Error> run() {
@@ -55,6 +55,10 @@ class Checker {
     check_most("places", batch_.places.size(), kBatchPlaces);
     check_most("edges", batch_.edges.size(), kBatchEdges);
     if (known_ == nullptr) return;
+    if (first_new_ > 0 && known_->place(first_new_ - 1) == nullptr) {
+      wrong(ErrorCode::conflict,
+            "experience " + to_string(batch_.experience) + " was taken out of the map; begin a new one");
+    }
     if (known_->sealed) {
       wrong(ErrorCode::conflict, "experience " + to_string(batch_.experience) + " is sealed: " + known_->seal_reason);
     }

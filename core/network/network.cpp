@@ -1,5 +1,6 @@
 #include "core/network/network.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace weft {
@@ -14,6 +15,34 @@ const char* to_string(Origin origin) {
       return "stitch";
   }
   return "unknown";
+}
+
+namespace {
+
+std::uint32_t index_of(const Place& place) {
+  return place.id.index;
+}
+std::uint32_t index_of(const Edge& edge) {
+  return edge.id.a.index;
+}
+
+/// Where nothing is missing a row stands at its index.
+template <class Row>
+const Row* find(const std::vector<Row>& rows, std::uint32_t index) {
+  if (index < rows.size() && index_of(rows[index]) == index) return &rows[index];
+  const auto found = std::lower_bound(rows.begin(), rows.end(), index,
+                                      [](const Row& row, std::uint32_t wanted) { return index_of(row) < wanted; });
+  return found == rows.end() || index_of(*found) != index ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Place* Experience::place(std::uint32_t index) const {
+  return find(places, index);
+}
+
+const Edge* Experience::hop(std::uint32_t index) const {
+  return find(chain, index);
 }
 
 void index_stitches(Experience& experience) {
@@ -41,7 +70,12 @@ const Experience* Snapshot::experience(ExperienceId id) const {
 
 const Place* Snapshot::place(const PlaceId& id) const {
   const Experience* const found = experience(id.experience);
-  return found == nullptr || id.index >= found->places.size() ? nullptr : &found->places[id.index];
+  return found == nullptr ? nullptr : found->place(id.index);
+}
+
+std::uint64_t Snapshot::experience_count() const {
+  return static_cast<std::uint64_t>(std::count_if(experiences_.begin(), experiences_.end(),
+                                                  [](const auto& entry) { return !entry.second->places.empty(); }));
 }
 
 std::uint64_t Snapshot::place_count() const {

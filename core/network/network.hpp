@@ -61,7 +61,7 @@ struct Edge {
   float overlap = 0.0F;       ///< evidence of a stitch: share of b's view seen in a, [0, 1]
 };
 
-/// One run of one robot. Places are contiguous from index 0; `chain[i]` joins place i and i + 1.
+/// One run of one robot. What was taken out of the map, or is damaged, is missing from `places` and `chain`.
 struct Experience {
   ExperienceId id;
   RobotId robot;
@@ -69,8 +69,9 @@ struct Experience {
   std::string method;
   bool sealed = false;
   std::string seal_reason;
-  std::vector<Place> places;
-  std::vector<Edge> chain;
+  std::uint32_t extent = 0;   ///< indices given so far, those of missing places too: the run goes on here
+  std::vector<Place> places;  ///< sorted by index
+  std::vector<Edge> chain;    ///< sorted; each joins a place and the one after it, both there
   /// Every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
   std::vector<Edge> stitches;
 
@@ -82,6 +83,11 @@ struct Experience {
   };
   /// Sorted; made by `index_stitches` so that the stitches of a place are found from either end.
   std::vector<StitchEnd> stitch_ends;
+
+  /// Null when there is none.
+  const Place* place(std::uint32_t index) const;
+  /// The odometry edge from that place to the one after it; null when there is none.
+  const Edge* hop(std::uint32_t index) const;
 };
 
 /// Sorts `stitches` and makes `stitch_ends` anew; to be called after either was changed.
@@ -107,6 +113,8 @@ class Snapshot {
   template <class Visit>
   void for_each_edge(const PlaceId& id, Visit&& visit) const;
 
+  /// Experiences with at least one place.
+  std::uint64_t experience_count() const;
   std::uint64_t place_count() const;
   std::uint64_t stitch_count() const;
 
@@ -119,9 +127,11 @@ class Snapshot {
 template <class Visit>
 void Snapshot::for_each_edge(const PlaceId& id, Visit&& visit) const {
   const Experience* const found = experience(id.experience);
-  if (found == nullptr || id.index >= found->places.size()) return;
-  if (id.index > 0) visit(found->chain[id.index - 1]);
-  if (id.index < found->chain.size()) visit(found->chain[id.index]);
+  if (found == nullptr || id.index >= found->extent) return;
+  const Edge* const before = id.index > 0 ? found->hop(id.index - 1) : nullptr;
+  if (before != nullptr) visit(*before);
+  const Edge* const after = found->hop(id.index);
+  if (after != nullptr) visit(*after);
   const auto& ends = found->stitch_ends;
   for (auto at = std::lower_bound(ends.begin(), ends.end(), Experience::StitchEnd{id.index, 0});
        at != ends.end() && at->place == id.index; ++at) {

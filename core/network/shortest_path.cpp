@@ -14,7 +14,7 @@ class Numbering {
  public:
   explicit Numbering(const Snapshot& snapshot) {
     for (const auto& [id, experience] : snapshot.experiences()) {
-      const auto count = static_cast<std::uint32_t>(experience->places.size());
+      const auto count = experience->extent;
       blocks_.push_back({id, size_, count});
       size_ += count;
     }

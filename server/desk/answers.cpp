@@ -115,7 +115,7 @@ msg::MapInfo Answers::info() const {
   msg::MapInfo info;
   info.revision = snapshot.revision();
   info.epoch = context_.out.epoch();
-  info.experiences = snapshot.experiences().size();
+  info.experiences = snapshot.experience_count();
   info.places = snapshot.place_count();
   info.stitches = snapshot.stitch_count();
   info.contents = size.contents;

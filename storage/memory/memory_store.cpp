@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "storage/lineage.hpp"
 #include "storage/network_builder.hpp"
 
 namespace weft::storage {
@@ -33,13 +34,14 @@ class Writer {
     disk_.content_bytes += put.bytes.size();
   }
   void operator()(const AppendBatch& append) {
-    disk_.history.emplace_back(append.batch);
+    remember(append.batch);
     disk_.batch_hashes[{append.batch.experience, append.batch.sequence}] = append.hash;
   }
-  void operator()(const PutLabel& put) { disk_.labels[put.label] = put.place; }
-  void operator()(const SealExperience& seal) {
-    disk_.history.emplace_back(MemoryDisk::Seal{seal.experience, seal.reason});
-  }
+  void operator()(const PutLabel& put) { remember(put); }
+  void operator()(const SealExperience& seal) { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
+  void operator()(const TakeOut& out) { remember(out); }
+  void operator()(const BringBack& back) { remember(back); }
+  void operator()(const RollBack& back) { disk_.bases[{disk_.revision.value + 1}] = back.to; }
   void operator()(const PutGoal& put) { disk_.goals[put.goal.id] = put.goal; }
   void operator()(const PutRoute& put) { disk_.routes[put.route.goal] = put.route; }
   void operator()(const PutOccupancy& put) {
@@ -53,14 +55,23 @@ class Writer {
   void operator()(const PutEvent& put) { disk_.events.push_back(put.event); }
 
  private:
+  template <class Change>
+  void remember(const Change& change) {
+    disk_.history.push_back({{disk_.revision.value + 1}, change});
+  }
   MemoryDisk& disk_;
 };
 
 /// Collects heads first, because a later batch or seal may close an experience.
 class Replay {
  public:
-  explicit Replay(NetworkBuilder& builder) : builder_(builder) {}
+  Replay(NetworkBuilder& builder, const Lineage& lineage) : builder_(builder), lineage_(lineage) {}
 
+  void take(const MemoryDisk::Step& step) {
+    at_ = step.revision;
+    is_in_ = lineage_.contains(at_.value);
+    std::visit(*this, step.change);
+  }
   void operator()(const Batch& batch) {
     auto [at, is_new] = heads_.try_emplace(batch.experience);
     NetworkBuilder::Head& head = at->second;
@@ -72,13 +83,22 @@ class Replay {
       head.seal_reason = batch.seal_reason;
     }
     head.places += batch.places.size();
-    for (const Place& place : batch.places) builder_.add(place);
-    for (const Edge& edge : batch.edges) builder_.add(edge);
+    for (const Place& place : batch.places) is_in_ ? builder_.add(place) : builder_.add_absent(place.id);
+    for (const Edge& edge : batch.edges) is_in_ ? builder_.add(edge, at_) : builder_.add_absent(edge.id);
   }
   void operator()(const MemoryDisk::Seal& seal) {
     NetworkBuilder::Head& head = heads_.at(seal.experience);
     head.sealed = true;
     head.seal_reason = seal.reason;
+  }
+  void operator()(const PutLabel& put) {
+    if (is_in_) builder_.add_label(put.label, put.place);
+  }
+  void operator()(const TakeOut& out) {
+    if (is_in_) builder_.move(out.what, false, at_);
+  }
+  void operator()(const BringBack& back) {
+    if (is_in_) builder_.move(back.what, true, at_);
   }
   void finish() {
     for (auto& [id, head] : heads_) builder_.add(std::move(head));
@@ -86,8 +106,43 @@ class Replay {
 
  private:
   NetworkBuilder& builder_;
+  const Lineage& lineage_;
+  Revision at_;
+  bool is_in_ = true;
   std::map<ExperienceId, NetworkBuilder::Head> heads_;
 };
+
+Snapshot replay(const MemoryDisk& disk, Revision revision, std::vector<std::string>& damage) {
+  const Lineage lineage(revision, disk.bases);
+  NetworkBuilder builder;
+  Replay replay(builder, lineage);
+  for (const MemoryDisk::Step& step : disk.history) replay.take(step);
+  replay.finish();
+  Snapshot snapshot = builder.build(revision);
+  damage = builder.take_damage();
+  return snapshot;
+}
+
+/// The places and stitches of one revision's batches.
+Removal added_at(const MemoryDisk& disk, Revision revision) {
+  Removal added;
+  for (const MemoryDisk::Step& step : disk.history) {
+    const auto* const batch = std::get_if<Batch>(&step.change);
+    if (step.revision != revision || batch == nullptr) continue;
+    if (!batch->places.empty()) {
+      added.places.push_back({batch->experience, batch->places.front().id.index, batch->places.back().id.index});
+    }
+    for (const Edge& edge : batch->edges) {
+      if (edge.origin == Origin::stitch) added.stitches.push_back(edge.id);
+    }
+  }
+  return added;
+}
+
+void append(Removal& to, const Removal& more) {
+  to.places.insert(to.places.end(), more.places.begin(), more.places.end());
+  to.stitches.insert(to.stitches.end(), more.stitches.begin(), more.stitches.end());
+}
 
 class MemoryStore final : public MapStore {
  public:
@@ -96,21 +151,14 @@ class MemoryStore final : public MapStore {
   Result<Stored> open() override {
     if (disk_->faults.full) return fail(*disk_->faults.strike("memory store, epoch"));
     epoch_ = {++disk_->epoch.value};
-    NetworkBuilder builder;
-    Replay replay(builder);
-    for (const auto& step : disk_->history) std::visit(replay, step);
-    replay.finish();
-    for (const auto& [label, place] : disk_->labels) builder.add_label(label, place);
-
     Stored stored;
     stored.epoch = epoch_;
-    stored.snapshot = builder.build(disk_->revision);
+    stored.snapshot = replay(*disk_, disk_->revision, stored.quarantined);
     for (const auto& [id, facts] : disk_->experiences) stored.durable_through[id] = facts.durable_through;
     stored.goals = disk_->goals;
     stored.routes = disk_->routes;
     stored.occupancies = disk_->occupancies;
     stored.robots = disk_->robots;
-    stored.quarantined = builder.take_damage();
     return stored;
   }
 
@@ -120,7 +168,9 @@ class MemoryStore final : public MapStore {
                                         " has ended, another server opened the store with epoch " +
                                         std::to_string(disk_->epoch.value));
     }
-    Result<Plan> plan = make_plan(transaction, facts_for(*disk_, needs_of(transaction)));
+    Facts known = facts_for(*disk_, needs_of(transaction));
+    known.revision = disk_->revision;
+    Result<Plan> plan = make_plan(transaction, known);
     if (!plan) return fail(plan.error());
     if (auto error = disk_->faults.strike("memory store")) return fail(std::move(*error));
 
@@ -129,7 +179,10 @@ class MemoryStore final : public MapStore {
       if (plan->fresh[at]) std::visit(write, transaction.changes[at]);
     }
     for (const auto& [id, facts] : plan->experiences) disk_->experiences[id] = facts;
-    if (plan->changes_network) ++disk_->revision.value;
+    if (plan->changes_network) {
+      disk_->notes.push_back(note_of(transaction, disk_->revision));
+      ++disk_->revision.value;
+    }
     return Commit{disk_->revision};
   }
 
@@ -158,6 +211,40 @@ class MemoryStore final : public MapStore {
     return found;
   }
 
+  Result<Snapshot> snapshot_at(Revision revision) const override {
+    if (auto there = check_revision(revision); !there) return fail(there.error());
+    std::vector<std::string> damage;
+    return replay(*disk_, revision, damage);
+  }
+
+  Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const override {
+    std::vector<RevisionNote> notes;
+    const std::uint64_t from =
+        newest.value == 0 ? disk_->notes.size() : std::min(newest.value, disk_->revision.value);
+    for (std::uint64_t at = from; at > 0 && notes.size() < limit; --at) notes.push_back(disk_->notes[at - 1]);
+    return notes;
+  }
+
+  Result<RevisionChanges> changes_of(Revision revision) const override {
+    if (auto there = check_revision(revision); !there) return fail(there.error());
+    if (revision.value == 0) return fail(ErrorCode::not_found, "the map has no revision 0");
+    RevisionChanges changes;
+    changes.note = disk_->notes[revision.value - 1];
+    changes.added = added_at(*disk_, revision);
+    std::vector<std::string> damage;
+    const Snapshot before = replay(*disk_, changes.note.base, damage);
+    for (const MemoryDisk::Step& step : disk_->history) {
+      if (step.revision != revision) continue;
+      if (const auto* out = std::get_if<TakeOut>(&step.change)) append(changes.taken_out, out->what);
+      if (const auto* back = std::get_if<BringBack>(&step.change)) append(changes.brought_back, back->what);
+      if (const auto* put = std::get_if<PutLabel>(&step.change)) {
+        const auto place = before.labels().find(put->label);
+        changes.labels_before[put->label] = place == before.labels().end() ? PlaceId{} : place->second;
+      }
+    }
+    return changes;
+  }
+
   StoreSize size() const override {
     return {.contents = disk_->contents.size(),
             .content_bytes = disk_->content_bytes,
@@ -167,6 +254,12 @@ class MemoryStore final : public MapStore {
   std::string engine() const override { return "memory"; }
 
  private:
+  Result<void> check_revision(Revision revision) const {
+    if (revision <= disk_->revision) return {};
+    return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
+                                          "; its newest is " + std::to_string(disk_->revision.value));
+  }
+
   std::shared_ptr<MemoryDisk> disk_;
   Epoch epoch_;
 };

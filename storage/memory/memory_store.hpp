@@ -29,10 +29,15 @@ struct MemoryDisk {
   Revision revision;
   std::map<ContentHash, Content> contents;
   std::uint64_t content_bytes = 0;
-  std::vector<std::variant<Batch, Seal>> history;  ///< in order of commit
+  struct Step {
+    Revision revision;
+    std::variant<Batch, Seal, PutLabel, TakeOut, BringBack> change;
+  };
+  std::vector<Step> history;           ///< in order of commit
+  std::vector<RevisionNote> notes;     ///< of revision 1, 2, ...
+  std::map<Revision, Revision> bases;  ///< of rollbacks
   std::map<BatchKey, ContentHash> batch_hashes;
   std::map<ExperienceId, ExperienceFacts> experiences;
-  std::map<std::string, PlaceId> labels;
   std::map<GoalId, Goal> goals;
   std::map<GoalId, Route> routes;
   std::map<RobotId, PutOccupancy> occupancies;

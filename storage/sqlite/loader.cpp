@@ -1,39 +1,15 @@
 #include "storage/sqlite/loader.hpp"
 
 #include "core/network/codec.hpp"
+#include "storage/lineage.hpp"
 #include "storage/network_builder.hpp"
-#include "storage/sqlite/rows.hpp"
+#include "storage/sqlite/row_reading.hpp"
 
 namespace weft::storage::sqlite {
 namespace {
 
-/// Calls `visit(const Query&)` for each row.
-template <class Visit>
-Result<void> for_each_row(const Database& database, std::string_view sql, Visit&& visit) {
-  const auto statement = database.prepare(sql);
-  if (!statement) return fail(statement.error());
-  Query query(*statement);
-  for (;;) {
-    const Result<bool> row = query.step();
-    if (!row) return fail(row.error());
-    if (!*row) return {};
-    visit(query);
-  }
-}
-
-/// The decoded row, or the reason why it is not one.
-template <class Decode>
-auto decode_guarded(ByteView row, Decode&& decode) -> decltype(decode(row)) {
-  const auto canonical = unguard_row(row);
-  if (!canonical) return fail(ErrorCode::corrupt, "its checksum differs");
-  return decode(*canonical);
-}
-
-PlaceId place_id(const Query& query, int column) {
-  return {{query.number(column)}, static_cast<std::uint32_t>(query.number(column + 1))};
-}
-
-Result<void> load_experiences(const Database& database, NetworkBuilder& builder, Stored& stored) {
+Result<void> load_experiences(const Database& database, NetworkBuilder& builder,
+                              std::map<ExperienceId, std::uint64_t>& durable_through) {
   return for_each_row(database,
                       "SELECT id, robot, name, method, sealed, seal_reason, places, durable_through FROM experience",
                       [&](const Query& row) {
@@ -45,44 +21,79 @@ Result<void> load_experiences(const Database& database, NetworkBuilder& builder,
                         head.sealed = row.number(4) != 0;
                         head.seal_reason = row.text(5);
                         head.places = row.number(6);
-                        stored.durable_through[head.id] = row.number(7);
+                        durable_through[head.id] = row.number(7);
                         builder.add(std::move(head));
                       });
 }
 
-Result<void> load_places(const Database& database, NetworkBuilder& builder) {
-  return for_each_row(database, "SELECT experience, place, row FROM place ORDER BY experience, place",
+Result<Lineage> load_lineage(const Database& database, Revision top) {
+  std::map<Revision, Revision> bases;
+  const auto done = for_each_row(database, "SELECT id, base FROM revision WHERE base <> id - 1",
+                                 [&](const Query& row) { bases[{row.number(0)}] = {row.number(1)}; });
+  if (!done) return fail(done.error());
+  return Lineage(top, bases);
+}
+
+Result<void> load_places(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT experience, place, row, revision FROM place ORDER BY experience, place",
                       [&](const Query& row) {
                         const PlaceId id = place_id(row, 0);
+                        if (!lineage.contains(row.number(3))) return builder.add_absent(id);
                         Result<Place> place = decode_guarded(row.blob(2), decode_place);
                         if (place && place->id == id) {
                           builder.add(std::move(*place));
                         } else {
+                          builder.add_absent(id);
                           builder.add_damage("place " + to_string(id) + ": " +
                                              (place ? "the row of another place" : place.error().message));
                         }
                       });
 }
 
-Result<void> load_edges(const Database& database, NetworkBuilder& builder) {
+Result<void> load_edges(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
   return for_each_row(database,
-                      "SELECT a_experience, a_place, b_experience, b_place, row FROM edge"
+                      "SELECT a_experience, a_place, b_experience, b_place, row, revision FROM edge"
                       " ORDER BY a_experience, a_place, b_experience, b_place, revision",
                       [&](const Query& row) {
                         const EdgeId id{place_id(row, 0), place_id(row, 2)};
+                        if (!lineage.contains(row.number(5))) return builder.add_absent(id);
                         Result<Edge> edge = decode_guarded(row.blob(4), decode_edge);
                         if (edge && edge->id == id) {
-                          builder.add(std::move(*edge));
+                          builder.add(std::move(*edge), {row.number(5)});
                         } else {
+                          builder.add_absent(id);
                           builder.add_damage("edge " + to_string(id.a) + " - " + to_string(id.b) + ": " +
                                              (edge ? "the row of another edge" : edge.error().message));
                         }
                       });
 }
 
-Result<void> load_labels(const Database& database, NetworkBuilder& builder) {
-  return for_each_row(database, "SELECT label, experience, place FROM label ORDER BY label, revision",
-                      [&](const Query& row) { builder.add_label(row.text(0), place_id(row, 1)); });
+Result<void> load_labels(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT label, experience, place, revision FROM label ORDER BY label, revision",
+                      [&](const Query& row) {
+                        if (lineage.contains(row.number(3))) builder.add_label(row.text(0), place_id(row, 1));
+                      });
+}
+
+Result<void> load_moves(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  auto done = for_each_row(
+      database,
+      "SELECT experience, first_place, last_place, is_back, revision FROM moved_places ORDER BY revision, is_back",
+      [&](const Query& row) {
+        if (!lineage.contains(row.number(4))) return;
+        const Stretch stretch{
+            {row.number(0)}, static_cast<std::uint32_t>(row.number(1)), static_cast<std::uint32_t>(row.number(2))};
+        builder.move({{stretch}, {}}, row.number(3) != 0, {row.number(4)});
+      });
+  if (!done) return done;
+  return for_each_row(
+      database,
+      "SELECT a_experience, a_place, b_experience, b_place, is_back, revision FROM moved_stitch ORDER BY revision, "
+      "is_back",
+      [&](const Query& row) {
+        if (!lineage.contains(row.number(5))) return;
+        builder.move({{}, {{place_id(row, 0), place_id(row, 2)}}}, row.number(4) != 0, {row.number(5)});
+      });
 }
 
 /// One table of rows that are kept by an id: goals and routes.
@@ -119,6 +130,18 @@ Result<void> load_robots(const Database& database, Stored& stored) {
                       [&](const Query& row) { stored.robots[row.id<RobotId>(0)] = row.text(1); });
 }
 
+Result<void> load_network(const Database& database, Revision revision, NetworkBuilder& builder,
+                          std::map<ExperienceId, std::uint64_t>& durable_through) {
+  const Result<Lineage> lineage = load_lineage(database, revision);
+  if (!lineage) return fail(lineage.error());
+  Result<void> done = load_experiences(database, builder, durable_through);
+  if (done) done = load_moves(database, *lineage, builder);
+  if (done) done = load_places(database, *lineage, builder);
+  if (done) done = load_edges(database, *lineage, builder);
+  if (done) done = load_labels(database, *lineage, builder);
+  return done;
+}
+
 Result<void> load_quarantined_contents(const Database& database, NetworkBuilder& builder) {
   return for_each_row(database, "SELECT hash FROM content WHERE quarantined = 1", [&](const Query& row) {
     builder.add_damage("content " + to_string(row.id<ContentHash>(0)) + ": its bytes are damaged");
@@ -127,14 +150,18 @@ Result<void> load_quarantined_contents(const Database& database, NetworkBuilder&
 
 }  // namespace
 
+Result<Snapshot> load_snapshot(const Database& database, Revision revision) {
+  NetworkBuilder builder;
+  std::map<ExperienceId, std::uint64_t> durable_through;
+  if (auto done = load_network(database, revision, builder, durable_through); !done) return fail(done.error());
+  return builder.build(revision);
+}
+
 Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
   Stored stored;
   stored.epoch = epoch;
   NetworkBuilder builder;
-  Result<void> done = load_experiences(database, builder, stored);
-  if (done) done = load_places(database, builder);
-  if (done) done = load_edges(database, builder);
-  if (done) done = load_labels(database, builder);
+  Result<void> done = load_network(database, revision, builder, stored.durable_through);
   if (done) {
     done = load_rows<Goal>(database, "SELECT id, row FROM goal", "goal", decode_goal, builder, stored.goals);
   }

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "core/result.hpp"
 #include "storage/map_store.hpp"
 #include "storage/sqlite/database.hpp"
@@ -7,5 +9,14 @@ namespace weft::storage::sqlite {
 
 /// Reads everything but contents. Damaged rows are left out and named; an error only when a table cannot be read.
 Result<Stored> load(const Database& database, Epoch epoch, Revision revision);
+
+/// The network alone, as it was at a revision that exists.
+Result<Snapshot> load_snapshot(const Database& database, Revision revision);
+
+/// Newest first, from `newest` down.
+Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, std::size_t limit);
+
+/// not_found: no such revision.
+Result<RevisionChanges> load_changes(const Database& database, Revision revision);
 
 }  // namespace weft::storage::sqlite

@@ -94,6 +94,40 @@ CREATE TABLE event (
 CREATE INDEX event_by_goal ON event (goal, id);
 CREATE INDEX event_by_robot ON event (robot, id);
 )sql",
+    R"sql(
+CREATE TABLE revision (
+  id    INTEGER PRIMARY KEY,
+  base  INTEGER NOT NULL,
+  at_ns INTEGER NOT NULL,
+  kind  TEXT NOT NULL,
+  who   TEXT NOT NULL,
+  cause TEXT NOT NULL
+);
+CREATE INDEX revision_rollback ON revision (id, base) WHERE base <> id - 1;
+WITH RECURSIVE past (id) AS (
+  SELECT revision FROM store WHERE revision > 0 UNION ALL SELECT id - 1 FROM past WHERE id > 1
+)
+INSERT INTO revision SELECT id, id - 1, 0, 'unknown', '', 'made before revisions were noted' FROM past;
+
+CREATE TABLE moved_places (
+  revision    INTEGER NOT NULL,
+  experience  INTEGER NOT NULL,
+  first_place INTEGER NOT NULL,
+  last_place  INTEGER NOT NULL,
+  is_back     INTEGER NOT NULL,
+  PRIMARY KEY (revision, experience, first_place, is_back)
+) WITHOUT ROWID;
+
+CREATE TABLE moved_stitch (
+  revision     INTEGER NOT NULL,
+  a_experience INTEGER NOT NULL,
+  a_place      INTEGER NOT NULL,
+  b_experience INTEGER NOT NULL,
+  b_place      INTEGER NOT NULL,
+  is_back      INTEGER NOT NULL,
+  PRIMARY KEY (revision, a_experience, a_place, b_experience, b_place, is_back)
+) WITHOUT ROWID;
+)sql",
 };
 
 Error is_foreign(const std::filesystem::path& file, const std::string& why) {

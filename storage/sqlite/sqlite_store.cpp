@@ -64,6 +64,7 @@ class SqliteStore final : public MapStore {
     Result<Facts> facts = read_facts(parts_->statements, needs_of(transaction));
     if (!facts) return fail(facts.error());
     for (const ContentHash& hash : parts_->quarantined) facts->contents.erase(hash);
+    facts->revision = row->revision;
     const Result<Plan> plan = make_plan(transaction, *facts);
     if (!plan) return fail(plan.error());
     if (std::none_of(plan->fresh.begin(), plan->fresh.end(), [](bool fresh) { return fresh; })) {
@@ -125,6 +126,20 @@ class SqliteStore final : public MapStore {
     return found;
   }
 
+  Result<Snapshot> snapshot_at(Revision revision) const override {
+    if (auto there = check_revision(revision); !there) return fail(there.error());
+    return load_snapshot(parts_->database, revision);
+  }
+
+  Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const override {
+    return load_log(parts_->database, newest.value == 0 ? parts_->row.revision : newest, limit);
+  }
+
+  Result<RevisionChanges> changes_of(Revision revision) const override {
+    if (auto there = check_revision(revision); !there) return fail(there.error());
+    return load_changes(parts_->database, revision);
+  }
+
   StoreSize size() const override {
     std::error_code unknown;
     const auto space = std::filesystem::space(parts_->directory, unknown);
@@ -146,6 +161,12 @@ class SqliteStore final : public MapStore {
                                         std::to_string(row->epoch.value) + "; stop this one");
     }
     return row;
+  }
+
+  Result<void> check_revision(Revision revision) const {
+    if (revision <= parts_->row.revision) return {};
+    return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
+                                          "; its newest is " + std::to_string(parts_->row.revision.value));
   }
 
   Result<Bytes> read_content(const ContentHash& hash) const {

@@ -33,6 +33,14 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::put_label,
        "INSERT OR REPLACE INTO label (label, revision, experience, place) VALUES (?, ?, ?, ?)"},
       {&Statements::seal, "UPDATE experience SET sealed = 1, seal_reason = ? WHERE id = ?"},
+      {&Statements::put_revision,
+       "INSERT INTO revision (id, base, at_ns, kind, who, cause) VALUES (?, ?, ?, ?, ?, ?)"},
+      {&Statements::move_places,
+       "INSERT OR REPLACE INTO moved_places (revision, experience, first_place, last_place, is_back)"
+       " VALUES (?, ?, ?, ?, ?)"},
+      {&Statements::move_stitch,
+       "INSERT OR REPLACE INTO moved_stitch (revision, a_experience, a_place, b_experience, b_place, is_back)"
+       " VALUES (?, ?, ?, ?, ?, ?)"},
       {&Statements::put_goal, "INSERT OR REPLACE INTO goal (id, row) VALUES (?, ?)"},
       {&Statements::put_route, "INSERT OR REPLACE INTO route (goal, row) VALUES (?, ?)"},
       {&Statements::put_occupancy,

@@ -52,6 +52,11 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const TakeOut& out) { return move(out.what, false); }
+  Result<void> operator()(const BringBack& back) { return move(back.what, true); }
+  /// The revision's row says it all.
+  Result<void> operator()(const RollBack& /*back*/) { return {}; }
+
   Result<void> operator()(const PutGoal& put) {
     const Bytes bytes = guard_row(encode(put.goal));
     Query query(statements_.put_goal);
@@ -109,9 +114,32 @@ class Writer {
     return query.run();
   }
 
+  Result<void> move(const Removal& removal, bool is_back) {
+    for (const Stretch& stretch : removal.places) {
+      Query query(statements_.move_places);
+      query << row_.revision.value << stretch.experience.value << std::uint64_t{stretch.first}
+            << std::uint64_t{stretch.last} << std::uint64_t{is_back};
+      if (auto done = query.run(); !done) return done;
+    }
+    for (const EdgeId& stitch : removal.stitches) {
+      Query query(statements_.move_stitch);
+      query << row_.revision.value << stitch.a.experience.value << std::uint64_t{stitch.a.index}
+            << stitch.b.experience.value << std::uint64_t{stitch.b.index} << std::uint64_t{is_back};
+      if (auto done = query.run(); !done) return done;
+    }
+    return {};
+  }
+
   const Statements& statements_;
   StoreRow& row_;
 };
+
+Result<void> write_note(const Statements& statements, const RevisionNote& note) {
+  Query query(statements.put_revision);
+  query << note.revision.value << note.base.value << static_cast<std::uint64_t>(note.at.time_since_epoch().count())
+        << std::string_view(note.kind) << std::string_view(note.who) << std::string_view(note.cause);
+  return query.run();
+}
 
 }  // namespace
 
@@ -157,7 +185,10 @@ Result<Facts> read_facts(const Statements& statements, const Needs& needs) {
 
 Result<StoreRow> write_changes(const Statements& statements, const Transaction& transaction, const Plan& plan,
                                StoreRow row) {
-  if (plan.changes_network) ++row.revision.value;
+  if (plan.changes_network) {
+    if (auto done = write_note(statements, note_of(transaction, row.revision)); !done) return fail(done.error());
+    ++row.revision.value;
+  }
   Writer write(statements, row);
   for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
     if (!plan.fresh[at]) continue;

@@ -112,6 +112,7 @@ Route route(std::uint64_t number, const PlaceId& from, const PlaceId& to) {
 std::vector<std::string> describe(const Snapshot& snapshot) {
   std::vector<std::string> lines{"revision " + std::to_string(snapshot.revision().value)};
   for (const auto& [id, experience] : snapshot.experiences()) {
+    if (experience->places.empty()) continue;
     lines.push_back("experience " + to_string(id) + " " + to_string(experience->robot) + " " + experience->name +
                     " " + experience->method + (experience->sealed ? " sealed: " + experience->seal_reason : ""));
     for (const Place& place : experience->places)

@@ -110,16 +110,25 @@ TEST_F(SqliteDamage, ImpossibleSizeIsCorruptNotAnAllocation) {
   EXPECT_EQ(read.error().code, ErrorCode::corrupt);
 }
 
-TEST_F(SqliteDamage, DamagedPlaceEndsItsExperienceThereAndTheRestIsServed) {
+TEST_F(SqliteDamage, DamagedPlaceIsLeftOutAndTheRestIsServed) {
   damage("UPDATE place SET row = substr(row, 1, 30) || x'5a' || substr(row, 32) WHERE experience = 17 AND place = 2");
-  EXPECT_EQ(stored_.snapshot.experience({0x11})->places.size(), 2U);
-  EXPECT_EQ(stored_.snapshot.experience({0x11})->chain.size(), 1U);
+  const Experience& experience = *stored_.snapshot.experience({0x11});
+  EXPECT_EQ(experience.places.size(), 3U);
+  EXPECT_EQ(experience.place(2), nullptr);
+  EXPECT_EQ(experience.extent, 4U);
+  EXPECT_EQ(experience.chain.size(), 1U) << "the edges to it go with it";
   EXPECT_EQ(stored_.snapshot.experience({0x22})->places.size(), 3U);
+  EXPECT_EQ(stored_.snapshot.stitch_count(), 1U);
+  EXPECT_EQ(stored_.snapshot.labels().size(), 2U);
+  EXPECT_TRUE(is_named("place " + to_string(PlaceId{{0x11}, 2})));
+  EXPECT_EQ(stored_.quarantined.size(), 1U);
+}
+
+TEST_F(SqliteDamage, WhatHungOnADamagedPlaceIsNamed) {
+  damage("UPDATE place SET row = zeroblob(60) WHERE experience = 17 AND place = 3");
   EXPECT_EQ(stored_.snapshot.stitch_count(), 0U);
   EXPECT_EQ(stored_.snapshot.labels().count("near"), 1U);
   EXPECT_EQ(stored_.snapshot.labels().count("far"), 0U);
-  EXPECT_TRUE(is_named("place " + to_string(PlaceId{{0x11}, 2})));
-  EXPECT_TRUE(is_named("places 2 to 3 are not served"));
   EXPECT_TRUE(is_named("label far"));
   EXPECT_TRUE(is_named("stitch " + to_string(PlaceId{{0x11}, 3})));
 }
@@ -127,14 +136,14 @@ TEST_F(SqliteDamage, DamagedPlaceEndsItsExperienceThereAndTheRestIsServed) {
 TEST_F(SqliteDamage, MissingLastRowIsNoticed) {
   damage("DELETE FROM place WHERE experience = 34 AND place = 2");
   EXPECT_EQ(stored_.snapshot.experience({0x22})->places.size(), 2U);
-  EXPECT_TRUE(is_named("places 2 to 2 are not served"));
+  EXPECT_TRUE(is_named("the rows of places 2 are missing"));
 }
 
 TEST_F(SqliteDamage, RowUnderAnotherKeyIsNotTaken) {
   damage(
       "UPDATE place SET row = (SELECT row FROM place WHERE experience = 17 AND place = 3)"
       " WHERE experience = 17 AND place = 1");
-  EXPECT_EQ(stored_.snapshot.experience({0x11})->places.size(), 1U);
+  EXPECT_EQ(stored_.snapshot.experience({0x11})->place(1), nullptr);
   EXPECT_TRUE(is_named("the row of another place"));
 }
 
@@ -144,7 +153,9 @@ TEST_F(SqliteDamage, DamagedEdgesAreLeftOut) {
   EXPECT_EQ(stored_.snapshot.stitch_count(), 0U);
   EXPECT_TRUE(is_named("edge " + to_string(PlaceId{{0x11}, 3}) + " - " + to_string(PlaceId{{0x22}, 1})));
   damage("DELETE FROM edge WHERE a_experience = 17 AND a_place = 0");
-  EXPECT_EQ(stored_.snapshot.experience({0x11})->places.size(), 1U);
+  EXPECT_EQ(stored_.snapshot.experience({0x11})->places.size(), 4U);
+  EXPECT_EQ(stored_.snapshot.experience({0x11})->hop(0), nullptr);
+  EXPECT_TRUE(is_named("the rows of the edges after places 0 are missing"));
 }
 
 TEST_F(SqliteDamage, DamagedGoalsRoutesAndOccupanciesAreNamed) {

@@ -79,7 +79,29 @@ TEST(SqliteOpen, EveryCommitIsSynchronisedInWal) {
   EXPECT_EQ(database->number("PRAGMA synchronous").value(), 2U);
   EXPECT_EQ(database->number("SELECT journal_mode = 'wal' FROM pragma_journal_mode").value(), 1U);
   EXPECT_EQ(database->number("PRAGMA application_id").value(), sqlite::kApplicationId);
-  EXPECT_EQ(database->number("PRAGMA user_version").value(), 1U);
+  EXPECT_EQ(database->number("PRAGMA user_version").value(), sqlite::schema_version());
+}
+
+TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
+  const TemporaryDirectory directory;
+  sample::Run run(0x11, 1);
+  {
+    const auto store = open_sqlite(directory.path());
+    ASSERT_TRUE((*store)->open());
+    ASSERT_TRUE((*store)->commit(sample::transaction(run.next(3))));
+    ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
+  }
+  run_sql(directory.path() / "map.sqlite",
+          "DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch; PRAGMA user_version = 1");
+  const auto store = open_sqlite(directory.path());
+  ASSERT_TRUE(store) << store.error().message;
+  const auto stored = (*store)->open();
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(stored->snapshot.place_count(), 3U);
+  EXPECT_EQ((*store)->log({}, 10)->size(), 2U);
+  EXPECT_EQ((*store)->snapshot_at({1})->labels().size(), 0U);
+  EXPECT_EQ((*store)->commit({{RollBack{{1}}}, {}})->revision, Revision{3});
+  EXPECT_EQ((*store)->snapshot_at({3})->place_count(), 3U);
 }
 
 TEST(SqliteOpen, SecondProcessOnTheSameStoreIsToldWhoHasIt) {

@@ -1,0 +1,164 @@
+#include "core/network/removal.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace weft {
+namespace {
+
+std::string name_of(const Stretch& stretch) {
+  return "places " + std::to_string(stretch.first) + " to " + std::to_string(stretch.last) + " of experience " +
+         to_string(stretch.experience);
+}
+
+std::pair<std::size_t, std::size_t> positions(const Experience& experience, const Stretch& stretch) {
+  const auto index = [](const Place& place) { return place.id.index; };
+  const auto first = std::ranges::lower_bound(experience.places, stretch.first, {}, index);
+  const auto last = std::ranges::upper_bound(experience.places, stretch.last, {}, index);
+  return {first - experience.places.begin(), last - experience.places.begin()};
+}
+
+bool has_stitch(const Snapshot& snapshot, const EdgeId& id) {
+  const Experience* const experience = snapshot.experience(id.b.experience);
+  return experience != nullptr && std::ranges::binary_search(experience->stitches, id, {}, &Edge::id);
+}
+
+/// Experiences under change; each is copied when it is touched.
+class Thinning {
+ public:
+  explicit Thinning(const Snapshot& snapshot) : experiences_(snapshot.experiences()) {}
+
+  void take(const Stretch& stretch) {
+    Experience* const experience = touch(stretch.experience);
+    if (experience == nullptr) return;
+    for (const Edge& stitch : experience->stitches) {
+      for (const PlaceId& end : {stitch.id.a, stitch.id.b}) {
+        if (end.experience == stretch.experience && is_in(stretch, end.index)) stitches_.insert(stitch.id);
+      }
+    }
+    std::erase_if(experience->places, [&](const Place& place) { return is_in(stretch, place.id.index); });
+    std::erase_if(experience->chain, [&](const Edge& hop) {
+      return is_in(stretch, hop.id.a.index) || is_in(stretch, hop.id.b.index);
+    });
+  }
+  void take(const EdgeId& stitch) { stitches_.insert(stitch); }
+
+  Snapshot::Experiences finish() {
+    std::set<ExperienceId> ends;
+    for (const EdgeId& stitch : stitches_) {
+      ends.insert(stitch.a.experience);
+      ends.insert(stitch.b.experience);
+    }
+    for (const ExperienceId id : ends) {
+      Experience* const experience = touch(id);
+      if (experience == nullptr) continue;
+      std::erase_if(experience->stitches, [&](const Edge& stitch) { return stitches_.contains(stitch.id); });
+      index_stitches(*experience);
+    }
+    for (auto& [id, experience] : touched_) experiences_[id] = std::move(experience);
+    return std::move(experiences_);
+  }
+
+ private:
+  static bool is_in(const Stretch& stretch, std::uint32_t index) {
+    return stretch.first <= index && index <= stretch.last;
+  }
+  Experience* touch(ExperienceId id) {
+    const auto found = experiences_.find(id);
+    if (found == experiences_.end()) return nullptr;
+    auto& copy = touched_[id];
+    if (!copy) copy = std::make_shared<Experience>(*found->second);
+    return copy.get();
+  }
+
+  Snapshot::Experiences experiences_;
+  std::map<ExperienceId, std::shared_ptr<Experience>> touched_;
+  std::set<EdgeId> stitches_;
+};
+
+template <class Id>
+void compare(const std::vector<Id>& from, const std::vector<Id>& to, std::vector<Id>& added,
+             std::vector<Id>& removed) {
+  std::ranges::set_difference(to, from, std::back_inserter(added));
+  std::ranges::set_difference(from, to, std::back_inserter(removed));
+}
+
+std::vector<PlaceId> place_ids(const Experience* experience) {
+  std::vector<PlaceId> ids;
+  if (experience == nullptr) return ids;
+  for (const Place& place : experience->places) ids.push_back(place.id);
+  return ids;
+}
+
+/// Each stitch counts with its b's experience alone.
+std::vector<EdgeId> stitch_ids(const Experience* experience) {
+  std::vector<EdgeId> ids;
+  if (experience == nullptr) return ids;
+  for (const Edge& stitch : experience->stitches) {
+    if (stitch.id.b.experience == experience->id) ids.push_back(stitch.id);
+  }
+  return ids;
+}
+
+}  // namespace
+
+Result<void> check(const Snapshot& snapshot, const Removal& removal) {
+  if (removal.empty()) return fail(ErrorCode::invalid, "nothing is named that could leave the map");
+  for (const Stretch& stretch : removal.places) {
+    if (stretch.first > stretch.last) {
+      return fail(ErrorCode::invalid, name_of(stretch) + ": the first comes after the last");
+    }
+    const Experience* const experience = snapshot.experience(stretch.experience);
+    if (experience == nullptr) {
+      return fail(ErrorCode::not_found, "the map has no experience " + to_string(stretch.experience));
+    }
+    const auto [first, last] = positions(*experience, stretch);
+    if (first == last) return fail(ErrorCode::not_found, name_of(stretch) + ": none of them is in the map");
+  }
+  for (const EdgeId& stitch : removal.stitches) {
+    if (has_stitch(snapshot, stitch)) continue;
+    return fail(ErrorCode::not_found, "the map has no stitch " + to_string(stitch.a) + " - " + to_string(stitch.b));
+  }
+  return {};
+}
+
+Snapshot without(const Snapshot& snapshot, const Removal& removal) {
+  Thinning thinning(snapshot);
+  for (const Stretch& stretch : removal.places) thinning.take(stretch);
+  for (const EdgeId& stitch : removal.stitches) thinning.take(stitch);
+  const Snapshot thinned({snapshot.revision().value + 1}, thinning.finish(), snapshot.shared_labels());
+  Snapshot::Labels labels = snapshot.labels();
+  std::erase_if(labels, [&](const auto& entry) { return thinned.place(entry.second) == nullptr; });
+  if (labels.size() == snapshot.labels().size()) return thinned;
+  return {thinned.revision(), thinned.experiences(), std::make_shared<const Snapshot::Labels>(std::move(labels))};
+}
+
+SnapshotDifference difference(const Snapshot& from, const Snapshot& to) {
+  SnapshotDifference found;
+  std::set<ExperienceId> ids;
+  for (const auto& [id, experience] : from.experiences()) ids.insert(id);
+  for (const auto& [id, experience] : to.experiences()) ids.insert(id);
+  for (const ExperienceId id : ids) {
+    const Experience* const before = from.experience(id);
+    const Experience* const after = to.experience(id);
+    if (before == after) continue;  // revisions share what did not change
+    compare(place_ids(before), place_ids(after), found.places_added, found.places_removed);
+    compare(stitch_ids(before), stitch_ids(after), found.stitches_added, found.stitches_removed);
+  }
+  for (const auto& [label, place] : to.labels()) {
+    const auto before = from.labels().find(label);
+    if (before == from.labels().end()) {
+      found.labels_added.push_back(label);
+    } else if (before->second != place) {
+      found.labels_moved.push_back(label);
+    }
+  }
+  for (const auto& [label, place] : from.labels()) {
+    if (!to.labels().contains(label)) found.labels_removed.push_back(label);
+  }
+  return found;
+}
+
+}  // namespace weft

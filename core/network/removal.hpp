@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/network/network.hpp"
+
+namespace weft {
+
+/// Consecutive places of one experience, `first` to `last`, both included.
+struct Stretch {
+  ExperienceId experience;
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  auto operator<=>(const Stretch&) const = default;
+};
+
+/// What leaves the network or comes back to it. Places take their edges and labels along.
+struct Removal {
+  std::vector<Stretch> places;
+  std::vector<EdgeId> stitches;
+  bool empty() const { return places.empty() && stitches.empty(); }
+  bool operator==(const Removal&) const = default;
+};
+
+/// not_found: nothing of a stretch, or no such stitch, is in the snapshot. invalid: a stretch whose first is after its
+/// last, a removal of nothing.
+Result<void> check(const Snapshot& snapshot, const Removal& removal);
+
+/// The snapshot without them, one revision on. Experiences stay known, so that nothing of them is handed in again.
+Snapshot without(const Snapshot& snapshot, const Removal& removal);
+
+/// How many places and stitches two snapshots differ in, and which.
+struct SnapshotDifference {
+  std::vector<PlaceId> places_added, places_removed;  ///< sorted
+  std::vector<EdgeId> stitches_added, stitches_removed;
+  std::vector<std::string> labels_added, labels_moved, labels_removed;
+};
+SnapshotDifference difference(const Snapshot& from, const Snapshot& to);
+
+}  // namespace weft

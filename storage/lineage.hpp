@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/ids.hpp"
+
+namespace weft::storage {
+
+/// Which revisions one revision is made of: all up to it, but for those that a rollback left behind.
+class Lineage {
+ public:
+  /// From `first` to `last`, both included.
+  struct Interval {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+    bool operator==(const Interval&) const = default;
+  };
+
+  /// `bases`: what each rollback went back to, by its revision. Every other revision stands on the one before it.
+  Lineage(Revision top, const std::map<Revision, Revision>& bases);
+
+  bool contains(std::uint64_t revision) const;
+  /// Newest first.
+  const std::vector<Interval>& intervals() const { return intervals_; }
+
+ private:
+  std::vector<Interval> intervals_;
+};
+
+}  // namespace weft::storage

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <string>
+
+#include "storage/sqlite/loader.hpp"
+#include "storage/sqlite/row_reading.hpp"
+
+/// What is known of single revisions: the log of the map, and what one of them changed.
+namespace weft::storage::sqlite {
+namespace {
+
+RevisionNote note_from(const Query& row) {
+  return {.revision = {row.number(0)},
+          .base = {row.number(1)},
+          .at = WallTime(Duration(static_cast<std::int64_t>(row.number(2)))),
+          .kind = row.text(3),
+          .who = row.text(4),
+          .cause = row.text(5)};
+}
+
+Result<void> read_added(const Database& database, std::uint64_t revision, Removal& added) {
+  auto done = for_each_row(
+      database, "SELECT experience, min(place), max(place) FROM place WHERE revision = ? GROUP BY experience",
+      [&](const Query& row) {
+        added.places.push_back({{row.number(0)},
+                                static_cast<std::uint32_t>(row.number(1)),
+                                static_cast<std::uint32_t>(row.number(2))});
+      },
+      revision);
+  if (!done) return done;
+  return for_each_row(
+      database,
+      "SELECT a_experience, a_place, b_experience, b_place FROM edge WHERE revision = ?"
+      " AND NOT (a_experience = b_experience AND b_place = a_place + 1)",
+      [&](const Query& row) { added.stitches.push_back({place_id(row, 0), place_id(row, 2)}); }, revision);
+}
+
+Result<void> read_moved(const Database& database, std::uint64_t revision, RevisionChanges& changes) {
+  const auto side = [&](const Query& row, int column) -> Removal& {
+    return row.number(column) != 0 ? changes.brought_back : changes.taken_out;
+  };
+  auto done = for_each_row(
+      database, "SELECT experience, first_place, last_place, is_back FROM moved_places WHERE revision = ?",
+      [&](const Query& row) {
+        side(row, 3).places.push_back({{row.number(0)},
+                                       static_cast<std::uint32_t>(row.number(1)),
+                                       static_cast<std::uint32_t>(row.number(2))});
+      },
+      revision);
+  if (!done) return done;
+  return for_each_row(
+      database, "SELECT a_experience, a_place, b_experience, b_place, is_back FROM moved_stitch WHERE revision = ?",
+      [&](const Query& row) { side(row, 4).stitches.push_back({place_id(row, 0), place_id(row, 2)}); }, revision);
+}
+
+}  // namespace
+
+Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, std::size_t limit) {
+  std::vector<RevisionNote> notes;
+  const auto done = for_each_row(
+      database,
+      "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id <= ? ORDER BY id DESC LIMIT ?",
+      [&](const Query& row) { notes.push_back(note_from(row)); }, newest.value,
+      std::uint64_t{std::min<std::size_t>(limit, 1'000'000)});
+  if (!done) return fail(done.error());
+  return notes;
+}
+
+Result<RevisionChanges> load_changes(const Database& database, Revision revision) {
+  RevisionChanges changes;
+  Result<void> done = for_each_row(
+      database, "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id = ?",
+      [&](const Query& row) { changes.note = note_from(row); }, revision.value);
+  if (done && changes.note.revision != revision) {
+    return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value));
+  }
+  if (done) done = read_added(database, revision.value, changes.added);
+  if (done) done = read_moved(database, revision.value, changes);
+  if (!done) return fail(done.error());
+  done = for_each_row(
+      database, "SELECT label FROM label WHERE revision = ?",
+      [&](const Query& row) { changes.labels_before[row.text(0)]; }, revision.value);
+  if (!done) return fail(done.error());
+  if (changes.labels_before.empty()) return changes;
+  const Result<Snapshot> before = load_snapshot(database, changes.note.base);
+  if (!before) return fail(before.error());
+  for (auto& [label, place] : changes.labels_before) {
+    const auto found = before->labels().find(label);
+    if (found != before->labels().end()) place = found->second;
+  }
+  return changes;
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,38 @@
+#pragma once
+#include <string_view>
+
+#include "core/network/network.hpp"
+#include "core/result.hpp"
+#include "storage/sqlite/database.hpp"
+#include "storage/sqlite/rows.hpp"
+
+namespace weft::storage::sqlite {
+
+/// Calls `visit(const Query&)` for each row; `bound` are the statement's parameters in order.
+template <class Visit, class... Bound>
+Result<void> for_each_row(const Database& database, std::string_view sql, Visit&& visit, const Bound&... bound) {
+  const auto statement = database.prepare(sql);
+  if (!statement) return fail(statement.error());
+  Query query(*statement);
+  (static_cast<void>(query << bound), ...);
+  for (;;) {
+    const Result<bool> row = query.step();
+    if (!row) return fail(row.error());
+    if (!*row) return {};
+    visit(query);
+  }
+}
+
+/// The decoded row, or the reason why it is not one.
+template <class Decode>
+auto decode_guarded(ByteView row, Decode&& decode) -> decltype(decode(row)) {
+  const auto canonical = unguard_row(row);
+  if (!canonical) return fail(ErrorCode::corrupt, "its checksum differs");
+  return decode(*canonical);
+}
+
+inline PlaceId place_id(const Query& query, int column) {
+  return {{query.number(column)}, static_cast<std::uint32_t>(query.number(column + 1))};
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+
+#include "core/network/codec.hpp"
+#include "tests/contract/map_store/engines.hpp"
+#include "tests/storage/sample_map.hpp"
+
+/// The map's past: every revision can be seen again, gone back to, and undone; nothing that was acknowledged is lost.
+namespace weft::storage {
+namespace {
+
+class MapHistory : public testing::TestWithParam<Engine> {
+ protected:
+  void SetUp() override { restart(); }
+
+  void restart() {
+    store_.reset();
+    auto started = medium_->start();
+    ASSERT_TRUE(started) << started.error().message;
+    store_ = std::move(*started);
+    auto opened = store_->open();
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_TRUE(opened->quarantined.empty()) << opened->quarantined.front();
+    snapshot_ = opened->snapshot;
+  }
+
+  Revision commit(const Transaction& transaction) {
+    auto committed = store_->commit(transaction);
+    EXPECT_TRUE(committed) << committed.error().message;
+    return committed ? committed->revision : Revision{};
+  }
+  ErrorCode refusal(const Transaction& transaction) {
+    auto committed = store_->commit(transaction);
+    EXPECT_FALSE(committed);
+    return committed ? ErrorCode::internal : committed.error().code;
+  }
+  Snapshot at(std::uint64_t revision) {
+    auto snapshot = store_->snapshot_at({revision});
+    EXPECT_TRUE(snapshot) << snapshot.error().message;
+    return snapshot.value_or(Snapshot{});
+  }
+  RevisionChanges changes(std::uint64_t revision) {
+    auto found = store_->changes_of({revision});
+    EXPECT_TRUE(found) << found.error().message;
+    return found.value_or(RevisionChanges{});
+  }
+
+  std::unique_ptr<Medium> medium_ = GetParam().make_medium();
+  std::unique_ptr<MapStore> store_;
+  Snapshot snapshot_;
+};
+
+TEST_P(MapHistory, WhatIsTakenOutLeavesWithItsEdgesAndLabelsAndComesBackWithThem) {
+  sample::Run old(0x11, 1);
+  sample::Run young(0x22, 2);
+  commit(sample::transaction(old.next(6)));
+  auto joined = young.next(4);
+  joined.batch.edges.push_back(sample::stitch({old.experience(), 2}, {young.experience(), 1}));
+  commit(sample::transaction(joined));
+  commit({{PutLabel{"dock", {old.experience(), 2}}}});
+
+  commit({{TakeOut{{{{old.experience(), 2, 3}}, {}}}}});
+  const Snapshot out = at(4);
+  EXPECT_EQ(out.place_count(), 8U);
+  EXPECT_EQ(out.stitch_count(), 0U);
+  EXPECT_TRUE(out.labels().empty());
+  EXPECT_EQ(out.place({old.experience(), 2}), nullptr);
+  ASSERT_NE(out.place({old.experience(), 4}), nullptr);
+  EXPECT_EQ(out.experience(old.experience())->hop(1), nullptr) << "an edge to a place that is out";
+  EXPECT_NE(out.experience(old.experience())->hop(4), nullptr);
+  EXPECT_EQ(sample::describe(without(at(3), {{{old.experience(), 2, 3}}, {}})), sample::describe(out));
+
+  commit({{BringBack{{{{old.experience(), 2, 3}}, {}}}}});
+  auto back = sample::describe(at(5));
+  auto before = sample::describe(at(3));
+  back.erase(back.begin());  // the revision
+  before.erase(before.begin());
+  EXPECT_EQ(back, before);
+}
+
+TEST_P(MapHistory, AStitchThatIsTakenOutCanBeMadeAnew) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(6)));
+  const Edge stitch = sample::stitch({run.experience(), 0}, {run.experience(), 4});
+  auto second = run.next(1);
+  second.batch.edges.push_back(stitch);
+  commit(sample::transaction(second));
+  commit({{TakeOut{{{}, {stitch.id}}}}});
+  EXPECT_EQ(at(3).stitch_count(), 0U);
+  auto third = run.next(1);
+  third.batch.edges.push_back(stitch);
+  commit(sample::transaction(third));
+  EXPECT_EQ(at(4).stitch_count(), 1U);
+  restart();
+  EXPECT_EQ(snapshot_.stitch_count(), 1U);
+}
+
+TEST_P(MapHistory, RollbackIsARevisionAndLosesNothing) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(3)));
+  const auto second = run.next(3);
+  commit(sample::transaction(second));
+  EXPECT_EQ(commit({{RollBack{{1}}}}), Revision{3});
+  restart();
+  EXPECT_EQ(snapshot_.revision(), Revision{3});
+  EXPECT_EQ(snapshot_.place_count(), 3U);
+  EXPECT_EQ(snapshot_.experience(run.experience())->extent, 6U) << "indices are given once";
+  EXPECT_EQ(store_->batch_hash(run.experience(), 2), hash(second.batch)) << "what was acknowledged stays";
+  EXPECT_TRUE(store_->has_content(hash_bytes(second.contents.front())));
+  EXPECT_EQ(commit({{RollBack{{2}}}}), Revision{4}) << "and can be gone back to";
+  EXPECT_EQ(at(4).place_count(), 6U);
+}
+
+TEST_P(MapHistory, TheLogNamesEachRevisionWithoutAGap) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(3)));
+  commit({{PutLabel{"dock", {run.experience(), 1}}}});
+  Transaction undo{{TakeOut{{{{run.experience(), 0, 0}}, {}}}}, {}};
+  undo.note.at = WallTime(std::chrono::seconds(5));
+  undo.note.kind = "undo";
+  undo.note.who = "anna";
+  undo.note.cause = "the floor is new";
+  commit(undo);
+  commit({{RollBack{{2}}}});
+  restart();
+  const auto log = store_->log({}, 100);
+  ASSERT_TRUE(log);
+  ASSERT_EQ(log->size(), 4U);
+  for (std::size_t i = 0; i < log->size(); ++i) EXPECT_EQ((*log)[i].revision.value, 4 - i);
+  EXPECT_EQ((*log)[0].kind, "rollback");
+  EXPECT_EQ((*log)[0].base, Revision{2});
+  EXPECT_EQ((*log)[1].who, "anna");
+  EXPECT_EQ((*log)[1].cause, "the floor is new");
+  EXPECT_EQ((*log)[1].at, WallTime(std::chrono::seconds(5)));
+  EXPECT_EQ((*log)[2].cause, "dock is 0000000000000011:1");
+  EXPECT_EQ((*log)[3].kind, "batch");
+  EXPECT_EQ(store_->log({2}, 1)->front().revision, Revision{2});
+}
+
+TEST_P(MapHistory, ChangesOfARevisionAreWhatUndoesIt) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(4)));
+  commit({{PutLabel{"dock", {run.experience(), 1}}}});
+  commit({{PutLabel{"dock", {run.experience(), 2}}, PutLabel{"gate", {run.experience(), 0}}}});
+  auto second = run.next(2);
+  second.batch.edges.push_back(sample::stitch({run.experience(), 0}, {run.experience(), 5}));
+  commit(sample::transaction(second));
+  commit({{TakeOut{{{{run.experience(), 1, 1}}, {second.batch.edges.back().id}}}}});
+
+  EXPECT_EQ(changes(4).added, (Removal{{{run.experience(), 4, 5}}, {second.batch.edges.back().id}}));
+  EXPECT_EQ(changes(5).taken_out, (Removal{{{run.experience(), 1, 1}}, {second.batch.edges.back().id}}));
+  EXPECT_TRUE(changes(5).added.empty());
+  const auto labels = changes(3).labels_before;
+  EXPECT_EQ(labels, (std::map<std::string, PlaceId>{{"dock", {run.experience(), 1}}, {"gate", {}}}));
+
+  commit({{PutLabel{"dock", labels.at("dock")}, PutLabel{"gate", labels.at("gate")}}});
+  EXPECT_FALSE(at(6).labels().contains("gate"));
+  EXPECT_FALSE(at(6).labels().contains("dock")) << "its place is out";
+  commit({{BringBack{changes(5).taken_out}}});
+  EXPECT_EQ(at(7).labels().at("dock"), (PlaceId{run.experience(), 1}));
+}
+
+TEST_P(MapHistory, WhatCannotBeIsRefused) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(3)));
+  EXPECT_EQ(refusal({{TakeOut{{{{run.experience(), 2, 3}}, {}}}}}), ErrorCode::conflict);
+  EXPECT_EQ(refusal({{TakeOut{{{{run.experience(), 2, 1}}, {}}}}}), ErrorCode::conflict);
+  EXPECT_EQ(refusal({{RollBack{{1}}}}), ErrorCode::conflict) << "it is the newest";
+  EXPECT_EQ(refusal({{RollBack{{9}}}}), ErrorCode::conflict);
+  EXPECT_EQ(refusal({{PutLabel{"dock", {run.experience(), 0}}, RollBack{{0}}}}), ErrorCode::invalid);
+  EXPECT_EQ(store_->snapshot_at({7}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(store_->changes_of({7}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(at(0).place_count(), 0U);
+}
+
+/// Steps as a server would take them, each checked against the snapshot in memory, then all of the past once more.
+TEST_P(MapHistory, EveryRevisionCanBeSeenAgain) {
+  Random random(31);
+  std::vector<sample::Run> runs;
+  std::uint64_t next_run = 1;
+  std::map<std::uint64_t, std::vector<std::string>> seen;
+  std::vector<Removal> out;
+  for (int step = 0; step < 120; ++step) {
+    std::optional<Snapshot> expected;
+    Transaction transaction;
+    const std::uint64_t kind = random.below(10);
+    const auto pick = [&]() -> PlaceId {
+      std::vector<PlaceId> places;
+      for (const auto& [id, experience] : snapshot_.experiences()) {
+        for (const Place& place : experience->places) places.push_back(place.id);
+      }
+      return places.empty() ? PlaceId{} : places[random.below(places.size())];
+    };
+    const PlaceId some = pick();
+    if (kind < 5 || !some.experience) {
+      if (runs.empty() || random.below(4) == 0) runs.emplace_back(next_run, 100 + next_run), ++next_run;
+      sample::Run& run = runs[random.below(runs.size())];
+      auto delivery = run.next(1 + static_cast<std::uint32_t>(random.below(4)));
+      if (some.experience && some.experience != run.experience()) {
+        delivery.batch.edges.push_back(sample::stitch(some, delivery.batch.places.back().id));
+      }
+      if (!check(snapshot_, delivery.batch).empty()) {  // a rollback or a removal has ended it
+        std::erase_if(runs, [&](const sample::Run& one) { return one.experience() == delivery.batch.experience; });
+        continue;
+      }
+      transaction = sample::transaction(delivery);
+      expected = with(snapshot_, delivery.batch);
+    } else if (kind == 5) {
+      transaction.changes.emplace_back(PutLabel{"label" + std::to_string(random.below(3)), some});
+      expected = with_label(snapshot_, std::get<PutLabel>(transaction.changes[0]).label, some);
+    } else if (kind < 8) {
+      Removal removal{{{some.experience, some.index, some.index + static_cast<std::uint32_t>(random.below(3))}}, {}};
+      removal.places[0].last = std::min(removal.places[0].last, snapshot_.experience(some.experience)->extent - 1);
+      const auto& stitches = snapshot_.experience(some.experience)->stitches;
+      if (!stitches.empty()) removal.stitches.push_back(stitches[random.below(stitches.size())].id);
+      out.push_back(removal);
+      transaction.changes.emplace_back(TakeOut{removal});
+      expected = without(snapshot_, removal);
+    } else if (kind == 8 && !out.empty()) {
+      transaction.changes.emplace_back(BringBack{out[random.below(out.size())]});
+    } else if (snapshot_.revision().value > 0) {
+      transaction.changes.emplace_back(RollBack{{random.below(snapshot_.revision().value)}});
+    }
+    if (transaction.changes.empty()) continue;
+    const Revision revision = commit(transaction);
+    snapshot_ = at(revision.value);
+    if (expected) {
+      ASSERT_EQ(sample::describe(*expected), sample::describe(snapshot_)) << "step " << step;
+    }
+    seen[revision.value] = sample::describe(snapshot_);
+  }
+  ASSERT_GT(seen.size(), 60U);
+  restart();
+  EXPECT_EQ(sample::describe(snapshot_), seen.rbegin()->second);
+  for (const auto& [revision, lines] : seen) ASSERT_EQ(sample::describe(at(revision)), lines) << revision;
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, MapHistory,
+                         testing::Values(Engine{"memory", make_memory_medium}, Engine{"sqlite", make_sqlite_medium}),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace weft::storage
