@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace weft::formats {
+
+/// The lines of a text one after the other; LF and CR LF both end one.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) {}
+
+  std::optional<std::string_view> next();
+  /// Of the line that `next` gave last, from 1.
+  std::size_t number() const { return number_; }
+  /// Where the next line begins in the text.
+  std::size_t offset() const { return offset_; }
+
+ private:
+  std::string_view text_;
+  std::size_t offset_ = 0;
+  std::size_t number_ = 0;
+};
+
+/// The words of a line: what blanks and tabs separate.
+std::vector<std::string_view> words_of(std::string_view line);
+/// The cells of a line: what `separator` separates, without blanks around them; empty ones count.
+std::vector<std::string_view> cells_of(std::string_view line, char separator);
+std::string_view trimmed(std::string_view text);
+
+/// The whole of `word` as a number; none if it is none, or does not fit. NaN and infinities are numbers here.
+std::optional<double> parse_double(std::string_view word);
+std::optional<std::uint64_t> parse_unsigned(std::string_view word);
+/// The same, and finite.
+std::optional<double> parse_finite(std::string_view word);
+
+/// The shortest text that reads back as the same bits.
+std::string text_of(double value);
+std::string text_of(float value);
+
+/// The word in quotes, clipped to 40 bytes, for messages.
+std::string cited(std::string_view word);
+
+}  // namespace weft::formats

@@ -1,0 +1,239 @@
+#include <set>
+
+#include "storage/formats/cloud_fields.hpp"
+#include "storage/formats/lines.hpp"
+#include "storage/formats/lzf.hpp"
+#include "storage/formats/unit.hpp"
+
+namespace weft::formats {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+std::string_view text_in(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+class Reader {
+ public:
+  Reader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}
+
+  Result<Read<Cloud>> run() {
+    if (const Result<void> read = header(); !read) return fail(read.error());
+    if (const Result<void> fits = check_header(); !fits) return fail(fits.error());
+    if (const auto begun = builder_.begin(fields_, points_, file_, leftovers_); !begun) return fail(begun.error());
+    const Result<void> read = coding_ == "ascii" ? text() : coding_ == "binary" ? binary() : compressed();
+    if (!read) return fail(read.error());
+    Cloud cloud = builder_.take();
+    cloud.width = width_;
+    cloud.height = height_;
+    cloud.world_from_sensor = world_from_sensor_;
+    return Read<Cloud>{std::move(cloud), leftovers_.take()};
+  }
+
+ private:
+  tl::unexpected<Error> wrong(const std::string& what) const { return fail_at(file_, lines_.number(), what); }
+  tl::unexpected<Error> damaged(const std::string& what) const {
+    return fail(ErrorCode::corrupt, std::string(file_) + ": " + what);
+  }
+
+  Result<void> header() {
+    while (const std::optional<std::string_view> line = lines_.next()) {
+      const Words words = words_of(*line);
+      if (words.empty() || words.front().starts_with('#')) continue;
+      if (const Result<void> taken = entry(words); !taken) return taken;
+      if (words.front() == "DATA") return {};
+    }
+    return wrong("the header has no DATA line; is this a PCD file?");
+  }
+
+  Result<void> entry(const Words& words) {
+    const std::string_view key = words.front();
+    if (!seen_.insert(std::string(key)).second) return wrong(cited(key) + " stands there a second time");
+    if (key == "FIELDS") {
+      for (std::size_t i = 1; i < words.size(); ++i) fields_.push_back({.name = std::string(words[i])});
+      for (CloudField& field : fields_) field.line = lines_.number();
+      return {};
+    }
+    if (key == "TYPE") {
+      if (words.size() != 1 + fields_.size()) return wrong("TYPE must name one for each of FIELDS");
+      for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].type = words[i + 1].front();
+      return {};
+    }
+    if (key == "SIZE") return each(words, &CloudField::size);
+    if (key == "COUNT") return each(words, &CloudField::count);
+    if (key == "WIDTH") return one(words, width_);
+    if (key == "HEIGHT") return one(words, height_);
+    if (key == "POINTS") return one(words, points_);
+    if (key == "VIEWPOINT") return viewpoint(words);
+    if (key == "VERSION") {
+      static const std::set<std::string_view> kVersions = {"0.7", ".7", "0.6", ".6", "0.5", ".5"};
+      if (words.size() == 2 && kVersions.contains(words[1])) return {};
+      return wrong("version " + std::string(words.size() > 1 ? words[1] : "(none)") + " is not read, 0.5 to 0.7 are");
+    }
+    if (key == "DATA") {
+      static const std::set<std::string_view> kCodings = {"ascii", "binary", "binary_compressed"};
+      if (words.size() != 2 || !kCodings.contains(words[1])) {
+        return wrong("DATA must be ascii, binary or binary_compressed");
+      }
+      coding_ = words[1];
+      return {};
+    }
+    leftovers_.note(key, lines_.number());
+    return {};
+  }
+
+  Result<void> each(const Words& words, std::size_t CloudField::*member) {
+    if (words.size() != 1 + fields_.size()) {
+      return wrong(std::string(words.front()) + " must have a number for each of FIELDS, which stands before it");
+    }
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      constexpr std::uint64_t kMost = 1U << 16U;
+      const std::optional<std::uint64_t> number = parse_unsigned(words[i + 1]);
+      if (!number.has_value() || *number == 0 || *number > kMost) {
+        return wrong(cited(words[i + 1]) + " is no number in [1, 65536]");
+      }
+      fields_[i].*member = *number;
+    }
+    return {};
+  }
+
+  Result<void> one(const Words& words, std::uint64_t& into) const {
+    constexpr std::uint64_t kMost = 1ULL << 32U;
+    const std::optional<std::uint64_t> number = words.size() == 2 ? parse_unsigned(words[1]) : std::nullopt;
+    if (!number.has_value() || *number > kMost) {
+      return wrong(std::string(words.front()) + " must be a whole number up to 2^32");
+    }
+    into = *number;
+    return {};
+  }
+
+  Result<void> viewpoint(const Words& words) {
+    std::vector<double> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(parse_finite(words[i]).value_or(9.0));
+    const auto unit = numbers.size() == 7 ? unit_quaternion(numbers[3], numbers[4], numbers[5], numbers[6])
+                                          : std::optional<Eigen::Quaterniond>{};
+    if (!unit.has_value()) return wrong("VIEWPOINT must be x y z and a unit quaternion w x y z");
+    world_from_sensor_ = {*unit, {numbers[0], numbers[1], numbers[2]}};
+    return {};
+  }
+
+  Result<void> check_header() {
+    for (const char* const key : {"FIELDS", "SIZE", "TYPE", "WIDTH"}) {
+      if (!seen_.contains(key)) return wrong(std::string("the header has no ") + key);
+    }
+    if (!seen_.contains("POINTS")) points_ = width_ * height_;
+    if (width_ * height_ != points_) {
+      return wrong("WIDTH " + std::to_string(width_) + " times HEIGHT " + std::to_string(height_) +
+                   " is not POINTS " + std::to_string(points_));
+    }
+    for (const CloudField& field : fields_) {
+      if (!is_number(field.type, field.size)) {
+        return fail_at(file_, field.line,
+                       "field " + field.name + " has type " + field.type + " of " + std::to_string(field.size) +
+                           " bytes, which is no number");
+      }
+      stride_ += field.bytes();
+      numbers_ += field.count;
+    }
+    // Before anything is made of these sizes: each number of text takes two bytes.
+    const std::size_t least = coding_ == "ascii" ? 2 * numbers_ : stride_;
+    const std::size_t rest = bytes_.size() - lines_.offset() + 1;
+    if (coding_ != "binary_compressed" && least > 0 && points_ > rest / least) {
+      return damaged("the header states " + std::to_string(points_) + " points, the " + std::to_string(rest - 1) +
+                     " bytes after it cannot hold them");
+    }
+    return {};
+  }
+
+  Result<void> text() {
+    for (std::size_t point = 0; point < points_;) {
+      const std::optional<std::string_view> line = lines_.next();
+      if (!line.has_value()) {
+        return wrong("the file ends after " + std::to_string(point) + " of " + std::to_string(points_) + " points");
+      }
+      const Words words = words_of(*line);
+      if (words.empty() || words.front().starts_with('#')) continue;
+      if (words.size() != numbers_) {
+        return wrong("a point has " + std::to_string(words.size()) + " numbers, it needs " +
+                     std::to_string(numbers_));
+      }
+      std::size_t at = 0;
+      for (std::size_t i = 0; i < fields_.size(); at += fields_[i++].count) {
+        if (!builder_.takes(i)) continue;
+        const std::optional<double> number = parse_double(words[at]);
+        if (!number.has_value() || !builder_.put(i, point, *number)) {
+          return wrong(cited(words[at]) + " cannot be " + fields_[i].name);
+        }
+      }
+      ++point;
+    }
+    return {};
+  }
+
+  Result<void> numbers(ByteView data, bool by_field) {
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const std::size_t step = by_field ? fields_[i].bytes() : stride_;
+      for (std::size_t point = 0; builder_.takes(i) && point < points_; ++point) {
+        if (builder_.put(i, point, data.data() + offset + point * step, false)) continue;
+        return damaged("point " + std::to_string(point) + ": " + fields_[i].name + " is infinite");
+      }
+      offset += by_field ? fields_[i].bytes() * points_ : fields_[i].bytes();
+    }
+    return {};
+  }
+
+  Result<void> binary() {
+    const ByteView data = bytes_.subspan(lines_.offset());
+    if (data.size() < points_ * stride_) return damaged("the points end early");
+    return numbers(data, false);
+  }
+
+  Result<void> compressed() {
+    const ByteView data = bytes_.subspan(lines_.offset());
+    constexpr std::size_t kHead = 8;
+    if (data.size() < kHead) return damaged("the compressed points end within their sizes");
+    const auto size_at = [&data](std::size_t at) {
+      return data[at] | (std::size_t{data[at + 1]} << 8U) | (std::size_t{data[at + 2]} << 16U) |
+             (std::size_t{data[at + 3]} << 24U);
+    };
+    const std::size_t packed = size_at(0);
+    const std::size_t plain = size_at(4);
+    // 264 bytes come out of three at most.
+    if (packed > data.size() - kHead || plain / 88 > packed) {
+      return damaged("the file ends after " + std::to_string(data.size() - kHead) + " of " + std::to_string(packed) +
+                     " compressed bytes");
+    }
+    if (stride_ == 0 || plain / stride_ != points_ || plain % stride_ != 0) {
+      return damaged(std::to_string(plain) + " bytes are stated to be " + std::to_string(points_) + " points of " +
+                     std::to_string(stride_) + " bytes");
+    }
+    const Result<Bytes> points = lzf_decompress(data.subspan(kHead, packed), plain);
+    if (!points) return damaged(points.error().message);
+    return numbers(*points, true);
+  }
+
+  ByteView bytes_;
+  Lines lines_;
+  std::string_view file_;
+  std::set<std::string> seen_;
+  std::vector<CloudField> fields_;
+  std::uint64_t width_ = 0;
+  std::uint64_t height_ = 1;
+  std::uint64_t points_ = 0;
+  std::size_t stride_ = 0;   // bytes of a point
+  std::size_t numbers_ = 0;  // of a point
+  Pose3 world_from_sensor_;
+  std::string_view coding_;
+  CloudBuilder builder_;
+  Leftovers leftovers_;
+};
+
+}  // namespace
+
+Result<Read<Cloud>> read_pcd(ByteView bytes, std::string_view file) {
+  return Reader(bytes, file).run();
+}
+
+}  // namespace weft::formats

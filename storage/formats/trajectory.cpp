@@ -1,0 +1,105 @@
+#include "storage/formats/trajectory.hpp"
+
+#include <array>
+
+#include "storage/formats/lines.hpp"
+#include "storage/formats/unit.hpp"
+
+namespace weft::formats {
+namespace {
+
+constexpr std::size_t kNumbers = 8;
+using Numbers = std::array<double, kNumbers>;
+
+/// Adds samples and holds them to what a trajectory is.
+class Builder {
+ public:
+  Builder(const Lines& lines, std::string_view file) : lines_(lines), file_(file) {}
+
+  tl::unexpected<Error> wrong(const std::string& what) const { return fail_at(file_, lines_.number(), what); }
+
+  Result<Numbers> numbers_of(const std::vector<std::string_view>& words) const {
+    Numbers numbers{};
+    for (std::size_t i = 0; i < kNumbers; ++i) {
+      const std::optional<double> number = parse_finite(words[i]);
+      if (!number.has_value()) return wrong(cited(words[i]) + " is no finite number");
+      numbers[i] = *number;
+    }
+    return numbers;
+  }
+
+  Result<void> add(double time_s, const Numbers& numbers, const std::array<std::size_t, 4>& wxyz) {
+    if (!trajectory.samples.empty() && time_s <= trajectory.samples.back().time_s) {
+      return wrong("time " + text_of(time_s) + " is not after the one before, " +
+                   text_of(trajectory.samples.back().time_s));
+    }
+    const std::optional<Eigen::Quaterniond> unit =
+        unit_quaternion(numbers[wxyz[0]], numbers[wxyz[1]], numbers[wxyz[2]], numbers[wxyz[3]]);
+    if (!unit.has_value()) return wrong("the quaternion is not unit within 1e-3");
+    trajectory.samples.push_back({time_s, {*unit, {numbers[1], numbers[2], numbers[3]}}});
+    return {};
+  }
+
+  Trajectory trajectory;
+
+ private:
+  const Lines& lines_;
+  std::string_view file_;
+};
+
+}  // namespace
+
+Result<Trajectory> read_tum(std::string_view text, std::string_view file) {
+  Lines lines(text);
+  Builder builder(lines, file);
+  while (const std::optional<std::string_view> line = lines.next()) {
+    const std::vector<std::string_view> words = words_of(*line);
+    if (words.empty() || words.front().starts_with('#')) continue;
+    if (words.size() != kNumbers) {
+      return builder.wrong(std::to_string(words.size()) + " numbers; a pose has 8: t x y z qx qy qz qw");
+    }
+    const Result<Numbers> numbers = builder.numbers_of(words);
+    if (!numbers) return fail(numbers.error());
+    if (const Result<void> added = builder.add((*numbers)[0], *numbers, {7, 4, 5, 6}); !added) {
+      return fail(added.error());
+    }
+  }
+  return std::move(builder.trajectory);
+}
+
+Result<Read<Trajectory>> read_euroc_csv(std::string_view text, std::string_view file) {
+  Lines lines(text);
+  Builder builder(lines, file);
+  Leftovers leftovers;
+  while (const std::optional<std::string_view> line = lines.next()) {
+    if (trimmed(*line).empty() || trimmed(*line).starts_with('#')) continue;
+    const std::vector<std::string_view> cells = cells_of(*line, ',');
+    if (cells.size() < kNumbers) {
+      return builder.wrong(std::to_string(cells.size()) +
+                           " cells; a pose has 8: nanoseconds, x, y, z, qw, qx, qy, qz");
+    }
+    if (!parse_unsigned(cells.front()).has_value()) {
+      return builder.wrong(cited(cells.front()) + " is no time in whole nanoseconds");
+    }
+    const Result<Numbers> numbers = builder.numbers_of(cells);
+    if (!numbers) return fail(numbers.error());
+    if (const Result<void> added = builder.add((*numbers)[0] / 1e9, *numbers, {4, 5, 6, 7}); !added) {
+      return fail(added.error());
+    }
+    if (cells.size() > kNumbers) leftovers.note("columns after the quaternion", lines.number());
+  }
+  return Read<Trajectory>{std::move(builder.trajectory), leftovers.take()};
+}
+
+std::string tum_text(const Trajectory& trajectory) {
+  std::string text = "# t x y z qx qy qz qw\n";
+  for (const auto& [time_s, pose] : trajectory.samples) {
+    text += text_of(time_s);
+    for (const double value : pose.translation) text += " " + text_of(value);
+    for (const double value : pose.rotation.coeffs()) text += " " + text_of(value);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace weft::formats
