@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <list>
 #include <optional>
 #include <set>
 
@@ -69,7 +70,8 @@ class Keys {
 
   std::string_view file_;
   std::set<std::string> seen_;
-  std::vector<std::pair<std::string, std::pair<YAML::Node, YAML::Node>>> entries_;
+  // A list, because assigning a YAML::Node changes the document behind it.
+  std::list<std::pair<std::string, std::pair<YAML::Node, YAML::Node>>> entries_;
   Error error_;
 };
 

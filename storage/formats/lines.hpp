@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/bytes.hpp"
+
 namespace weft::formats {
 
 /// The lines of a text one after the other; LF and CR LF both end one.
@@ -39,6 +41,10 @@ std::optional<double> parse_finite(std::string_view word);
 /// The shortest text that reads back as the same bits.
 std::string text_of(double value);
 std::string text_of(float value);
+
+inline std::string_view text_in(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 /// The word in quotes, clipped to 40 bytes, for messages.
 std::string cited(std::string_view word);

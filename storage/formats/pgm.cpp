@@ -44,8 +44,7 @@ class Words {
 
 class Reader {
  public:
-  Reader(ByteView bytes, std::string_view file)
-      : bytes_(bytes), words_({reinterpret_cast<const char*>(bytes.data()), bytes.size()}), file_(file) {}
+  Reader(ByteView bytes, std::string_view file) : bytes_(bytes), words_(text_in(bytes)), file_(file) {}
 
   Result<Read<GreyImage>> run() {
     const std::string_view magic = words_.next().value_or("");

@@ -8,10 +8,6 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-std::string_view text_in(ByteView bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 class Reader {
  public:
   Reader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}

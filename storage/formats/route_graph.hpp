@@ -42,9 +42,10 @@ struct RouteGraph {
   bool operator==(const RouteGraph&) const = default;
 };
 
-/// Members that Nav2's format does not have, and heights, are listed.
-/// invalid, with file and line of the feature: no JSON, a member of the wrong type, an id that stands there twice, an
-/// edge to a node that does not exist, coordinates that are no finite numbers.
+/// Members that Nav2's format does not have, heights, and edges with the id of an earlier one (they are kept) are
+/// listed.
+/// invalid, with file and line of the feature: no JSON, a member of the wrong type, a node that stands there twice,
+/// an edge to a node that does not exist, coordinates that are no finite numbers.
 Result<Read<RouteGraph>> read_route_graph(std::string_view text, std::string_view file);
 
 /// A feature a line. Reads back equal.

@@ -29,8 +29,12 @@ class Builder {
   }
 
   Result<void> add(double time_s, const Numbers& numbers, const std::array<std::size_t, 4>& wxyz) {
-    if (!trajectory.samples.empty() && time_s <= trajectory.samples.back().time_s) {
-      return wrong("time " + text_of(time_s) + " is not after the one before, " +
+    if (!trajectory.samples.empty() && time_s == trajectory.samples.back().time_s) {
+      leftovers.note("a second pose of one time", lines_.number());
+      return {};
+    }
+    if (!trajectory.samples.empty() && time_s < trajectory.samples.back().time_s) {
+      return wrong("time " + text_of(time_s) + " is before the last one, " +
                    text_of(trajectory.samples.back().time_s));
     }
     const std::optional<Eigen::Quaterniond> unit =
@@ -41,6 +45,7 @@ class Builder {
   }
 
   Trajectory trajectory;
+  Leftovers leftovers;
 
  private:
   const Lines& lines_;
@@ -49,7 +54,7 @@ class Builder {
 
 }  // namespace
 
-Result<Trajectory> read_tum(std::string_view text, std::string_view file) {
+Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file) {
   Lines lines(text);
   Builder builder(lines, file);
   while (const std::optional<std::string_view> line = lines.next()) {
@@ -64,13 +69,12 @@ Result<Trajectory> read_tum(std::string_view text, std::string_view file) {
       return fail(added.error());
     }
   }
-  return std::move(builder.trajectory);
+  return Read<Trajectory>{std::move(builder.trajectory), builder.leftovers.take()};
 }
 
 Result<Read<Trajectory>> read_euroc_csv(std::string_view text, std::string_view file) {
   Lines lines(text);
   Builder builder(lines, file);
-  Leftovers leftovers;
   while (const std::optional<std::string_view> line = lines.next()) {
     if (trimmed(*line).empty() || trimmed(*line).starts_with('#')) continue;
     const std::vector<std::string_view> cells = cells_of(*line, ',');
@@ -86,9 +90,9 @@ Result<Read<Trajectory>> read_euroc_csv(std::string_view text, std::string_view 
     if (const Result<void> added = builder.add((*numbers)[0] / 1e9, *numbers, {4, 5, 6, 7}); !added) {
       return fail(added.error());
     }
-    if (cells.size() > kNumbers) leftovers.note("columns after the quaternion", lines.number());
+    if (cells.size() > kNumbers) builder.leftovers.note("columns after the quaternion", lines.number());
   }
-  return Read<Trajectory>{std::move(builder.trajectory), leftovers.take()};
+  return Read<Trajectory>{std::move(builder.trajectory), builder.leftovers.take()};
 }
 
 std::string tum_text(const Trajectory& trajectory) {

@@ -18,9 +18,10 @@ struct Trajectory {
 };
 
 /// TUM: "t x y z qx qy qz qw" a line, seconds and metres; '#' begins a comment.
-/// invalid, with file and line: another count of numbers, one that is not finite, times that do not increase, a
+/// A second pose of the same time, which recordings have, is left out and listed.
+/// invalid, with file and line: another count of numbers, one that is not finite, a time before the last one, a
 /// quaternion that is not unit within 1e-3 (taken ones are normalised).
-Result<Trajectory> read_tum(std::string_view text, std::string_view file);
+Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file);
 
 /// EuRoC's state_groundtruth_estimate0/data.csv: nanoseconds, position, quaternion w x y z; the columns after them
 /// (velocity, biases) are listed as not understood. Errors as for TUM.

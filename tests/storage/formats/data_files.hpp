@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bytes.hpp"
+
+namespace weft::formats::test {
+
+/// The folder of recordings: WEFT_DATA, or ../shared/data beside the repository. None: it is absent.
+std::optional<std::filesystem::path> data_folder();
+/// What a skipped test says.
+std::string no_data(std::string_view what);
+/// All files below `folder` whose names end so, sorted.
+std::vector<std::filesystem::path> files_that_end(const std::filesystem::path& folder, std::string_view ending);
+/// A file's bytes, unpacked if it is gzip.
+Bytes read(const std::filesystem::path& file);
+std::string read_text(const std::filesystem::path& file);
+/// How many lines of a text begin with a word.
+std::size_t lines_with(const std::string& text, std::string_view first_word);
+
+}  // namespace weft::formats::test
