@@ -11,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Goes over a text and counts its lines, so that the parser can say where it is.
+/// Goes over a text and counts its lines, so that the parser can say where it is. A line ends with the character
+/// after its break: the parser reads one past a number.
 class Counting {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -20,10 +21,11 @@ class Counting {
   using pointer = const char*;
   using reference = const char&;
 
-  Counting(const char* at, std::size_t* line) : at_(at), line_(line) {}
+  Counting(std::string_view text, std::size_t from, std::size_t* line)
+      : begin_(text.data()), at_(text.data() + from), line_(line) {}
   reference operator*() const { return *at_; }
   Counting& operator++() {
-    if (*at_ == '\n') ++*line_;
+    if (at_ != begin_ && at_[-1] == '\n') ++*line_;
     ++at_;
     return *this;
   }
@@ -36,6 +38,7 @@ class Counting {
   bool operator!=(const Counting& other) const { return at_ != other.at_; }
 
  private:
+  const char* begin_;
   const char* at_;
   std::size_t* line_;
 };
@@ -61,7 +64,7 @@ Result<Document> parse(std::string_view text, std::string_view file) {
     return depth <= kDeepest;
   };
   try {
-    document.value = json::parse(Counting(text.data(), &line), Counting(text.data() + text.size(), &line), watch);
+    document.value = json::parse(Counting(text, 0, &line), Counting(text, text.size(), &line), watch);
   } catch (const json::parse_error& problem) {
     const std::string_view words = problem.what();
     const std::size_t said = words.find(": ");
@@ -174,8 +177,12 @@ class Reader {
     edge.operations = json_in(properties, "operations");
     note_others(properties, {"id", "startid", "endid", "cost", "overridable", "metadata", "operations"},
                 "edge property ");
-    edge.multi = multi;
     const json coordinates = geometry.contains("coordinates") ? geometry["coordinates"] : json();
+    if (!multi && is_list_of_lines(coordinates)) {
+      leftovers_.note("a LineString with the coordinates of a MultiLineString", line_);
+      multi = true;
+    }
+    edge.multi = multi;
     if (!multi) edge.lines.push_back(line(coordinates));
     if (multi && !coordinates.is_array()) wrong("coordinates must be a list of lines");
     if (multi && coordinates.is_array()) {
@@ -185,6 +192,11 @@ class Reader {
     if (!edge_ids_.insert(edge.id).second) leftovers_.note("an edge with the id of an earlier one", line_);
     graph_.edges.push_back(std::move(edge));
     edge_lines_.push_back(line_);
+  }
+
+  static bool is_list_of_lines(const json& coordinates) {
+    const bool nested = coordinates.is_array() && !coordinates.empty() && coordinates.front().is_array();
+    return nested && !coordinates.front().empty() && coordinates.front().front().is_array();
   }
 
   std::vector<Eigen::Vector2d> line(const json& coordinates) {

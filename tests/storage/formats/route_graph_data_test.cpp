@@ -12,6 +12,17 @@ std::size_t times(const std::string& text, const std::string& word) {
   return count;
 }
 
+/// The depot's graph, which comes twice, has six edges with ids of earlier ones; one line of AWS's is no line.
+std::vector<std::string> not_understood(const std::string& file) {
+  if (file == "depot_graph.geojson" || file == "turtlebot4_graph.geojson") {
+    return {file + ":47: an edge with the id of an earlier one, 6 times"};
+  }
+  if (file == "aws_graph.geojson") {
+    return {file + ":130: a LineString with the coordinates of a MultiLineString, once"};
+  }
+  return {};
+}
+
 TEST(RouteGraphFiles, EachIsReadWholeAndWrittenTheSame) {
   const auto data = data_folder();
   if (!data || !std::filesystem::is_directory(*data / "ros-maps")) GTEST_SKIP() << no_data("route graphs");
@@ -21,12 +32,9 @@ TEST(RouteGraphFiles, EachIsReadWholeAndWrittenTheSame) {
     const std::string text = read_text(file);
     const auto graph = read_route_graph(text, file.string());
     ASSERT_TRUE(graph.has_value()) << graph.error().message;
-    // The depot's graph, which comes twice, names six edges as earlier ones.
-    const bool depot = graph->value.name == "depot_graph" || graph->value.name == "turtlebot4_graph";
-    ASSERT_EQ(graph->not_understood.size(), depot ? 1U : 0U) << file;
-    for (const NotUnderstood& part : graph->not_understood) {
-      EXPECT_EQ(to_string(part, "f"), "f:47: an edge with the id of an earlier one, 6 times");
-    }
+    std::vector<std::string> said;
+    for (const NotUnderstood& part : graph->not_understood) said.push_back(to_string(part, file.filename().string()));
+    EXPECT_EQ(said, not_understood(file.filename().string())) << file;
     EXPECT_EQ(graph->value.nodes.size(), times(text, "\"Point\"")) << file;
     EXPECT_EQ(graph->value.edges.size(), times(text, "LineString\"")) << file;
     EXPECT_FALSE(graph->value.crs.empty());
