@@ -73,6 +73,7 @@ Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const O
 }
 
 Exit run(Session& session, const Invocation& invocation, const Output& output) {
+  if (!needs_server(invocation.command)) return run_file(invocation, output);
   const Result<msg::Hello> server = session.connect(std::min(patience(invocation), kReach));
   if (!server) return report(server.error(), invocation.json, output);
   switch (invocation.command) {
@@ -99,6 +100,9 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
       return run_goals(session, invocation, output);
     case Command::doctor:
       return run_doctor(session, *server, invocation, output);
+    case Command::file_info:
+    case Command::file_convert:
+      break;  // done above
   }
   return report({ErrorCode::internal, "no such command"}, invocation.json, output);
 }

@@ -18,6 +18,11 @@ struct Output {
 /// Connects and does what was asked. Files named in the invocation are read and written here.
 Exit run(Session& session, const Invocation& invocation, const Output& output);
 
+/// Whether a command talks to a server; the others are done by `run_file`.
+bool needs_server(Invocation::Command command);
+/// Reads and writes files of open formats; no server is asked.
+Exit run_file(const Invocation& invocation, const Output& output);
+
 /// "weft: ..." to err, and with --json the error as a document.
 Exit report(const Error& error, bool json, const Output& output);
 

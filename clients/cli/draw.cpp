@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "clients/cli/layout.hpp"
+#include "clients/cli/plan_paint.hpp"
 
 namespace weft::cli {
 namespace {
@@ -56,13 +57,23 @@ struct Sheet {
   }
 };
 
-Sheet fit(const Layout& layout, std::size_t legend_lines) {
+/// What must be on the sheet.
+std::vector<Pose2> outline(const Layout& layout, const std::optional<Ground>& ground) {
+  std::vector<Pose2> poses;
+  for (const auto& [id, pose] : layout.drawing_from_place) poses.push_back(pose);
+  if (ground.has_value()) {
+    for (const Pose2& corner : corners_of(ground->plan)) poses.push_back(corner);
+  }
+  return poses;
+}
+
+Sheet fit(const std::vector<Pose2>& poses, std::size_t legend_lines) {
   double left = 0.0;
   double right = 1.0;
   double bottom = 0.0;
   double top = 1.0;
   bool first = true;
-  for (const auto& [id, pose] : layout.drawing_from_place) {
+  for (const Pose2& pose : poses) {
     left = first ? pose.x : std::min(left, pose.x);
     right = first ? pose.x : std::max(right, pose.x);
     bottom = first ? pose.y : std::min(bottom, pose.y);
@@ -97,6 +108,14 @@ class Drawing {
     cairo_set_line_join(pen_, CAIRO_LINE_JOIN_ROUND);
   }
 
+  Result<void> ground(const Ground& ground) {
+    const Point origin = sheet_(Pose2{});
+    cairo_matrix_t sheet_from_plan{};
+    cairo_matrix_init(&sheet_from_plan, sheet_.scale, 0.0, 0.0, -sheet_.scale, origin.x, origin.y);
+    caption_ = ", " + ground.caption;
+    return paint(pen_, ground.plan, sheet_from_plan);
+  }
+
   void title() {
     std::size_t stitches = 0;
     for (const auto& [id, edge] : network_.edges) stitches += edge.origin == Origin::stitch ? 1 : 0;
@@ -104,6 +123,7 @@ class Drawing {
     std::string detail = std::to_string(colours_.size()) + " experiences, " + std::to_string(network_.places.size()) +
                          " places, " + std::to_string(stitches) + " stitches";
     if (layout_.islands > 1) detail += ", " + std::to_string(layout_.islands) + " parts that nothing joins";
+    detail += caption_;
     text({kMargin, 70.0}, detail, 14.0, kQuiet);
   }
 
@@ -277,17 +297,22 @@ class Drawing {
   const Layout& layout_;
   const Window& network_;
   std::map<ExperienceId, Colour> colours_;
+  std::string caption_;
 };
 
 }  // namespace
 
 Result<void> draw(const Window& network, const std::vector<msg::RobotRow>& robots, const std::string& file) {
+  return draw(network, lay_out(network), std::nullopt, robots, file);
+}
+
+Result<void> draw(const Window& network, const Layout& layout, const std::optional<Ground>& ground,
+                  const std::vector<msg::RobotRow>& robots, const std::string& file) {
   const bool svg = file.ends_with(".svg");
   if (!svg && !file.ends_with(".png")) {
     return fail(ErrorCode::invalid, file + ": give a name that ends in .png or .svg");
   }
-  const Layout layout = lay_out(network);
-  const Sheet sheet = fit(layout, Drawing::legend_lines(network));
+  const Sheet sheet = fit(outline(layout, ground), Drawing::legend_lines(network));
   const Surface surface(
       svg ? cairo_svg_surface_create(file.c_str(), kWidth, sheet.height)
           : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kWidth), static_cast<int>(sheet.height)),
@@ -297,6 +322,9 @@ Result<void> draw(const Window& network, const std::vector<msg::RobotRow>& robot
   for (const msg::RobotRow& row : robots) names[row.description.header.sender] = row.description.name;
   Drawing drawing(pen.get(), sheet, layout, network);
   drawing.paper();
+  if (ground.has_value()) {
+    if (const Result<void> painted = drawing.ground(*ground); !painted) return painted;
+  }
   drawing.title();
   drawing.edges();
   drawing.labels();

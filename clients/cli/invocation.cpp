@@ -20,6 +20,7 @@ class Grammar {
     robots();
     map();
     goals();
+    files();
     add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
     // Last, because commands inherit the footer that is there when they are added.
     app_.footer(
@@ -111,10 +112,12 @@ class Grammar {
   void map() {
     CLI::App* const map = group("map", "The network");
     add(*map, "info", "How much there is, and what was refused", Command::map_info);
-    add(*map, "draw", "Draw the network: experiences, stitches, labels, robots", Command::map_draw)
-        ->add_option("OUT", into_.file, "A file, *.png or *.svg")
-        ->type_name("")
-        ->required();
+    CLI::App* const draw =
+        add(*map, "draw", "Draw the network: experiences, stitches, labels, robots", Command::map_draw);
+    draw->add_option("OUT", into_.file, "A file, *.png or *.svg")->type_name("")->required();
+    draw->add_option("--floor-plan", into_.floor_plan, "Draw it upon a floor plan: a map_server file, with its PGM")
+        ->type_name("MAP.yaml");
+    anchors(*draw);
     CLI::App* const label = add(*map, "label", "Name a place, to send goals to", Command::map_label);
     label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
         ->type_name("")
@@ -128,10 +131,46 @@ class Grammar {
       if (!here && !into_.robot.empty())
         throw CLI::ValidationError("map label PLACE NAME: --robot goes with here only");
     });
-    add(*map, "export", "Write the network as JSON", Command::map_export)
-        ->add_option("OUT", into_.file, "The file")
+    CLI::App* const exported = add(*map, "export", "Write the network into a file", Command::map_export);
+    exported
+        ->add_option("OUT", into_.file,
+                     "*.g2o | *.geojson (Nav2 route graph) | *.dot | *.graphml | *.tum; any other name: JSON")
         ->type_name("")
         ->required();
+    exported->add_option("--experience", into_.experience, "With *.tum: which, its id or the beginning of it")
+        ->type_name("ID");
+    anchors(*exported);
+  }
+
+  void anchors(CLI::App& sub) {
+    sub.add_option_function<std::vector<std::string>>(
+           "--anchor",
+           [this](const std::vector<std::string>& given) {
+             for (const std::string& text : given) {
+               Result<Anchor> anchor = parse_anchor(text);
+               if (!anchor) throw CLI::ValidationError("--anchor " + anchor.error().message);
+               into_.anchors.push_back(*std::move(anchor));
+             }
+           },
+           "Where a label lies in the site's frame, metres and radians; repeatable. One needs a heading; several "
+           "are fitted by their positions")
+        ->type_name("LABEL=X,Y[,HEADING]");
+  }
+
+  void files() {
+    CLI::App* const file = group("file", "Files of open formats; needs no server");
+    add(*file, "info", "Read files and say what is in them, and what is not understood, with its line",
+        Command::file_info)
+        ->add_option("FILE", into_.files,
+                     "*.g2o *.tum *.txt *.csv (EuRoC) *.pcd *.ply *.geojson *.pgm *.yaml; or *.gz")
+        ->type_name("")
+        ->required();
+    CLI::App* const convert =
+        add(*file, "convert", "Write clouds as .pcd or .ply, trajectories as .tum, pose graphs joined as .g2o",
+            Command::file_convert);
+    convert->add_option("IN", into_.files, "What to read; several only for pose graphs")->type_name("")->required();
+    convert->add_option("--to", into_.file, "The file to write")->type_name("OUT")->required();
+    convert->add_flag("--text", into_.as_text, "Clouds as text");
   }
 
   void goals() {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "clients/cli/anchor.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -30,14 +31,21 @@ struct Invocation {
     stop,
     resume,
     robot_clear,
-    doctor
+    doctor,
+    file_info,
+    file_convert
   };
   Command command = Command::robots;
-  std::string robot;  ///< name or hex id; empty: any, or all
-  std::string name;   ///< of an experience or a label
-  std::string place;  ///< a place id, a label, or "here"
-  std::string goal;   ///< an id, the unique beginning of one, or (why) a robot's name
-  std::string file;   ///< to read (--along) or to write
+  std::string robot;               ///< name or hex id; empty: any, or all
+  std::string name;                ///< of an experience or a label
+  std::string place;               ///< a place id, a label, or "here"
+  std::string goal;                ///< an id, the unique beginning of one, or (why) a robot's name
+  std::string file;                ///< to read (--along) or to write
+  std::vector<std::string> files;  ///< to read
+  std::string floor_plan;          ///< map draw: a map_server file; empty: none
+  std::vector<Anchor> anchors;     ///< map draw, map export: where labels lie in the site
+  std::string experience;          ///< map export: an id or its beginning
+  bool as_text = false;            ///< file convert: clouds as text
   bool json = false;
 
   std::vector<std::string> servers;

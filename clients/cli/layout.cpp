@@ -120,7 +120,10 @@ Layout lay_out(const Window& network) {
       most_x = std::max(most_x, pose.x);
     }
     const Pose2 beside{right - least_x, -least_y, 0.0};
-    for (const auto& [id, pose] : island) layout.drawing_from_place.emplace(id, beside * pose);
+    for (const auto& [id, pose] : island) {
+      layout.drawing_from_place.emplace(id, beside * pose);
+      layout.island.emplace(id, layout.islands);
+    }
     right += most_x - least_x + kBetweenIslands;
     ++layout.islands;
   }

@@ -10,7 +10,8 @@ namespace weft::cli {
 /// Places on one sheet, for people: the network itself has no common frame.
 struct Layout {
   std::map<PlaceId, Pose2> drawing_from_place;
-  std::size_t islands = 0;  ///< parts that no edge joins; set side by side
+  std::size_t islands = 0;                ///< parts that no edge joins; set side by side
+  std::map<PlaceId, std::size_t> island;  ///< which part each place is in
 };
 
 /// Composes relations outwards from the largest experience's first place, along experiences first and over stitches

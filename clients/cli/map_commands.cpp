@@ -1,7 +1,8 @@
-#include <fstream>
-
+#include "clients/cli/anchor.hpp"
 #include "clients/cli/commands.hpp"
 #include "clients/cli/draw.hpp"
+#include "clients/cli/export.hpp"
+#include "clients/cli/files.hpp"
 #include "clients/cli/table.hpp"
 
 namespace weft::cli {
@@ -37,35 +38,84 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   return Exit::done;
 }
 
-Result<void> write(const std::string& text, const std::string& file) {
-  std::ofstream out(file, std::ios::trunc);
-  out << text << '\n';
-  out.close();
-  if (!out) return fail(ErrorCode::exhausted, file + ": cannot be written; is the folder there?");
+/// The network where it is to be drawn or written: as laid out, or in the site's frame.
+struct Laid {
+  Window network;
+  Layout layout;
+  std::string caption;
+};
+
+Result<Laid> lay(Window network, const Invocation& invocation) {
+  const std::vector<Anchor>& anchors = invocation.anchors;
+  const bool wants_poses = invocation.command == Command::map_draw || has_poses(invocation.file);
+  if (!wants_poses) return Laid{std::move(network), {}, {}};
+  Layout layout = lay_out(network);
+  if (anchors.empty()) return Laid{std::move(network), std::move(layout), {}};
+  Result<Anchored> held = anchored(network, layout, anchors);
+  if (!held) return fail(held.error());
+  std::string caption = to_text(*held, anchors.size());
+  return Laid{std::move(held->network), std::move(held->layout), std::move(caption)};
+}
+
+Result<void> draw(const Laid& laid, const std::vector<msg::RobotRow>& robots, const Invocation& invocation,
+                  const Output& output) {
+  if (invocation.floor_plan.empty()) return draw(laid.network, laid.layout, std::nullopt, robots, invocation.file);
+  Result<formats::FloorPlan> plan = read_floor_plan(invocation.floor_plan, output.err);
+  if (!plan) return fail(plan.error());
+  const Ground ground{*std::move(plan), "upon " + invocation.floor_plan + ", " + laid.caption};
+  return draw(laid.network, laid.layout, ground, robots, invocation.file);
+}
+
+/// What of the command line does not go together.
+Result<void> check(const Invocation& invocation) {
+  const bool draws = invocation.command == Command::map_draw;
+  if (draws && invocation.anchors.empty() != invocation.floor_plan.empty()) {
+    return fail(ErrorCode::invalid,
+                "--floor-plan and --anchor go together: the network has no place on a floor of its own");
+  }
+  if (!draws && !invocation.anchors.empty() && !has_poses(invocation.file)) {
+    return fail(ErrorCode::invalid, invocation.file + ": JSON has no poses, --anchor means nothing there");
+  }
+  if (!invocation.experience.empty() && ending_of(invocation.file) != ".tum") {
+    return fail(ErrorCode::invalid, invocation.file + ": --experience goes with a name that ends in .tum");
+  }
   return {};
+}
+
+Result<void> write(const Laid& laid, const Names& names, const Invocation& invocation) {
+  const Result<std::string> text =
+      export_text(laid.network, laid.layout, names, invocation.file, invocation.experience);
+  if (!text) return fail(text.error());
+  return write_file(*text, invocation.file);
 }
 
 }  // namespace
 
 Exit run_map(Session& session, const Invocation& invocation, const Output& output) {
   if (invocation.command == Command::map_info) return info(session, invocation, output);
+  if (const Result<void> checked = check(invocation); !checked)
+    return report(checked.error(), invocation.json, output);
   const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
   if (!robots) return report(robots.error(), invocation.json, output);
-  const Result<Window> network = session.network(patience(invocation));
+  Result<Window> network = session.network(patience(invocation));
   if (!network) return report(network.error(), invocation.json, output);
+  const Result<Laid> laid = lay(*std::move(network), invocation);
+  if (!laid) return report(laid.error(), invocation.json, output);
   const Result<void> written = invocation.command == Command::map_draw
-                                   ? draw(*network, robots->robots, invocation.file)
-                                   : write(to_json(*network, names_of(robots->robots)).dump(1), invocation.file);
+                                   ? draw(*laid, robots->robots, invocation, output)
+                                   : write(*laid, names_of(robots->robots), invocation);
   if (!written) return report(written.error(), invocation.json, output);
   if (invocation.json) {
-    const nlohmann::json document = {{"file", invocation.file},
-                                     {"revision", network->revision.value},
-                                     {"places", network->places.size()},
-                                     {"edges", network->edges.size()}};
+    nlohmann::json document = {{"file", invocation.file},
+                               {"revision", laid->network.revision.value},
+                               {"places", laid->network.places.size()},
+                               {"edges", laid->network.edges.size()}};
+    if (!laid->caption.empty()) document["anchors"] = laid->caption;
     output.out << document.dump(2) << '\n';
   } else {
-    output.out << invocation.file << ": revision " << network->revision.value << ", " << network->places.size()
-               << " places\n";
+    output.out << invocation.file << ": revision " << laid->network.revision.value << ", "
+               << laid->network.places.size() << " places" << (laid->caption.empty() ? "" : ", ") << laid->caption
+               << '\n';
   }
   return Exit::done;
 }

@@ -1,0 +1,39 @@
+#pragma once
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clients/cli/layout.hpp"
+
+namespace weft::cli {
+
+/// Where a labelled place lies in a frame of the site: that of a floor plan, or of an exported file.
+struct Anchor {
+  std::string label;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< metres
+  std::optional<double> heading;                       ///< of a robot at the place, radians
+};
+
+/// "LABEL=X,Y" or "LABEL=X,Y,HEADING". invalid: anything else, naming what is wrong.
+Result<Anchor> parse_anchor(std::string_view text);
+
+/// A network moved into the site's frame: the part of it that the anchors hold.
+struct Anchored {
+  Window network;
+  Layout layout;             ///< in the site's frame
+  double worst_m = 0.0;      ///< how far the farthest anchored place lies from where it was said to be
+  std::size_t left_out = 0;  ///< places in parts that no anchor holds
+};
+
+/// One anchor needs a heading; of several the positions alone are fitted, by least squares, turned and moved but
+/// never stretched. not_found: a label that the network does not have; invalid: no anchors, one without a heading,
+/// anchors in parts of the network that nothing joins, or all in one point.
+Result<Anchored> anchored(const Window& network, const Layout& layout, const std::vector<Anchor>& anchors);
+
+/// "the anchors fit within 0.12 m", for people.
+std::string to_text(const Anchored& result, std::size_t anchors);
+
+}  // namespace weft::cli

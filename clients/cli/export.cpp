@@ -1,0 +1,51 @@
+#include "clients/cli/export.hpp"
+
+#include <set>
+
+#include "clients/cli/files.hpp"
+#include "storage/formats/g2o.hpp"
+#include "storage/formats/network_export.hpp"
+
+namespace weft::cli {
+namespace {
+
+Result<ExperienceId> experience_in(const Window& network, const std::string& beginning) {
+  std::set<ExperienceId> fitting;
+  for (const auto& [id, place] : network.places) {
+    if (to_string(id.experience).starts_with(beginning)) fitting.insert(id.experience);
+  }
+  if (fitting.size() == 1) return *fitting.begin();
+  return fail(ErrorCode::invalid, "a .tum file holds one experience, and " + std::to_string(fitting.size()) +
+                                      " fit: give --experience ID as `weft map export OUT.json` lists them");
+}
+
+template <class Value, class Write>
+Result<std::string> written(const Result<Value>& value, Write&& write) {
+  if (!value) return fail(value.error());
+  return write(*value);
+}
+
+}  // namespace
+
+bool has_poses(const std::string& file) {
+  static const std::set<std::string> kWithPoses = {".g2o", ".geojson", ".dot", ".graphml", ".tum"};
+  return kWithPoses.contains(ending_of(file));
+}
+
+Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names,
+                                const std::string& file, const std::string& experience) {
+  const std::string ending = ending_of(file);
+  const formats::Poses& poses = layout.drawing_from_place;
+  if (ending == ".g2o") return written(formats::pose_graph_of(network, poses), formats::g2o_text);
+  if (ending == ".geojson") return written(formats::route_graph_of(network, poses), formats::route_graph_text);
+  if (ending == ".dot") return formats::dot_text(network, poses);
+  if (ending == ".graphml") return formats::graphml_text(network, poses);
+  if (ending == ".tum") {
+    const Result<ExperienceId> of = experience_in(network, experience);
+    if (!of) return fail(of.error());
+    return written(formats::trajectory_of(network, poses, *of), formats::tum_text);
+  }
+  return to_json(network, names).dump(1) + "\n";
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "clients/cli/anchor.hpp"
+#include "clients/cli/json.hpp"
+
+namespace weft::cli {
+
+/// What `weft map export` writes into a file of that name, by its ending: .g2o, .geojson (Nav2 route graph), .dot,
+/// .graphml, .tum (of `experience`, a hex id or its beginning; needed when there are several); any other: JSON
+/// (docs/formats/records.md). Poses are those of the layout.
+/// invalid: no experience for .tum or one whose id begins otherwise.
+Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names,
+                                const std::string& file, const std::string& experience);
+
+/// Whether such a file has poses, so that anchors mean something.
+bool has_poses(const std::string& file);
+
+}  // namespace weft::cli

@@ -1,0 +1,45 @@
+#include "clients/cli/plan_layer.hpp"
+
+#include <filesystem>
+
+#include "clients/cli/files.hpp"
+
+namespace weft::cli {
+namespace {
+
+template <class T>
+void say(const formats::Read<T>& read, const std::string& file, std::ostream& err) {
+  for (const formats::NotUnderstood& part : read.not_understood) {
+    err << "weft: not understood: " << formats::to_string(part, file) << '\n';
+  }
+}
+
+}  // namespace
+
+Result<formats::FloorPlan> read_floor_plan(const std::string& file, std::ostream& err) {
+  const Result<std::string> text = read_text(file);
+  if (!text) return fail(text.error());
+  const auto described = formats::read_map_server(*text, file);
+  if (!described) return fail(described.error());
+  say(*described, file, err);
+  const std::string image_file =
+      (std::filesystem::path(file).parent_path() / described->value.image).lexically_normal().string();
+  if (ending_of(image_file) != ".pgm") {
+    return fail(ErrorCode::invalid, file + ": its image " + image_file + " is no PGM; convert it first");
+  }
+  const Result<Bytes> bytes = read_file(image_file);
+  if (!bytes) return fail(bytes.error());
+  const auto image = formats::read_pgm(*bytes, image_file);
+  if (!image) return fail(image.error());
+  say(*image, image_file, err);
+  return formats::floor_plan_from(described->value, image->value);
+}
+
+std::array<Pose2, 4> corners_of(const formats::FloorPlan& plan) {
+  const double wide = plan.width * plan.cell_m;
+  const double tall = plan.height * plan.cell_m;
+  return {plan.plan_from_grid, plan.plan_from_grid * Pose2{wide, 0.0, 0.0},
+          plan.plan_from_grid * Pose2{0.0, tall, 0.0}, plan.plan_from_grid * Pose2{wide, tall, 0.0}};
+}
+
+}  // namespace weft::cli
