@@ -176,8 +176,9 @@ class FleetMapServer final : public Service {
     desk_.on_state(*robot, now);
   }
   void receive(const msg::ExperienceBatch& batch, Now now) {
-    // What was seen stays true whichever incarnation hands it in.
-    std::ignore = admit(batch.header, true, now);
+    // What was seen stays true whichever incarnation hands it in. A client that imports a file is no robot of the
+    // fleet.
+    std::ignore = admit(batch.header, !clients_.contains(batch.header.sender), now);
     if (!fleet_.is_refused(batch.header.sender)) after(intake_.on_batch(batch, now), now);
   }
   void receive(const msg::Chunk& chunk, Now now) {

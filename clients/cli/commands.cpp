@@ -22,6 +22,7 @@ Duration patience(const Invocation& invocation) {
       return 40s;
     case Command::map_draw:
     case Command::map_export:
+    case Command::map_import:
       return 60s;
     case Command::goal_watch:
       return 24h;
@@ -91,6 +92,8 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
     case Command::map_draw:
     case Command::map_export:
       return run_map(session, invocation, output);
+    case Command::map_import:
+      return run_import(session, invocation, output);
     case Command::goal_send:
     case Command::goal_list:
     case Command::goal_show:

@@ -20,6 +20,8 @@ Exit run(Session& session, const Invocation& invocation, const Output& output);
 
 /// Whether a command talks to a server; the others are done by `run_file`.
 bool needs_server(Invocation::Command command);
+/// As whom a command speaks: an import as the robot whose runs it says they are, so that importing again is a repeat.
+PeerId identity(const Invocation& invocation, const PeerId& otherwise);
 /// Reads and writes files of open formats; no server is asked.
 Exit run_file(const Invocation& invocation, const Output& output);
 
@@ -30,6 +32,7 @@ Exit report(const Error& error, bool json, const Output& output);
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
+Exit run_import(Session& session, const Invocation& invocation, const Output& output);
 Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);
 

@@ -140,6 +140,14 @@ class Grammar {
     exported->add_option("--experience", into_.experience, "With *.tum: which, its id or the beginning of it")
         ->type_name("ID");
     anchors(*exported);
+    CLI::App* const import =
+        add(*map, "import", "Add the network of pose graphs; nobody drives there", Command::map_import);
+    import->add_option("FILE", into_.files, "*.g2o; several of one graph are joined")->type_name("")->required();
+    import
+        ->add_option("--as", into_.name,
+                     "The import's name, 1 to 64 letters, digits, '_', '.', '-'; under the same name it is a repeat")
+        ->type_name("NAME")
+        ->required();
   }
 
   void anchors(CLI::App& sub) {

@@ -22,6 +22,7 @@ struct Invocation {
     map_draw,
     map_label,
     map_export,
+    map_import,
     goal_send,
     goal_list,
     goal_show,

@@ -43,6 +43,7 @@ cli::Exit run(const cli::Invocation& invocation) {
   Random random(entropy());
   PeerId self;
   for (std::uint8_t& byte : self.bytes) byte = static_cast<std::uint8_t>(random.next() >> 8U);
+  self = cli::identity(invocation, self);
   const Result<bus::Vendor> vendor = bus::parse_vendor(invocation.vendor);
   if (!vendor) return cli::report(vendor.error(), invocation.json, output);
   bus::BusConfig config;

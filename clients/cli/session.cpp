@@ -205,4 +205,34 @@ Result<Window> Session::network(Duration at_most) {
   return std::move(*network);
 }
 
+Result<void> Session::hand_in(HandIn& hand_in, Duration quiet) {
+  SteadyTime give_up = world_.now() + quiet;
+  std::size_t acknowledged = hand_in.acknowledged();
+  while (!hand_in.done()) {
+    for (msg::Message& message : hand_in.due(world_.now())) {
+      if (auto* const batch = std::get_if<msg::ExperienceBatch>(&message)) batch->header = header();
+      if (auto* const chunk = std::get_if<msg::Chunk>(&message)) chunk->header = header();
+      // What a full queue does not take is asked for, or repeated, later.
+      std::ignore = link_.send(message);
+    }
+    while (const std::optional<msg::Message> message = link_.take()) {
+      const auto* const ack = std::get_if<msg::BatchAck>(&*message);
+      if (ack == nullptr || ack->to != self_) continue;
+      if (const Result<void> heard = hand_in.hear(*ack); !heard) return heard;
+    }
+    if (hand_in.acknowledged() > acknowledged) {
+      acknowledged = hand_in.acknowledged();
+      give_up = world_.now() + quiet;
+    }
+    if (world_.now() >= give_up) {
+      return fail(ErrorCode::timed_out, "the server has acknowledged " + std::to_string(acknowledged) +
+                                            " batches and no more for " +
+                                            std::to_string(std::lround(seconds(quiet))) +
+                                            " s: look with `weft doctor`, then import again under the same name");
+    }
+    if (!hand_in.done()) world_.wait(kListen);
+  }
+  return {};
+}
+
 }  // namespace weft::cli

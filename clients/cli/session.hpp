@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/hand_in.hpp"
 #include "core/network/window.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
@@ -36,6 +37,10 @@ class Session {
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
   /// The whole network as it is now.
   Result<Window> network(Duration at_most);
+
+  /// Until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused: in the
+  /// server's words. What was acknowledged stays.
+  Result<void> hand_in(HandIn& hand_in, Duration quiet);
 
   GoalId new_goal();
   std::string vendor() const { return link_.bus().vendor(); }

@@ -11,7 +11,7 @@
 namespace weft::formats {
 namespace {
 
-constexpr std::size_t kPlacesInBatch = 200;
+constexpr std::size_t kPlacesInBatch = 100;  // their contents fit the queue of the bus
 using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
 /// The first bytes of the SHA-256 of the import's name and what is named.
@@ -115,7 +115,7 @@ class Builder {
   Builder(const PoseGraph& graph, const std::string& name) : graph_(graph), name_(name), notes_(notes_of(graph)) {}
 
   Result<Import> run() {
-    out_.robot.bytes = derived<16>(name_, "robot");
+    out_.robot = import_robot(name_);
     collect_keys();
     if (keys_.empty()) return fail(ErrorCode::invalid, "the graph has no vertices: nothing to import");
     collect_edges();
@@ -262,6 +262,10 @@ class Builder {
 };
 
 }  // namespace
+
+RobotId import_robot(const std::string& name) {
+  return {derived<16>(name, "robot")};
+}
 
 Result<Import> import_of(const PoseGraph& graph, const std::string& name) {
   if (const Result<void> label = check_label(name); !label) return fail(label.error());

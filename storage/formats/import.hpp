@@ -14,9 +14,12 @@ namespace weft::formats {
 /// and compared.
 inline constexpr const char* kImportedMethod = "imported";
 
+/// Whose runs the experiences of an import are said to be; made of the import's name.
+RobotId import_robot(const std::string& name);
+
 /// A graph as experiences for a server's intake, in the order in which they are to be handed in.
 struct Import {
-  RobotId robot;  ///< whose runs they are said to be; made of the import's name
+  RobotId robot;  ///< `import_robot`
   std::vector<Batch> batches;
   std::map<ContentHash, Bytes> contents;
   std::vector<std::pair<std::string, PlaceId>> labels;

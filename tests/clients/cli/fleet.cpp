@@ -232,7 +232,7 @@ Said Fleet::weft(const std::vector<std::string>& arguments) {
     said.err = not_run->text;
     return said;
   }
-  const PeerId self = peer(static_cast<std::uint8_t>(100 + operators_++));
+  const PeerId self = identity(std::get<Invocation>(parsed), peer(static_cast<std::uint8_t>(100 + operators_++)));
   bus::Link link(net_.attach(msg::Role::client, self));
   const World world{[this] { return now; }, [this] { return both().wall; },
                     [this](Duration at_most) { turn(std::min(std::max(at_most, Duration{1ms}), kStep)); }};
