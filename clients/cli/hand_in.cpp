@@ -36,15 +36,18 @@ std::size_t HandIn::end_of_experience() const {
 
 std::vector<msg::Message> HandIn::due(SteadyTime now) {
   std::vector<msg::Message> out;
+  if (now >= repeat_at_ && !progressed_) {
+    sent_ = next_;
+    answered_.clear();
+  }
+  if (now >= repeat_at_ || progressed_) repeat_at_ = now + kRepeat;
+  progressed_ = false;
   for (const ContentHash& hash : wanted_) {
     const auto content = contents_.find(hash);
-    if (content != contents_.end()) add_chunks(out, hash, content->second);
+    // Each of several batches in flight is answered with the same list.
+    if (content != contents_.end() && answered_.insert(hash).second) add_chunks(out, hash, content->second);
   }
   wanted_.clear();
-  if (now >= repeat_at_) {
-    sent_ = next_;
-    repeat_at_ = now + kRepeat;
-  }
   const std::size_t end = std::min(end_of_experience(), next_ + kInFlight);
   for (sent_ = std::max(sent_, next_); sent_ < end; ++sent_) {
     out.emplace_back(msg::ExperienceBatch{.header = {}, .batch = batches_[sent_]});
@@ -59,7 +62,7 @@ Result<void> HandIn::hear(const msg::BatchAck& ack) {
                                         " of experience " + to_string(ack.experience) + ": " + ack.refusal);
   }
   const std::size_t end = end_of_experience();
-  while (next_ < end && batches_[next_].sequence <= ack.durable_through) ++next_;
+  for (; next_ < end && batches_[next_].sequence <= ack.durable_through; ++next_) progressed_ = true;
   wanted_ = ack.missing;
   return {};
 }

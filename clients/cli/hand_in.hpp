@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "core/protocol/messages.hpp"
@@ -32,7 +33,9 @@ class HandIn {
   std::size_t next_ = 0;  ///< the first batch that is not acknowledged
   std::size_t sent_ = 0;  ///< the first one that was not sent since the last repeat
   SteadyTime repeat_at_{};
+  bool progressed_ = false;
   std::vector<ContentHash> wanted_;
+  std::set<ContentHash> answered_;  ///< wanted contents that went out since the last repeat
 };
 
 }  // namespace weft::cli

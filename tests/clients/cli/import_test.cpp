@@ -104,6 +104,11 @@ TEST(HandIn, RepeatsUntilAcknowledgedAndSendsWhatIsMissing) {
   ack.missing = {hash};
   ASSERT_TRUE(hand_in.hear(ack).has_value());
   EXPECT_EQ(hand_in.due(now).size(), 2U + 2U);  // two chunks, batches 5 and 6
+  ASSERT_TRUE(hand_in.hear(ack).has_value());
+  EXPECT_TRUE(hand_in.due(now).empty());  // the same list again: they are on their way
+  now += 3s;
+  ASSERT_TRUE(hand_in.hear(ack).has_value());
+  EXPECT_EQ(hand_in.due(now).size(), 2U + 4U);  // lost, it seems
   ack.durable_through = 6;
   ack.missing.clear();
   ASSERT_TRUE(hand_in.hear(ack).has_value());
