@@ -12,6 +12,7 @@
 
 #include "clients/cli/layout.hpp"
 #include "clients/cli/plan_paint.hpp"
+#include "storage/formats/import.hpp"
 
 namespace weft::cli {
 namespace {
@@ -183,16 +184,14 @@ class Drawing {
     double y = sheet_.height - kMargin - kLine * static_cast<double>(legend_lines(network_)) + kLine;
     for (const auto& [id, ink] : colours_) {
       std::uint32_t places = 0;
-      RobotId robot;
+      std::string taught;
       for (const auto& [place, held] : network_.places) {
         if (place.experience != id) continue;
-        ++places;
-        robot = held.robot;
+        if (places++ > 0) continue;
+        taught = held.method == formats::kImportedMethod ? "imported" : "taught by " + name_of(names, held.robot);
       }
       sample(y, ink, 5.0);
-      text({kMargin + 60.0, y + 5.0},
-           "taught by " + name_of(names, robot) + ": " + std::to_string(places) + " places, experience " +
-               to_string(id),
+      text({kMargin + 60.0, y + 5.0}, taught + ": " + std::to_string(places) + " places, experience " + to_string(id),
            15.0, kInk);
       y += kLine;
     }

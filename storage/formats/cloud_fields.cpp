@@ -9,7 +9,7 @@
 namespace weft::formats {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 std::uint64_t bits_of(const std::uint8_t* bytes, std::size_t size, bool big_endian) {
   std::uint64_t bits = 0;
@@ -74,7 +74,7 @@ Result<void> CloudBuilder::begin(const std::vector<CloudField>& fields, std::siz
                                  Leftovers& leftovers) {
   fields_ = fields;
   for (const CloudField& field : fields) {
-    Role role = role_of(field.name);
+    const Role role = role_of(field.name);
     if (role != Role::none && !suits(field, role)) {
       return fail_at(file, field.line,
                      "field " + field.name + " has type " + field.type + std::to_string(8 * field.size) + " x " +
@@ -100,10 +100,10 @@ Result<void> CloudBuilder::begin(const std::vector<CloudField>& fields, std::siz
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!takes(i) && fields[i].name != "_") leftovers.note("field " + fields[i].name, fields[i].line);
   }
-  cloud_.points.assign(points, Eigen::Vector3f::Constant(kNone));
+  cloud_.points.assign(points, Eigen::Vector3f::Constant(kNoNumber));
   if (has(Role::intensity)) cloud_.intensities.assign(points, 0.0F);
   if (colours) cloud_.colours.assign(points, {0, 0, 0});
-  if (normals) cloud_.normals.assign(points, Eigen::Vector3f::Constant(kNone));
+  if (normals) cloud_.normals.assign(points, Eigen::Vector3f::Constant(kNoNumber));
   cloud_.width = points;
   return {};
 }

@@ -12,9 +12,9 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-class Reader {
+class G2oReader {
  public:
-  Reader(std::string_view text, std::string_view file) : lines_(text), file_(file) {}
+  G2oReader(std::string_view text, std::string_view file) : lines_(text), file_(file) {}
 
   Result<Read<PoseGraph>> run() {
     while (const std::optional<std::string_view> line = lines_.next()) {
@@ -175,7 +175,7 @@ class Reader {
 }  // namespace
 
 Result<Read<PoseGraph>> read_g2o(std::string_view text, std::string_view file) {
-  return Reader(text, file).run();
+  return G2oReader(text, file).run();
 }
 
 }  // namespace weft::formats

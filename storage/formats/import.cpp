@@ -110,9 +110,10 @@ Notes notes_of(const PoseGraph& graph) {
   return notes;
 }
 
-class Builder {
+class ImportBuilder {
  public:
-  Builder(const PoseGraph& graph, const std::string& name) : graph_(graph), name_(name), notes_(notes_of(graph)) {}
+  ImportBuilder(const PoseGraph& graph, const std::string& name)
+      : graph_(graph), name_(name), notes_(notes_of(graph)) {}
 
   Result<Import> run() {
     out_.robot = import_robot(name_);
@@ -269,7 +270,7 @@ RobotId import_robot(const std::string& name) {
 
 Result<Import> import_of(const PoseGraph& graph, const std::string& name) {
   if (const Result<void> label = check_label(name); !label) return fail(label.error());
-  return Builder(graph, name).run();
+  return ImportBuilder(graph, name).run();
 }
 
 }  // namespace weft::formats

@@ -6,20 +6,20 @@
 
 namespace weft::formats {
 namespace {
-enum : std::uint8_t { kNone = 0, kPlanar = 1, kSpatial = 2 };
+enum : std::uint8_t { kNoEstimate = 0, kPlanarEstimate = 1, kSpatialEstimate = 2 };
 }
 
 Bytes encode(const ImportedContent& content) {
   ByteWriter out;
   out.number(content.key);
   if (!content.estimate.has_value()) {
-    out.number(std::uint8_t{kNone});
+    out.number(std::uint8_t{kNoEstimate});
   } else if (const auto* const planar = std::get_if<Pose2>(&*content.estimate)) {
-    out.number(std::uint8_t{kPlanar});
+    out.number(std::uint8_t{kPlanarEstimate});
     for (const double value : {planar->x, planar->y, planar->heading}) out.f64(value);
   } else {
     const auto& pose = std::get<Pose3>(*content.estimate);
-    out.number(std::uint8_t{kSpatial});
+    out.number(std::uint8_t{kSpatialEstimate});
     for (const double value : pose.translation) out.f64(value);
     for (const double value : {pose.rotation.w(), pose.rotation.x(), pose.rotation.y(), pose.rotation.z()}) {
       out.f64(value);
@@ -32,21 +32,21 @@ Result<ImportedContent> decode_imported_content(ByteView bytes) {
   ByteReader in(bytes);
   ImportedContent content;
   content.key = in.number<std::uint64_t>("key");
-  const auto kind = in.ranged<std::uint8_t>("kind of estimate", kNone, kSpatial);
+  const auto kind = in.ranged<std::uint8_t>("kind of estimate", kNoEstimate, kSpatialEstimate);
   const auto finite = [&in](const char* field) {
     const std::size_t at = in.offset();
     const double value = in.f64(field);
     if (!std::isfinite(value)) in.corrupt(field, at, "is not finite");
     return value;
   };
-  if (kind == kPlanar) {
+  if (kind == kPlanarEstimate) {
     Pose2 pose;
     pose.x = finite("x");
     pose.y = finite("y");
     pose.heading = finite("heading");
     content.estimate = pose;
   }
-  if (kind == kSpatial) {
+  if (kind == kSpatialEstimate) {
     Pose3 pose;
     for (double& value : pose.translation) value = finite("translation");
     const std::size_t at = in.offset();

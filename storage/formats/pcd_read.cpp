@@ -10,9 +10,9 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-class Reader {
+class PcdReader {
  public:
-  Reader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}
+  PcdReader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}
 
   Result<Read<Cloud>> run() {
     if (const Result<void> read = header(); !read) return fail(read.error());
@@ -229,7 +229,7 @@ class Reader {
 }  // namespace
 
 Result<Read<Cloud>> read_pcd(ByteView bytes, std::string_view file) {
-  return Reader(bytes, file).run();
+  return PcdReader(bytes, file).run();
 }
 
 }  // namespace weft::formats

@@ -9,10 +9,10 @@
 namespace weft::formats {
 namespace {
 
-/// Words of a PGM header, comments left out, with the line they stand in.
-class Words {
+/// HeaderWords of a PGM header, comments left out, with the line they stand in.
+class HeaderWords {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  explicit HeaderWords(std::string_view text) : text_(text) {}
 
   std::optional<std::string_view> next() {
     skip();
@@ -42,9 +42,9 @@ class Words {
   std::size_t line_ = 1;
 };
 
-class Reader {
+class PgmReader {
  public:
-  Reader(ByteView bytes, std::string_view file) : bytes_(bytes), words_(text_in(bytes)), file_(file) {}
+  PgmReader(ByteView bytes, std::string_view file) : bytes_(bytes), words_(text_in(bytes)), file_(file) {}
 
   Result<Read<GreyImage>> run() {
     const std::string_view magic = words_.next().value_or("");
@@ -113,7 +113,7 @@ class Reader {
   }
 
   ByteView bytes_;
-  Words words_;
+  HeaderWords words_;
   std::string_view file_;
   GreyImage image_;
   Leftovers leftovers_;
@@ -122,7 +122,7 @@ class Reader {
 }  // namespace
 
 Result<Read<GreyImage>> read_pgm(ByteView bytes, std::string_view file) {
-  return Reader(bytes, file).run();
+  return PgmReader(bytes, file).run();
 }
 
 Bytes pgm_bytes(const GreyImage& image) {

@@ -8,9 +8,9 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-class Reader {
+class PlyReader {
  public:
-  Reader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}
+  PlyReader(ByteView bytes, std::string_view file) : bytes_(bytes), lines_(text_in(bytes)), file_(file) {}
 
   Result<Read<Cloud>> run() {
     if (lines_.next().value_or("") != "ply") return fail_at(file_, 1, "the file does not begin with the line 'ply'");
@@ -159,7 +159,7 @@ class Reader {
 }  // namespace
 
 Result<Read<Cloud>> read_ply(ByteView bytes, std::string_view file) {
-  return Reader(bytes, file).run();
+  return PlyReader(bytes, file).run();
 }
 
 }  // namespace weft::formats

@@ -43,28 +43,24 @@ class Counting {
   std::size_t* line_;
 };
 
-struct Document {
-  json value;
-  std::vector<std::size_t> feature_lines;  ///< in which line each feature begins
-};
-
-Result<Document> parse(std::string_view text, std::string_view file) {
+/// `feature_lines`: in which line each feature begins.
+Result<json> parse(std::string_view text, std::string_view file, std::vector<std::size_t>& feature_lines) {
   constexpr int kFeatureDepth = 2;  // the collection is at 0, its array of features at 1
   constexpr int kDeepest = 64;      // what writes it out again calls itself for each level
   std::size_t line = 1;
   std::size_t too_deep = 0;
-  Document document;
+  json document;
   std::string key;
   const json::parser_callback_t watch = [&](int depth, json::parse_event_t event, json& parsed) {
     if (depth > kDeepest && too_deep == 0) too_deep = line;
     if (depth == 1 && event == json::parse_event_t::key) key = parsed.get<std::string>();
     const bool begins = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start ||
                         event == json::parse_event_t::value;
-    if (depth == kFeatureDepth && begins && key == "features") document.feature_lines.push_back(line);
+    if (depth == kFeatureDepth && begins && key == "features") feature_lines.push_back(line);
     return depth <= kDeepest;
   };
   try {
-    document.value = json::parse(Counting(text, 0, &line), Counting(text, text.size(), &line), watch);
+    document = json::parse(Counting(text, 0, &line), Counting(text, text.size(), &line), watch);
   } catch (const json::parse_error& problem) {
     const std::string_view words = problem.what();
     const std::size_t said = words.find(": ");
@@ -75,12 +71,13 @@ Result<Document> parse(std::string_view text, std::string_view file) {
   return document;
 }
 
-class Reader {
+class RouteGraphReader {
  public:
-  Reader(const Document& document, std::string_view file) : document_(document), file_(file) {}
+  RouteGraphReader(const json& document, const std::vector<std::size_t>& feature_lines, std::string_view file)
+      : document_(document), feature_lines_(feature_lines), file_(file) {}
 
   Result<Read<RouteGraph>> run() {
-    const json& root = document_.value;
+    const json& root = document_;
     if (!root.is_object() || text_in(root, "type") != "FeatureCollection" || !root.contains("features") ||
         !root["features"].is_array()) {
       return wrong("a route graph is a GeoJSON FeatureCollection with 'features'");
@@ -91,7 +88,7 @@ class Reader {
     note_others(root, {"type", "features", "name", "date_generated", "crs"}, "member ");
     const json& features = root["features"];
     for (std::size_t i = 0; i < features.size(); ++i) {
-      line_ = i < document_.feature_lines.size() ? document_.feature_lines[i] : 1;
+      line_ = i < feature_lines_.size() ? feature_lines_[i] : 1;
       take(features[i]);
       if (!error_.message.empty()) return fail(error_);
     }
@@ -235,7 +232,8 @@ class Reader {
     }
   }
 
-  const Document& document_;
+  const json& document_;
+  const std::vector<std::size_t>& feature_lines_;
   std::string_view file_;
   std::size_t line_ = 1;  // of the feature at hand
   RouteGraph graph_;
@@ -249,9 +247,10 @@ class Reader {
 }  // namespace
 
 Result<Read<RouteGraph>> read_route_graph(std::string_view text, std::string_view file) {
-  const Result<Document> document = parse(text, file);
+  std::vector<std::size_t> feature_lines;
+  const Result<json> document = parse(text, file, feature_lines);
   if (!document) return fail(document.error());
-  return Reader(*document, file).run();
+  return RouteGraphReader(*document, feature_lines, file).run();
 }
 
 }  // namespace weft::formats

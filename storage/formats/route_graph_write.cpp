@@ -23,7 +23,7 @@ std::string feature(const ordered_json& properties, const char* type, const orde
   return object.dump();
 }
 
-std::string text_of(const RouteGraph::Node& node) {
+std::string feature_of(const RouteGraph::Node& node) {
   ordered_json properties = {{"id", node.id}};
   if (!node.frame.empty()) properties["frame"] = node.frame;
   put(properties, "metadata", node.metadata);
@@ -31,7 +31,7 @@ std::string text_of(const RouteGraph::Node& node) {
   return feature(properties, "Point", {node.position.x(), node.position.y()});
 }
 
-std::string text_of(const RouteGraph::Edge& edge) {
+std::string feature_of(const RouteGraph::Edge& edge) {
   ordered_json properties = {{"id", edge.id}, {"startid", edge.start}, {"endid", edge.end}};
   if (edge.cost.has_value()) properties["cost"] = *edge.cost;
   if (edge.overridable.has_value()) properties["overridable"] = *edge.overridable;
@@ -55,8 +55,8 @@ std::string route_graph_text(const RouteGraph& graph) {
   if (!graph.date_generated.empty()) member("date_generated", graph.date_generated);
   text += "\"features\":[";
   std::size_t count = 0;
-  for (const RouteGraph::Node& node : graph.nodes) text += (count++ == 0 ? "\n" : ",\n") + text_of(node);
-  for (const RouteGraph::Edge& edge : graph.edges) text += (count++ == 0 ? "\n" : ",\n") + text_of(edge);
+  for (const RouteGraph::Node& node : graph.nodes) text += (count++ == 0 ? "\n" : ",\n") + feature_of(node);
+  for (const RouteGraph::Edge& edge : graph.edges) text += (count++ == 0 ? "\n" : ",\n") + feature_of(edge);
   return text + "\n]}\n";
 }
 

@@ -12,9 +12,9 @@ constexpr std::size_t kNumbers = 8;
 using Numbers = std::array<double, kNumbers>;
 
 /// Adds samples and holds them to what a trajectory is.
-class Builder {
+class TrajectoryBuilder {
  public:
-  Builder(const Lines& lines, std::string_view file) : lines_(lines), file_(file) {}
+  TrajectoryBuilder(const Lines& lines, std::string_view file) : lines_(lines), file_(file) {}
 
   tl::unexpected<Error> wrong(const std::string& what) const { return fail_at(file_, lines_.number(), what); }
 
@@ -56,7 +56,7 @@ class Builder {
 
 Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file) {
   Lines lines(text);
-  Builder builder(lines, file);
+  TrajectoryBuilder builder(lines, file);
   while (const std::optional<std::string_view> line = lines.next()) {
     const std::vector<std::string_view> words = words_of(*line);
     if (words.empty() || words.front().starts_with('#')) continue;
@@ -74,7 +74,7 @@ Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file) 
 
 Result<Read<Trajectory>> read_euroc_csv(std::string_view text, std::string_view file) {
   Lines lines(text);
-  Builder builder(lines, file);
+  TrajectoryBuilder builder(lines, file);
   while (const std::optional<std::string_view> line = lines.next()) {
     if (trimmed(*line).empty() || trimmed(*line).starts_with('#')) continue;
     const std::vector<std::string_view> cells = cells_of(*line, ',');

@@ -10,7 +10,7 @@
 namespace weft::cli::test {
 namespace {
 
-Window loops(bool stitched) {
+Window two_parts(bool stitched) {
   std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
   if (!stitched) std::erase_if(batches.back().edges, [](const Edge& edge) { return edge.origin == Origin::stitch; });
   Snapshot snapshot;
@@ -40,7 +40,7 @@ TEST(ParseAnchor, TakesPositionsAndHeadings) {
 }
 
 TEST(Anchored, OneAnchorPutsItsPlaceExactlyThere) {
-  const Anchored result = held(loops(true), {{"start", {5.0, 7.0}, std::numbers::pi / 2}});
+  const Anchored result = held(two_parts(true), {{"start", {5.0, 7.0}, std::numbers::pi / 2}});
   const Pose2 start = result.layout.drawing_from_place.at({{0xA1}, 0});
   EXPECT_NEAR(start.x, 5.0, 1e-9);
   EXPECT_NEAR(start.y, 7.0, 1e-9);
@@ -54,7 +54,7 @@ TEST(Anchored, OneAnchorPutsItsPlaceExactlyThere) {
 
 TEST(Anchored, SeveralAreFittedAndTheResidualIsSaid) {
   // They lie 12 m apart and are said to be 12.4 m apart: 0.2 m are left at each.
-  const Anchored result = held(loops(true), {{"start", {0.0, 0.0}, {}}, {"corner", {0.0, 12.4}, {}}});
+  const Anchored result = held(two_parts(true), {{"start", {0.0, 0.0}, {}}, {"corner", {0.0, 12.4}, {}}});
   EXPECT_NEAR(result.worst_m, 0.2, 0.03);
   const Pose2 start = result.layout.drawing_from_place.at({{0xA1}, 0});
   EXPECT_NEAR(start.y, 0.2, 0.03);
@@ -63,7 +63,7 @@ TEST(Anchored, SeveralAreFittedAndTheResidualIsSaid) {
 }
 
 TEST(Anchored, PartsThatNoAnchorHoldsAreLeftOut) {
-  const Window network = loops(false);
+  const Window network = two_parts(false);
   const Anchored result = held(network, {{"start", {0.0, 0.0}, 0.0}});
   EXPECT_GT(result.left_out, 10U);
   EXPECT_EQ(result.network.places.size() + result.left_out, network.places.size());
@@ -73,7 +73,7 @@ TEST(Anchored, PartsThatNoAnchorHoldsAreLeftOut) {
 }
 
 TEST(Anchored, WhatCannotBeFittedIsSaid) {
-  const Window network = loops(false);
+  const Window network = two_parts(false);
   const Layout layout = lay_out(network);
   EXPECT_EQ(anchored(network, layout, {{"nowhere", {0, 0}, 0.0}}).error().code, ErrorCode::not_found);
   EXPECT_EQ(anchored(network, layout, {{"start", {0, 0}, {}}}).error().code, ErrorCode::invalid);

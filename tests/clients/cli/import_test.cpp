@@ -10,7 +10,7 @@ namespace weft::cli::test {
 namespace {
 using namespace std::chrono_literals;
 
-std::string written(const std::string& name, const std::string& text) {
+std::string file_of(const std::string& name, const std::string& text) {
   const std::string file = (folder() / name).string();
   std::ofstream(file) << text;
   return file;
@@ -28,7 +28,7 @@ std::string chain(int length) {
 TEST(Import, AGraphJoinsTheMapThroughIntake) {
   Fleet fleet;
   const std::size_t before = fleet.service->snapshot().place_count();
-  const Said said = fleet.weft({"map", "import", written("a.g2o", chain(750)), "--as", "site", "--json"});
+  const Said said = fleet.weft({"map", "import", file_of("a.g2o", chain(750)), "--as", "site", "--json"});
   ASSERT_EQ(said.exit, Exit::done) << said.err;
   EXPECT_EQ(said.json()["places"], 750);
   EXPECT_EQ(said.json()["experiences"], 1);
@@ -41,16 +41,16 @@ TEST(Import, AGraphJoinsTheMapThroughIntake) {
 
 TEST(Import, AgainIsHarmlessAndAnotherFileOfThatNameIsRefused) {
   Fleet fleet;
-  const std::string file = written("a.g2o", chain(50));
+  const std::string file = file_of("a.g2o", chain(50));
   ASSERT_EQ(fleet.weft({"map", "import", file, "--as", "site"}).exit, Exit::done);
   const std::size_t places = fleet.service->snapshot().place_count();
   EXPECT_EQ(fleet.weft({"map", "import", file, "--as", "site"}).exit, Exit::done);
   EXPECT_EQ(fleet.service->snapshot().place_count(), places);
-  const Said other = fleet.weft({"map", "import", written("b.g2o", chain(60)), "--as", "site"});
+  const Said other = fleet.weft({"map", "import", file_of("b.g2o", chain(60)), "--as", "site"});
   EXPECT_EQ(other.exit, Exit::refused);
   EXPECT_NE(other.err.find("another hash"), std::string::npos) << other.err;
   EXPECT_EQ(fleet.service->snapshot().place_count(), places);
-  EXPECT_EQ(fleet.weft({"map", "import", written("b.g2o", chain(60)), "--as", "hall"}).exit, Exit::done);
+  EXPECT_EQ(fleet.weft({"map", "import", file_of("b.g2o", chain(60)), "--as", "hall"}).exit, Exit::done);
 }
 
 TEST(Import, AnExportComesBackUnderItsNameWithItsLabels) {
@@ -69,12 +69,12 @@ TEST(Import, AnExportComesBackUnderItsNameWithItsLabels) {
 
 TEST(Import, WhatCannotBeReadIsSaid) {
   Fleet fleet;
-  const Said wrong = fleet.weft({"map", "import", written("c.g2o", "EDGE_SE2 0 1 1\n"), "--as", "site"});
+  const Said wrong = fleet.weft({"map", "import", file_of("c.g2o", "EDGE_SE2 0 1 1\n"), "--as", "site"});
   EXPECT_EQ(wrong.exit, Exit::usage);
   EXPECT_NE(wrong.err.find("c.g2o:1: EDGE_SE2 has 3 numbers"), std::string::npos);
-  EXPECT_EQ(fleet.weft({"map", "import", written("c.geojson", "{}"), "--as", "site"}).exit, Exit::usage);
-  EXPECT_EQ(fleet.weft({"map", "import", written("a.g2o", chain(5)), "--as", "no name"}).exit, Exit::usage);
-  EXPECT_EQ(fleet.weft({"map", "import", written("a.g2o", chain(5))}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "import", file_of("c.geojson", "{}"), "--as", "site"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "import", file_of("a.g2o", chain(5)), "--as", "no name"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "import", file_of("a.g2o", chain(5))}).exit, Exit::usage);
 }
 
 std::size_t batches_in(const std::vector<msg::Message>& messages) {

@@ -6,23 +6,23 @@ namespace weft::formats {
 namespace {
 
 const std::string kRest = "origin: [1.0, -2.0, 0.5]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
-const std::string kFile = "image: a.pgm\nresolution: 0.1\n" + kRest;
+const std::string kMapFile = "image: a.pgm\nresolution: 0.1\n" + kRest;
 
-MapServerFile file(const std::string& text) {
+MapServerFile described(const std::string& text) {
   auto read = read_map_server(text, "a.yaml");
   EXPECT_TRUE(read.has_value()) << (read ? "" : read.error().message);
   return read ? read->value : MapServerFile{};
 }
 
 TEST(MapServer, ReadsItsKeysAndListsOthers) {
-  const auto read = read_map_server(kFile + "mode: scale\nshade: 3\n", "a.yaml");
+  const auto read = read_map_server(kMapFile + "mode: scale\nshade: 3\n", "a.yaml");
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(read->value.image, "a.pgm");
   EXPECT_EQ(read->value.resolution_m, 0.1);
   EXPECT_EQ(read->value.origin, (Pose2{1.0, -2.0, 0.5}));
   EXPECT_EQ(read->value.mode, MapServerFile::Mode::scale);
   EXPECT_EQ(read->not_understood, (std::vector<NotUnderstood>{{"shade", 8, 1}}));
-  EXPECT_EQ(file(kFile).mode, MapServerFile::Mode::trinary);
+  EXPECT_EQ(described(kMapFile).mode, MapServerFile::Mode::trinary);
 }
 
 TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
@@ -33,8 +33,8 @@ TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
       {"image: a.pgm\nresolution: -1\n" + kRest, "a.yaml:2: resolution must be a number in [1e-06, 100]"},
       {"image: a.pgm\nresolution: fine\n" + kRest, "a.yaml:2: resolution must be a number in [1e-06, 100]"},
       {"image: []\nresolution: 1\n" + kRest, "a.yaml:1: image must be the name of a file"},
-      {kFile + "mode: grey\n", "a.yaml:7: mode must be trinary, scale or raw"},
-      {kFile + "image: b.pgm\n", "a.yaml:7: image stands there a second time"},
+      {kMapFile + "mode: grey\n", "a.yaml:7: mode must be trinary, scale or raw"},
+      {kMapFile + "image: b.pgm\n", "a.yaml:7: image stands there a second time"},
       {"image: a\nresolution: 1\norigin: [1, 2]\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0\n",
        "a.yaml:3: origin must be [x, y, heading] of the lower left pixel, metres and radians"},
       {"image: a\nresolution: 1\norigin: [1, 2, nan]\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0\n",
@@ -56,24 +56,24 @@ TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
 /// Cells of one row of pixels with white 255.
 std::vector<std::int8_t> cells(const std::string& text, const std::vector<std::uint16_t>& pixels) {
   const GreyImage image{static_cast<std::uint32_t>(pixels.size()), 1, 255, pixels};
-  return floor_plan_from(file(text), image).cells;
+  return floor_plan_from(described(text), image).cells;
 }
 
 TEST(FloorPlan, PixelsMeanWhatTheModeSays) {
   constexpr std::int8_t kUnknown = FloorPlan::kUnknown;
   using Cells = std::vector<std::int8_t>;
-  EXPECT_EQ(cells(kFile, {0, 254, 205, 127}), (Cells{100, 0, 0, kUnknown}));
-  std::string negated = kFile;
+  EXPECT_EQ(cells(kMapFile, {0, 254, 205, 127}), (Cells{100, 0, 0, kUnknown}));
+  std::string negated = kMapFile;
   negated.replace(negated.find("negate: 0"), 9, "negate: 1");
   EXPECT_EQ(cells(negated, {0, 254, 127}), (Cells{0, 100, kUnknown}));
   // p = 1 - 140.25 / 255 = 0.45 lies half-way between 0.25 and 0.65.
-  EXPECT_EQ(cells(kFile + "mode: scale\n", {0, 255, 140}), (Cells{100, 0, 50}));
-  EXPECT_EQ(cells(kFile + "mode: raw\n", {0, 42, 100, 101, 255}), (Cells{0, 42, 100, kUnknown, kUnknown}));
+  EXPECT_EQ(cells(kMapFile + "mode: scale\n", {0, 255, 140}), (Cells{100, 0, 50}));
+  EXPECT_EQ(cells(kMapFile + "mode: raw\n", {0, 42, 100, 101, 255}), (Cells{0, 42, 100, kUnknown, kUnknown}));
 }
 
 TEST(FloorPlan, TheBottomRowOfTheImageComesFirst) {
   const GreyImage image{1, 3, 255, {0, 127, 255}};
-  const FloorPlan plan = floor_plan_from(file(kFile), image);
+  const FloorPlan plan = floor_plan_from(described(kMapFile), image);
   EXPECT_EQ(plan.cells, (std::vector<std::int8_t>{0, FloorPlan::kUnknown, 100}));
   EXPECT_EQ(plan.height, 3U);
   EXPECT_EQ(plan.cell_m, 0.1);

@@ -10,9 +10,9 @@
 namespace weft::formats::test {
 namespace {
 
-const std::string kOne = " 1 0 0 1 0 1\n";
+const std::string kUnit = " 1 0 0 1 0 1\n";
 
-PoseGraph graph(const std::string& text) {
+PoseGraph parsed(const std::string& text) {
   auto read = read_g2o(text, "a.g2o");
   EXPECT_TRUE(read.has_value()) << (read ? "" : read.error().message);
   return read ? read->value : PoseGraph{};
@@ -33,7 +33,7 @@ TEST(Import, AnExportComesBackAsTheSameNetwork) {
     const SmallNetwork small = small_network(spatial);
     const auto exported = pose_graph_of(small.network, small.frame_from_place);
     ASSERT_TRUE(exported.has_value());
-    const auto import = import_of(graph(g2o_text(*exported)), "again");
+    const auto import = import_of(parsed(g2o_text(*exported)), "again");
     ASSERT_TRUE(import.has_value()) << import.error().message;
     EXPECT_TRUE(import->left_out.empty());
     const Window back = make_window(network_of(*import), WindowDefinition{});
@@ -58,7 +58,7 @@ TEST(Import, AnExportComesBackAsTheSameNetwork) {
 
 TEST(Import, ChainsBreakWhereNothingJoinsTheNext) {
   const auto import = import_of(
-      graph("EDGE_SE2 0 1 1 0 0" + kOne + "EDGE_SE2 3 2 1 0 0" + kOne + "EDGE_SE2 0 3 5 0 0" + kOne), "site");
+      parsed("EDGE_SE2 0 1 1 0 0" + kUnit + "EDGE_SE2 3 2 1 0 0" + kUnit + "EDGE_SE2 0 3 5 0 0" + kUnit), "site");
   ASSERT_TRUE(import.has_value());
   const Snapshot network = network_of(*import);
   EXPECT_EQ(network.experiences().size(), 2U);
@@ -76,7 +76,7 @@ TEST(Import, RobotsByTheirLetterAreExperiencesOfTheirOwn) {
   const std::uint64_t a = std::uint64_t{'a'} << 56U;
   const std::uint64_t b = (std::uint64_t{'a'} << 56U) + (1ULL << 56U);
   const auto import =
-      import_of(graph("EDGE_SE2 " + std::to_string(a) + " " + std::to_string(b) + " 1 0 0" + kOne), "site");
+      import_of(parsed("EDGE_SE2 " + std::to_string(a) + " " + std::to_string(b) + " 1 0 0" + kUnit), "site");
   ASSERT_TRUE(import.has_value());
   EXPECT_EQ(network_of(*import).experiences().size(), 2U);
 }
@@ -84,9 +84,9 @@ TEST(Import, RobotsByTheirLetterAreExperiencesOfTheirOwn) {
 TEST(Import, LongChainsComeInSeveralBatches) {
   std::string text;
   for (int i = 0; i < 500; ++i) {
-    text += "EDGE_SE2 " + std::to_string(i) + " " + std::to_string(i + 1) + " 1 0 0" + kOne;
+    text += "EDGE_SE2 " + std::to_string(i) + " " + std::to_string(i + 1) + " 1 0 0" + kUnit;
   }
-  const auto import = import_of(graph(text), "site");
+  const auto import = import_of(parsed(text), "site");
   ASSERT_TRUE(import.has_value());
   ASSERT_EQ(import->batches.size(), 6U);
   EXPECT_EQ(import->batches[5].sequence, 6U);
@@ -96,7 +96,7 @@ TEST(Import, LongChainsComeInSeveralBatches) {
 }
 
 TEST(Import, AgainUnderTheSameNameIsARepeatAndUnderAnotherIsNot) {
-  const PoseGraph one = graph("EDGE_SE2 0 1 1 0 0" + kOne);
+  const PoseGraph one = parsed("EDGE_SE2 0 1 1 0 0" + kUnit);
   const auto first = import_of(one, "site");
   const auto again = import_of(one, "site");
   const auto other = import_of(one, "other");
@@ -108,12 +108,12 @@ TEST(Import, AgainUnderTheSameNameIsARepeatAndUnderAnotherIsNot) {
 
 TEST(Import, WhatCannotBeImportedIsSaid) {
   EXPECT_EQ(import_of(PoseGraph{}, "site").error().message, "the graph has no vertices: nothing to import");
-  EXPECT_EQ(import_of(graph("EDGE_SE2 0 1 1 0 0" + kOne), "no name").error().code, ErrorCode::invalid);
+  EXPECT_EQ(import_of(parsed("EDGE_SE2 0 1 1 0 0" + kUnit), "no name").error().code, ErrorCode::invalid);
 }
 
 TEST(Import, StrangeNotesAreCounted) {
   const auto import =
-      import_of(graph("# weft tea 5\n# weft edge 0 1 stitch both\nEDGE_SE2 0 1 1 0 0" + kOne), "site");
+      import_of(parsed("# weft tea 5\n# weft edge 0 1 stitch both\nEDGE_SE2 0 1 1 0 0" + kUnit), "site");
   ASSERT_TRUE(import.has_value());
   EXPECT_EQ(import->left_out, (std::vector<std::string>{"1 notes of ours that are not understood",
                                                         "1 notes of edges that do not suit where they lie"}));

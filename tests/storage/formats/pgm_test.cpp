@@ -5,12 +5,12 @@
 namespace weft::formats {
 namespace {
 
-Bytes bytes_of(const std::string& text) {
+Bytes raw(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
 TEST(Pgm, TextWithComments) {
-  const auto image = read_pgm(bytes_of("P2 # magic\n# by hand\n3 2\n15\n0 1 2\n3 4 15\n"), "a.pgm");
+  const auto image = read_pgm(raw("P2 # magic\n# by hand\n3 2\n15\n0 1 2\n3 4 15\n"), "a.pgm");
   ASSERT_TRUE(image.has_value()) << image.error().message;
   EXPECT_EQ(image->value, (GreyImage{3, 2, 15, {0, 1, 2, 3, 4, 15}}));
 }
@@ -25,14 +25,14 @@ TEST(Pgm, TwoBytesAPixelReadBack) {
 }
 
 TEST(Pgm, PixelsThatLookLikeTextAreLeftAlone) {
-  const auto image = read_pgm(bytes_of("P5\n2 2\n255\n#\n 1"), "a.pgm");
+  const auto image = read_pgm(raw("P5\n2 2\n255\n#\n 1"), "a.pgm");
   ASSERT_TRUE(image.has_value()) << image.error().message;
   EXPECT_EQ(image->value.pixels, (std::vector<std::uint16_t>{'#', '\n', ' ', '1'}));
   EXPECT_TRUE(image->not_understood.empty());
 }
 
 TEST(Pgm, WhatFollowsTheImageIsListed) {
-  const auto image = read_pgm(bytes_of("P5 1 1 255\nab"), "a.pgm");
+  const auto image = read_pgm(raw("P5 1 1 255\nab"), "a.pgm");
   ASSERT_TRUE(image.has_value());
   ASSERT_EQ(image->not_understood.size(), 1U);
   EXPECT_EQ(image->not_understood[0].what, "bytes after the image");
@@ -50,7 +50,7 @@ TEST(Pgm, WhatIsWrongIsSaid) {
       {"P2\n2 1\n255\n1 256\n", "a.pgm:4: '256' is no pixel in [0, 255]"},
       {"P2 60000 60000 255\n1", "a.pgm:1: the file is too short for its pixels"}};
   for (const auto& [text, message] : table) {
-    const auto image = read_pgm(bytes_of(text), "a.pgm");
+    const auto image = read_pgm(raw(text), "a.pgm");
     ASSERT_FALSE(image.has_value()) << message;
     EXPECT_EQ(image.error().message, message);
   }

@@ -6,7 +6,7 @@
 namespace weft::formats::test {
 namespace {
 
-std::size_t times(const std::string& text, const std::string& word) {
+std::size_t count_of(const std::string& text, const std::string& word) {
   std::size_t count = 0;
   for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
   return count;
@@ -35,8 +35,8 @@ TEST(RouteGraphFiles, EachIsReadWholeAndWrittenTheSame) {
     std::vector<std::string> said;
     for (const NotUnderstood& part : graph->not_understood) said.push_back(to_string(part, file.filename().string()));
     EXPECT_EQ(said, not_understood(file.filename().string())) << file;
-    EXPECT_EQ(graph->value.nodes.size(), times(text, "\"Point\"")) << file;
-    EXPECT_EQ(graph->value.edges.size(), times(text, "LineString\"")) << file;
+    EXPECT_EQ(graph->value.nodes.size(), count_of(text, "\"Point\"")) << file;
+    EXPECT_EQ(graph->value.edges.size(), count_of(text, "LineString\"")) << file;
     EXPECT_FALSE(graph->value.crs.empty());
     const auto again = read_route_graph(route_graph_text(graph->value), "written");
     ASSERT_TRUE(again.has_value()) << again.error().message;
