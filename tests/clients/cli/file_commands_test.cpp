@@ -16,7 +16,7 @@ std::string written(const std::string& name, const std::string& text) {
 }
 
 /// Without any server.
-Said weft(std::vector<std::string> arguments) {
+Said weft(const std::vector<std::string>& arguments) {
   std::vector<const char*> argv = {"weft"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   const auto parsed = parse(static_cast<int>(argv.size()), argv.data(), {});

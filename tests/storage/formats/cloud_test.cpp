@@ -89,7 +89,7 @@ TEST(Pcd, DoublesNansAndColoursAsFloatsAreRead) {
 }
 
 TEST(Pcd, CompressedPointsStandFieldByField) {
-  std::string text = kPcd + "POINTS 1\nDATA binary_compressed\n";
+  const std::string text = kPcd + "POINTS 1\nDATA binary_compressed\n";
   Bytes bytes = bytes_of(text);
   const Bytes data = {13, 0, 0, 0, 12, 0, 0, 0, 11, 0, 0, 0x80, 0x3f, 0, 0, 0, 0x40, 0, 0, 0x40, 0x40};
   bytes.insert(bytes.end(), data.begin(), data.end());

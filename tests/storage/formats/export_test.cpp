@@ -43,7 +43,7 @@ TEST(PoseGraphOf, InformationIsTheInverseOfTheCovariance) {
 }
 
 TEST(PoseGraphOf, WhatIsCertainGetsTheLeastVariance) {
-  SmallNetwork small = small_network();
+  const SmallNetwork small = small_network();
   Window network;
   network.revision = small.network.revision;
   network.places = small.network.places;

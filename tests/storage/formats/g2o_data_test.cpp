@@ -50,7 +50,7 @@ TEST_F(G2oFiles, WhatIsWrittenIsReadBackTheSame) {
 }
 
 /// The network of an import, through the checks that a server's intake makes.
-Snapshot network_of(const Import& import) {
+Snapshot taken_in(const Import& import) {
   Snapshot network;
   for (const Batch& batch : import.batches) {
     const std::vector<Error> issues = check(network, batch);
@@ -67,7 +67,7 @@ TEST_F(G2oFiles, EachBecomesANetworkThatIntakeTakes) {
     ASSERT_TRUE(read.has_value()) << read.error().message;
     const auto import = import_of(read->value, "site");
     ASSERT_TRUE(import.has_value()) << import.error().message;
-    const Snapshot network = network_of(*import);
+    const Snapshot network = taken_in(*import);
     EXPECT_EQ(network.place_count(), import->place_of_key.size()) << file;
     const std::size_t declared = read->value.vertices.size();
     EXPECT_TRUE(declared == 0 || network.place_count() == declared) << file;
@@ -79,7 +79,7 @@ TEST_F(G2oFiles, AChainIsOneExperienceAndItsLoopsAreStitches) {
   // 3500 places in one chain, 5453 edges; SE-Sync's table of data sets has the same numbers.
   const auto import = import_of(graph("pose-graphs/M3500a.g2o"), "site");
   ASSERT_TRUE(import.has_value());
-  const Snapshot network = network_of(*import);
+  const Snapshot network = taken_in(*import);
   EXPECT_EQ(network.experiences().size(), 1U);
   EXPECT_EQ(network.place_count(), 3500U);
   EXPECT_EQ(network.stitch_count(), 5453U - 3499U);
@@ -111,7 +111,7 @@ TEST_F(G2oFiles, FilesOfSeveralRobotsJoinToTheWholeGraph) {
   const auto together = import_of(*joined, "site");
   ASSERT_TRUE(together.has_value());
   EXPECT_TRUE(together->left_out.empty());
-  EXPECT_EQ(network_of(*together).place_count(), 64U);
+  EXPECT_EQ(taken_in(*together).place_count(), 64U);
 }
 
 }  // namespace
