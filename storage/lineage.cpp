@@ -15,9 +15,8 @@ Lineage::Lineage(Revision top, const std::map<Revision, Revision>& bases) {
 }
 
 bool Lineage::contains(std::uint64_t revision) const {
-  return std::ranges::any_of(intervals_, [&](const Interval& interval) {
-    return interval.first <= revision && revision <= interval.last;
-  });
+  return std::ranges::any_of(
+      intervals_, [&](const Interval& interval) { return interval.first <= revision && revision <= interval.last; });
 }
 
 }  // namespace weft::storage

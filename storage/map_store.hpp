@@ -66,16 +66,7 @@ struct PutEvent {
   msg::Event event;
 };
 
-/// What a revision did, for people: the log of the map.
-struct RevisionNote {
-  Revision revision;
-  Revision base;  ///< what it stands on: the one before it, or the one that was gone back to
-  WallTime at{};
-  std::string kind;   ///< batch, label, seal, undo, quarantine, rollback, ...
-  std::string who;    ///< who asked
-  std::string cause;  ///< what exactly, and why
-  bool operator==(const RevisionNote&) const = default;
-};
+using RevisionNote = msg::RevisionNote;
 
 /// One atomic step. Batches, labels, seals and what goes out and comes back change the network: together they make
 /// one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in its

@@ -39,9 +39,8 @@ class Thinning {
       }
     }
     std::erase_if(experience->places, [&](const Place& place) { return is_in(stretch, place.id.index); });
-    std::erase_if(experience->chain, [&](const Edge& hop) {
-      return is_in(stretch, hop.id.a.index) || is_in(stretch, hop.id.b.index);
-    });
+    std::erase_if(experience->chain,
+                  [&](const Edge& hop) { return is_in(stretch, hop.id.a.index) || is_in(stretch, hop.id.b.index); });
   }
   void take(const EdgeId& stitch) { stitches_.insert(stitch); }
 

@@ -22,8 +22,8 @@ struct Removal {
   bool operator==(const Removal&) const = default;
 };
 
-/// not_found: nothing of a stretch, or no such stitch, is in the snapshot. invalid: a stretch whose first is after its
-/// last, a removal of nothing.
+/// not_found: nothing of a stretch, or no such stitch, is in the snapshot. invalid: a stretch whose first is after
+/// its last, a removal of nothing.
 Result<void> check(const Snapshot& snapshot, const Removal& removal);
 
 /// The snapshot without them, one revision on. Experiences stay known, so that nothing of them is handed in again.

@@ -21,9 +21,8 @@ Result<void> read_added(const Database& database, std::uint64_t revision, Remova
   auto done = for_each_row(
       database, "SELECT experience, min(place), max(place) FROM place WHERE revision = ? GROUP BY experience",
       [&](const Query& row) {
-        added.places.push_back({{row.number(0)},
-                                static_cast<std::uint32_t>(row.number(1)),
-                                static_cast<std::uint32_t>(row.number(2))});
+        added.places.push_back(
+            {{row.number(0)}, static_cast<std::uint32_t>(row.number(1)), static_cast<std::uint32_t>(row.number(2))});
       },
       revision);
   if (!done) return done;
@@ -31,7 +30,10 @@ Result<void> read_added(const Database& database, std::uint64_t revision, Remova
       database,
       "SELECT a_experience, a_place, b_experience, b_place FROM edge WHERE revision = ?"
       " AND NOT (a_experience = b_experience AND b_place = a_place + 1)",
-      [&](const Query& row) { added.stitches.push_back({place_id(row, 0), place_id(row, 2)}); }, revision);
+      [&](const Query& row) {
+        added.stitches.push_back({place_id(row, 0), place_id(row, 2)});
+      },
+      revision);
 }
 
 Result<void> read_moved(const Database& database, std::uint64_t revision, RevisionChanges& changes) {
@@ -41,15 +43,17 @@ Result<void> read_moved(const Database& database, std::uint64_t revision, Revisi
   auto done = for_each_row(
       database, "SELECT experience, first_place, last_place, is_back FROM moved_places WHERE revision = ?",
       [&](const Query& row) {
-        side(row, 3).places.push_back({{row.number(0)},
-                                       static_cast<std::uint32_t>(row.number(1)),
-                                       static_cast<std::uint32_t>(row.number(2))});
+        side(row, 3).places.push_back(
+            {{row.number(0)}, static_cast<std::uint32_t>(row.number(1)), static_cast<std::uint32_t>(row.number(2))});
       },
       revision);
   if (!done) return done;
   return for_each_row(
       database, "SELECT a_experience, a_place, b_experience, b_place, is_back FROM moved_stitch WHERE revision = ?",
-      [&](const Query& row) { side(row, 4).stitches.push_back({place_id(row, 0), place_id(row, 2)}); }, revision);
+      [&](const Query& row) {
+        side(row, 4).stitches.push_back({place_id(row, 0), place_id(row, 2)});
+      },
+      revision);
 }
 
 }  // namespace
@@ -57,8 +61,7 @@ Result<void> read_moved(const Database& database, std::uint64_t revision, Revisi
 Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, std::size_t limit) {
   std::vector<RevisionNote> notes;
   const auto done = for_each_row(
-      database,
-      "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id <= ? ORDER BY id DESC LIMIT ?",
+      database, "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id <= ? ORDER BY id DESC LIMIT ?",
       [&](const Query& row) { notes.push_back(note_from(row)); }, newest.value,
       std::uint64_t{std::min<std::size_t>(limit, 1'000'000)});
   if (!done) return fail(done.error());

@@ -50,7 +50,7 @@ Camera::CellLight Camera::light_in_cell(int u, int v, double exposure_gain) cons
   const auto n = static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell);
   const auto below = n + static_cast<std::size_t>(columns_);
   const float t = static_cast<float>(v % kShadeCell) / kShadeCell;
-  CellLight light;
+  CellLight light{};
 #pragma GCC unroll 1  // several at a time rather than one after the other
   for (std::size_t i = 0; i < kShadeCell; ++i) {
     const float s = static_cast<float>(i) / kShadeCell;

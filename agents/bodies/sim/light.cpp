@@ -92,10 +92,10 @@ void Light::on_floor(std::span<const float> x, std::span<const float> y, const E
 
 void Light::on_floor_part(const float* x, const float* y, std::size_t count, const Eigen::Vector3d& eye,
                           const ShadowBody& body, float shadow_share, float* gain, float* shine) const {
-  std::array<float, kTogether> away_x;
-  std::array<float, kTogether> away_y;
-  std::array<float, kTogether> mirror;
-  std::array<float, kTogether> sum;
+  std::array<float, kTogether> away_x{};
+  std::array<float, kTogether> away_y{};
+  std::array<float, kTogether> mirror{};
+  std::array<float, kTogether> sum{};
   std::array<float, kTogether> mirrored{};
   for (std::size_t i = 0; i < count; ++i) {
     away_x[i] = static_cast<float>((static_cast<double>(x[i]) - eye.x()) / eye.z());

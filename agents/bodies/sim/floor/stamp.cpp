@@ -28,7 +28,7 @@ void add_where(const Canvas& canvas, Range xs, Range ys, double grey, double sof
   const double soft = std::max(soft_m, 0.7 * canvas.texel_m);
   const auto per_soft = static_cast<float>(1.0 / soft);
   const auto amount = static_cast<float>(grey);
-  std::array<float, kColumns> x;
+  std::array<float, kColumns> x{};
   for (int from = xs.first; from <= xs.last; from += kColumns) {
     const int count = std::min(kColumns, xs.last - from + 1);
     for (int i = 0; i < count; ++i) {
