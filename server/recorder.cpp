@@ -24,6 +24,7 @@ Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
       events.push_back(put->event);
     }
   }
+  transaction.note.at = now.wall;
   const Result<storage::Commit> done = store_.commit(transaction);
   if (!done) {
     failed(done.error(), now);

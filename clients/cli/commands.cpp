@@ -92,6 +92,9 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
     case Command::map_draw:
     case Command::map_export:
       return run_map(session, invocation, output);
+    case Command::map_log:
+    case Command::map_diff:
+      return run_history(session, invocation, output);
     case Command::map_import:
       return run_import(session, invocation, output);
     case Command::goal_send:

@@ -32,6 +32,10 @@ Exit report(const Error& error, bool json, const Output& output);
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
+/// The log of revisions, and what two of them differ in.
+Exit run_history(Session& session, const Invocation& invocation, const Output& output);
+/// The whole network as it was at that revision; 0: as it is. refused: there is no such revision yet.
+Result<Window> network_at(Session& session, const Invocation& invocation, Revision revision);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);
 Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);

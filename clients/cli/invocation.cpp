@@ -118,6 +118,7 @@ class Grammar {
     draw->add_option("--floor-plan", into_.floor_plan, "Draw it upon a floor plan: a map_server file, with its PGM")
         ->type_name("MAP.yaml");
     anchors(*draw);
+    revision(*draw, "--at", into_.at, "As the network was at that revision");
     CLI::App* const label = add(*map, "label", "Name a place, to send goals to", Command::map_label);
     label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
         ->type_name("")
@@ -140,6 +141,7 @@ class Grammar {
     exported->add_option("--experience", into_.experience, "With *.tum: which, its id or the beginning of it")
         ->type_name("ID");
     anchors(*exported);
+    revision(*exported, "--at", into_.at, "As the network was at that revision");
     CLI::App* const import =
         add(*map, "import", "Add the network of pose graphs; nobody drives there", Command::map_import);
     import->add_option("FILE", into_.files, "*.g2o; several of one graph are joined")->type_name("")->required();
@@ -148,6 +150,25 @@ class Grammar {
                      "The import's name, 1 to 64 letters, digits, '_', '.', '-'; under the same name it is a repeat")
         ->type_name("NAME")
         ->required();
+    past(*map);
+  }
+
+  void past(CLI::App& map) {
+    CLI::App* const log = add(map, "log", "What each revision changed, when, and who asked", Command::map_log);
+    revision(*log, "--newest", into_.to, "Begin with that revision [the latest]");
+    log->add_option("--most", into_.most, "How many, 1 to 1000 [20]")
+        ->type_name("N")
+        ->check(CLI::Range(1U, 1000U).description(""));
+    CLI::App* const diff = add(map, "diff", "What came and what went from revision A to B", Command::map_diff);
+    revision(*diff, "A", into_.from, "A revision, as `weft map log` shows it")->required()->type_name("");
+    revision(*diff, "B", into_.to, "Another one [the latest]")->type_name("");
+    diff->add_option("--draw", into_.file, "A picture of it, *.png or *.svg")->type_name("OUT");
+  }
+
+  static CLI::Option* revision(CLI::App& sub, const char* name, Revision& into, const char* help) {
+    return sub.add_option(name, into.value, help)
+        ->type_name("REVISION")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
   }
 
   void anchors(CLI::App& sub) {

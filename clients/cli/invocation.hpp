@@ -23,6 +23,8 @@ struct Invocation {
     map_label,
     map_export,
     map_import,
+    map_log,
+    map_diff,
     goal_send,
     goal_list,
     goal_show,
@@ -46,6 +48,9 @@ struct Invocation {
   std::string floor_plan;          ///< map draw: a map_server file; empty: none
   std::vector<Anchor> anchors;     ///< map draw, map export: where labels lie in the site
   std::string experience;          ///< map export: an id or its beginning
+  Revision at;                     ///< map draw, map export: as it was then; 0: as it is
+  Revision from, to;               ///< map diff; map log: the newest to show (to)
+  std::uint32_t most = 20;         ///< map log: how many
   bool as_text = false;            ///< file convert: clouds as text
   bool json = false;
 

@@ -48,6 +48,7 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.goals, part->second.goals);
     append(all.routes, part->second.routes);
     append(all.events, part->second.events);
+    append(all.log, part->second.log);
   }
   all.parts = 1;
   return all;
@@ -176,11 +177,12 @@ Result<msg::QueryReply> Session::query(msg::Query query, Duration at_most) {
   return join(pieces.all());
 }
 
-Result<Window> Session::network(Duration at_most) {
+Result<Window> Session::network(Duration at_most, Revision at) {
   msg::WindowRequest request;
   request.header = header();
   request.definition_id = random_.next() | 1U;
   request.definition.cap = 1'000'000;
+  request.at = at;
   Pieces<Patch> pieces;
   Digest of;
   std::optional<Window> network;

@@ -35,8 +35,8 @@ class Session {
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most);
   /// All parts joined into one.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
-  /// The whole network as it is now.
-  Result<Window> network(Duration at_most);
+  /// The whole network as it is now, or (`at` not 0) as it was at that revision.
+  Result<Window> network(Duration at_most, Revision at = {});
 
   /// Until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused: in the
   /// server's words. What was acknowledged stays.

@@ -135,6 +135,9 @@ struct WindowRequest {
   WindowDefinition definition;
   Revision held;  ///< 0: nothing
   Digest held_digest;
+  /// 0: as it is, and as it changes. Else as it was then: answered once, with a fresh window, or not at all when
+  /// there was no such revision.
+  Revision at{};
 };
 
 /// A patch, or one of its parts: all parts of one patch share base, target and digest.
@@ -240,12 +243,14 @@ struct OperatorReply {
 
 /// Client to server: read only.
 struct Query {
-  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4 };
+  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4, log = 5 };
   Header header;
   std::uint64_t request = 0;
   Kind kind = Kind::robots;
-  GoalId goal;        ///< goals, events: only this one; none: all
-  std::string robot;  ///< events: only this one
+  GoalId goal;           ///< goals, events: only this one; none: all
+  std::string robot;     ///< events: only this one
+  Revision newest;       ///< log: from here back; 0: from the latest
+  std::uint32_t most{};  ///< log: how many at most, up to 1000
 };
 
 struct Event {
@@ -255,6 +260,17 @@ struct Event {
   GoalId goal;
   std::string cause;
   std::string who;
+};
+
+/// What a revision did, for people: the log of the map.
+struct RevisionNote {
+  Revision revision;
+  Revision base;      ///< what it stands on: the one before it, or the one that was gone back to
+  WallTime at{};      ///< 1970: not known
+  std::string kind;   ///< batch, label, seal, undo, quarantine, rollback, ...
+  std::string who;    ///< who asked
+  std::string cause;  ///< what exactly, and why
+  bool operator==(const RevisionNote&) const = default;
 };
 
 struct RobotRow {
@@ -288,6 +304,7 @@ struct QueryReply {
   std::vector<Route> routes;  ///< the latest route of each goal above
   std::vector<Event> events;
   MapInfo info;
+  std::vector<RevisionNote> log;  ///< newest first
 };
 
 /// Something happened; for logs and watchers. Lost ones can be asked for again by Query.

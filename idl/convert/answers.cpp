@@ -77,6 +77,29 @@ static msg::Event from_idl(const idl::Event& wire, Reading reading) {
   return value;
 }
 
+static idl::RevisionNote note_to_idl(const msg::RevisionNote& note) {
+  idl::RevisionNote wire;
+  wire.revision(note.revision.value);
+  wire.base(note.base.value);
+  wire.at_ns(nanoseconds(note.at));
+  wire.kind(note.kind);
+  wire.who(note.who);
+  wire.cause(note.cause);
+  return wire;
+}
+
+static msg::RevisionNote from_idl(const idl::RevisionNote& wire, Reading reading) {
+  msg::RevisionNote value;
+  value.revision = Revision{wire.revision()};
+  value.base = Revision{wire.base()};
+  reading.require(value.base < value.revision, "base", "must be before the revision");
+  value.at = wall_from(wire.at_ns());
+  value.kind = reading.text("kind", wire.kind(), kNameLength);
+  value.who = reading.text("who", wire.who(), kNameLength);
+  value.cause = reading.text("cause", wire.cause(), kTextLength);
+  return value;
+}
+
 static idl::RobotRow row_to_idl(const msg::RobotRow& row) {
   idl::RobotRow wire;
   wire.has_description(bool(row.description.header.sender));
@@ -160,6 +183,7 @@ idl::QueryReply to_idl(const msg::QueryReply& message) {
   wire.routes(list_to_idl<idl::Route>(message.routes));
   for (const msg::Event& event : message.events) wire.events().push_back(event_to_idl(event));
   wire.info(info_to_idl(message.info));
+  for (const msg::RevisionNote& note : message.log) wire.log().push_back(note_to_idl(note));
   return wire;
 }
 
@@ -178,6 +202,7 @@ Result<msg::QueryReply> from_idl(const idl::QueryReply& wire) {
   value.routes = list_from_idl<Route>(wire.routes(), reading, "routes", kRows);
   value.events = list_from_idl<msg::Event>(wire.events(), reading, "events", kEvents);
   value.info = from_idl(wire.info(), reading.in("info"));
+  value.log = list_from_idl<msg::RevisionNote>(wire.log(), reading, "log", kRows);
   return reading.finish(std::move(value));
 }
 

@@ -160,6 +160,7 @@ idl::WindowRequest to_idl(const msg::WindowRequest& message) {
   wire.route(list_to_idl<idl::PlaceId>(definition.route));
   wire.held_revision(message.held.value);
   wire.held_digest(message.held_digest.bytes);
+  wire.at_revision(message.at.value);
   return wire;
 }
 
@@ -178,6 +179,7 @@ Result<msg::WindowRequest> from_idl(const idl::WindowRequest& wire) {
   definition.route = places_from_idl(wire.route(), reading, "route", kRoutePlaces);
   value.held = Revision{wire.held_revision()};
   value.held_digest = id_from<Digest>(wire.held_digest());
+  value.at = Revision{wire.at_revision()};
   return reading.finish(std::move(value));
 }
 

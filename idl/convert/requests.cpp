@@ -68,6 +68,8 @@ idl::Query to_idl(const msg::Query& message) {
   wire.kind(static_cast<std::uint8_t>(message.kind));
   wire.goal(message.goal.bytes);
   wire.robot(message.robot);
+  wire.newest(message.newest.value);
+  wire.most(message.most);
   return wire;
 }
 
@@ -77,9 +79,11 @@ Result<msg::Query> from_idl(const idl::Query& wire) {
   msg::Query value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::events);
+  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::log);
   value.goal = id_from<GoalId>(wire.goal());
   value.robot = reading.text("robot", wire.robot(), kNameLength);
+  value.newest = Revision{wire.newest()};
+  value.most = wire.most();
   return reading.finish(std::move(value));
 }
 

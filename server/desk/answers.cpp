@@ -10,6 +10,8 @@ constexpr std::size_t kRobotsInPart = 8;  ///< each may describe many cameras
 constexpr std::size_t kEventsInPart = 100;
 constexpr std::size_t kMostEvents = 1000;
 constexpr std::size_t kMostGoals = 1000;
+constexpr std::size_t kRevisionsInPart = 100;
+constexpr std::size_t kMostRevisions = 1000;
 /// Places of routes and events of goals that go into one part, about.
 constexpr std::size_t kGoalWeightOfPart = 600;
 
@@ -26,6 +28,9 @@ void Answers::on_query(const msg::Query& query, SteadyTime now) const {
       break;
     case msg::Query::Kind::events:
       parts = events(query);
+      break;
+    case msg::Query::Kind::log:
+      parts = log(query);
       break;
     case msg::Query::Kind::info:
       break;
@@ -105,6 +110,19 @@ std::vector<msg::QueryReply> Answers::events(const msg::Query& query) const {
   for (const msg::Event& event : *events) {
     if (parts.empty() || parts.back().events.size() == kEventsInPart) parts.emplace_back();
     parts.back().events.push_back(event);
+  }
+  return parts;
+}
+
+std::vector<msg::QueryReply> Answers::log(const msg::Query& query) const {
+  std::vector<msg::QueryReply> parts;
+  Result<std::vector<msg::RevisionNote>> notes =
+      context_.store.log(query.newest, std::min<std::size_t>(query.most, kMostRevisions));
+  if (!notes) return parts;
+  for (msg::RevisionNote& note : *notes) {
+    if (parts.empty() || parts.back().log.size() == kRevisionsInPart) parts.emplace_back();
+    note.cause = clipped(std::move(note.cause));
+    parts.back().log.push_back(std::move(note));
   }
   return parts;
 }

@@ -25,6 +25,7 @@ class Answers {
   std::vector<msg::QueryReply> robots(SteadyTime now) const;
   std::vector<msg::QueryReply> goals(const msg::Query& query) const;
   std::vector<msg::QueryReply> events(const msg::Query& query) const;
+  std::vector<msg::QueryReply> log(const msg::Query& query) const;
   msg::MapInfo info() const;
   std::string occupies(const RobotId& robot) const;
 

@@ -219,15 +219,16 @@ Result<void> Desk::put_label(const std::string& label, const PlaceId& place, con
   if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
   const auto known = snapshot.labels().find(label);
   if (known != snapshot.labels().end() && known->second == place) return {};
-  const Result<Revision> done =
-      context_.record.commit({{storage::PutLabel{.label = label, .place = place},
-                               storage::PutEvent{{.at = {},
-                                                  .kind = "map.label",
-                                                  .robot = {},
-                                                  .goal = {},
-                                                  .cause = label + " is " + to_string(place),
-                                                  .who = who}}}},
-                             now);
+  storage::Transaction transaction{{storage::PutLabel{.label = label, .place = place},
+                                    storage::PutEvent{{.at = {},
+                                                       .kind = "map.label",
+                                                       .robot = {},
+                                                       .goal = {},
+                                                       .cause = label + " is " + to_string(place),
+                                                       .who = who}}},
+                                   {}};
+  transaction.note.who = who;
+  const Result<Revision> done = context_.record.commit(std::move(transaction), now);
   if (!done) return fail(done.error());
   context_.snapshots.push(with_label(snapshot, label, place));
   return {};

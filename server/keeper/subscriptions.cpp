@@ -20,6 +20,7 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
     ++context_.counters["keeper: too many askers"];
     return;
   }
+  if (request.at.value != 0) return show_past(request);
   Asker& asker = askers_[peer];
   asker.definition_id = request.definition_id;
   asker.definition = request.definition;
@@ -34,6 +35,34 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
   asker.behind = true;
   asker.asked = true;
   if (asker.next_patch <= now) serve(peer, asker, now);
+}
+
+void Subscriptions::show_past(const msg::WindowRequest& request) {
+  std::shared_ptr<const Snapshot> then = context_.snapshots.at(request.at);
+  if (!then && past_ && past_->revision() == request.at) then = past_;
+  if (!then) {
+    Result<Snapshot> stored = context_.store.snapshot_at(request.at);
+    if (!stored) {
+      ++context_.counters["keeper: no such revision"];
+      return;
+    }
+    then = past_ = std::make_shared<const Snapshot>(*std::move(stored));
+  }
+  const Window window = make_window(*then, request.definition);
+  send(request.header.sender, request.definition_id, difference(Window{}, window, digest(window)));
+}
+
+void Subscriptions::send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch) {
+  std::vector<Patch> parts = parts_of(patch, msg::kPatchEntities);
+  const auto count = static_cast<std::uint32_t>(parts.size());
+  for (std::uint32_t part = 0; part < count; ++part) {
+    context_.out.send(msg::WindowPatch{.header = {},
+                                       .to = peer,
+                                       .definition_id = definition_id,
+                                       .part = part,
+                                       .parts = count,
+                                       .patch = std::move(parts[part])});
+  }
 }
 
 std::shared_ptr<const Window> Subscriptions::window_at(Revision revision, const WindowDefinition& definition,
@@ -70,17 +99,7 @@ void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
   if (holds_it && !asker.asked) return;
   asker.asked = false;
   const Window empty;
-  const Patch patch = difference(asker.held ? *asker.held : empty, *target, target_digest);
-  std::vector<Patch> parts = parts_of(patch, msg::kPatchEntities);
-  const auto count = static_cast<std::uint32_t>(parts.size());
-  for (std::uint32_t part = 0; part < count; ++part) {
-    context_.out.send(msg::WindowPatch{.header = {},
-                                       .to = peer,
-                                       .definition_id = asker.definition_id,
-                                       .part = part,
-                                       .parts = count,
-                                       .patch = std::move(parts[part])});
-  }
+  send(peer, asker.definition_id, difference(asker.held ? *asker.held : empty, *target, target_digest));
   asker.held = target;
   asker.held_digest = target_digest;
   asker.held_definition = asker.definition;

@@ -37,12 +37,16 @@ class Subscriptions {
   /// As the network has it, with its digest.
   std::pair<std::shared_ptr<const Window>, Digest> window_now(const WindowDefinition& definition) const;
   void serve(const PeerId& peer, Asker& asker, SteadyTime now);
+  /// Subscribes to nothing.
+  void show_past(const msg::WindowRequest& request);
+  void send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch);
   /// The window that somebody with this digest holds; null when we cannot tell what it is.
   std::shared_ptr<const Window> window_at(Revision revision, const WindowDefinition& definition,
                                           const Digest& held_digest) const;
 
   Context& context_;
   std::map<PeerId, Asker> askers_;
+  std::shared_ptr<const Snapshot> past_;  ///< shown last, for who asks again
 };
 
 }  // namespace weft::server

@@ -148,6 +148,8 @@ msg::QueryReply query_reply() {
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};
+  made.log = {
+      {Revision{9}, Revision{4}, WallTime(std::chrono::seconds(1'700'000'000)), "rollback", "anna", "to revision 4"}};
   made.info = {Revision{99},
                Epoch{7},
                2,
@@ -213,7 +215,8 @@ void add_network(std::vector<Example>& all) {
                                     77,
                                     {place_id(0xabcdef, 17), 25, 2000, {place_id(1, 5), place_id(1, 6)}},
                                     Revision{90},
-                                    id_of<Digest>(0x80)}});
+                                    id_of<Digest>(0x80),
+                                    Revision{88}}});
   all.push_back({"window_patch", Role::server, patch()});
 }
 
@@ -249,8 +252,8 @@ void add_operating(std::vector<Example>& all) {
   all.push_back({"operator_reply", Role::server,
                  msg::OperatorReply{header(), example_addressee(), 30, msg::Outcome::refused, "no label 'dock'",
                                     id_of<GoalId>(0x60), place_id(2, 1), ExperienceId{0xabcdef}}});
-  all.push_back(
-      {"query", Role::client, msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1"}});
+  all.push_back({"query", Role::client,
+                 msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20}});
   all.push_back({"query_reply", Role::server, query_reply()});
   all.push_back({"event_note", Role::server, msg::EventNote{header(), event()}});
 }

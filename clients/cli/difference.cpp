@@ -1,0 +1,54 @@
+#include "clients/cli/difference.hpp"
+
+namespace weft::cli {
+namespace {
+
+bool is_stitch(const Edge& edge) {
+  return edge.origin == Origin::stitch;
+}
+
+}  // namespace
+
+bool NetworkDifference::empty() const {
+  return places_added.empty() && places_removed.empty() && stitches_added.empty() && stitches_removed.empty() &&
+         labels_added.empty() && labels_moved.empty() && labels_removed.empty();
+}
+
+NetworkDifference compare(const Window& from, const Window& to) {
+  NetworkDifference found{.from = from.revision, .to = to.revision};
+  for (const auto& [id, place] : to.places) {
+    if (from.place(id) == nullptr) found.places_added.push_back(id);
+  }
+  for (const auto& [id, place] : from.places) {
+    if (to.place(id) == nullptr) found.places_removed.push_back(id);
+  }
+  for (const auto& [id, edge] : to.edges) {
+    if (is_stitch(edge) && from.edges.value(id) == nullptr) found.stitches_added.push_back(id);
+  }
+  for (const auto& [id, edge] : from.edges) {
+    if (is_stitch(edge) && to.edges.value(id) == nullptr) found.stitches_removed.push_back(id);
+  }
+  for (const auto& [label, place] : to.labels) {
+    const auto before = from.labels.find(label);
+    if (before == from.labels.end()) {
+      found.labels_added.push_back(label);
+    } else if (before->second != place) {
+      found.labels_moved.push_back(label);
+    }
+  }
+  for (const auto& [label, place] : from.labels) {
+    if (!to.labels.contains(label)) found.labels_removed.push_back(label);
+  }
+  return found;
+}
+
+Window united(const Window& from, const Window& to) {
+  Window both = to;
+  for (const auto& [id, place] : from.places) both.places.emplace(id, place);
+  for (const auto& [id, edge] : from.edges) both.edges.emplace(id, edge);
+  both.labels.insert(from.labels.begin(), from.labels.end());
+  index_edges(both);
+  return both;
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/network/window.hpp"
+
+namespace weft::cli {
+
+/// What two revisions of the network differ in; each list sorted.
+struct NetworkDifference {
+  Revision from, to;
+  std::vector<PlaceId> places_added, places_removed;
+  std::vector<EdgeId> stitches_added, stitches_removed;
+  std::vector<std::string> labels_added, labels_moved, labels_removed;
+  bool empty() const;
+};
+NetworkDifference compare(const Window& from, const Window& to);
+
+/// Both at once, for laying out and drawing: places and edges of either; where both have one, that of `to`.
+Window united(const Window& from, const Window& to);
+
+}  // namespace weft::cli

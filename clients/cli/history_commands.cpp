@@ -1,0 +1,148 @@
+#include <algorithm>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/difference.hpp"
+#include "clients/cli/draw_difference.hpp"
+#include "clients/cli/table.hpp"
+
+/// The map's past: what each revision did, and what two of them differ in.
+namespace weft::cli {
+namespace {
+
+using Command = Invocation::Command;
+
+/// Who asked, by name where it is one of the fleet's robots.
+std::string asker(const std::string& who, const Names& names) {
+  for (const auto& [id, name] : names) {
+    if (to_string(id) == who) return name;
+  }
+  return who;
+}
+
+std::string when(WallTime at) {
+  return at == WallTime{} ? "-" : to_text(at);
+}
+
+nlohmann::json to_json(const msg::RevisionNote& note, const Names& names) {
+  nlohmann::json document = {{"revision", note.revision.value},
+                             {"base", note.base.value},
+                             {"kind", note.kind},
+                             {"who", asker(note.who, names)},
+                             {"cause", note.cause}};
+  if (note.at != WallTime{}) document["at"] = to_text(note.at);
+  return document;
+}
+
+Exit log(Session& session, const Invocation& invocation, const Output& output) {
+  const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
+  if (!robots) return report(robots.error(), invocation.json, output);
+  const Names names = names_of(robots->robots);
+  msg::Query query;
+  query.kind = msg::Query::Kind::log;
+  query.newest = invocation.to;
+  query.most = invocation.most;
+  const Result<msg::QueryReply> reply = session.query(query, patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  if (invocation.json) {
+    nlohmann::json document = nlohmann::json::array();
+    for (const msg::RevisionNote& note : reply->log) document.push_back(to_json(note, names));
+    output.out << document.dump(2) << '\n';
+    return Exit::done;
+  }
+  if (reply->log.empty()) {
+    output.out << "nothing has changed the map yet\n";
+    return Exit::done;
+  }
+  Table table;
+  table.add({"REVISION", "WHEN", "WHO", "WHAT", "CAUSE"});
+  for (const msg::RevisionNote& note : reply->log) {
+    table.add({std::to_string(note.revision.value), when(note.at), asker(note.who, names), note.kind, note.cause});
+  }
+  table.print(output.out);
+  return Exit::done;
+}
+
+template <class Id>
+nlohmann::json list(const std::vector<Id>& ids) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Id& id : ids) {
+    if constexpr (std::is_same_v<Id, EdgeId>) {
+      all.push_back(to_string(id.a) + " - " + to_string(id.b));
+    } else if constexpr (std::is_same_v<Id, PlaceId>) {
+      all.push_back(to_string(id));
+    } else {
+      all.push_back(id);
+    }
+  }
+  return all;
+}
+
+std::string names(const std::vector<std::string>& labels) {
+  std::string text;
+  for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + label;
+  return text.empty() ? "-" : text;
+}
+
+void print(const NetworkDifference& found, const Output& output) {
+  const auto count = [](std::size_t number) { return std::to_string(number); };
+  Table table;
+  table.add({"", "CAME", "WENT"});
+  table.add({"places", count(found.places_added.size()), count(found.places_removed.size())});
+  table.add({"stitches", count(found.stitches_added.size()), count(found.stitches_removed.size())});
+  table.add({"labels", names(found.labels_added), names(found.labels_removed)});
+  table.print(output.out);
+  if (!found.labels_moved.empty()) output.out << "labels moved: " << names(found.labels_moved) << '\n';
+  if (found.empty()) output.out << "the same map\n";
+}
+
+Exit diff(Session& session, const Invocation& invocation, const Output& output) {
+  const Result<Window> from = network_at(session, invocation, invocation.from);
+  if (!from) return report(from.error(), invocation.json, output);
+  const Result<Window> to = network_at(session, invocation, invocation.to);
+  if (!to) return report(to.error(), invocation.json, output);
+  const NetworkDifference found = compare(*from, *to);
+  if (!invocation.file.empty()) {
+    if (const Result<void> drawn = draw_difference(*from, *to, invocation.file); !drawn)
+      return report(drawn.error(), invocation.json, output);
+  }
+  if (invocation.json) {
+    const nlohmann::json document = {
+        {"from", found.from.value},
+        {"to", found.to.value},
+        {"places", {{"came", list(found.places_added)}, {"went", list(found.places_removed)}}},
+        {"stitches", {{"came", list(found.stitches_added)}, {"went", list(found.stitches_removed)}}},
+        {"labels",
+         {{"came", list(found.labels_added)},
+          {"went", list(found.labels_removed)},
+          {"moved", list(found.labels_moved)}}}};
+    output.out << document.dump(2) << '\n';
+  } else {
+    print(found, output);
+  }
+  return Exit::done;
+}
+
+}  // namespace
+
+Result<Window> network_at(Session& session, const Invocation& invocation, Revision revision) {
+  if (revision.value != 0) {
+    msg::Query query;
+    query.kind = msg::Query::Kind::info;
+    const Result<msg::QueryReply> now = session.query(query, patience(invocation));
+    if (!now) return fail(now.error());
+    if (revision > now->info.revision) {
+      return fail(ErrorCode::refused, "the map has no revision " + std::to_string(revision.value) +
+                                          "; its newest is " + std::to_string(now->info.revision.value) +
+                                          ": see `weft map log`");
+    }
+    if (revision == now->info.revision) revision = {};
+  }
+  return session.network(patience(invocation), revision);
+}
+
+Exit run_history(Session& session, const Invocation& invocation, const Output& output) {
+  return invocation.command == Command::map_log ? log(session, invocation, output)
+                                                : diff(session, invocation, output);
+}
+
+}  // namespace weft::cli
