@@ -15,7 +15,9 @@ bool NetworkDifference::empty() const {
 }
 
 NetworkDifference compare(const Window& from, const Window& to) {
-  NetworkDifference found{.from = from.revision, .to = to.revision};
+  NetworkDifference found;
+  found.from = from.revision;
+  found.to = to.revision;
   for (const auto& [id, place] : to.places) {
     if (from.place(id) == nullptr) found.places_added.push_back(id);
   }
