@@ -1,0 +1,48 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "core/result.hpp"
+
+namespace weft::clouds {
+
+/// Points in metres in the frame that their content says, and one number each or none (intensity, ring, class).
+struct Cloud {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint16_t> values;  ///< empty, or one a point
+
+  friend bool operator==(const Cloud&, const Cloud&) = default;
+};
+
+/// Keeps points within 0.55 mm an axis and 1 mm in distance (docs/formats/cloud.md).
+inline constexpr std::uint32_t kFineQuantum_um = 1100;
+inline constexpr std::uint32_t kLargestQuantum_um = 1'000'000;
+
+/// A cloud as its canonical bytes say it: in the order of Morton codes, every coordinate on the lattice.
+struct LatticeCloud {
+  Cloud cloud;
+  std::uint32_t quantum_um = 0;
+};
+
+/// What is hashed: the same bytes for the same points in any order. Each coordinate x is kept within
+/// quantum / 2 + |x| 2^-24, values exactly; the order of the points is not kept.
+/// invalid, with the point and the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite
+/// or beyond 2^23 quanta, a cloud of 2^21 quanta or more on an axis, values that are not one a point.
+/// exhausted: more than kLargestContent bytes.
+Result<Bytes> canonical_bytes(const Cloud& cloud, std::uint32_t quantum_um);
+
+/// corrupt or newer: bytes that canonical_bytes does not write.
+Result<LatticeCloud> decode_cloud(ByteView canonical);
+
+/// Whether a content is a cloud, which a store may keep compressed: by its first bytes alone.
+bool is_cloud(ByteView content);
+
+/// What a store keeps. corrupt or newer: its head or the order of its codes is none of canonical_bytes.
+Result<Bytes> compress_cloud(ByteView canonical);
+
+/// The very bytes that were compressed. corrupt or newer; never takes more memory than a few times kLargestContent.
+Result<Bytes> expand_cloud(ByteView compressed);
+
+}  // namespace weft::clouds

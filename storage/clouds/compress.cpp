@@ -1,0 +1,155 @@
+#include <zstd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/network/codec.hpp"
+#include "storage/clouds/cloud.hpp"
+#include "storage/clouds/gaps.hpp"
+#include "storage/clouds/head.hpp"
+
+namespace weft::clouds {
+namespace {
+
+constexpr int kLevel = 1;
+constexpr std::size_t kChecksumBytes = sizeof(ContentHash::bytes);
+
+tl::unexpected<Error> corrupt(const std::string& what) {
+  return fail(ErrorCode::corrupt, "cloud: " + what);
+}
+
+Result<Bytes> shrink(ByteView bytes) {
+  Bytes frame(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
+  if (ZSTD_isError(size) != 0) {
+    return fail(ErrorCode::internal, std::string("cloud: zstd: ") + ZSTD_getErrorName(size));
+  }
+  frame.resize(size);
+  return frame;
+}
+
+/// `size` bounds what a frame can make of itself.
+Result<Bytes> grow(ByteView frame, std::size_t size, const char* what) {
+  Bytes bytes(size);
+  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
+  if (ZSTD_isError(got) != 0) return corrupt(std::string(what) + ": zstd: " + ZSTD_getErrorName(got));
+  if (got != size) {
+    return corrupt(std::string(what) + " are " + std::to_string(got) + " bytes, not " + std::to_string(size));
+  }
+  return bytes;
+}
+
+/// All low bytes, then all high ones.
+Bytes planes_from_values(ByteView values, std::size_t value_bytes) {
+  Bytes planes(values.size());
+  std::size_t to = 0;
+  for (std::size_t plane = 0; plane < value_bytes; ++plane) {
+    for (std::size_t at = plane; at < values.size(); at += value_bytes) planes[to++] = values[at];
+  }
+  return planes;
+}
+
+void values_from_planes(ByteView planes, std::size_t value_bytes, std::uint8_t* out) {
+  const std::size_t count = value_bytes == 0 ? 0 : planes.size() / value_bytes;
+  for (std::size_t plane = 0; plane < value_bytes; ++plane) {
+    for (std::size_t at = 0; at < count; ++at) out[at * value_bytes + plane] = planes[plane * count + at];
+  }
+}
+
+/// A part of the bytes, behind its length.
+void write_part(ByteWriter& out, ByteView part) {
+  out.count(part.size());
+  out.raw(part);
+}
+
+ByteView bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+Bytes with_checksum(ByteView payload) {
+  ByteWriter out;
+  out.reserve(kMagicBytes + kChecksumBytes + payload.size());
+  write_magic(out, kCompressedMagic);
+  out.id(hash_bytes(payload));
+  out.raw(payload);
+  return out.take();
+}
+
+/// What the checksum vouches for.
+Result<ByteView> checked_payload(ByteView compressed) {
+  if (auto magic = check_magic(compressed, kCompressedMagic); !magic) return fail(magic.error());
+  ByteReader in(compressed.subspan(kMagicBytes));
+  const auto checksum = in.id<ContentHash>("checksum");
+  if (!in.ok()) return fail(in.finish("cloud").error());
+  const ByteView payload = compressed.subspan(kMagicBytes + kChecksumBytes);
+  if (hash_bytes(payload) != checksum) return corrupt("damaged: its SHA-256 is another than it says");
+  return payload;
+}
+
+/// The payload's parts behind the head, as they stand.
+struct Parts {
+  Head head;
+  std::string tokens;
+  std::string tails;
+  std::string values;
+};
+
+Result<Parts> split(ByteView payload) {
+  ByteReader in(payload);
+  Parts parts;
+  parts.head = read_head(in);
+  parts.tokens = in.text("size of the tokens");
+  parts.tails = in.text("size of the tails");
+  parts.values = in.text("size of the values");
+  if (auto end = in.finish("cloud"); !end) return fail(end.error());
+  return parts;
+}
+
+}  // namespace
+
+Result<Bytes> compress_cloud(ByteView canonical) {
+  if (auto magic = check_magic(canonical, kCanonicalMagic); !magic) return fail(magic.error());
+  ByteReader in(canonical.subspan(kMagicBytes));
+  const Head head = read_head(in);
+  if (!in.ok()) return fail(in.finish("cloud").error());
+  if (canonical.size() != head.canonical_size()) {
+    return corrupt(std::to_string(head.count) + " points need " + std::to_string(head.canonical_size()) + " bytes, " +
+                   std::to_string(canonical.size()) + " are there");
+  }
+  const ByteView body = canonical.subspan(kMagicBytes + kHeadBytes);
+  const ByteView codes = body.first(head.count * sizeof(std::uint64_t));
+  const auto gaps = gaps_from_codes(codes);
+  if (!gaps) return fail(gaps.error());
+  const auto tokens = shrink(gaps->tokens);
+  const auto values = shrink(planes_from_values(body.subspan(codes.size()), head.value_bytes));
+  if (!tokens) return fail(tokens.error());
+  if (!values) return fail(values.error());
+  ByteWriter payload;
+  payload.reserve(kHeadBytes + 12 + tokens->size() + gaps->tails.size() + values->size());
+  write_head(payload, head);
+  write_part(payload, *tokens);
+  write_part(payload, gaps->tails);
+  write_part(payload, head.value_bytes == 0 ? ByteView() : ByteView(*values));
+  return with_checksum(payload.view());
+}
+
+Result<Bytes> expand_cloud(ByteView compressed) {
+  const auto payload = checked_payload(compressed);
+  if (!payload) return fail(payload.error());
+  const auto parts = split(*payload);
+  if (!parts) return fail(parts.error());
+  const Head& head = parts->head;
+  const auto tokens = grow(bytes_of(parts->tokens), head.count, "tokens");
+  if (!tokens) return fail(tokens.error());
+  const std::size_t value_bytes = std::size_t{head.count} * head.value_bytes;
+  auto planes = value_bytes == 0 && parts->values.empty() ? Result<Bytes>(Bytes())
+                                                          : grow(bytes_of(parts->values), value_bytes, "values");
+  if (!planes) return fail(planes.error());
+  Bytes canonical = with_head(head);
+  std::uint8_t* codes = canonical.data() + kMagicBytes + kHeadBytes;
+  if (auto done = codes_from_gaps(*tokens, bytes_of(parts->tails), codes); !done) return fail(done.error());
+  values_from_planes(*planes, head.value_bytes, codes + head.count * sizeof(std::uint64_t));
+  return canonical;
+}
+
+}  // namespace weft::clouds
