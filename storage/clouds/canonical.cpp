@@ -55,18 +55,26 @@ Result<void> check_fits(std::size_t points, std::uint8_t value_bytes) {
                                         std::to_string(most) + "; thin the cloud or cut it");
 }
 
+double quanta_per_metre(std::uint32_t quantum_um) {
+  return 1.0 / (quantum_um * kMicrometres);
+}
+
+/// False for what is not finite.
+bool is_on_lattice(double quanta) {
+  return std::abs(quanta) <= kLatticeBound - 1;
+}
+
 /// The first coordinate that has no place on the lattice.
 Error name_bad_coordinate(const Cloud& cloud, std::uint32_t quantum_um) {
-  const double bound = kLatticeBound * (quantum_um * kMicrometres);
   for (std::size_t at = 0; at < cloud.points.size(); ++at) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = static_cast<double>(cloud.points[at][axis]);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const auto x = static_cast<double>(cloud.points[at][axis]);
+      if (is_on_lattice(x * quanta_per_metre(quantum_um))) continue;
       const std::string which = "point " + std::to_string(at) + ": " + kAxes[axis] + " is " + std::to_string(x);
       if (!std::isfinite(x)) return invalid(which + ", must be finite");
-      if (std::abs(x) > bound - quantum_um * kMicrometres) {
-        return invalid(which + " m, " + quantum_text(quantum_um) + " it must lie within " + std::to_string(bound) +
-                       " m; take a larger quantum or another origin");
-      }
+      return invalid(which + " m, " + quantum_text(quantum_um) + " at most " +
+                     std::to_string((kLatticeBound - 1) * (quantum_um * kMicrometres)) +
+                     " m from zero; take a larger quantum or another origin");
     }
   }
   return {ErrorCode::internal, "cloud: a coordinate is off the lattice, none was found"};
@@ -75,20 +83,20 @@ Error name_bad_coordinate(const Cloud& cloud, std::uint32_t quantum_um) {
 Result<Lattice> to_lattice(const Cloud& cloud, std::uint32_t quantum_um) {
   constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
   Lattice lattice{std::vector<LatticePoint>(cloud.points.size()), {kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  const double quanta_per_metre = 1.0 / (quantum_um * kMicrometres);
-  bool is_on_lattice = true;
+  const double scale = quanta_per_metre(quantum_um);
+  bool all_fit = true;
   for (std::size_t at = 0; at < cloud.points.size(); ++at) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const double quanta = static_cast<double>(cloud.points[at][axis]) * quanta_per_metre;
-      const bool fits = std::abs(quanta) <= kLatticeBound - 1;  // false for NaN
-      is_on_lattice = is_on_lattice && fits;
+      const double quanta = static_cast<double>(cloud.points[at][axis]) * scale;
+      const bool fits = is_on_lattice(quanta);
+      all_fit = all_fit && fits;
       const auto value = static_cast<std::int32_t>(fits ? quanta + std::copysign(0.5, quanta) : 0.0);
       lattice.points[at][axis] = value;
       lattice.least[axis] = std::min(lattice.least[axis], value);
       lattice.most[axis] = std::max(lattice.most[axis], value);
     }
   }
-  if (!is_on_lattice) return fail(name_bad_coordinate(cloud, quantum_um));
+  if (!all_fit) return fail(name_bad_coordinate(cloud, quantum_um));
   if (cloud.points.empty()) lattice.least = lattice.most = {};
   return lattice;
 }

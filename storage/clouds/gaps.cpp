@@ -90,7 +90,8 @@ class BitWriter {
   unsigned used_ = 0;
 };
 
-/// Words that the tails of these tokens take, so that reading two at any bit stays within them. corrupt: a token without meaning.
+/// Words that the tails of these tokens take, so that reading two at any bit stays within them. corrupt: a token
+/// without meaning.
 Result<std::size_t> words_of(ByteView tokens) {
   std::uint64_t bits = 0;
   std::uint8_t most = 0;

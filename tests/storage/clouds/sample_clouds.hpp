@@ -1,0 +1,42 @@
+#pragma once
+#include <algorithm>
+
+#include "core/random.hpp"
+#include "storage/clouds/cloud.hpp"
+
+namespace weft::clouds::sample {
+
+/// `count` points of a room's floor, a wall and its air, with values below `values_below` (0: none).
+inline Cloud room(std::uint64_t seed, std::size_t count, std::uint64_t values_below) {
+  Random random(seed);
+  Cloud cloud;
+  for (std::size_t at = 0; at < count; ++at) {
+    const double x = random.uniform(-12.0, 30.0);
+    const double y = random.uniform(-7.0, 7.0);
+    const double noise = random.normal(0.0, 0.004);
+    const std::uint64_t where = random.below(8);
+    const Eigen::Vector3d point = where < 4   ? Eigen::Vector3d(x, y, noise)
+                                  : where < 7 ? Eigen::Vector3d(x, 7.0 + noise, random.uniform(0.0, 3.0))
+                                              : Eigen::Vector3d(x, y, random.uniform(0.0, 3.0));
+    cloud.points.emplace_back(point.cast<float>());
+    if (values_below > 0) cloud.values.push_back(static_cast<std::uint16_t>(random.below(values_below)));
+  }
+  return cloud;
+}
+
+/// The same points in another order.
+inline Cloud shuffled(Cloud cloud, std::uint64_t seed) {
+  Random random(seed);
+  for (std::size_t left = cloud.points.size(); left > 1; --left) {
+    const std::size_t other = random.below(left);
+    std::swap(cloud.points[left - 1], cloud.points[other]);
+    if (!cloud.values.empty()) std::swap(cloud.values[left - 1], cloud.values[other]);
+  }
+  return cloud;
+}
+
+inline Cloud of_points(std::vector<Eigen::Vector3f> points) {
+  return {std::move(points), {}};
+}
+
+}  // namespace weft::clouds::sample
