@@ -14,10 +14,6 @@ namespace {
 constexpr int kLevel = 1;
 constexpr std::size_t kChecksumBytes = sizeof(ContentHash::bytes);
 
-tl::unexpected<Error> corrupt(const std::string& what) {
-  return fail(ErrorCode::corrupt, "cloud: " + what);
-}
-
 Result<Bytes> shrink(ByteView bytes) {
   Bytes frame(ZSTD_compressBound(bytes.size()));
   const std::size_t size = ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
@@ -32,9 +28,9 @@ Result<Bytes> shrink(ByteView bytes) {
 Result<Bytes> grow(ByteView frame, std::size_t size, const char* what) {
   Bytes bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
-  if (ZSTD_isError(got) != 0) return corrupt(std::string(what) + ": zstd: " + ZSTD_getErrorName(got));
+  if (ZSTD_isError(got) != 0) return corrupt_cloud(std::string(what) + ": zstd: " + ZSTD_getErrorName(got));
   if (got != size) {
-    return corrupt(std::string(what) + " are " + std::to_string(got) + " bytes, not " + std::to_string(size));
+    return corrupt_cloud(std::string(what) + " are " + std::to_string(got) + " bytes, not " + std::to_string(size));
   }
   return bytes;
 }
@@ -82,7 +78,7 @@ Result<ByteView> checked_payload(ByteView compressed) {
   const auto checksum = in.id<ContentHash>("checksum");
   if (!in.ok()) return fail(in.finish("cloud").error());
   const ByteView payload = compressed.subspan(kMagicBytes + kChecksumBytes);
-  if (hash_bytes(payload) != checksum) return corrupt("damaged: its SHA-256 is another than it says");
+  if (hash_bytes(payload) != checksum) return corrupt_cloud("damaged: its SHA-256 is another than it says");
   return payload;
 }
 
@@ -94,7 +90,7 @@ struct Parts {
   std::string values;
 };
 
-Result<Parts> split(ByteView payload) {
+Result<Parts> split_payload(ByteView payload) {
   ByteReader in(payload);
   Parts parts;
   parts.head = read_head(in);
@@ -113,8 +109,8 @@ Result<Bytes> compress_cloud(ByteView canonical) {
   const Head head = read_head(in);
   if (!in.ok()) return fail(in.finish("cloud").error());
   if (canonical.size() != head.canonical_size()) {
-    return corrupt(std::to_string(head.count) + " points need " + std::to_string(head.canonical_size()) + " bytes, " +
-                   std::to_string(canonical.size()) + " are there");
+    return corrupt_cloud(std::to_string(head.count) + " points need " + std::to_string(head.canonical_size()) +
+                         " bytes, " + std::to_string(canonical.size()) + " are there");
   }
   const ByteView body = canonical.subspan(kMagicBytes + kHeadBytes);
   const ByteView codes = body.first(head.count * sizeof(std::uint64_t));
@@ -136,7 +132,7 @@ Result<Bytes> compress_cloud(ByteView canonical) {
 Result<Bytes> expand_cloud(ByteView compressed) {
   const auto payload = checked_payload(compressed);
   if (!payload) return fail(payload.error());
-  const auto parts = split(*payload);
+  const auto parts = split_payload(*payload);
   if (!parts) return fail(parts.error());
   const Head& head = parts->head;
   const auto tokens = grow(bytes_of(parts->tokens), head.count, "tokens");

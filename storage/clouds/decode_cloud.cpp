@@ -12,10 +12,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);  // codes are copied as they stand in memory
 
-tl::unexpected<Error> corrupt(const std::string& what) {
-  return fail(ErrorCode::corrupt, "cloud: " + what);
-}
-
 /// The canonical bytes behind the head, of the size that the head asks for.
 struct Body {
   Head head;
@@ -61,13 +57,13 @@ Result<void> check_order(const Body& body) {
   std::uint64_t before = 0;
   for (std::size_t at = 0; at < body.head.count; ++at) {
     const std::uint64_t code = body.code(at);
-    if (code < before) return corrupt("point " + std::to_string(at) + " is out of order");
+    if (code < before) return corrupt_cloud("point " + std::to_string(at) + " is out of order");
     if (at > 0 && code == before && body.head.value_bytes > 0 && body.value(at) < body.value(at - 1)) {
-      return corrupt("value " + std::to_string(at) + " is out of order");
+      return corrupt_cloud("value " + std::to_string(at) + " is out of order");
     }
     before = code;
   }
-  if (before >> 63U != 0) return corrupt("its last code is 2^63 or more");
+  if (before >> 63U != 0) return corrupt_cloud("its last code is 2^63 or more");
   return {};
 }
 
@@ -76,9 +72,9 @@ Result<void> check_bounds(const Head& head, const Placed& placed) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     const auto origin = static_cast<std::int64_t>(head.origin[axis]);
     if (head.count == 0 ? origin != 0 : placed.least[axis] != 0) {
-      return corrupt("its origin is not its least coordinate");
+      return corrupt_cloud("its origin is not its least coordinate");
     }
-    if (origin + placed.most[axis] >= kLatticeBound) return corrupt("a coordinate lies beyond 2^23 quanta");
+    if (origin + placed.most[axis] >= kLatticeBound) return corrupt_cloud("a coordinate lies beyond 2^23 quanta");
   }
   return {};
 }
@@ -92,18 +88,19 @@ Result<std::vector<std::uint16_t>> read_values(const Body& body) {
     most = std::max(most, values[at]);
   }
   const bool is_tight = body.head.value_bytes == 2 ? most > 0xff : body.head.value_bytes == 0 || !values.empty();
-  if (!is_tight) return corrupt("its values take more bytes than they need");
+  if (!is_tight) return corrupt_cloud("its values take more bytes than they need");
   return values;
 }
 
-Result<Body> split(ByteView canonical) {
+Result<Body> split_canonical(ByteView canonical) {
   if (auto magic = check_magic(canonical, kCanonicalMagic); !magic) return fail(magic.error());
   ByteReader in(canonical.subspan(kMagicBytes));
   Body body{read_head(in), {}, {}};
   if (!in.ok()) return fail(in.finish("cloud").error());
   if (canonical.size() != body.head.canonical_size()) {
-    return corrupt(std::to_string(body.head.count) + " points need " + std::to_string(body.head.canonical_size()) +
-                   " bytes, " + std::to_string(canonical.size()) + " are there");
+    return corrupt_cloud(std::to_string(body.head.count) + " points need " +
+                         std::to_string(body.head.canonical_size()) + " bytes, " + std::to_string(canonical.size()) +
+                         " are there");
   }
   const ByteView rest = canonical.subspan(kMagicBytes + kHeadBytes);
   body.codes = rest.first(body.head.count * sizeof(std::uint64_t));
@@ -114,7 +111,7 @@ Result<Body> split(ByteView canonical) {
 }  // namespace
 
 Result<LatticeCloud> decode_cloud(ByteView canonical) {
-  const auto body = split(canonical);
+  const auto body = split_canonical(canonical);
   if (!body) return fail(body.error());
   if (auto order = check_order(*body); !order) return fail(order.error());
   auto values = read_values(*body);

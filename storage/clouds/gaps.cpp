@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "storage/clouds/head.hpp"
+
 namespace weft::clouds {
 namespace {
 
@@ -28,7 +30,7 @@ struct Split {
   unsigned tail_bits = 0;
 };
 
-Split split(std::uint64_t gap) {
+Split split_gap(std::uint64_t gap) {
   if (gap < 4) return {static_cast<std::uint8_t>(gap), 0};
   const unsigned k = static_cast<unsigned>(std::bit_width(gap)) - 1;
   return {static_cast<std::uint8_t>(4 * (k - 1) + ((gap >> (k - 2)) & 3U)), k - 2};
@@ -56,10 +58,6 @@ constexpr std::array<Meaning, 256> meanings() {
 }
 
 constexpr std::array<Meaning, 256> kMeanings = meanings();
-
-tl::unexpected<Error> corrupt(const std::string& what) {
-  return fail(ErrorCode::corrupt, "cloud: " + what);
-}
 
 /// Packs bits into words from the lowest on. `out` has room for all of them.
 class BitWriter {
@@ -99,7 +97,7 @@ Result<std::size_t> words_of(ByteView tokens) {
     bits += kMeanings[token].tail_bits;
     most = token > most ? token : most;
   }
-  if (most >= kTokens) return corrupt("token " + std::to_string(most) + " means nothing");
+  if (most >= kTokens) return corrupt_cloud("token " + std::to_string(most) + " means nothing");
   return bits / 64 + 2;
 }
 
@@ -113,10 +111,10 @@ Result<Gaps> gaps_from_codes(ByteView codes) {
   for (std::size_t at = 0; at < count; ++at) {
     const std::uint64_t code = load(codes.data() + at * kWord);
     if (code < before || code >> 63U != 0) {
-      return corrupt("code " + std::to_string(at) + " is less than the one before, or 2^63 and more");
+      return corrupt_cloud("code " + std::to_string(at) + " is less than the one before, or 2^63 and more");
     }
     const std::uint64_t gap = code - before;
-    const Split parts = split(gap);
+    const Split parts = split_gap(gap);
     gaps.tokens[at] = parts.token;
     tails.write(gap & kMeanings[parts.token].tail_mask, parts.tail_bits);
     before = code;
@@ -129,8 +127,8 @@ Result<void> codes_from_gaps(ByteView tokens, ByteView tails, std::uint8_t* out)
   const auto words = words_of(tokens);
   if (!words) return fail(words.error());
   if (tails.size() != *words * kWord) {
-    return corrupt("its tokens ask for " + std::to_string(*words) + " words of tails, " +
-                   std::to_string(tails.size() / kWord) + " are there");
+    return corrupt_cloud("its tokens ask for " + std::to_string(*words) + " words of tails, " +
+                         std::to_string(tails.size() / kWord) + " are there");
   }
   std::uint64_t code = 0;
   std::uint64_t all_codes = 0;
@@ -147,7 +145,7 @@ Result<void> codes_from_gaps(ByteView tokens, ByteView tails, std::uint8_t* out)
     out += kWord;
   }
   // The first code of 2^63 or more is seen before the sum can wrap: a gap is less than 2^63.
-  if (all_codes >> 63U != 0) return corrupt("its gaps add up to 2^63 or more");
+  if (all_codes >> 63U != 0) return corrupt_cloud("its gaps add up to 2^63 or more");
   return {};
 }
 

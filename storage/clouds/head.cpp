@@ -23,6 +23,10 @@ std::int32_t read_origin(ByteReader& in) {
 
 }  // namespace
 
+tl::unexpected<Error> corrupt_cloud(const std::string& what) {
+  return fail(ErrorCode::corrupt, "cloud: " + what);
+}
+
 void write_magic(ByteWriter& out, const Magic& magic) {
   out.raw(magic);
   out.number(kFormat);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "core/byte_reader.hpp"
 #include "core/byte_writer.hpp"
@@ -30,6 +31,9 @@ struct Head {
     return kMagicBytes + kHeadBytes + std::uint64_t{count} * (sizeof(std::uint64_t) + value_bytes);
   }
 };
+
+/// corrupt: `what` of the bytes of a cloud breaks docs/formats/cloud.md.
+tl::unexpected<Error> corrupt_cloud(const std::string& what);
 
 void write_magic(ByteWriter& out, const Magic& magic);
 /// corrupt, newer
