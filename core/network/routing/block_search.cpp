@@ -1,0 +1,177 @@
+#include "core/network/routing/block_search.hpp"
+
+#include <algorithm>
+
+namespace weft::routing {
+namespace {
+constexpr double kFar = std::numeric_limits<double>::infinity();
+}
+
+BlockSearch::BlockSearch(const Preparation& preparation) : preparation_(preparation) {
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    blocks_at_[level].assign(preparation.overlays[level].size(), kNone);
+  }
+  blocks_at_[kOpen].assign(preparation.base.size(), kNone);
+}
+
+void BlockSearch::confine(std::size_t level, std::uint32_t cell) {
+  level_ = level;
+  cell_ = cell;
+  opened_for_[0] = opened_for_[1] = kNoNode;
+}
+
+void BlockSearch::search_all(Node from, Node to) {
+  level_ = kLevels;
+  opened_for_[0] = from;
+  opened_for_[1] = to;
+}
+
+void BlockSearch::start(Node from) {
+  for (const Block& block : blocks_) blocks_at_[block.level][block.cell] = kNone;
+  blocks_.clear();
+  entries_.clear();
+  exits_.clear();
+  heap_.clear();
+  relax(from, 0.0, kNone, 0);
+}
+
+/// The largest cell within the scope that is not opened.
+BlockSearch::Where BlockSearch::where(Node node) const {
+  const auto& cells = preparation_.cells[cell_of(node)];
+  for (std::size_t level = level_; level-- > 0;) {
+    const auto holds = [&](Node opened) {
+      return opened != kNoNode && preparation_.cell(opened, level) == cells[level];
+    };
+    if (!holds(opened_for_[0]) && !holds(opened_for_[1])) return {level, cells[level]};
+  }
+  return {kOpen, cell_of(node)};
+}
+
+std::uint32_t BlockSearch::block_of(Where at) {
+  std::uint32_t& number = blocks_at_[at.level][at.cell];
+  if (number != kNone) return number;
+  number = static_cast<std::uint32_t>(blocks_.size());
+  Block block{
+      at.level, at.cell, static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(exits_.size()),
+      nullptr,  nullptr};
+  if (at.level == kOpen) {
+    block.base = preparation_.base[at.cell].get();
+    entries_.resize(entries_.size() + block.base->places.size(), {kFar, kNone, 0});
+  } else {
+    block.overlay = preparation_.overlays[at.level][at.cell].get();
+    entries_.resize(entries_.size() + block.overlay->entries.size(), {kFar, kNone, 0});
+    exits_.resize(exits_.size() + block.overlay->exits.size(), {kFar, 0});
+  }
+  blocks_.push_back(block);
+  return number;
+}
+
+std::uint32_t BlockSearch::known_block(Node node) const {
+  const Where at = where(node);
+  return blocks_at_[at.level][at.cell];
+}
+
+std::uint32_t BlockSearch::slot_in(const Block& block, Node node) const {
+  if (block.overlay == nullptr) return slot_of(node);
+  const auto& entries = block.overlay->entries;
+  const auto found = std::lower_bound(entries.begin(), entries.end(), node);
+  return found == entries.end() || *found != node ? kNone : static_cast<std::uint32_t>(found - entries.begin());
+}
+
+void BlockSearch::relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot) {
+  const std::uint32_t number = block_of(where(node));
+  const Block& block = blocks_[number];
+  const std::uint32_t slot = slot_in(block, node);
+  if (slot == kNone) return;
+  Label& label = entries_[block.first_entry + slot];
+  if (cost >= label.cost) return;
+  label = {cost, parent_block, parent_slot};
+  push({cost, number, slot});
+}
+
+void BlockSearch::settle(const Entry& entry) {
+  const Block block = blocks_[entry.block];  // a copy: more blocks may come
+  if (entry.cost > entries_[block.first_entry + entry.slot].cost) return;
+  if (block.overlay == nullptr) {
+    const BaseCell& base = *block.base;
+    for (std::uint32_t at = base.first_arc[entry.slot]; at < base.first_arc[entry.slot + 1]; ++at) {
+      if (in_scope(base.arcs[at].to))
+        relax(base.arcs[at].to, entry.cost + base.arcs[at].cost, entry.block, entry.slot);
+    }
+    return;
+  }
+  const Overlay& overlay = *block.overlay;
+  const std::size_t exits = overlay.exits.size();
+  const double* const row = overlay.costs.data() + entry.slot * exits;
+  for (std::uint32_t exit = 0; exit < exits; ++exit) {
+    const double cost = entry.cost + row[exit];
+    ExitLabel& label = exits_[block.first_exit + exit];
+    if (cost >= label.cost) continue;
+    label = {cost, entry.slot};
+    for (std::uint32_t at = overlay.first_crossing[exit]; at < overlay.first_crossing[exit + 1]; ++at) {
+      const Arc& arc = overlay.crossings[at];
+      if (in_scope(arc.to)) relax(arc.to, cost + arc.cost, entry.block, exit);
+    }
+  }
+}
+
+double BlockSearch::run_to(Node to) {
+  while (!heap_.empty() && heap_.front().cost < cost(to)) settle(pop());
+  return cost(to);
+}
+
+void BlockSearch::run() {
+  while (!heap_.empty()) settle(pop());
+}
+
+double BlockSearch::cost(Node node) const {
+  const std::uint32_t number = known_block(node);
+  if (number == kNone) return kFar;
+  const Block& block = blocks_[number];
+  if (block.overlay == nullptr) return entries_[block.first_entry + slot_of(node)].cost;
+  const auto& exits = block.overlay->exits;
+  const auto found = std::lower_bound(exits.begin(), exits.end(), node);
+  if (found == exits.end() || *found != node) return kFar;
+  return exits_[block.first_exit + static_cast<std::size_t>(found - exits.begin())].cost;
+}
+
+std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
+  std::vector<Stretch> way;
+  std::uint32_t number = known_block(node);
+  if (number == kNone) return way;
+  std::uint32_t slot = slot_of(node);
+  if (const Overlay* const overlay = blocks_[number].overlay; overlay != nullptr) {
+    const auto found = std::lower_bound(overlay->exits.begin(), overlay->exits.end(), node);
+    slot = static_cast<std::uint32_t>(found - overlay->exits.begin());
+  }
+  while (number != kNone) {
+    const Block& block = blocks_[number];
+    std::uint32_t entry = slot;
+    if (block.overlay == nullptr) {
+      const Node here = node_at(block.cell, slot);
+      way.push_back({0, block.cell, here, here, true});
+    } else {
+      entry = exits_[block.first_exit + slot].entry;
+      way.push_back({block.level, block.cell, block.overlay->entries[entry], block.overlay->exits[slot], false});
+    }
+    const Label& label = entries_[block.first_entry + entry];
+    number = label.parent_block;
+    slot = label.parent_slot;
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+void BlockSearch::push(const Entry& entry) {
+  heap_.push_back(entry);
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+BlockSearch::Entry BlockSearch::pop() {
+  std::pop_heap(heap_.begin(), heap_.end());
+  const Entry top = heap_.back();
+  heap_.pop_back();
+  return top;
+}
+
+}  // namespace weft::routing

@@ -1,0 +1,96 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/network/routing/preparation.hpp"
+
+namespace weft::routing {
+
+/// Dijkstra over cells: a cell is passed from entry to exit in one step, except those that are opened, which are gone
+/// through place by place. One object serves many searches one after the other.
+class BlockSearch {
+ public:
+  /// The preparation must outlive it.
+  explicit BlockSearch(const Preparation& preparation);
+
+  /// From now on nothing leaves this cell; its children are what is passed in one step.
+  void confine(std::size_t level, std::uint32_t cell);
+  /// From now on the whole network is searched; the cells that hold either node are opened.
+  void search_all(Node from, Node to);
+
+  /// Forgets the last search and begins at a place.
+  void start(Node from);
+  /// Until the place is reached at the least cost; infinity: it cannot be reached.
+  double run_to(Node to);
+  /// Until everything within reach is settled.
+  void run();
+  /// Of a place that is gone through itself or is an exit of its block; infinity: not reached.
+  double cost(Node node) const;
+
+  /// A stretch of the way: within a cell from entry to exit, or (open) one place.
+  struct Stretch {
+    std::size_t level = 0;
+    std::uint32_t cell = 0;
+    Node from = kNoNode;
+    Node to = kNoNode;
+    bool is_open = false;
+  };
+  /// The way to a place that was reached, from the start on.
+  std::vector<Stretch> way_to(Node node) const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kOpen = kLevels;  ///< in place of a level: gone through place by place
+
+  struct Where {
+    std::size_t level;
+    std::uint32_t cell;
+  };
+  struct Block {
+    std::size_t level;
+    std::uint32_t cell;
+    std::uint32_t first_entry;  ///< of its labels
+    std::uint32_t first_exit;
+    const Overlay* overlay;  ///< null: open
+    const BaseCell* base;    ///< of an open one
+  };
+  struct Label {
+    double cost;
+    std::uint32_t parent_block;
+    std::uint32_t parent_slot;  ///< an exit of the parent, or a slot of an open one
+  };
+  struct ExitLabel {
+    double cost;
+    std::uint32_t entry;
+  };
+  struct Entry {
+    double cost;
+    std::uint32_t block;
+    std::uint32_t slot;
+    bool operator<(const Entry& other) const {
+      return cost > other.cost;
+    }  // the standard heap has its largest on top
+  };
+
+  bool in_scope(Node node) const { return level_ == kLevels || preparation_.cell(node, level_) == cell_; }
+  Where where(Node node) const;
+  std::uint32_t block_of(Where at);
+  std::uint32_t known_block(Node node) const;
+  std::uint32_t slot_in(const Block& block, Node node) const;
+  void relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot);
+  void settle(const Entry& entry);
+  void push(const Entry& entry);
+  Entry pop();
+
+  const Preparation& preparation_;
+  std::size_t level_ = kLevels;  ///< kLevels: no bounds
+  std::uint32_t cell_ = 0;
+  Node opened_for_[2] = {kNoNode, kNoNode};
+  std::array<std::vector<std::uint32_t>, kLevels + 1> blocks_at_;
+  std::vector<Block> blocks_;
+  std::vector<Label> entries_;
+  std::vector<ExitLabel> exits_;
+  std::vector<Entry> heap_;
+};
+
+}  // namespace weft::routing

@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/network/routing/bisection.hpp"
+#include "core/network/routing/draft.hpp"
+#include "core/network/routing/routing.hpp"
+
+namespace weft::routing {
+namespace {
+
+constexpr float kBetweenParts_m = 1000.0F;  ///< unconnected parts of a network are laid out side by side
+
+/// A stretch of the order that is still to be cut, and the cells it lies in already.
+struct Task {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  std::size_t level = kLevels;  ///< of the smallest cell that it lies in or is; kLevels: none
+  std::array<std::uint32_t, kLevels> cells{};
+};
+
+struct Heading {
+  float cos = 1.0F;
+  float sin = 0.0F;
+};
+
+}  // namespace
+
+struct Builder::State {
+  State(Snapshot snapshot, std::set<std::string> methods) {
+    made.of = std::move(snapshot);
+    made.methods = std::move(methods);
+    next_experience = made.of.experiences().begin();
+  }
+
+  std::size_t number_experience();
+  std::size_t join_place();
+  std::size_t lay_out_place();
+  std::size_t cut();
+  void close(const Task& task);
+  void begin_cells();
+  std::uint32_t number(const PlaceId& place) const {
+    const auto* const known = numbers.value(place.experience);
+    return known == nullptr || place.index >= (*known)->size() ? kNoNode : (**known)[place.index];
+  }
+
+  enum class Phase { number, join, lay_out, cut, cells, done };
+  Phase phase = Phase::number;
+  Preparation made;
+  Snapshot::Experiences::const_iterator next_experience;
+  /// By the index of the place: its number in the layout, from the cuts on its node.
+  FlatMap<ExperienceId, std::shared_ptr<std::vector<Node>>> numbers;
+  Layout layout;
+  std::uint32_t next_place = 0;
+  std::vector<Heading> headings;
+  std::vector<std::uint32_t> order;  ///< as laid out, breadth first; then as cut
+  std::uint32_t next_in_order = 0;
+  float rightmost = 0.0F;
+  std::vector<std::uint32_t> part_of;
+  std::uint32_t parts = 0;
+  std::size_t closed = 0;  ///< places in base cells
+  std::vector<Task> tasks;
+  std::array<std::uint32_t, kLevels> cells{};  ///< so far
+  std::unique_ptr<Draft> draft;
+};
+
+std::size_t Builder::State::number_experience() {
+  if (next_experience == made.of.experiences().end()) {
+    phase = Phase::join;
+    layout.first_arc.reserve(layout.places.size() + 1);
+    return 1;
+  }
+  auto nodes = std::make_shared<std::vector<Node>>();
+  for (const Place& place : next_experience->second->places) {
+    if (nodes->size() <= place.id.index) nodes->resize(place.id.index + 1, kNoNode);
+    (*nodes)[place.id.index] = static_cast<Node>(layout.places.size());
+    layout.places.push_back(place.id);
+  }
+  nodes->shrink_to_fit();
+  const std::size_t work = 1 + nodes->size() / 8;
+  numbers.emplace(next_experience->first, std::move(nodes));
+  ++next_experience;
+  return work;
+}
+
+std::size_t Builder::State::join_place() {
+  layout.first_arc.push_back(static_cast<std::uint32_t>(layout.arcs.size()));
+  if (next_place == layout.places.size()) {
+    phase = Phase::lay_out;
+    next_place = 0;
+    layout.x.assign(layout.places.size(), 0.0F);
+    layout.y.assign(layout.places.size(), 0.0F);
+    headings.resize(layout.places.size());
+    part_of.assign(layout.places.size(), 0);
+    order.reserve(layout.places.size());
+    return 1;
+  }
+  const PlaceId here = layout.places[next_place++];
+  made.of.for_each_edge(here, [&](const Edge& edge) {
+    const std::uint32_t there = number(other_end(edge, here));
+    if (there != kNoNode && can_drive(edge, here) && made.methods.contains(edge.method)) layout.arcs.push_back(there);
+  });
+  return 1;
+}
+
+/// Breadth first over all edges; where loops do not close, the first way counts. Only how good the cells are depends
+/// on it.
+std::size_t Builder::State::lay_out_place() {
+  if (next_in_order == order.size()) {
+    while (next_place < layout.places.size() && part_of[next_place] != 0) ++next_place;
+    if (next_place == layout.places.size()) {
+      phase = Phase::cut;
+      headings = {};
+      part_of.assign(layout.places.size(), 0);
+      if (!order.empty()) tasks.push_back({0, static_cast<std::uint32_t>(order.size()), kLevels, {}});
+      return 1;
+    }
+    part_of[next_place] = 1;
+    layout.x[next_place] = order.empty() ? 0.0F : rightmost + kBetweenParts_m;
+    order.push_back(next_place);
+  }
+  const std::uint32_t here = order[next_in_order++];
+  rightmost = std::max(rightmost, layout.x[here]);
+  const PlaceId id = layout.places[here];
+  made.of.for_each_edge(id, [&](const Edge& edge) {
+    const std::uint32_t there = number(other_end(edge, id));
+    if (there == kNoNode || part_of[there] != 0) return;
+    part_of[there] = 1;
+    const Pose2 step = planar(relation_from(edge, id));
+    const auto [c, s] = headings[here];
+    layout.x[there] = layout.x[here] + c * static_cast<float>(step.x) - s * static_cast<float>(step.y);
+    layout.y[there] = layout.y[here] + s * static_cast<float>(step.x) + c * static_cast<float>(step.y);
+    const auto turn_c = static_cast<float>(std::cos(step.heading));
+    const auto turn_s = static_cast<float>(std::sin(step.heading));
+    headings[there] = {c * turn_c - s * turn_s, s * turn_c + c * turn_s};
+    order.push_back(there);
+  });
+  return 2;
+}
+
+std::size_t Builder::State::cut() {
+  if (tasks.empty()) {
+    begin_cells();
+    return 1;
+  }
+  Task task = tasks.back();
+  tasks.pop_back();
+  const std::uint32_t size = task.last - task.first;
+  while (task.level > 0 && size <= kCellPlaces[task.level - 1]) {
+    --task.level;
+    task.cells[task.level] = cells[task.level]++;
+  }
+  if (task.level == 0) {
+    close(task);
+    return 1 + size / 4;
+  }
+  const std::uint32_t middle = bisect(layout, order, task.first, task.last, part_of);
+  ++parts;
+  for (std::uint32_t at = middle; at < task.last; ++at) part_of[order[at]] = parts;
+  Task second = task;
+  task.last = second.first = middle;
+  tasks.push_back(second);
+  tasks.push_back(task);
+  return 1 + size / 2;
+}
+
+/// Base cells come in the order of their numbers.
+void Builder::State::close(const Task& task) {
+  auto base = std::make_shared<BaseCell>();
+  const auto begin = order.begin() + task.first;
+  std::sort(begin, order.begin() + task.last);
+  base->places.reserve(task.last - task.first);
+  for (auto at = begin; at != order.begin() + task.last; ++at) {
+    const PlaceId& place = layout.places[*at];
+    const auto cell = static_cast<std::uint32_t>(made.base.size());
+    (*(*numbers.find(place.experience)).second)[place.index] =
+        node_at(cell, static_cast<std::uint32_t>(base->places.size()));
+    base->places.push_back(place);
+  }
+  base->first_arc.push_back(0);
+  made.base.push_back(std::move(base));
+  made.cells.push_back(task.cells);
+  closed += task.last - task.first;
+}
+
+void Builder::State::begin_cells() {
+  phase = Phase::cells;
+  layout = {};
+  order = {};
+  part_of = {};
+  for (const auto& [id, nodes] : numbers) made.nodes.emplace(id, nodes);
+  numbers = {};
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    std::vector<std::set<std::uint32_t>> children(cells[level]);
+    for (const auto& of_base : made.cells) {
+      if (level > 0) children[of_base[level]].insert(of_base[level - 1]);
+    }
+    for (const std::set<std::uint32_t>& of_cell : children) {
+      auto overlay = std::make_shared<Overlay>();
+      overlay->children.assign(of_cell.begin(), of_cell.end());
+      made.overlays[level].push_back(std::move(overlay));
+    }
+  }
+  draft = std::make_unique<Draft>(std::move(made));
+  for (std::uint32_t cell = 0; cell < draft->preparation().base.size(); ++cell) draft->mark(cell);
+}
+
+Builder::Builder(Snapshot snapshot, std::set<std::string> methods)
+    : state_(std::make_unique<State>(std::move(snapshot), std::move(methods))) {}
+Builder::~Builder() = default;
+Builder::Builder(Builder&&) noexcept = default;
+Builder& Builder::operator=(Builder&&) noexcept = default;
+
+bool Builder::step(std::size_t budget) {
+  State& state = *state_;
+  for (std::size_t done = 0; done < budget;) {
+    switch (state.phase) {
+      case State::Phase::number:
+        done += state.number_experience();
+        break;
+      case State::Phase::join:
+        done += state.join_place();
+        break;
+      case State::Phase::lay_out:
+        done += state.lay_out_place();
+        break;
+      case State::Phase::cut:
+        done += state.cut();
+        break;
+      case State::Phase::cells:
+        if (!state.draft->step()) state.phase = State::Phase::done;
+        done += kCellPlaces[0];
+        break;
+      case State::Phase::done:
+        return false;
+    }
+  }
+  return true;
+}
+
+double Builder::share_done() const {
+  const State& state = *state_;
+  const auto phase = static_cast<double>(state.phase);
+  const auto all = static_cast<double>(std::max<std::size_t>(1, state.layout.places.size()));
+  double within = 0.0;
+  if (state.phase == State::Phase::join) within = state.next_place / all;
+  if (state.phase == State::Phase::lay_out) within = state.next_in_order / all;
+  if (state.phase == State::Phase::cut) within = static_cast<double>(state.closed) / all;
+  if (state.phase == State::Phase::cells) {
+    // Every base cell is made, and then looked at once more for its overlay; the levels above are few.
+    const auto cells = static_cast<double>(2 * std::max<std::size_t>(1, state.draft->preparation().base.size()));
+    within = 1.0 - std::min(1.0, static_cast<double>(state.draft->left_to_do()) / cells);
+  }
+  return (phase + within) / static_cast<double>(State::Phase::done);
+}
+
+Preparation Builder::take() {
+  return state_->draft->take();
+}
+
+Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& methods) {
+  Builder builder(snapshot, methods);
+  while (builder.step(1'000'000)) {
+  }
+  return builder.take();
+}
+
+}  // namespace weft::routing

@@ -1,0 +1,61 @@
+#pragma once
+#include <set>
+
+#include "core/network/routing/cells.hpp"
+#include "core/network/routing/preparation.hpp"
+
+namespace weft::routing {
+
+/// A preparation under change: places get nodes and lose them, cells that are marked are made anew, and what lies
+/// over them as far as it changes. Private to the routing folder.
+class Draft {
+ public:
+  explicit Draft(Preparation preparation) : made_(std::move(preparation)) {}
+
+  const Preparation& preparation() const { return made_; }
+
+  /// A slot near the places that it is joined with; marked.
+  void add(const PlaceId& place);
+  /// Marked. The place has a node.
+  void remove(const PlaceId& place);
+  /// The base cell is joined anew.
+  void mark(std::uint32_t cell) { marked_.insert(cell); }
+  /// The base cell is as it must be; whether its overlay is, is looked at (by its costs too, or by its borders
+  /// alone).
+  void look_at(std::uint32_t cell, bool costs_too);
+
+  /// Joins all base cells, none of which is so far; `is_known(cell, joined)` says whether what lies over a cell was
+  /// made of just that, and needs its borders looked at alone.
+  template <class IsKnown>
+  void join_all(IsKnown&& is_known);
+
+  /// Makes one cell; false when nothing is left to be done.
+  bool step();
+  std::size_t left_to_do() const;
+  Preparation take() { return std::move(made_); }
+
+ private:
+  std::vector<Node>& nodes_of(ExperienceId experience);
+  std::uint32_t room_near(const PlaceId& place);
+  std::uint32_t new_cell(std::uint32_t near);
+  void remake_base(std::uint32_t cell);
+  void remake_overlay(std::size_t level, std::uint32_t cell);
+
+  Preparation made_;
+  std::set<std::uint32_t> marked_;
+  std::array<std::set<std::uint32_t>, kLevels> stale_;
+  std::array<std::set<std::uint32_t>, kLevels> changed_inside_;
+  std::uint32_t newest_ = 0;  ///< base cell that the last place without neighbours went to
+};
+
+template <class IsKnown>
+void Draft::join_all(IsKnown&& is_known) {
+  for (std::uint32_t cell = 0; cell < made_.base.size(); ++cell) {
+    auto base = std::make_shared<const BaseCell>(joined(made_, cell));
+    look_at(cell, !is_known(cell, *base));
+    made_.base[cell] = std::move(base);
+  }
+  marked_.clear();
+}
+
+}  // namespace weft::routing

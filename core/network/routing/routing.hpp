@@ -1,0 +1,51 @@
+#pragma once
+#include <memory>
+
+#include "core/bytes.hpp"
+#include "core/network/routing/preparation.hpp"
+#include "core/network/search.hpp"
+
+namespace weft::routing {
+
+/// Makes a preparation in steps, so that whoever has other things to do can do them in between.
+class Builder {
+ public:
+  Builder(Snapshot snapshot, std::set<std::string> methods);
+  ~Builder();
+  Builder(Builder&&) noexcept;
+  Builder& operator=(Builder&&) noexcept;
+
+  /// About `budget` places' worth of work, or one indivisible piece of it (of a million places the longest takes a
+  /// fraction of a second: docs/decisions/042). False when it is done.
+  bool step(std::size_t budget);
+  /// [0, 1]
+  double share_done() const;
+  /// Once, when it is done.
+  Preparation take();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& methods);
+
+/// The preparation for another revision of the same network, sharing with the old one what did not change. Takes what
+/// changed, and lengths and neighbourhoods of it; many changes at once take less than one by one. What is answered is
+/// what `prepare` would answer; searches become slower when a network grows to a multiple of what it was.
+Preparation update(const Preparation& preparation, const Snapshot& snapshot);
+
+/// As `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of equal cost any one is
+/// taken, the same one each time.
+/// stale: the preparation is for another revision. invalid: it is for other methods. not_found: as `shortest_path`.
+Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
+                           const PlaceId& to, const std::set<std::string>& methods);
+
+/// Canonical bytes for the store (docs/formats/routes.md): which cells there are, the costs through them, and what
+/// they were computed of.
+Bytes encode(const Preparation& preparation);
+/// The preparation for `snapshot`, whichever revision the bytes were made of: what they say is held against the
+/// network, and what differs is computed anew. corrupt: short, trailing, or impossible values, which are named.
+Result<Preparation> decode(ByteView bytes, const Snapshot& snapshot);
+
+}  // namespace weft::routing
