@@ -15,7 +15,7 @@ constexpr double kAisle_m = 40.0;
 constexpr double kBetweenAisles_m = 4.0;
 constexpr double kBin_m = 0.5;
 constexpr double kMeanSpacing_m = 0.25;
-constexpr double kStitchChance = 0.52;  // the first run along a corridor finds nothing to stitch to
+constexpr double kStitchChance = 0.6;  // the first runs along a corridor find nothing to stitch to
 constexpr double kOtherWayChance = 0.1;
 constexpr int kBinsAnAisle = static_cast<int>(kAisle_m / kBin_m);
 constexpr std::uint64_t kMostPlaces = 10'000'000;
@@ -58,6 +58,7 @@ SiteGenerator::SiteGenerator(const SitePlan& plan) : plan_(plan), random_(plan.s
 
 Batch SiteGenerator::next() {
   if (length_ == 0) begin_experience();
+  poses_.clear();
   Batch batch;
   batch.experience = experience_;
   batch.sequence = ++sequence_;
@@ -168,6 +169,7 @@ void SiteGenerator::add_place(Batch& batch) {
   if (along_m_ < spacing_m_) {
     labels_.try_emplace("station-" + std::to_string(from_.row) + "-" + std::to_string(from_.column), place.id);
   }
+  poses_.push_back(site_from_here);
   last_ = site_from_here;
   ++index_;
   ++made_;

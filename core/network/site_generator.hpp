@@ -34,6 +34,8 @@ class SiteGenerator {
   bool is_done() const { return made_ == plan_.places; }
   std::uint64_t made() const { return made_; }
   Batch next();
+  /// Where the places of the last batch truly lie: site_from_place.
+  const std::vector<Pose2>& poses() const { return poses_; }
   /// Bytes that compress to about half, a place's own.
   Bytes content(const PlaceId& place) const;
   /// Labels of stations that lie in what was made so far; complete when done.
@@ -77,6 +79,7 @@ class SiteGenerator {
   Crossing to_;
   double along_m_ = 0.0;  ///< from one crossing to the next
   Pose2 last_;
+  std::vector<Pose2> poses_;
 };
 
 }  // namespace weft

@@ -4,8 +4,10 @@
 
 namespace weft::support {
 
+using TruePoses = std::vector<std::pair<PlaceId, Pose2>>;  ///< site_from_place
+
 /// The generated site as a snapshot, at the revision that its batches would have led to. Linear time.
-inline Snapshot make_site(const SitePlan& plan) {
+inline Snapshot make_site(const SitePlan& plan, TruePoses* truth = nullptr) {
   SiteGenerator generator(plan);
   storage::NetworkBuilder builder;
   std::map<ExperienceId, storage::NetworkBuilder::Head> heads;
@@ -20,6 +22,9 @@ inline Snapshot make_site(const SitePlan& plan) {
             batch.seal,
             batch.seal_reason,
             head.places + batch.places.size()};
+    for (std::size_t at = 0; truth != nullptr && at < batch.places.size(); ++at) {
+      truth->emplace_back(batch.places[at].id, generator.poses()[at]);
+    }
     for (Place& place : batch.places) builder.add(std::move(place));
     for (Edge& edge : batch.edges) builder.add(std::move(edge));
     ++revision;
