@@ -42,7 +42,7 @@ Result<Seeds> parse_seeds(std::string_view text) {
   return seeds;
 }
 
-std::variant<DisturbancesOptions, NotRun> parse(int argc, const char* const* argv) {
+std::variant<DisturbancesOptions, GenerateOptions, NotRun> parse(int argc, const char* const* argv) {
   CLI::App app("Studies of how well robots see and drive, each with a table, its data and a picture.",
                "weft-evaluate");
   app.set_version_flag("--version", "weft-evaluate " WEFT_VERSION);
@@ -69,6 +69,19 @@ std::variant<DisturbancesOptions, NotRun> parse(int argc, const char* const* arg
       ->check(CLI::Range(11.0, 1000.0).description(""));
   option("--out", options.out, "DIR",
          "Folder for the results; rows that it holds already are kept [out/disturbances]");
+  CLI::App* const site = app.add_subcommand(
+      "generate-site",
+      "A store with a large site that many robots have driven in, to see how what is built for one bears it.\n"
+      "Prints progress. Ctrl-C stops it; the same command goes on where it stopped.");
+  GenerateOptions generate;
+  generate.out = "out/site";
+  const auto site_option = [site](const char* flag, auto& into, const char* unit, const char* help) {
+    site->add_option(flag, into, help)->type_name(unit);
+  };
+  site_option("--places", generate.plan.places, "N", "How many places, 1 to 10000000 [10000]");
+  site_option("--seed", generate.plan.seed, "N", "Another seed is another site [1]");
+  site_option("--content-bytes", generate.plan.content_bytes, "N", "Content of each place, 8 to 1000000 [64]");
+  site_option("--out", generate.out, "DIR", "The store's directory [out/site]");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
@@ -76,6 +89,10 @@ std::variant<DisturbancesOptions, NotRun> parse(int argc, const char* const* arg
     std::ostringstream err;
     if (app.exit(problem, out, err) == 0) return NotRun{0, out.str()};
     return mistake(app, problem.what());
+  }
+  if (site->parsed()) {
+    if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
+    return generate;
   }
   const Result<Seeds> range = parse_seeds(seeds);
   if (!range) return mistake(app, range.error().message);

@@ -1,9 +1,11 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "clients/evaluate/disturbances/study.hpp"
+#include "core/network/site_generator.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {
@@ -14,7 +16,12 @@ struct NotRun {
   std::string text;
 };
 
-std::variant<DisturbancesOptions, NotRun> parse(int argc, const char* const* argv);
+struct GenerateOptions {
+  SitePlan plan;
+  std::filesystem::path out;  ///< the store's directory; made if it is not there
+};
+
+std::variant<DisturbancesOptions, GenerateOptions, NotRun> parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.
 Result<Seeds> parse_seeds(std::string_view text);

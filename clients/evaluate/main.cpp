@@ -3,8 +3,10 @@
 #include <exception>
 #include <iostream>
 
+#include "clients/evaluate/generate/generate.hpp"
 #include "clients/evaluate/invocation.hpp"
 #include "core/text.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
 
 namespace {
 
@@ -16,18 +18,33 @@ void ask_to_stop(int /*signal*/) {
   asked_to_stop = 1;
 }
 
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int failed(const Error& error) {
+  std::cerr << "weft-evaluate: " << one_line(error.message) << '\n';
+  return 1;
+}
+
+int run(const evaluate::GenerateOptions& options) {
+  const auto store = storage::open_sqlite(options.out);
+  if (!store) return failed(store.error());
+  const auto stored = (*store)->open();
+  if (!stored) return failed(stored.error());
+  const evaluate::GenerationWatch watch{std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  const Result<evaluate::Generated> made = evaluate::generate_site(**store, *stored, options.plan, watch);
+  if (!made) return failed(made.error());
+  std::cout << made->places << " places in " << options.out.string() << ", " << made->written << " of them new\n";
+  if (made->is_complete) return 0;
+  std::cerr << "weft-evaluate: stopped; the same command goes on from there\n";
+  return 130;
+}
+
 int run(const evaluate::DisturbancesOptions& options) {
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  const evaluate::Surroundings around{
-      std::cout, std::cerr,
-      [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); },
-      [] { return asked_to_stop != 0; }};
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   const Result<evaluate::Ended> ended = evaluate::study_disturbances(options, around);
-  if (!ended) {
-    std::cerr << "weft-evaluate: " << one_line(ended.error().message) << '\n';
-    return 1;
-  }
+  if (!ended) return failed(ended.error());
   if (*ended == evaluate::Ended::complete) return 0;
   std::cerr << "weft-evaluate: stopped; what was measured is in " << options.out.string()
             << ", the same command goes on from there\n";
@@ -43,6 +60,9 @@ int main(int argc, char** argv) {
       (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
       return not_run->exit_code;
     }
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    if (const auto* const site = std::get_if<evaluate::GenerateOptions>(&parsed)) return run(*site);
     return run(std::get<evaluate::DisturbancesOptions>(parsed));
   } catch (const std::exception& error) {
     std::cerr << "weft-evaluate: ended by a defect: " << one_line(error.what()) << '\n';

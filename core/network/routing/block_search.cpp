@@ -17,16 +17,17 @@ BlockSearch::BlockSearch(const Preparation& preparation) : preparation_(preparat
 void BlockSearch::confine(std::size_t level, std::uint32_t cell) {
   level_ = level;
   cell_ = cell;
-  opened_for_[0] = opened_for_[1] = kNoNode;
+  opens_ = false;
 }
 
 void BlockSearch::search_all(Node from, Node to) {
   level_ = kLevels;
-  opened_for_[0] = from;
-  opened_for_[1] = to;
+  opens_ = true;
+  opened_ = {preparation_.cells[cell_of(from)], preparation_.cells[cell_of(to)]};
 }
 
-void BlockSearch::start(Node from) {
+void BlockSearch::start(Node from, double farthest) {
+  farthest_ = farthest;
   for (const Block& block : blocks_) blocks_at_[block.level][block.cell] = kNone;
   blocks_.clear();
   entries_.clear();
@@ -39,10 +40,7 @@ void BlockSearch::start(Node from) {
 BlockSearch::Where BlockSearch::where(Node node) const {
   const auto& cells = preparation_.cells[cell_of(node)];
   for (std::size_t level = level_; level-- > 0;) {
-    const auto holds = [&](Node opened) {
-      return opened != kNoNode && preparation_.cell(opened, level) == cells[level];
-    };
-    if (!holds(opened_for_[0]) && !holds(opened_for_[1])) return {level, cells[level]};
+    if (!is_opened(level, cells[level])) return {level, cells[level]};
   }
   return {kOpen, cell_of(node)};
 }
@@ -79,6 +77,7 @@ std::uint32_t BlockSearch::slot_in(const Block& block, Node node) const {
 }
 
 void BlockSearch::relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot) {
+  if (cost > farthest_) return;
   const std::uint32_t number = block_of(where(node));
   const Block& block = blocks_[number];
   const std::uint32_t slot = slot_in(block, node);
@@ -106,7 +105,7 @@ void BlockSearch::settle(const Entry& entry) {
   for (std::uint32_t exit = 0; exit < exits; ++exit) {
     const double cost = entry.cost + row[exit];
     ExitLabel& label = exits_[block.first_exit + exit];
-    if (cost >= label.cost) continue;
+    if (cost >= label.cost || cost > farthest_) continue;
     label = {cost, entry.slot};
     for (std::uint32_t at = overlay.first_crossing[exit]; at < overlay.first_crossing[exit + 1]; ++at) {
       const Arc& arc = overlay.crossings[at];
@@ -116,7 +115,15 @@ void BlockSearch::settle(const Entry& entry) {
 }
 
 double BlockSearch::run_to(Node to) {
-  while (!heap_.empty() && heap_.front().cost < cost(to)) settle(pop());
+  // Labels move when blocks come, and the place may have none for long: it is looked up when one came.
+  std::size_t blocks = 0;
+  const double* found = nullptr;
+  while (!heap_.empty() && (found == nullptr || heap_.front().cost < *found)) {
+    settle(pop());
+    if (blocks == blocks_.size()) continue;
+    blocks = blocks_.size();
+    found = cost_at(to);
+  }
   return cost(to);
 }
 
@@ -125,14 +132,20 @@ void BlockSearch::run() {
 }
 
 double BlockSearch::cost(Node node) const {
+  const double* const found = cost_at(node);
+  return found == nullptr ? kFar : *found;
+}
+
+/// Null while its block has not been reached, or when it has no label there.
+const double* BlockSearch::cost_at(Node node) const {
   const std::uint32_t number = known_block(node);
-  if (number == kNone) return kFar;
+  if (number == kNone) return nullptr;
   const Block& block = blocks_[number];
-  if (block.overlay == nullptr) return entries_[block.first_entry + slot_of(node)].cost;
+  if (block.overlay == nullptr) return &entries_[block.first_entry + slot_of(node)].cost;
   const auto& exits = block.overlay->exits;
   const auto found = std::lower_bound(exits.begin(), exits.end(), node);
-  if (found == exits.end() || *found != node) return kFar;
-  return exits_[block.first_exit + static_cast<std::size_t>(found - exits.begin())].cost;
+  if (found == exits.end() || *found != node) return nullptr;
+  return &exits_[block.first_exit + static_cast<std::size_t>(found - exits.begin())].cost;
 }
 
 std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
@@ -149,10 +162,12 @@ std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
     std::uint32_t entry = slot;
     if (block.overlay == nullptr) {
       const Node here = node_at(block.cell, slot);
-      way.push_back({0, block.cell, here, here, true});
+      way.push_back({0, block.cell, here, here, 0.0, true});
     } else {
-      entry = exits_[block.first_exit + slot].entry;
-      way.push_back({block.level, block.cell, block.overlay->entries[entry], block.overlay->exits[slot], false});
+      const ExitLabel& exit = exits_[block.first_exit + slot];
+      entry = exit.entry;
+      way.push_back({block.level, block.cell, block.overlay->entries[entry], block.overlay->exits[slot],
+                     block.overlay->costs[entry * block.overlay->exits.size() + slot], false});
     }
     const Label& label = entries_[block.first_entry + entry];
     number = label.parent_block;

@@ -18,8 +18,8 @@ class BlockSearch {
   /// From now on the whole network is searched; the cells that hold either node are opened.
   void search_all(Node from, Node to);
 
-  /// Forgets the last search and begins at a place.
-  void start(Node from);
+  /// Forgets the last search and begins at a place. Nothing beyond `farthest` is of interest.
+  void start(Node from, double farthest = std::numeric_limits<double>::infinity());
   /// Until the place is reached at the least cost; infinity: it cannot be reached.
   double run_to(Node to);
   /// Until everything within reach is settled.
@@ -33,6 +33,7 @@ class BlockSearch {
     std::uint32_t cell = 0;
     Node from = kNoNode;
     Node to = kNoNode;
+    double cost = 0.0;
     bool is_open = false;
   };
   /// The way to a place that was reached, from the start on.
@@ -73,10 +74,14 @@ class BlockSearch {
   };
 
   bool in_scope(Node node) const { return level_ == kLevels || preparation_.cell(node, level_) == cell_; }
+  bool is_opened(std::size_t level, std::uint32_t cell) const {
+    return opens_ && (cell == opened_[0][level] || cell == opened_[1][level]);
+  }
   Where where(Node node) const;
   std::uint32_t block_of(Where at);
   std::uint32_t known_block(Node node) const;
   std::uint32_t slot_in(const Block& block, Node node) const;
+  const double* cost_at(Node node) const;
   void relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot);
   void settle(const Entry& entry);
   void push(const Entry& entry);
@@ -85,12 +90,14 @@ class BlockSearch {
   const Preparation& preparation_;
   std::size_t level_ = kLevels;  ///< kLevels: no bounds
   std::uint32_t cell_ = 0;
-  Node opened_for_[2] = {kNoNode, kNoNode};
+  bool opens_ = false;
+  std::array<std::array<std::uint32_t, kLevels>, 2> opened_{};
   std::array<std::vector<std::uint32_t>, kLevels + 1> blocks_at_;
   std::vector<Block> blocks_;
   std::vector<Label> entries_;
   std::vector<ExitLabel> exits_;
   std::vector<Entry> heap_;
+  double farthest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace weft::routing

@@ -20,7 +20,8 @@ class Unpacker {
         continue;
       }
       search_.confine(stretch.level, stretch.cell);
-      search_.start(stretch.from);
+      // Rounding may come out a little differently here.
+      search_.start(stretch.from, stretch.cost * (1.0 + 1e-9));
       search_.run_to(stretch.to);
       unpack(search_.way_to(stretch.to));
     }

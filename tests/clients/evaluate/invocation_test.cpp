@@ -10,7 +10,7 @@
 namespace weft::evaluate {
 namespace {
 
-std::variant<DisturbancesOptions, NotRun> parsed(std::vector<const char*> words) {
+std::variant<DisturbancesOptions, GenerateOptions, NotRun> parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "weft-evaluate");
   return parse(static_cast<int>(words.size()), words.data());
 }
@@ -42,6 +42,9 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
       {{"disturbances", "--seeds", "1..99999"}, "10000"},
       {{"disturbances", "--metres", "10"}, "--metres"},
       {{"disturbances", "--out"}, "--out"},
+      {{"generate-site", "--places", "0"}, "places is 0"},
+      {{"generate-site", "--places", "many"}, "--places"},
+      {{"generate-site", "--content-bytes", "2"}, "content bytes"},
   };
   for (const auto& [words, word] : wrong) {
     const auto result = parsed(words);
@@ -51,6 +54,18 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
     EXPECT_NE(not_run->text.find(word), std::string::npos) << not_run->text;
     EXPECT_EQ(std::count(not_run->text.begin(), not_run->text.end(), '\n'), 1) << not_run->text;
   }
+}
+
+TEST(EvaluateInvocation, SitesToGenerate) {
+  const auto plain = std::get<GenerateOptions>(parsed({"generate-site"}));
+  EXPECT_EQ(plain.plan.places, 10'000U);
+  EXPECT_EQ(plain.out, "out/site");
+  const auto given = std::get<GenerateOptions>(
+      parsed({"generate-site", "--places", "500", "--seed", "7", "--content-bytes", "20000", "--out", "o"}));
+  EXPECT_EQ(given.plan.places, 500U);
+  EXPECT_EQ(given.plan.seed, 7U);
+  EXPECT_EQ(given.plan.content_bytes, 20'000U);
+  EXPECT_EQ(given.out, "o");
 }
 
 TEST(EvaluateInvocation, HelpIsNoMistake) {
