@@ -73,7 +73,10 @@ class BlockSearch {
     }  // the standard heap has its largest on top
   };
 
-  bool in_scope(Node node) const { return level_ == kLevels || preparation_.cell(node, level_) == cell_; }
+  bool in_scope(Node node) const {
+    if (level_ == 0) return cell_of(node) == cell_;  // most often asked, and without looking anything up
+    return level_ == kLevels || preparation_.cell(node, level_) == cell_;
+  }
   bool is_opened(std::size_t level, std::uint32_t cell) const {
     return opens_ && (cell == opened_[0][level] || cell == opened_[1][level]);
   }
