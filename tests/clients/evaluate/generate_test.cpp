@@ -11,16 +11,16 @@ namespace {
 
 constexpr SitePlan kPlan{.places = 3'000, .seed = 5, .batch_places = 250};
 
-struct Run {
+struct Outcome {
   Result<Generated> result = fail(ErrorCode::internal, "not run");
   std::string progress;
 };
 
 /// Stops when `batches` were asked for.
-Run generate(const std::shared_ptr<storage::MemoryDisk>& disk, const SitePlan& plan, int batches) {
+Outcome generate(const std::shared_ptr<storage::MemoryDisk>& disk, const SitePlan& plan, int batches) {
   const auto store = storage::make_memory_store(disk);
   const auto stored = store->open();
-  Run run;
+  Outcome run;
   std::ostringstream progress;
   double now_s = 0.0;
   const GenerationWatch watch{progress, [&] { return now_s += 1.0; }, [&] { return batches-- == 0; }};
@@ -31,7 +31,7 @@ Run generate(const std::shared_ptr<storage::MemoryDisk>& disk, const SitePlan& p
 
 TEST(GenerateSite, GoesOnWhereItStopped) {
   const auto whole = std::make_shared<storage::MemoryDisk>();
-  const Run at_once = generate(whole, kPlan, 1000);
+  const Outcome at_once = generate(whole, kPlan, 1000);
   ASSERT_TRUE(at_once.result) << at_once.result.error().message;
   EXPECT_TRUE(at_once.result->is_complete);
   EXPECT_EQ(at_once.result->written, 3'000U);
@@ -39,10 +39,10 @@ TEST(GenerateSite, GoesOnWhereItStopped) {
   EXPECT_NE(at_once.progress.find("s remain"), std::string::npos);
 
   const auto halves = std::make_shared<storage::MemoryDisk>();
-  const Run first = generate(halves, kPlan, 5);
+  const Outcome first = generate(halves, kPlan, 5);
   ASSERT_TRUE(first.result);
   EXPECT_FALSE(first.result->is_complete);
-  const Run second = generate(halves, kPlan, 1000);
+  const Outcome second = generate(halves, kPlan, 1000);
   ASSERT_TRUE(second.result);
   EXPECT_TRUE(second.result->is_complete);
   EXPECT_EQ(first.result->written + second.result->written, 3'000U);
@@ -51,7 +51,7 @@ TEST(GenerateSite, GoesOnWhereItStopped) {
   EXPECT_FALSE(halves->labels.empty());
   EXPECT_EQ(halves->contents.size(), 3'000U);
 
-  const Run third = generate(halves, kPlan, 1000);
+  const Outcome third = generate(halves, kPlan, 1000);
   ASSERT_TRUE(third.result);
   EXPECT_EQ(third.result->written, 0U);
 }
@@ -61,7 +61,7 @@ TEST(GenerateSite, DoesNotMixWithAnother) {
   ASSERT_TRUE(generate(disk, kPlan, 1000).result);
   SitePlan other = kPlan;
   other.content_bytes = 99;
-  const Run mixed = generate(disk, other, 1000);
+  const Outcome mixed = generate(disk, other, 1000);
   ASSERT_FALSE(mixed.result);
   EXPECT_EQ(mixed.result.error().code, ErrorCode::conflict);
 }
