@@ -79,13 +79,16 @@ std::uint32_t BlockSearch::slot_in(const Block& block, Node node) const {
 void BlockSearch::relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot) {
   if (cost > farthest_) return;
   const std::uint32_t number = block_of(where(node));
-  const Block& block = blocks_[number];
-  const std::uint32_t slot = slot_in(block, node);
-  if (slot == kNone) return;
-  Label& label = entries_[block.first_entry + slot];
-  if (cost >= label.cost) return;
+  const std::uint32_t slot = slot_in(blocks_[number], node);
+  if (slot != kNone) improve(number, slot, cost, parent_block, parent_slot);
+}
+
+void BlockSearch::improve(std::uint32_t block, std::uint32_t slot, double cost, std::uint32_t parent_block,
+                          std::uint32_t parent_slot) {
+  Label& label = entries_[blocks_[block].first_entry + slot];
+  if (cost >= label.cost || cost > farthest_) return;
   label = {cost, parent_block, parent_slot};
-  push({cost, number, slot});
+  push({cost, block, slot});
 }
 
 void BlockSearch::settle(const Entry& entry) {
@@ -94,8 +97,13 @@ void BlockSearch::settle(const Entry& entry) {
   if (block.overlay == nullptr) {
     const BaseCell& base = *block.base;
     for (std::uint32_t at = base.first_arc[entry.slot]; at < base.first_arc[entry.slot + 1]; ++at) {
-      if (in_scope(base.arcs[at].to))
-        relax(base.arcs[at].to, entry.cost + base.arcs[at].cost, entry.block, entry.slot);
+      const Arc& arc = base.arcs[at];
+      const double cost = entry.cost + arc.cost;
+      if (cell_of(arc.to) == block.cell) {
+        improve(entry.block, slot_of(arc.to), cost, entry.block, entry.slot);
+      } else if (in_scope(arc.to)) {
+        relax(arc.to, cost, entry.block, entry.slot);
+      }
     }
     return;
   }

@@ -86,6 +86,8 @@ class BlockSearch {
   std::uint32_t slot_in(const Block& block, Node node) const;
   const double* cost_at(Node node) const;
   void relax(Node node, double cost, std::uint32_t parent_block, std::uint32_t parent_slot);
+  void improve(std::uint32_t block, std::uint32_t slot, double cost, std::uint32_t parent_block,
+               std::uint32_t parent_slot);
   void settle(const Entry& entry);
   void push(const Entry& entry);
   Entry pop();

@@ -30,7 +30,7 @@ inline constexpr Node node_at(std::uint32_t cell, std::uint32_t slot) {
 /// Cells lie in one another; level 0 is the base. Most places of a cell when the preparation is made; one that grows
 /// by changes may come to hold more.
 inline constexpr std::size_t kLevels = 4;
-inline constexpr std::array<std::uint32_t, kLevels> kCellPlaces{128, 1024, 8192, 131072};
+inline constexpr std::array<std::uint32_t, kLevels> kCellPlaces{128, 1024, 8192, 65536};
 inline constexpr std::uint32_t kBaseRoom = 400;     ///< slots of a base cell that changes may fill
 inline constexpr std::uint32_t kMostChildren = 24;  ///< cells that changes may bring into a cell of the next level
 
