@@ -29,34 +29,34 @@ class Writer {
  public:
   explicit Writer(MemoryDisk& disk) : disk_(disk) {}
 
-  void operator()(const PutContent& put) {
+  void operator()(const PutContent& put) const {
     disk_.contents[put.hash] = {put.kind, std::make_shared<const Bytes>(put.bytes)};
     disk_.content_bytes += put.bytes.size();
   }
-  void operator()(const AppendBatch& append) {
+  void operator()(const AppendBatch& append) const {
     remember(append.batch);
     disk_.batch_hashes[{append.batch.experience, append.batch.sequence}] = append.hash;
   }
-  void operator()(const PutLabel& put) { remember(put); }
-  void operator()(const SealExperience& seal) { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
-  void operator()(const TakeOut& out) { remember(out); }
-  void operator()(const BringBack& back) { remember(back); }
-  void operator()(const RollBack& back) { disk_.bases[{disk_.revision.value + 1}] = back.to; }
-  void operator()(const PutGoal& put) { disk_.goals[put.goal.id] = put.goal; }
-  void operator()(const PutRoute& put) { disk_.routes[put.route.goal] = put.route; }
-  void operator()(const PutOccupancy& put) {
+  void operator()(const PutLabel& put) const { remember(put); }
+  void operator()(const SealExperience& seal) const { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
+  void operator()(const TakeOut& out) const { remember(out); }
+  void operator()(const BringBack& back) const { remember(back); }
+  void operator()(const RollBack& back) const { disk_.bases[{disk_.revision.value + 1}] = back.to; }
+  void operator()(const PutGoal& put) const { disk_.goals[put.goal.id] = put.goal; }
+  void operator()(const PutRoute& put) const { disk_.routes[put.route.goal] = put.route; }
+  void operator()(const PutOccupancy& put) const {
     if (put.held.places.empty()) {
       disk_.occupancies.erase(put.robot);
     } else {
       disk_.occupancies[put.robot] = put;
     }
   }
-  void operator()(const PutRobot& put) { disk_.robots[put.robot] = put.name; }
-  void operator()(const PutEvent& put) { disk_.events.push_back(put.event); }
+  void operator()(const PutRobot& put) const { disk_.robots[put.robot] = put.name; }
+  void operator()(const PutEvent& put) const { disk_.events.push_back(put.event); }
 
  private:
   template <class Change>
-  void remember(const Change& change) {
+  void remember(const Change& change) const {
     disk_.history.push_back({{disk_.revision.value + 1}, change});
   }
   MemoryDisk& disk_;
@@ -174,7 +174,7 @@ class MemoryStore final : public MapStore {
     if (!plan) return fail(plan.error());
     if (auto error = disk_->faults.strike("memory store")) return fail(std::move(*error));
 
-    Writer write(*disk_);
+    const Writer write(*disk_);
     for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
       if (plan->fresh[at]) std::visit(write, transaction.changes[at]);
     }

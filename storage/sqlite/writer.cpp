@@ -11,7 +11,7 @@ class Writer {
  public:
   Writer(const Statements& statements, StoreRow& row) : statements_(statements), row_(row) {}
 
-  Result<void> operator()(const PutContent& put) {
+  Result<void> operator()(const PutContent& put) const {
     const Coded coded = encode_content(put.bytes);
     const ByteView bytes = coded.coding == Coding::raw ? ByteView(put.bytes) : ByteView(coded.bytes);
     Query query(statements_.put_content);
@@ -22,7 +22,7 @@ class Writer {
     return query.run();
   }
 
-  Result<void> operator()(const AppendBatch& append) {
+  Result<void> operator()(const AppendBatch& append) const {
     const Batch& batch = append.batch;
     if (auto done = put_experience(batch); !done) return done;
     for (const Place& place : batch.places) {
@@ -39,39 +39,39 @@ class Writer {
     return query.run();
   }
 
-  Result<void> operator()(const PutLabel& put) {
+  Result<void> operator()(const PutLabel& put) const {
     Query query(statements_.put_label);
     query << std::string_view(put.label) << row_.revision.value << put.place.experience.value
           << std::uint64_t{put.place.index};
     return query.run();
   }
 
-  Result<void> operator()(const SealExperience& seal) {
+  Result<void> operator()(const SealExperience& seal) const {
     Query query(statements_.seal);
     query << std::string_view(seal.reason) << seal.experience.value;
     return query.run();
   }
 
-  Result<void> operator()(const TakeOut& out) { return move(out.what, false); }
-  Result<void> operator()(const BringBack& back) { return move(back.what, true); }
+  Result<void> operator()(const TakeOut& out) const { return move(out.what, false); }
+  Result<void> operator()(const BringBack& back) const { return move(back.what, true); }
   /// The revision's row says it all.
-  Result<void> operator()(const RollBack& /*back*/) { return {}; }
+  Result<void> operator()(const RollBack& /*back*/) const { return {}; }
 
-  Result<void> operator()(const PutGoal& put) {
+  Result<void> operator()(const PutGoal& put) const {
     const Bytes bytes = guard_row(encode(put.goal));
     Query query(statements_.put_goal);
     query << put.goal.id << ByteView(bytes);
     return query.run();
   }
 
-  Result<void> operator()(const PutRoute& put) {
+  Result<void> operator()(const PutRoute& put) const {
     const Bytes bytes = guard_row(encode(put.route));
     Query query(statements_.put_route);
     query << put.route.goal << ByteView(bytes);
     return query.run();
   }
 
-  Result<void> operator()(const PutOccupancy& put) {
+  Result<void> operator()(const PutOccupancy& put) const {
     if (put.held.places.empty()) {
       Query query(statements_.free_occupancy);
       query << put.robot;
@@ -83,13 +83,13 @@ class Writer {
     return query.run();
   }
 
-  Result<void> operator()(const PutRobot& put) {
+  Result<void> operator()(const PutRobot& put) const {
     Query query(statements_.put_robot);
     query << put.robot << std::string_view(put.name);
     return query.run();
   }
 
-  Result<void> operator()(const PutEvent& put) {
+  Result<void> operator()(const PutEvent& put) const {
     const msg::Event& event = put.event;
     Query query(statements_.put_event);
     query << static_cast<std::uint64_t>(event.at.time_since_epoch().count()) << std::string_view(event.kind)
@@ -98,7 +98,7 @@ class Writer {
   }
 
  private:
-  Result<void> put_experience(const Batch& batch) {
+  Result<void> put_experience(const Batch& batch) const {
     Query query(statements_.put_experience);
     query << batch.experience.value << batch.robot << std::string_view(batch.name) << std::string_view(batch.method)
           << std::uint64_t{batch.seal} << std::string_view(batch.seal_reason) << batch.sequence
@@ -106,7 +106,7 @@ class Writer {
     return query.run();
   }
 
-  Result<void> put_edge(const Edge& edge) {
+  Result<void> put_edge(const Edge& edge) const {
     const Bytes bytes = guard_row(encode(edge));
     Query query(statements_.put_edge);
     query << edge.id.a.experience.value << std::uint64_t{edge.id.a.index} << edge.id.b.experience.value
@@ -114,7 +114,7 @@ class Writer {
     return query.run();
   }
 
-  Result<void> move(const Removal& removal, bool is_back) {
+  Result<void> move(const Removal& removal, bool is_back) const {
     for (const Stretch& stretch : removal.places) {
       Query query(statements_.move_places);
       query << row_.revision.value << stretch.experience.value << std::uint64_t{stretch.first}
@@ -189,7 +189,7 @@ Result<StoreRow> write_changes(const Statements& statements, const Transaction& 
     if (auto done = write_note(statements, note_of(transaction, row.revision)); !done) return fail(done.error());
     ++row.revision.value;
   }
-  Writer write(statements, row);
+  const Writer write(statements, row);
   for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
     if (!plan.fresh[at]) continue;
     if (auto done = std::visit(write, transaction.changes[at]); !done) return fail(done.error());
