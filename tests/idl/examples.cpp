@@ -163,7 +163,7 @@ msg::QueryReply query_reply() {
                "weft 0.1.0",
                "fastdds",
                "sqlite",
-               {{"weft/1/query: Query.kind must be from 1 to 4", 2}}};
+               {{"weft/1/query: Query.kind must be from 1 to 5", 2}}};
   return made;
 }
 

@@ -66,7 +66,7 @@ TEST(FromIdl, RefusesValuesOutsideTheirEnumeration) {
               HasSubstr("mode must be from 1 to 7"));
   EXPECT_THAT(refusal<msg::WindowPatch>([](auto& m) { m.patch.edges[0].origin = Origin{4}; }), HasSubstr("origin"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.kind = msg::Query::Kind{77}; }),
-              HasSubstr("kind must be from 1 to 4"));
+              HasSubstr("kind must be from 1 to 5"));
 }
 
 TEST(FromIdl, RefusesMissingIdentities) {

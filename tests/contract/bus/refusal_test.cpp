@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/protocol/version.hpp"
 #include "idl/bus/topics.hpp"
 #include "tests/contract/bus/contract.hpp"
@@ -37,7 +39,7 @@ bool published_and_refused(Fleet& fleet, Peer& liar, const bus::Encoded& message
 TEST_P(RefusalContract, ValuesOutOfBoundsAreNamedAndCounted) {
   Peer& liar = fleet.start_peer(Role::client, peer_id(2));
   const bus::Encoded wrong = query(liar.id, msg::Query::Kind{77});
-  EXPECT_TRUE(published_and_refused(fleet, liar, wrong, "weft/1/query: Query.kind must be from 1 to 4"));
+  EXPECT_TRUE(published_and_refused(fleet, liar, wrong, "weft/1/query: Query.kind must be from 1 to 5"));
   EXPECT_TRUE(Fleet::all<msg::Query>(fleet.got).empty());
   EXPECT_FALSE(fleet.server().drain_refusal_texts().empty());
 }
@@ -67,11 +69,12 @@ TEST_P(RefusalContract, OversizedIsRefusedBySenderAndReader) {
   made.header = header_of(honest.id);
   made.robot.assign(60, 'r');
   large.cdr = bus::encode(made, Role::client).value().cdr;
-  const std::size_t text_at = large.cdr.size() - 61;
-  constexpr std::uint32_t kLength = 5001;
-  large.cdr.resize(text_at);
-  large.cdr.resize(text_at + kLength - 1, 'r');
-  large.cdr.push_back(0);
+  const Bytes text(60, 'r');
+  const auto found = std::search(large.cdr.begin(), large.cdr.end(), text.begin(), text.end());
+  ASSERT_NE(found, large.cdr.end());
+  const auto text_at = static_cast<std::size_t>(found - large.cdr.begin());
+  constexpr std::uint32_t kLength = 61 + 617 * 8;  // what follows stays aligned
+  large.cdr.insert(found, kLength - 61, 'r');
   for (unsigned i = 0; i < 4; ++i) large.cdr[text_at - 4 + i] = static_cast<std::uint8_t>(kLength >> (8 * i));
   const Result<void> sent = honest.link.bus().publish(large.topic, large.to, large.cdr);
   ASSERT_FALSE(sent);
