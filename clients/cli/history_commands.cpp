@@ -23,7 +23,7 @@ std::string when(WallTime at) {
   return at == WallTime{} ? "-" : to_text(at);
 }
 
-nlohmann::json to_json(const msg::RevisionNote& note, const Names& names) {
+nlohmann::json document_of(const msg::RevisionNote& note, const Names& names) {
   nlohmann::json document = {{"revision", note.revision.value},
                              {"base", note.base.value},
                              {"kind", note.kind},
@@ -45,7 +45,7 @@ Exit log(Session& session, const Invocation& invocation, const Output& output) {
   if (!reply) return report(reply.error(), invocation.json, output);
   if (invocation.json) {
     nlohmann::json document = nlohmann::json::array();
-    for (const msg::RevisionNote& note : reply->log) document.push_back(to_json(note, names));
+    for (const msg::RevisionNote& note : reply->log) document.push_back(document_of(note, names));
     output.out << document.dump(2) << '\n';
     return Exit::done;
   }

@@ -96,7 +96,6 @@ void read_overlays(ByteReader& in, Preparation& made) {
 
 /// Each cell lies in one cell of the next level, and none is empty.
 void nest(ByteReader& in, Preparation& made) {
-  std::array<std::vector<std::uint32_t>, kLevels> parents;
   for (std::size_t level = 1; level < kLevels && in.ok(); ++level) {
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> parent(made.overlays[level - 1].size(), kNone);

@@ -62,7 +62,7 @@ TEST(ChangedRoutes, ShareWhatDidNotChange) {
   batch.experience = {77};
   batch.sequence = 1;
   batch.method = "floor";
-  support::BatchPlan plan{{77}, support::random_id<RobotId>(random), 1, 1, 0, "floor"};
+  const support::BatchPlan plan{{77}, support::random_id<RobotId>(random), 1, 1, 0, "floor"};
   batch.robot = plan.robot;
   batch.places.push_back(support::make_place(random, plan, 0));
   batch.edges.push_back(support::make_stitch(random, place, {{77}, 0}, "floor"));
