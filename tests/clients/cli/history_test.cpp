@@ -82,7 +82,7 @@ TEST(Compare, FindsPlacesStitchesAndLabels) {
 TEST(DrawDifference, MakesAPicture) {
   const std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
   Window from = at(batches, batches.size() - 1);
-  Window to = at(batches, batches.size());
+  const Window to = at(batches, batches.size());
   from.labels["dock"] = from.places.begin()->first;
   const std::filesystem::path file = folder() / "difference.png";
   const Result<void> drawn = draw_difference(from, to, file.string());
