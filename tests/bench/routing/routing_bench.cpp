@@ -35,7 +35,7 @@ struct Site {
 
 /// Someone drives behind an earlier run and stitches every second place to it.
 Batch follow(Random& random, const Snapshot& snapshot, std::uint64_t number) {
-  support::BatchPlan plan{{number}, support::random_id<RobotId>(random), 1, 20, 0, "floor"};
+  const support::BatchPlan plan{{number}, support::random_id<RobotId>(random), 1, 20, 0, "floor"};
   Batch batch = support::make_batch(random, snapshot, plan);
   const PlaceId first = support::pick_place(random, snapshot);
   for (std::uint32_t i = 0; i < plan.places; i += 2) {
