@@ -11,22 +11,22 @@ namespace {
 
 constexpr float kBetweenParts_m = 1000.0F;  ///< unconnected parts of a network are laid out side by side
 
-/// A stretch of the order that is still to be cut, and the cells it lies in already.
-struct Task {
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
-  std::size_t level = kLevels;  ///< of the smallest cell that it lies in or is; kLevels: none
-  std::array<std::uint32_t, kLevels> cells{};
-};
-
-struct Heading {
-  float cos = 1.0F;
-  float sin = 0.0F;
-};
-
 }  // namespace
 
 struct Builder::State {
+  /// A stretch of the order that is still to be cut, and the cells it lies in already.
+  struct Task {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::size_t level = kLevels;  ///< of the smallest cell that it lies in or is; kLevels: none
+    std::array<std::uint32_t, kLevels> cells{};
+  };
+
+  struct Heading {
+    float cos = 1.0F;
+    float sin = 0.0F;
+  };
+
   State(Snapshot snapshot, std::set<std::string> methods) {
     made.of = std::move(snapshot);
     made.methods = std::move(methods);
