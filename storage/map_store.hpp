@@ -1,6 +1,8 @@
 #pragma once
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "core/network/removal.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
+#include "storage/maintenance.hpp"
 
 namespace weft::storage {
 
@@ -65,6 +68,13 @@ struct PutRobot {
 struct PutEvent {
   msg::Event event;
 };
+/// What routing has worked out of the map for one set of methods; replaces the earlier one of the same methods. Up to
+/// kLargestPreparation bytes. Makes no revision.
+struct PutPreparation {
+  std::string methods;
+  Bytes bytes;
+};
+inline constexpr std::uint64_t kLargestPreparation = 512ULL << 20U;
 
 using RevisionNote = msg::RevisionNote;
 
@@ -73,7 +83,7 @@ using RevisionNote = msg::RevisionNote;
 /// step.
 struct Transaction {
   std::vector<std::variant<PutContent, AppendBatch, PutLabel, SealExperience, TakeOut, BringBack, RollBack, PutGoal,
-                           PutRoute, PutOccupancy, PutRobot, PutEvent>>
+                           PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -133,6 +143,16 @@ class MapStore {
   /// Newest first, from `newest` on (0: from the latest), at most `limit`.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
   virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
+  /// not_found: none was put for these methods. corrupt: damaged; it must be made anew.
+  virtual Result<Bytes> preparation(const std::string& methods) const = 0;
+
+  /// Reads everything that is stored, checksums and references, and names each damaged row or content. Damaged
+  /// contents are quarantined, as `content` does. Memory is bounded.
+  virtual Result<std::unique_ptr<StoreJob>> check() = 0;
+  /// Copies the store, as it is when the job ends, to a file of its own; commits between the steps are carried along.
+  /// conflict: the file exists. refused: the engine has no file. exhausted, unavailable: the disk; nothing is left
+  /// there.
+  virtual Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) = 0;
   virtual StoreSize size() const = 0;
   virtual std::string engine() const = 0;
 };

@@ -91,6 +91,15 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutPreparation& put) {
+    if (put.methods.empty() || put.bytes.size() > kLargestPreparation) {
+      return fail(ErrorCode::invalid, "preparation for \"" + put.methods + "\": " + std::to_string(put.bytes.size()) +
+                                          " bytes; it needs methods and at most " +
+                                          std::to_string(kLargestPreparation) + " bytes");
+    }
+    return true;
+  }
+
   template <class Other>
   Result<bool> operator()(const Other&) {
     return true;

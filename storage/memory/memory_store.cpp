@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/lineage.hpp"
+#include "storage/memory/memory_jobs.hpp"
 #include "storage/network_builder.hpp"
 
 namespace weft::storage {
@@ -53,6 +54,9 @@ class Writer {
   }
   void operator()(const PutRobot& put) const { disk_.robots[put.robot] = put.name; }
   void operator()(const PutEvent& put) const { disk_.events.push_back(put.event); }
+  void operator()(const PutPreparation& put) const {
+    disk_.preparations[put.methods] = std::make_shared<const Bytes>(put.bytes);
+  }
 
  private:
   template <class Change>
@@ -243,6 +247,19 @@ class MemoryStore final : public MapStore {
       }
     }
     return changes;
+  }
+
+  Result<Bytes> preparation(const std::string& methods) const override {
+    const auto found = disk_->preparations.find(methods);
+    if (found == disk_->preparations.end()) {
+      return fail(ErrorCode::not_found, "preparation for " + methods + " is not stored");
+    }
+    return *found->second;
+  }
+
+  Result<std::unique_ptr<StoreJob>> check() override { return make_memory_check(*disk_); }
+  Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) override {
+    return fail(ErrorCode::refused, "snapshot " + file.string() + ": the memory engine has no file to copy");
   }
 
   StoreSize size() const override {

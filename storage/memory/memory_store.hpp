@@ -43,6 +43,7 @@ struct MemoryDisk {
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
   std::vector<msg::Event> events;
+  std::map<std::string, std::shared_ptr<const Bytes>> preparations;  ///< by methods
 };
 
 /// MapStore for tests and the simulation: as strict as the engines on disk, with faults on demand. A commit costs

@@ -46,12 +46,15 @@ const char* advice_for(ErrorCode code) {
   }
 }
 
-Error error_from_sqlite(sqlite3* database) {
-  const int extended = sqlite3_extended_errcode(database);
+Error error_from_sqlite(sqlite3* database, int extended, const char* message) {
   const ErrorCode code = code_from_sqlite(extended);
   const char* const file = sqlite3_db_filename(database, "main");
-  return {code, std::string("map store ") + (file == nullptr ? "" : file) + ": " + sqlite3_errmsg(database) +
-                    " (SQLite " + std::to_string(extended) + "); " + advice_for(code)};
+  return {code, std::string("map store ") + (file == nullptr ? "" : file) + ": " + message + " (SQLite " +
+                    std::to_string(extended) + "); " + advice_for(code)};
+}
+
+Error error_from_sqlite(sqlite3* database) {
+  return error_from_sqlite(database, sqlite3_extended_errcode(database), sqlite3_errmsg(database));
 }
 
 }  // namespace
@@ -85,6 +88,12 @@ Query& Query::operator<<(ByteView blob) {
   return *this;
 }
 
+Query& Query::operator<<(const Value& value) {
+  if (const auto* const number = std::get_if<std::uint64_t>(&value)) return *this << *number;
+  if (const auto* const text = std::get_if<std::string>(&value)) return *this << std::string_view(*text);
+  return *this << ByteView(std::get<Bytes>(value));
+}
+
 Result<bool> Query::step() {
   switch (sqlite3_step(statement_)) {
     case SQLITE_ROW:
@@ -116,6 +125,19 @@ ByteView Query::blob(int column) const {
   const int size = sqlite3_column_bytes(statement_, column);
   if (data == nullptr) return {};
   return {static_cast<const std::uint8_t*>(data), static_cast<std::size_t>(size)};
+}
+
+Value Query::value(int column) const {
+  switch (sqlite3_column_type(statement_, column)) {
+    case SQLITE_INTEGER:
+      return number(column);
+    case SQLITE_TEXT:
+      return text(column);
+    default: {
+      const ByteView bytes = blob(column);
+      return Bytes(bytes.begin(), bytes.end());
+    }
+  }
 }
 
 void Database::Close::operator()(sqlite3* database) const {
@@ -160,6 +182,31 @@ Result<std::uint64_t> Database::number(std::string_view sql) const {
 
 bool Database::in_transaction() const {
   return sqlite3_get_autocommit(database_.get()) == 0;
+}
+
+void Backup::Finish::operator()(sqlite3_backup* backup) const {
+  sqlite3_backup_finish(backup);
+}
+
+Result<Backup> Backup::begin(const Database& to, const Database& from) {
+  sqlite3_backup* const backup = sqlite3_backup_init(to.database_.get(), "main", from.database_.get(), "main");
+  if (backup == nullptr) return fail(error_from_sqlite(to.database_.get()));
+  return Backup(backup, to);
+}
+
+Result<bool> Backup::step(int pages) {
+  const int code = sqlite3_backup_step(backup_.get(), pages);
+  if (code == SQLITE_DONE) return true;
+  if (code == SQLITE_OK) return false;
+  return fail(error_from_sqlite(to_->database_.get(), code, sqlite3_errstr(code)));
+}
+
+std::uint64_t Backup::pages() const {
+  return static_cast<std::uint64_t>(sqlite3_backup_pagecount(backup_.get()));
+}
+
+std::uint64_t Backup::remaining() const {
+  return static_cast<std::uint64_t>(sqlite3_backup_remaining(backup_.get()));
 }
 
 Result<WriteTransaction> WriteTransaction::begin(const Database& database) {

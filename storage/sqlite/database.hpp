@@ -6,12 +6,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "core/bytes.hpp"
 #include "core/ids.hpp"
 #include "core/result.hpp"
 
 struct sqlite3;
+struct sqlite3_backup;
 struct sqlite3_stmt;
 
 /// A thin owner of SQLite's C API. Errors: exhausted for a full disk, unavailable for I/O errors and locks, corrupt
@@ -33,6 +35,9 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalise> statement_;
 };
 
+/// A column's value of any type, for keys that are read and bound again.
+using Value = std::variant<std::uint64_t, std::string, Bytes>;
+
 /// One run of a statement: bind in order, step, read columns. What is bound must outlive the query; what is read is
 /// valid until the next step. Resets the statement when it goes.
 class Query {
@@ -45,6 +50,7 @@ class Query {
   Query& operator<<(std::uint64_t value);  ///< stored as the signed number of the same bits
   Query& operator<<(std::string_view text);
   Query& operator<<(ByteView blob);
+  Query& operator<<(const Value& value);
   template <class Tag, std::size_t N>
   Query& operator<<(const ByteId<Tag, N>& id) {
     return *this << ByteView(id.bytes);
@@ -58,6 +64,7 @@ class Query {
   std::uint64_t number(int column) const;
   std::string text(int column) const;
   ByteView blob(int column) const;
+  Value value(int column) const;
   /// None when the column's size is not N.
   template <class Id>
   Id id(int column) const {
@@ -85,10 +92,30 @@ class Database {
   bool in_transaction() const;
 
  private:
+  friend class Backup;
   struct Close {
     void operator()(sqlite3* database) const;
   };
   std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// SQLite's online backup. What the source's own connection commits between the steps is carried along.
+class Backup {
+ public:
+  /// Both outlive the backup; nobody else uses `to` meanwhile.
+  static Result<Backup> begin(const Database& to, const Database& from);
+  /// Copies up to `pages` pages. True: all are there.
+  Result<bool> step(int pages);
+  std::uint64_t pages() const;  ///< as of the last step
+  std::uint64_t remaining() const;
+
+ private:
+  struct Finish {
+    void operator()(sqlite3_backup* backup) const;
+  };
+  Backup(sqlite3_backup* backup, const Database& to) : backup_(backup), to_(&to) {}
+  std::unique_ptr<sqlite3_backup, Finish> backup_;
+  const Database* to_;
 };
 
 /// A write transaction: rolled back when it goes without `commit`.

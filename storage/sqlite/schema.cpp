@@ -128,6 +128,22 @@ CREATE TABLE moved_stitch (
   PRIMARY KEY (revision, a_experience, a_place, b_experience, b_place, is_back)
 ) WITHOUT ROWID;
 )sql",
+    R"sql(
+ALTER TABLE store ADD COLUMN floor INTEGER NOT NULL DEFAULT 0;
+
+CREATE TABLE deleted_places (
+  experience  INTEGER NOT NULL,
+  first_place INTEGER NOT NULL,
+  last_place  INTEGER NOT NULL,
+  PRIMARY KEY (experience, first_place)
+) WITHOUT ROWID;
+
+CREATE TABLE preparation (
+  methods TEXT PRIMARY KEY NOT NULL,
+  hash    BLOB NOT NULL,
+  bytes   BLOB NOT NULL
+);
+)sql",
 };
 
 Error is_foreign(const std::filesystem::path& file, const std::string& why) {
@@ -172,6 +188,10 @@ Result<void> prepare_schema(const Database& database, const std::filesystem::pat
     return fail(ErrorCode::newer, "map store " + file.string() + " has schema version " + std::to_string(*version) +
                                       ", this software reads up to " + std::to_string(schema_version()) +
                                       "; start a newer weft-server on it");
+  }
+  // Free pages can be given back step by step only if the file is made for it.
+  if (is_empty) {
+    if (auto done = database.run("PRAGMA auto_vacuum = INCREMENTAL"); !done) return done;
   }
   // The journal's mode stands in the file, so it is set before the first table; the rest holds for this connection.
   auto modes = database.run(

@@ -2,31 +2,17 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "core/network/codec.hpp"
-#include "storage/sqlite/directory_lock.hpp"
+#include "storage/sqlite/jobs.hpp"
 #include "storage/sqlite/loader.hpp"
-#include "storage/sqlite/rows.hpp"
+#include "storage/sqlite/parts.hpp"
 #include "storage/sqlite/schema.hpp"
-#include "storage/sqlite/statements.hpp"
-#include "storage/sqlite/writer.hpp"
 
 namespace weft::storage {
 namespace {
 
 using namespace sqlite;
-
-/// What stands open. Members go in reverse: statements before the database before the lock.
-struct Parts {
-  std::filesystem::path directory;
-  DirectoryLock lock;
-  Database database;
-  Statements statements;
-  Epoch epoch{};
-  StoreRow row{};                       ///< as last committed
-  std::set<ContentHash> quarantined{};  ///< found damaged by this process
-};
 
 msg::Event event_from_row(const Query& row) {
   msg::Event event;
@@ -59,7 +45,7 @@ class SqliteStore final : public MapStore {
   Result<Commit> commit(const Transaction& transaction) override {
     auto write = WriteTransaction::begin(parts_->database);
     if (!write) return fail(write.error());
-    Result<StoreRow> row = current_row();
+    Result<StoreRow> row = current_row(*parts_);
     if (!row) return fail(row.error());
     Result<Facts> facts = read_facts(parts_->statements, needs_of(transaction));
     if (!facts) return fail(facts.error());
@@ -89,11 +75,11 @@ class SqliteStore final : public MapStore {
 
   Result<Bytes> content(const ContentHash& hash) const override {
     const std::string name = "content " + to_string(hash);
-    Result<Bytes> bytes = read_content(hash);
+    Result<Bytes> bytes = read_content(*parts_, hash);
     if (!bytes) {
       if (bytes.error().code != ErrorCode::corrupt)
         return fail(bytes.error().code, name + ": " + bytes.error().message);
-      quarantine(hash);
+      quarantine(*parts_, hash);
       return fail(ErrorCode::corrupt, name + " is damaged and quarantined: " + bytes.error().message);
     }
     return bytes;
@@ -140,6 +126,25 @@ class SqliteStore final : public MapStore {
     return load_changes(parts_->database, revision);
   }
 
+  Result<Bytes> preparation(const std::string& methods) const override {
+    Query query(parts_->statements.read_preparation);
+    query << std::string_view(methods);
+    const Result<bool> found = query.step();
+    if (!found) return fail(found.error());
+    if (!*found) return fail(ErrorCode::not_found, "preparation for " + methods + " is not stored");
+    const ByteView bytes = query.blob(1);
+    if (hash_bytes(bytes) != query.id<ContentHash>(0)) {
+      return fail(ErrorCode::corrupt,
+                  "preparation for " + methods + " is damaged: its SHA-256 differs; make it anew");
+    }
+    return Bytes(bytes.begin(), bytes.end());
+  }
+
+  Result<std::unique_ptr<StoreJob>> check() override { return make_check(*parts_); }
+  Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) override {
+    return make_snapshot(*parts_, file);
+  }
+
   StoreSize size() const override {
     std::error_code unknown;
     const auto space = std::filesystem::space(parts_->directory, unknown);
@@ -151,52 +156,10 @@ class SqliteStore final : public MapStore {
   std::string engine() const override { return "sqlite"; }
 
  private:
-  /// stale: another server has opened the store since.
-  Result<StoreRow> current_row() const {
-    Result<StoreRow> row = read_store_row(parts_->statements);
-    if (row && row->epoch != parts_->epoch) {
-      return fail(ErrorCode::stale, "map store " + parts_->directory.string() + ": epoch " +
-                                        std::to_string(parts_->epoch.value) +
-                                        " has ended, another server opened the store with epoch " +
-                                        std::to_string(row->epoch.value) + "; stop this one");
-    }
-    return row;
-  }
-
   Result<void> check_revision(Revision revision) const {
     if (revision <= parts_->row.revision) return {};
     return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
                                           "; its newest is " + std::to_string(parts_->row.revision.value));
-  }
-
-  Result<Bytes> read_content(const ContentHash& hash) const {
-    Query query(parts_->statements.read_content);
-    query << hash;
-    const Result<bool> found = query.step();
-    if (!found) return fail(found.error());
-    if (!*found) return fail(ErrorCode::not_found, "it is not stored");
-    if (query.number(0) != 0) return fail(ErrorCode::corrupt, "it was found damaged before");
-    Result<Bytes> bytes = decode_content(static_cast<Coding>(query.number(1)), query.blob(3), query.number(2));
-    if (bytes && hash_bytes(*bytes) != hash) return fail(ErrorCode::corrupt, "its SHA-256 differs");
-    return bytes;
-  }
-
-  /// Marks the row, so that it stays named after a restart. When the disk takes no mark, this process remembers.
-  void quarantine(const ContentHash& hash) const {
-    if (!parts_->quarantined.insert(hash).second) return;
-    auto write = WriteTransaction::begin(parts_->database);
-    if (!write) return;
-    Result<StoreRow> row = current_row();
-    if (!row) return;
-    {
-      Query query(parts_->statements.quarantine);
-      query << hash;
-      if (!query.step().value_or(false)) return;
-      --row->contents;
-      row->content_bytes -= query.number(0);
-      if (!query.step()) return;  // RETURNING: the statement ends with the step after its row
-    }
-    if (write_store_row(parts_->statements, *row) && write->commit()) parts_->row = *row;
   }
 
   std::unique_ptr<Parts> parts_;
@@ -213,8 +176,8 @@ Result<std::unique_ptr<MapStore>> open_sqlite(const std::filesystem::path& direc
   if (auto done = prepare_schema(*database, file); !done) return fail(done.error());
   auto statements = Statements::prepare(*database);
   if (!statements) return fail(statements.error());
-  return std::make_unique<SqliteStore>(
-      std::make_unique<Parts>(Parts{directory, std::move(*lock), std::move(*database), std::move(*statements)}));
+  return std::make_unique<SqliteStore>(std::make_unique<Parts>(
+      Parts{directory, options.vfs, std::move(*lock), std::move(*database), std::move(*statements)}));
 }
 
 }  // namespace weft::storage

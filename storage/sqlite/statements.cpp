@@ -8,7 +8,7 @@ Result<Statements> Statements::prepare(const Database& database) {
     const char* sql;
   };
   static constexpr Line kLines[] = {
-      {&Statements::read_store, "SELECT epoch, revision, contents, content_bytes FROM store"},
+      {&Statements::read_store, "SELECT epoch, revision, contents, content_bytes, floor FROM store"},
       {&Statements::write_store, "UPDATE store SET epoch = ?, revision = ?, contents = ?, content_bytes = ?"},
       {&Statements::find_experience, "SELECT durable_through, places FROM experience WHERE id = ?"},
       {&Statements::find_batch, "SELECT hash FROM batch WHERE experience = ? AND sequence = ?"},
@@ -48,6 +48,8 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::free_occupancy, "DELETE FROM occupancy WHERE robot = ?"},
       {&Statements::put_robot, "INSERT OR REPLACE INTO robot (id, name) VALUES (?, ?)"},
       {&Statements::put_event, "INSERT INTO event (at_ns, kind, robot, goal, cause, who) VALUES (?, ?, ?, ?, ?, ?)"},
+      {&Statements::put_preparation, "INSERT OR REPLACE INTO preparation (methods, hash, bytes) VALUES (?, ?, ?)"},
+      {&Statements::read_preparation, "SELECT hash, bytes FROM preparation WHERE methods = ?"},
       {&Statements::quarantine,
        "UPDATE content SET quarantined = 1 WHERE hash = ? AND quarantined = 0 RETURNING size"},
       {&Statements::events, "SELECT at_ns, kind, robot, goal, cause, who FROM event ORDER BY id DESC LIMIT ?"},

@@ -97,6 +97,13 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutPreparation& put) const {
+    Query query(statements_.put_preparation);
+    const ContentHash hash = hash_bytes(put.bytes);
+    query << std::string_view(put.methods) << hash << ByteView(put.bytes);
+    return query.run();
+  }
+
  private:
   Result<void> put_experience(const Batch& batch) const {
     Query query(statements_.put_experience);
@@ -148,7 +155,7 @@ Result<StoreRow> read_store_row(const Statements& statements) {
   const Result<bool> found = query.step();
   if (!found) return fail(found.error());
   if (!*found) return fail(ErrorCode::corrupt, "map store: its table `store` is empty; restore a backup");
-  return StoreRow{{query.number(0)}, {query.number(1)}, query.number(2), query.number(3)};
+  return StoreRow{{query.number(0)}, {query.number(1)}, query.number(2), query.number(3), {query.number(4)}};
 }
 
 Result<void> write_store_row(const Statements& statements, const StoreRow& row) {

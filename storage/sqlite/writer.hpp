@@ -11,6 +11,7 @@ struct StoreRow {
   Revision revision;
   std::uint64_t contents = 0;
   std::uint64_t content_bytes = 0;
+  Revision floor;  ///< the oldest that is kept; 0: all are
 };
 Result<StoreRow> read_store_row(const Statements& statements);
 Result<void> write_store_row(const Statements& statements, const StoreRow& row);

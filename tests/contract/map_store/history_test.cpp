@@ -4,53 +4,14 @@
 #include <optional>
 
 #include "core/network/codec.hpp"
-#include "tests/contract/map_store/engines.hpp"
+#include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
 /// The map's past: every revision can be seen again, gone back to, and undone; nothing that was acknowledged is lost.
 namespace weft::storage {
 namespace {
 
-class MapHistory : public testing::TestWithParam<Engine> {
- protected:
-  void SetUp() override { restart(); }
-
-  void restart() {
-    store_.reset();
-    auto started = medium_->start();
-    ASSERT_TRUE(started) << started.error().message;
-    store_ = std::move(*started);
-    auto opened = store_->open();
-    ASSERT_TRUE(opened) << opened.error().message;
-    EXPECT_TRUE(opened->quarantined.empty()) << opened->quarantined.front();
-    snapshot_ = opened->snapshot;
-  }
-
-  Revision commit(const Transaction& transaction) {
-    auto committed = store_->commit(transaction);
-    EXPECT_TRUE(committed) << committed.error().message;
-    return committed ? committed->revision : Revision{};
-  }
-  ErrorCode refusal(const Transaction& transaction) {
-    auto committed = store_->commit(transaction);
-    EXPECT_FALSE(committed);
-    return committed ? ErrorCode::internal : committed.error().code;
-  }
-  Snapshot at(std::uint64_t revision) {
-    auto snapshot = store_->snapshot_at({revision});
-    EXPECT_TRUE(snapshot) << snapshot.error().message;
-    return snapshot.value_or(Snapshot{});
-  }
-  RevisionChanges changes(std::uint64_t revision) {
-    auto found = store_->changes_of({revision});
-    EXPECT_TRUE(found) << found.error().message;
-    return found.value_or(RevisionChanges{});
-  }
-
-  std::unique_ptr<Medium> medium_ = GetParam().make_medium();
-  std::unique_ptr<MapStore> store_;
-  Snapshot snapshot_;
-};
+using MapHistory = StoreTest;
 
 TEST_P(MapHistory, WhatIsTakenOutLeavesWithItsEdgesAndLabelsAndComesBackWithThem) {
   sample::Run old(0x11, 1);
@@ -94,7 +55,7 @@ TEST_P(MapHistory, AStitchThatIsTakenOutCanBeMadeAnew) {
   commit(sample::transaction(third));
   EXPECT_EQ(at(4).stitch_count(), 1U);
   restart();
-  EXPECT_EQ(snapshot_.stitch_count(), 1U);
+  EXPECT_EQ(stored_.snapshot.stitch_count(), 1U);
 }
 
 TEST_P(MapHistory, RollbackIsARevisionAndLosesNothing) {
@@ -104,9 +65,9 @@ TEST_P(MapHistory, RollbackIsARevisionAndLosesNothing) {
   commit(sample::transaction(second));
   EXPECT_EQ(commit({{RollBack{{1}}}}), Revision{3});
   restart();
-  EXPECT_EQ(snapshot_.revision(), Revision{3});
-  EXPECT_EQ(snapshot_.place_count(), 3U);
-  EXPECT_EQ(snapshot_.experience(run.experience())->extent, 6U) << "indices are given once";
+  EXPECT_EQ(stored_.snapshot.revision(), Revision{3});
+  EXPECT_EQ(stored_.snapshot.place_count(), 3U);
+  EXPECT_EQ(stored_.snapshot.experience(run.experience())->extent, 6U) << "indices are given once";
   EXPECT_EQ(store_->batch_hash(run.experience(), 2), hash(second.batch)) << "what was acknowledged stays";
   EXPECT_TRUE(store_->has_content(hash_bytes(second.contents.front())));
   EXPECT_EQ(commit({{RollBack{{2}}}}), Revision{4}) << "and can be gone back to";
@@ -188,7 +149,7 @@ TEST_P(MapHistory, EveryRevisionCanBeSeenAgain) {
     const std::uint64_t kind = random.below(10);
     const auto pick = [&]() -> PlaceId {
       std::vector<PlaceId> places;
-      for (const auto& [id, experience] : snapshot_.experiences()) {
+      for (const auto& [id, experience] : stored_.snapshot.experiences()) {
         for (const Place& place : experience->places) places.push_back(place.id);
       }
       return places.empty() ? PlaceId{} : places[random.below(places.size())];
@@ -201,45 +162,44 @@ TEST_P(MapHistory, EveryRevisionCanBeSeenAgain) {
       if (some.experience && some.experience != run.experience()) {
         delivery.batch.edges.push_back(sample::stitch(some, delivery.batch.places.back().id));
       }
-      if (!check(snapshot_, delivery.batch).empty()) {  // a rollback or a removal has ended it
+      if (!check(stored_.snapshot, delivery.batch).empty()) {  // a rollback or a removal has ended it
         std::erase_if(runs, [&](const sample::Run& one) { return one.experience() == delivery.batch.experience; });
         continue;
       }
       transaction = sample::transaction(delivery);
-      expected = with(snapshot_, delivery.batch);
+      expected = with(stored_.snapshot, delivery.batch);
     } else if (kind == 5) {
       transaction.changes.emplace_back(PutLabel{"label" + std::to_string(random.below(3)), some});
-      expected = with_label(snapshot_, std::get<PutLabel>(transaction.changes[0]).label, some);
+      expected = with_label(stored_.snapshot, std::get<PutLabel>(transaction.changes[0]).label, some);
     } else if (kind < 8) {
       Removal removal{{{some.experience, some.index, some.index + static_cast<std::uint32_t>(random.below(3))}}, {}};
-      removal.places[0].last = std::min(removal.places[0].last, snapshot_.experience(some.experience)->extent - 1);
-      const auto& stitches = snapshot_.experience(some.experience)->stitches;
+      removal.places[0].last =
+          std::min(removal.places[0].last, stored_.snapshot.experience(some.experience)->extent - 1);
+      const auto& stitches = stored_.snapshot.experience(some.experience)->stitches;
       if (!stitches.empty()) removal.stitches.push_back(stitches[random.below(stitches.size())].id);
       out.push_back(removal);
       transaction.changes.emplace_back(TakeOut{removal});
-      expected = without(snapshot_, removal);
+      expected = without(stored_.snapshot, removal);
     } else if (kind == 8 && !out.empty()) {
       transaction.changes.emplace_back(BringBack{out[random.below(out.size())]});
-    } else if (snapshot_.revision().value > 0) {
-      transaction.changes.emplace_back(RollBack{{random.below(snapshot_.revision().value)}});
+    } else if (stored_.snapshot.revision().value > 0) {
+      transaction.changes.emplace_back(RollBack{{random.below(stored_.snapshot.revision().value)}});
     }
     if (transaction.changes.empty()) continue;
     const Revision revision = commit(transaction);
-    snapshot_ = at(revision.value);
+    stored_.snapshot = at(revision.value);
     if (expected) {
-      ASSERT_EQ(sample::describe(*expected), sample::describe(snapshot_)) << "step " << step;
+      ASSERT_EQ(sample::describe(*expected), sample::describe(stored_.snapshot)) << "step " << step;
     }
-    seen[revision.value] = sample::describe(snapshot_);
+    seen[revision.value] = sample::describe(stored_.snapshot);
   }
   ASSERT_GT(seen.size(), 60U);
   restart();
-  EXPECT_EQ(sample::describe(snapshot_), seen.rbegin()->second);
+  EXPECT_EQ(sample::describe(stored_.snapshot), seen.rbegin()->second);
   for (const auto& [revision, lines] : seen) ASSERT_EQ(sample::describe(at(revision)), lines) << revision;
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, MapHistory,
-                         testing::Values(Engine{"memory", make_memory_medium}, Engine{"sqlite", make_sqlite_medium}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(Engines, MapHistory, all_engines(), engine_name);
 
 }  // namespace
 }  // namespace weft::storage

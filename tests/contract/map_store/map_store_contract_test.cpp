@@ -1,44 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "core/network/codec.hpp"
-#include "tests/contract/map_store/engines.hpp"
+#include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
 namespace weft::storage {
 namespace {
 
-class MapStoreContract : public testing::TestWithParam<Engine> {
- protected:
-  void SetUp() override { restart(); }
-
-  /// The old process is gone, a new one opens.
-  void restart() {
-    store_.reset();
-    auto started = medium_->start();
-    ASSERT_TRUE(started) << started.error().message;
-    store_ = std::move(*started);
-    auto opened = store_->open();
-    ASSERT_TRUE(opened) << opened.error().message;
-    stored_ = std::move(*opened);
-  }
-
-  Revision commit(const Transaction& transaction) {
-    auto committed = store_->commit(transaction);
-    EXPECT_TRUE(committed) << committed.error().message;
-    return committed ? committed->revision : Revision{};
-  }
-  ErrorCode refusal(const Transaction& transaction) {
-    auto committed = store_->commit(transaction);
-    EXPECT_FALSE(committed);
-    if (committed) return ErrorCode::internal;
-    EXPECT_GT(committed.error().message.size(), 20U);
-    return committed.error().code;
-  }
-
-  std::unique_ptr<Medium> medium_ = GetParam().make_medium();
-  std::unique_ptr<MapStore> store_;
-  Stored stored_;
-};
+using MapStoreContract = StoreTest;
 
 TEST_P(MapStoreContract, EveryOpeningIsAnEpoch) {
   EXPECT_EQ(stored_.epoch, Epoch{1});
@@ -310,9 +279,7 @@ TEST_P(MapStoreContract, EventsAreFilteredNewestLast) {
   EXPECT_EQ(event.who, "tests");
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, MapStoreContract,
-                         testing::Values(Engine{"memory", make_memory_medium}, Engine{"sqlite", make_sqlite_medium}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(Engines, MapStoreContract, all_engines(), engine_name);
 
 }  // namespace
 }  // namespace weft::storage

@@ -1,0 +1,100 @@
+#include "storage/memory/memory_jobs.hpp"
+
+#include <functional>
+
+#include "core/network/codec.hpp"
+
+namespace weft::storage {
+namespace {
+
+class OneStep final : public StoreJob {
+ public:
+  explicit OneStep(std::function<JobProgress()> work) : work_(std::move(work)) {}
+  Result<JobProgress> step() override {
+    if (!done_) {
+      done_ = work_();
+      done_->finished = true;
+      return *done_;
+    }
+    done_->findings.clear();
+    return *done_;
+  }
+
+ private:
+  std::function<JobProgress()> work_;
+  std::optional<JobProgress> done_;
+};
+
+/// Looks at everything in the order of the tables that a store on disk would have.
+class Check {
+ public:
+  explicit Check(const MemoryDisk& disk) : disk_(disk) {}
+
+  JobProgress run() {
+    for (const auto& [hash, content] : disk_.contents) {
+      if (hash_bytes(*content.bytes) != hash) found("content " + to_string(hash) + ": its SHA-256 differs");
+    }
+    for (const MemoryDisk::Step& step : disk_.history) {
+      if (const auto* const batch = std::get_if<Batch>(&step.change)) look(*batch);
+      if (const auto* const put = std::get_if<PutLabel>(&step.change)) look(*put);
+    }
+    for (const auto& [id, facts] : disk_.experiences) look(id, facts);
+    if (disk_.notes.size() != disk_.revision.value) found("revision: the notes have a gap");
+    progress_.unit = "rows";
+    progress_.done = progress_.total = disk_.contents.size() + disk_.history.size() + disk_.experiences.size();
+    progress_.summary = std::to_string(progress_.done) + " rows read, " +
+                        (found_ == 0 ? "nothing is damaged" : std::to_string(found_) + " found damaged");
+    return progress_;
+  }
+
+ private:
+  void found(std::string what) {
+    progress_.findings.push_back(std::move(what));
+    ++found_;
+  }
+  void look(const Batch& batch) {
+    const auto stored = disk_.batch_hashes.find({batch.experience, batch.sequence});
+    if (stored == disk_.batch_hashes.end()) {
+      found("batch " + std::to_string(batch.sequence) + " of experience " + to_string(batch.experience) +
+            ": its hash is not stored");
+    }
+    for (const Place& place : batch.places) {
+      if (disk_.contents.contains(place.content.hash)) continue;
+      found("place " + to_string(place.id) + ": its content " + to_string(place.content.hash) + " is not stored");
+    }
+    for (const Edge& edge : batch.edges) {
+      for (const PlaceId& end : {edge.id.a, edge.id.b}) {
+        if (has_place(end)) continue;
+        found("edge " + to_string(edge.id.a) + " - " + to_string(edge.id.b) + ": its place " + to_string(end) +
+              " is not stored");
+      }
+    }
+  }
+  void look(const PutLabel& put) {
+    if (put.place.experience && !has_place(put.place)) {
+      found("label " + put.label + ": its place " + to_string(put.place) + " is not stored");
+    }
+  }
+  void look(const ExperienceId& id, const ExperienceFacts& facts) {
+    for (std::uint64_t sequence = 1; sequence <= facts.durable_through; ++sequence) {
+      if (disk_.batch_hashes.contains({id, sequence})) continue;
+      found("batch " + std::to_string(sequence) + " of experience " + to_string(id) + ": it is not stored");
+    }
+  }
+  bool has_place(const PlaceId& place) const {
+    const auto experience = disk_.experiences.find(place.experience);
+    return experience != disk_.experiences.end() && place.index < experience->second.places;
+  }
+
+  const MemoryDisk& disk_;
+  JobProgress progress_;
+  std::uint64_t found_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<StoreJob> make_memory_check(const MemoryDisk& disk) {
+  return std::make_unique<OneStep>([&disk] { return Check(disk).run(); });
+}
+
+}  // namespace weft::storage

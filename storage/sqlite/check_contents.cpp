@@ -1,0 +1,89 @@
+#include "core/network/codec.hpp"
+#include "storage/sqlite/check_parts.hpp"
+#include "storage/sqlite/rows.hpp"
+#include "storage/sqlite/scan.hpp"
+
+namespace weft::storage::sqlite {
+namespace {
+
+constexpr std::size_t kPiece = 16;  // 20 KB each: about a millisecond
+
+/// What is wrong with the row; empty: nothing.
+std::string damage_of(const ContentHash& hash, const Query& row) {
+  const Result<Bytes> bytes = decode_content(static_cast<Coding>(row.number(2)), row.blob(4), row.number(3));
+  if (!bytes) return bytes.error().message;
+  return hash_bytes(*bytes) == hash ? "" : "its SHA-256 differs";
+}
+
+class ContentCheck final : public CheckPart {
+ public:
+  ContentCheck(Parts& parts, Scan scan, Statement find)
+      : parts_(parts), scan_(std::move(scan)), find_(std::move(find)) {}
+
+  Result<bool> step(Findings& findings) override {
+    std::vector<ContentHash> damaged;
+    std::vector<std::pair<std::uint64_t, ContentHash>> rows;
+    const Result<bool> more = scan_.next(kPiece, [&](const Query& row) {
+      ++done_;
+      const auto hash = row.id<ContentHash>(1);
+      rows.emplace_back(row.number(0), hash);
+      const bool is_known = row.number(5) != 0 || parts_.quarantined.contains(hash);
+      const std::string damage = is_known ? "it was found damaged before" : damage_of(hash, row);
+      if (damage.empty()) return;
+      findings.push_back("content " + to_string(hash) + ": " + damage + "; quarantined");
+      if (!is_known) damaged.push_back(hash);
+    });
+    if (!more) return fail(more.error());
+    for (const ContentHash& hash : damaged) quarantine(parts_, hash);
+    for (const auto& [id, hash] : rows) {
+      Query query(find_);
+      query << hash;
+      const Result<bool> found = query.step();
+      if (!found) return fail(found.error());
+      if (!*found || query.number(0) != id) {
+        findings.push_back("content " + to_string(hash) + ": it is missing in the table's index");
+      }
+    }
+    return more;
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  Parts& parts_;
+  Scan scan_;
+  Statement find_;
+  std::uint64_t done_ = 0;
+};
+
+class PreparationCheck final : public CheckPart {
+ public:
+  explicit PreparationCheck(Scan scan) : scan_(std::move(scan)) {}
+  Result<bool> step(Findings& findings) override {
+    return scan_.next(1, [&](const Query& row) {
+      ++done_;
+      if (hash_bytes(row.blob(2)) == row.id<ContentHash>(1)) return;
+      findings.push_back("preparation " + row.text(0) + ": its SHA-256 differs; it is made anew");
+    });
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  Scan scan_;
+  std::uint64_t done_ = 0;
+};
+
+}  // namespace
+
+Result<void> add_content_checks(Parts& parts, CheckParts& to) {
+  auto scan = Scan::make(parts.database, "content", {"rowid"}, "hash, coding, size, bytes, quarantined");
+  if (!scan) return fail(scan.error());
+  auto find = parts.database.prepare("SELECT rowid FROM content WHERE hash = ?");
+  if (!find) return fail(find.error());
+  to.push_back(std::make_unique<ContentCheck>(parts, std::move(*scan), std::move(*find)));
+  auto preparations = Scan::make(parts.database, "preparation", {"methods"}, "hash, bytes");
+  if (!preparations) return fail(preparations.error());
+  to.push_back(std::make_unique<PreparationCheck>(std::move(*preparations)));
+  return {};
+}
+
+}  // namespace weft::storage::sqlite

@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "storage/maintenance.hpp"
+#include "storage/sqlite/parts.hpp"
+
+/// The upkeep of storage/map_store.hpp, each in a file of its own. `parts` outlives the job.
+namespace weft::storage::sqlite {
+
+Result<std::unique_ptr<StoreJob>> make_check(Parts& parts);
+Result<std::unique_ptr<StoreJob>> make_snapshot(Parts& parts, const std::filesystem::path& file);
+
+}  // namespace weft::storage::sqlite

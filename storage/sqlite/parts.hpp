@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "storage/sqlite/directory_lock.hpp"
+#include "storage/sqlite/statements.hpp"
+#include "storage/sqlite/writer.hpp"
+
+namespace weft::storage::sqlite {
+
+/// What stands open while a store is used; its jobs work on the same. Members go in reverse: statements before the
+/// database before the lock.
+struct Parts {
+  std::filesystem::path directory;
+  std::string vfs;
+  DirectoryLock lock;
+  Database database;
+  Statements statements;
+  Epoch epoch{};
+  StoreRow row{};                       ///< as last committed
+  std::set<ContentHash> quarantined{};  ///< found damaged by this process
+};
+
+/// The store's row, for a write transaction. stale: another server has opened the store since.
+Result<StoreRow> current_row(const Parts& parts);
+
+/// not_found; corrupt: quarantined before, or its bytes do not decode to what the hash says.
+Result<Bytes> read_content(const Parts& parts, const ContentHash& hash);
+
+/// Marks the row, so that it stays named after a restart. When the disk takes no mark, this process remembers.
+void quarantine(Parts& parts, const ContentHash& hash);
+
+}  // namespace weft::storage::sqlite

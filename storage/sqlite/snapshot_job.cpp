@@ -1,0 +1,143 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <optional>
+#include <system_error>
+
+#include "storage/sqlite/jobs.hpp"
+
+namespace weft::storage::sqlite {
+namespace {
+
+constexpr int kPagesAStep = 256;
+constexpr std::uint64_t kPagesASync = 2048;  // small pieces, so that no step waits for a long write at the end
+
+Error system_error(const std::filesystem::path& file, const char* what) {
+  const int number = errno;
+  const bool is_full = number == ENOSPC || number == EDQUOT;
+  return {is_full ? ErrorCode::exhausted : ErrorCode::unavailable,
+          "snapshot " + file.string() + ": cannot " + what + ": " + std::generic_category().message(number) +
+              (is_full ? "; free space there" : "") + "; nothing is left there"};
+}
+
+Result<void> sync_path(const std::filesystem::path& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (file < 0) return fail(system_error(path, "open it"));
+  const bool is_done = ::fdatasync(file) == 0;
+  Error error = is_done ? Error{} : system_error(path, "synchronise it");
+  ::close(file);
+  if (!is_done) return fail(std::move(error));
+  return {};
+}
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string((bytes + 500'000) / 1'000'000) + " MB";
+}
+
+/// Copies to a name beside the file's; the file is there as a whole, or not at all.
+class SnapshotJob final : public StoreJob {
+ public:
+  SnapshotJob(const Parts& parts, std::filesystem::path file, std::filesystem::path partial,
+              std::unique_ptr<Database> copy, Backup backup)
+      : parts_(parts),
+        file_(std::move(file)),
+        partial_(std::move(partial)),
+        copy_(std::move(copy)),
+        backup_(std::move(backup)) {}
+  ~SnapshotJob() override { drop(); }
+  SnapshotJob(const SnapshotJob&) = delete;
+  SnapshotJob& operator=(const SnapshotJob&) = delete;
+
+  Result<JobProgress> step() override {
+    if (failed_) return fail(*failed_);
+    if (finished_) return *finished_;
+    Result<JobProgress> progress = advance();
+    if (!progress) {
+      failed_ = progress.error();
+      drop();
+    } else if (progress->finished) {
+      finished_ = *progress;
+    }
+    return progress;
+  }
+
+ private:
+  Result<JobProgress> advance() {
+    const Result<bool> all = backup_->step(kPagesAStep);
+    if (!all) return fail(all.error().code, "snapshot " + file_.string() + ": " + all.error().message);
+    JobProgress progress;
+    progress.unit = "pages";
+    progress.total = backup_->pages();
+    progress.done = progress.total - backup_->remaining();
+    if (*all) {
+      if (auto done = publish(); !done) return fail(done.error());
+      progress.finished = true;
+      std::error_code unknown;
+      progress.summary = file_.string() + " is a whole store, " +
+                         megabytes(std::filesystem::file_size(file_, unknown)) + ", of revision " +
+                         std::to_string(parts_.row.revision.value);
+    } else if (progress.done < synced_ || progress.done - synced_ >= kPagesASync) {
+      if (auto done = sync_path(partial_, O_RDWR); !done) return fail(done.error());
+      synced_ = progress.done;
+    }
+    return progress;
+  }
+
+  Result<void> publish() {
+    backup_.reset();
+    copy_.reset();
+    if (auto done = sync_path(partial_, O_RDWR); !done) return done;
+    if (std::error_code ignored; std::filesystem::exists(file_, ignored)) {
+      return fail(ErrorCode::conflict, "snapshot " + file_.string() + ": somebody has made a file there meanwhile");
+    }
+    if (::rename(partial_.c_str(), file_.c_str()) != 0) return fail(system_error(file_, "rename it"));
+    auto done = sync_path(file_.parent_path(), O_RDONLY | O_DIRECTORY);
+    if (!done) ::unlink(file_.c_str());
+    return done;
+  }
+
+  void drop() {
+    backup_.reset();
+    copy_.reset();
+    if (!finished_) ::unlink(partial_.c_str());
+  }
+
+  const Parts& parts_;
+  std::filesystem::path file_;
+  std::filesystem::path partial_;
+  std::unique_ptr<Database> copy_;
+  std::optional<Backup> backup_;
+  std::uint64_t synced_ = 0;
+  std::optional<Error> failed_;
+  std::optional<JobProgress> finished_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<StoreJob>> make_snapshot(Parts& parts, const std::filesystem::path& file) {
+  const std::filesystem::path whole = std::filesystem::absolute(file);
+  if (std::error_code ignored; std::filesystem::exists(whole, ignored)) {
+    return fail(ErrorCode::conflict, "snapshot " + whole.string() + ": the file exists; name another one");
+  }
+  std::filesystem::path partial = whole;
+  partial += ".part";
+  ::unlink(partial.c_str());  // of a process that was killed
+  auto copy = Database::open(partial, parts.vfs);
+  if (!copy) return fail(copy.error().code, "snapshot " + whole.string() + ": " + copy.error().message);
+  // It counts only once it is whole and synchronised, so neither a journal nor SQLite's own syncs are needed.
+  if (auto done = copy->run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA cache_size = -2048");
+      !done) {
+    ::unlink(partial.c_str());
+    return fail(done.error());
+  }
+  auto owned = std::make_unique<Database>(std::move(*copy));
+  auto backup = Backup::begin(*owned, parts.database);
+  if (!backup) {
+    ::unlink(partial.c_str());
+    return fail(backup.error());
+  }
+  return std::make_unique<SnapshotJob>(parts, whole, partial, std::move(owned), std::move(*backup));
+}
+
+}  // namespace weft::storage::sqlite
