@@ -1,6 +1,7 @@
 #include "storage/network_builder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace weft::storage {
 namespace {
@@ -56,7 +57,7 @@ void NetworkBuilder::add(Place place) {
 
 void NetworkBuilder::add(Edge edge, Revision since) {
   if (edge.origin == Origin::stitch) {
-    stitches_.push_back({std::move(edge), since});
+    stitches_.push_back({std::make_shared<const Edge>(std::move(edge)), since});
   } else {
     rows_[edge.id.a.experience].chain.push_back(std::move(edge));
   }
@@ -150,8 +151,8 @@ Experience NetworkBuilder::assemble(Rows& rows) {
   experience.sealed = rows.head.sealed;
   experience.seal_reason = std::move(rows.head.seal_reason);
   experience.extent = static_cast<std::uint32_t>(rows.head.places);
-  experience.places = std::move(rows.places);
-  experience.chain = std::move(rows.chain);
+  experience.places = SharedRow<Place>(std::exchange(rows.places, {}));
+  experience.chain = SharedRow<Edge>(std::exchange(rows.chain, {}));
   return experience;
 }
 
@@ -167,21 +168,24 @@ bool NetworkBuilder::is_out(const EdgeId& stitch, Revision since) const {
 
 void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experiences) {
   std::stable_sort(stitches_.begin(), stitches_.end(),
-                   [](const Stitch& left, const Stitch& right) { return left.edge.id < right.edge.id; });
+                   [](const Stitch& left, const Stitch& right) { return left.edge->id < right.edge->id; });
   for (std::size_t at = 0; at < stitches_.size(); ++at) {
     const auto& [stitch, since] = stitches_[at];
-    if (at + 1 < stitches_.size() && stitches_[at + 1].edge.id == stitch.id) continue;  // replaced
-    if (is_out(stitch.id, since)) continue;
-    if (!is_served(experiences, stitch.id.a) || !is_served(experiences, stitch.id.b)) {
-      damage_.push_back("stitch " + name_of(stitch.id) + ": one of its places is not served");
+    const EdgeId id = stitch->id;
+    if (at + 1 < stitches_.size() && stitches_[at + 1].edge->id == id) continue;  // replaced
+    if (is_out(id, since)) continue;
+    if (!is_served(experiences, id.a) || !is_served(experiences, id.b)) {
+      damage_.push_back("stitch " + name_of(id) + ": one of its places is not served");
       continue;
     }
-    experiences.at(stitch.id.a.experience).stitches.push_back(stitch);
-    if (stitch.id.b.experience != stitch.id.a.experience) {
-      experiences.at(stitch.id.b.experience).stitches.push_back(stitch);
-    }
+    experiences.at(id.a.experience).stitches.push_back(stitch);
+    if (id.b.experience != id.a.experience) experiences.at(id.b.experience).stitches.push_back(stitch);
   }
-  for (auto& [id, experience] : experiences) index_stitches(experience);
+  stitches_ = {};
+  for (auto& [id, experience] : experiences) {
+    experience.stitches.shrink_to_fit();
+    index_stitches(experience);
+  }
 }
 
 Snapshot NetworkBuilder::build(Revision revision) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ class NetworkBuilder {
     std::vector<Move> moves;
   };
   struct Stitch {
-    Edge edge;
+    std::shared_ptr<const Edge> edge;
     Revision since;
   };
   Experience assemble(Rows& rows);

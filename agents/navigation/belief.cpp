@@ -22,10 +22,11 @@ Metric2 fuse_metric(const Metric2& predicted, const Metric2& measured) {
 }
 
 Metric3 fuse_metric(const Metric3& predicted, const Metric3& measured) {
-  const Matrix6d innovation = predicted.covariance + measured.covariance + least_variance * Matrix6d::Identity();
-  const Matrix6d gain = predicted.covariance * innovation.inverse();
+  const Matrix6d& before = predicted.covariance;
+  const Matrix6d innovation = before + measured.covariance.matrix() + least_variance * Matrix6d::Identity();
+  const Matrix6d gain = before * innovation.inverse();
   const Vector6d apart = log3(predicted.a_from_b.inverse() * measured.a_from_b);
-  const Matrix6d left = (Matrix6d::Identity() - gain) * predicted.covariance;
+  const Matrix6d left = (Matrix6d::Identity() - gain) * before;
   return {predicted.a_from_b * exp3(gain * apart), 0.5 * (left + left.transpose())};
 }
 
@@ -50,8 +51,10 @@ Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad) 
   if (auto* const flat = std::get_if<Metric2>(&noisy)) {
     flat->covariance.diagonal() += Eigen::Vector3d(variance_m2, variance_m2, variance_rad2);
   } else if (auto* const metric = std::get_if<Metric3>(&noisy)) {
-    metric->covariance.diagonal().head<3>().array() += variance_m2;
-    metric->covariance.diagonal().tail<3>().array() += variance_rad2;
+    Matrix6d covariance = metric->covariance;
+    covariance.diagonal().head<3>().array() += variance_m2;
+    covariance.diagonal().tail<3>().array() += variance_rad2;
+    metric->covariance = covariance;
   } else {
     auto& along = std::get<AlongPath>(noisy);
     along.distance_variance_m2 += variance_m2;

@@ -32,8 +32,9 @@ class Draft {
   }
 
   void stitch(const Edge& edge) {
-    touch_stitches(edge.id.a.experience).push_back(edge);
-    if (edge.id.b.experience != edge.id.a.experience) touch_stitches(edge.id.b.experience).push_back(edge);
+    const auto shared = std::make_shared<const Edge>(edge);
+    touch_stitches(edge.id.a.experience).push_back(shared);
+    if (edge.id.b.experience != edge.id.a.experience) touch_stitches(edge.id.b.experience).push_back(shared);
   }
 
   Snapshot::Experiences take() {
@@ -43,7 +44,7 @@ class Draft {
   }
 
  private:
-  std::vector<Edge>& touch_stitches(ExperienceId id) {
+  SharedItems<Edge>& touch_stitches(ExperienceId id) {
     stitched_.insert(id);
     return touch(id).stitches;
   }
@@ -71,17 +72,19 @@ Snapshot with(const Snapshot& snapshot, const Batch& batch) {
     experience.name = batch.name;
     experience.method = batch.method;
   }
-  experience.places.insert(experience.places.end(), batch.places.begin(), batch.places.end());
+  experience.places.append(batch.places);
   experience.extent += static_cast<std::uint32_t>(batch.places.size());
+  std::vector<Edge> hops;
   for (const Edge& edge : batch.edges) {
     if (edge.origin == Origin::stitch) {
       draft.stitch(edge);
     } else {
-      experience.chain.push_back(edge);
+      hops.push_back(edge);
     }
   }
-  std::sort(experience.chain.begin(), experience.chain.end(),
-            [](const Edge& first, const Edge& second) { return first.id < second.id; });
+  // All of them come after the chain so far: the batch continues the experience.
+  std::sort(hops.begin(), hops.end(), [](const Edge& first, const Edge& second) { return first.id < second.id; });
+  experience.chain.append(std::move(hops));
   if (batch.seal) {
     experience.sealed = true;
     experience.seal_reason = batch.seal_reason;

@@ -40,7 +40,9 @@ Metric3 read_metric3(ByteReader& in) {
   const double y = in.f64("rotation y");
   const double z = in.f64("rotation z");
   metric.a_from_b.rotation = Eigen::Quaterniond(w, x, y, z);
-  read_symmetric(in, metric.covariance);
+  Matrix6d covariance;
+  read_symmetric(in, covariance);
+  metric.covariance = covariance;
   return metric;
 }
 
@@ -65,7 +67,7 @@ void fields::write(ByteWriter& out, const Relation& relation) {
     for (const double axis : metric->a_from_b.translation) out.f64(axis);
     const Eigen::Quaterniond& q = metric->a_from_b.rotation;
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) out.f64(value);
-    write_symmetric(out, metric->covariance);
+    write_symmetric(out, metric->covariance.matrix());
   } else {
     const auto& path = std::get<AlongPath>(relation);
     out.number<std::uint8_t>(kAlongPath);

@@ -28,7 +28,7 @@ std::uint32_t index_of(const Edge& edge) {
 
 /// Where nothing is missing a row stands at its index.
 template <class Row>
-const Row* find(const std::vector<Row>& rows, std::uint32_t index) {
+const Row* find(const SharedRow<Row>& rows, std::uint32_t index) {
   if (index < rows.size() && index_of(rows[index]) == index) return &rows[index];
   const auto found = std::lower_bound(rows.begin(), rows.end(), index,
                                       [](const Row& row, std::uint32_t wanted) { return index_of(row) < wanted; });
@@ -46,9 +46,9 @@ const Edge* Experience::hop(std::uint32_t index) const {
 }
 
 void index_stitches(Experience& experience) {
-  std::sort(experience.stitches.begin(), experience.stitches.end(),
-            [](const Edge& first, const Edge& second) { return first.id < second.id; });
+  experience.stitches.sort([](const Edge& first, const Edge& second) { return first.id < second.id; });
   experience.stitch_ends.clear();
+  experience.stitch_ends.reserve(experience.stitches.size());  // more only for those within the experience
   for (std::size_t i = 0; i < experience.stitches.size(); ++i) {
     for (const PlaceId& end : {experience.stitches[i].id.a, experience.stitches[i].id.b}) {
       if (end.experience == experience.id)

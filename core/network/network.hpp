@@ -8,6 +8,7 @@
 
 #include "core/ids.hpp"
 #include "core/network/relation.hpp"
+#include "core/shared_row.hpp"
 #include "core/time.hpp"
 
 namespace weft {
@@ -50,15 +51,16 @@ struct EdgeId {
   auto operator<=>(const EdgeId&) const = default;
 };
 
+/// In an order that leaves little room between the members: a map has millions of them.
 struct Edge {
   EdgeId id;
   std::uint32_t entity_version = 1;
-  Relation a_from_b;
-  Origin origin = Origin::odometry;
-  std::string method;  ///< what a robot needs to drive it
-  Drivable drivable = Drivable::a_to_b;
   std::uint32_t inliers = 0;  ///< evidence of a stitch; 0 where the method counts none
   float overlap = 0.0F;       ///< evidence of a stitch: share of b's view seen in a, [0, 1]
+  Origin origin = Origin::odometry;
+  Drivable drivable = Drivable::a_to_b;
+  Relation a_from_b;
+  std::string method;  ///< what a robot needs to drive it
 };
 
 /// One run of one robot. What was taken out of the map, or is damaged, is missing from `places` and `chain`.
@@ -69,11 +71,11 @@ struct Experience {
   std::string method;
   bool sealed = false;
   std::string seal_reason;
-  std::uint32_t extent = 0;   ///< indices given so far, those of missing places too: the run goes on here
-  std::vector<Place> places;  ///< sorted by index
-  std::vector<Edge> chain;    ///< sorted; each joins a place and the one after it, both there
+  std::uint32_t extent = 0;  ///< indices given so far, those of missing places too: the run goes on here
+  SharedRow<Place> places;   ///< sorted by index
+  SharedRow<Edge> chain;     ///< sorted; each joins a place and the one after it, both there
   /// Every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
-  std::vector<Edge> stitches;
+  SharedItems<Edge> stitches;
 
   /// An end of a stitch that lies in this experience.
   struct StitchEnd {

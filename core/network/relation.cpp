@@ -12,32 +12,38 @@ Matrix symmetric(const Matrix& matrix) {
   return 0.5 * (matrix + matrix.transpose());  // keeps rounding out of long chains
 }
 
+const Eigen::Matrix3d& full(const Eigen::Matrix3d& covariance) {
+  return covariance;
+}
+const Matrix6d& full(const Covariance6& covariance) {
+  return covariance.matrix();
+}
+
 // T_ab exp(x1) T_bc exp(x2) = T_ab T_bc exp(Ad(T_bc^-1) x1) exp(x2), to first order in the covariances.
 template <class Metric>
 Metric compose_metric(const Metric& ab, const Metric& bc) {
   const auto transport = adjoint(bc.a_from_b.inverse());
-  const auto carried = (transport * ab.covariance * transport.transpose()).eval();
-  return {ab.a_from_b * bc.a_from_b, symmetric((carried + bc.covariance).eval())};
+  const auto carried = (transport * full(ab.covariance) * transport.transpose()).eval();
+  return {ab.a_from_b * bc.a_from_b, symmetric((carried + full(bc.covariance)).eval())};
 }
 
 // (T exp(x))^-1 = T^-1 exp(-Ad(T) x).
 template <class Metric>
 Metric inverse_metric(const Metric& ab) {
   const auto transport = adjoint(ab.a_from_b);
-  return {ab.a_from_b.inverse(), symmetric((transport * ab.covariance * transport.transpose()).eval())};
+  return {ab.a_from_b.inverse(), symmetric((transport * full(ab.covariance) * transport.transpose()).eval())};
 }
 
 /// A planar relation says that z, roll and pitch are 0 for certain.
 Metric3 raise(const Metric2& flat) {
   constexpr std::array<Eigen::Index, 3> axes{0, 1, 5};
-  Metric3 result{lift(flat.a_from_b), Matrix6d::Zero()};
+  Matrix6d covariance = Matrix6d::Zero();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     for (std::size_t k = 0; k < axes.size(); ++k) {
-      result.covariance(axes[i], axes[k]) =
-          flat.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      covariance(axes[i], axes[k]) = flat.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
     }
   }
-  return result;
+  return {lift(flat.a_from_b), covariance};
 }
 
 /// Straight-line distance, signed by the direction half way between both headings: the sign turns with the inverse.
@@ -88,6 +94,11 @@ Eigen::Matrix<double, 3, 6> projection_jacobian(const Pose3& a_from_b) {
 }
 
 }  // namespace
+
+const Matrix6d& Covariance6::matrix() const {
+  static const Matrix6d zero = Matrix6d::Zero();
+  return matrix_ ? *matrix_ : zero;
+}
 
 Relation compose(const Relation& a_from_b, const Relation& b_from_c) {
   if (std::holds_alternative<AlongPath>(a_from_b) || std::holds_alternative<AlongPath>(b_from_c)) {
@@ -141,7 +152,7 @@ Eigen::Matrix3d planar_covariance(const Relation& relation) {
   if (const auto* const flat = std::get_if<Metric2>(&relation)) return flat->covariance;
   if (const auto* const metric = std::get_if<Metric3>(&relation)) {
     const auto jacobian = projection_jacobian(metric->a_from_b);
-    return jacobian * metric->covariance * jacobian.transpose();
+    return jacobian * metric->covariance.matrix() * jacobian.transpose();
   }
   const auto& path = std::get<AlongPath>(relation);
   const Eigen::Vector2d forward_in_b{std::cos(path.heading_shift_rad), -std::sin(path.heading_shift_rad)};

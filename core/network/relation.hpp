@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <variant>
 
 #include "core/geometry/pose2.hpp"
@@ -13,10 +14,25 @@ struct Metric2 {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
+/// A covariance of six dimensions that stands apart and is shared by copies: a relation of the plane, of which a map
+/// has millions, would be three times as large with room for it. Zero when nothing is said.
+class Covariance6 {
+ public:
+  Covariance6() = default;
+  template <class Derived>
+  Covariance6(const Eigen::MatrixBase<Derived>& matrix) : matrix_(std::make_shared<const Matrix6d>(matrix)) {}
+
+  const Matrix6d& matrix() const;
+  operator const Matrix6d&() const { return matrix(); }
+
+ private:
+  std::shared_ptr<const Matrix6d> matrix_;
+};
+
 /// Spatial metric relation. Covariance of xi in a_from_b * exp3(xi), order (translation, rotation).
 struct Metric3 {
   Pose3 a_from_b;
-  Matrix6d covariance = Matrix6d::Zero();
+  Covariance6 covariance;
 };
 
 /// For methods that know no pose: b lies `distance_m` further along the path than a (negative: before it), and

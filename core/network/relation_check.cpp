@@ -28,6 +28,17 @@ std::array<std::uint64_t, 7> numbers(const Pose3& pose) {
   return {bits(q.w()), bits(q.x()), bits(q.y()), bits(q.z()), bits(t.x()), bits(t.y()), bits(t.z())};
 }
 
+bool same_bits(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other) {
+  return std::equal(one.data(), one.data() + one.size(), other.data(),
+                    [](double a, double b) { return bits(a) == bits(b); });
+}
+bool same_bits(const Covariance6& one, const Covariance6& other) {
+  const Matrix6d& of_one = one.matrix();
+  const Matrix6d& of_other = other.matrix();
+  return &of_one == &of_other || std::equal(of_one.data(), of_one.data() + of_one.size(), of_other.data(),
+                                            [](double a, double b) { return bits(a) == bits(b); });
+}
+
 Result<void> check_covariance(const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
   if (!covariance.allFinite()) return fail(ErrorCode::invalid, "relation: covariance is not finite");
   const double tolerance = 1e-9 * std::max(1e-12, covariance.cwiseAbs().maxCoeff());
@@ -52,9 +63,7 @@ bool identical(const Relation& first, const Relation& second) {
         if constexpr (std::is_same_v<std::decay_t<decltype(one)>, AlongPath>) {
           return numbers(one) == numbers(other);
         } else {
-          return numbers(one.a_from_b) == numbers(other.a_from_b) &&
-                 std::equal(one.covariance.data(), one.covariance.data() + one.covariance.size(),
-                            other.covariance.data(), [](double a, double b) { return bits(a) == bits(b); });
+          return numbers(one.a_from_b) == numbers(other.a_from_b) && same_bits(one.covariance, other.covariance);
         }
       },
       first);
@@ -72,7 +81,7 @@ Result<void> check(const Relation& relation) {
       return fail(ErrorCode::invalid,
                   "relation: quaternion has length " + std::to_string(length) + ", must be 1 within 1e-6");
     }
-    return check_covariance(metric->covariance);
+    return check_covariance(metric->covariance.matrix());
   }
   const auto& path = std::get<AlongPath>(relation);
   for (const double value :

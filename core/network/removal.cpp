@@ -38,9 +38,9 @@ class Thinning {
         if (end.experience == stretch.experience && is_in(stretch, end.index)) stitches_.insert(stitch.id);
       }
     }
-    std::erase_if(experience->places, [&](const Place& place) { return is_in(stretch, place.id.index); });
-    std::erase_if(experience->chain,
-                  [&](const Edge& hop) { return is_in(stretch, hop.id.a.index) || is_in(stretch, hop.id.b.index); });
+    experience->places.erase_if([&](const Place& place) { return is_in(stretch, place.id.index); });
+    experience->chain.erase_if(
+        [&](const Edge& hop) { return is_in(stretch, hop.id.a.index) || is_in(stretch, hop.id.b.index); });
   }
   void take(const EdgeId& stitch) { stitches_.insert(stitch); }
 
@@ -53,7 +53,7 @@ class Thinning {
     for (const ExperienceId id : ends) {
       Experience* const experience = touch(id);
       if (experience == nullptr) continue;
-      std::erase_if(experience->stitches, [&](const Edge& stitch) { return stitches_.contains(stitch.id); });
+      experience->stitches.erase_if([&](const Edge& stitch) { return stitches_.contains(stitch.id); });
       index_stitches(*experience);
     }
     for (auto& [id, experience] : touched_) experiences_[id] = std::move(experience);

@@ -45,7 +45,8 @@ struct Pack {
   idl::Relation operator()(const Metric3& metric) const {
     const Eigen::Vector3d& t = metric.a_from_b.translation;
     const Eigen::Quaterniond& q = metric.a_from_b.rotation;
-    return packed(kMetric3, {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}, row_by_row(metric.covariance));
+    return packed(kMetric3, {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()},
+                  row_by_row(metric.covariance.matrix()));
   }
   idl::Relation operator()(const AlongPath& along) const {
     return packed(kAlongPath, {along.distance_m, along.heading_shift_rad},

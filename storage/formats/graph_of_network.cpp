@@ -25,7 +25,7 @@ Eigen::Matrix<double, N, N> information_of(const Eigen::Matrix<double, N, N>& co
 
 SpatialMeasurement spatial(const Relation& relation) {
   if (const auto* const metric = std::get_if<Metric3>(&relation)) {
-    return {metric->a_from_b, information_of<6>(metric->covariance)};
+    return {metric->a_from_b, information_of<6>(metric->covariance.matrix())};
   }
   const Eigen::Matrix3d planar_part = planar_covariance(relation);
   constexpr std::array<int, 3> kOf = {0, 1, 5};  // x, y and the turn about z

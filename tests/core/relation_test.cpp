@@ -53,12 +53,12 @@ TEST(Relation, SpatialCovariancesComposeLikeSamples) {
   const auto composed = std::get<Metric3>(compose(ab, bc));
   Matrix6d sampled = Matrix6d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Pose3 noisy_ab = ab.a_from_b * exp3(draw<Vector6d>(random, ab.covariance));
-    const Pose3 noisy_bc = bc.a_from_b * exp3(draw<Vector6d>(random, bc.covariance));
+    const Pose3 noisy_ab = ab.a_from_b * exp3(draw<Vector6d>(random, ab.covariance.matrix()));
+    const Pose3 noisy_bc = bc.a_from_b * exp3(draw<Vector6d>(random, bc.covariance.matrix()));
     const Vector6d xi = log3(composed.a_from_b.inverse() * noisy_ab * noisy_bc);
     sampled += xi * xi.transpose() / kDraws;
   }
-  EXPECT_LT(difference(sampled, composed.covariance), 0.05);
+  EXPECT_LT(difference(sampled, composed.covariance.matrix()), 0.05);
 }
 
 TEST(Relation, ProjectedCovarianceIsThatOfProjectedSamples) {
@@ -70,7 +70,7 @@ TEST(Relation, ProjectedCovarianceIsThatOfProjectedSamples) {
   Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
   for (int i = 0; i < kDraws; ++i) {
     const Eigen::Vector3d xi =
-        log2(flat.inverse() * project(metric.a_from_b * exp3(draw<Vector6d>(random, metric.covariance))));
+        log2(flat.inverse() * project(metric.a_from_b * exp3(draw<Vector6d>(random, metric.covariance.matrix()))));
     sampled += xi * xi.transpose() / kDraws;
   }
   EXPECT_LT(difference(sampled, planar_covariance(metric)), 0.05);
@@ -86,7 +86,7 @@ TEST(Relation, InverseOfInverseIsTheRelation) {
     const Metric3 metric = support::random_metric3(random);
     const auto back3 = std::get<Metric3>(inverse(inverse(metric)));
     EXPECT_LT((back3.a_from_b.translation - metric.a_from_b.translation).norm(), 1e-12);
-    EXPECT_LT((back3.covariance - metric.covariance).norm(), 1e-12);
+    EXPECT_LT((back3.covariance.matrix() - metric.covariance.matrix()).norm(), 1e-12);
     const AlongPath path = support::random_along_path(random);
     EXPECT_EQ(encode(inverse(inverse(Relation(path)))), encode(Relation(path)));
   }
@@ -189,6 +189,23 @@ TEST(Relation, WhatIsNoRelationIsRefused) {
   EXPECT_EQ(code(AlongPath{0.0, -1.0, 0.0, 0.0}), ErrorCode::invalid);
   EXPECT_EQ(code(AlongPath{0.0, 0.0, 0.0, -1.0}), ErrorCode::invalid);
   EXPECT_EQ(code(AlongPath{NAN, 0.0, 0.0, 0.0}), ErrorCode::invalid);
+}
+
+TEST(Relation, IsNoLargerThanThePlaneNeeds) {
+  EXPECT_LE(sizeof(Relation), 112U) << "a map has millions of them";
+  EXPECT_LE(sizeof(Edge), 192U);
+}
+
+TEST(Relation, CopiesOfASpatialOneLeaveEachOtherAlone) {
+  const Metric3 before{lift({1, 2, 0.5}), Matrix6d::Identity()};
+  Metric3 after = before;
+  after.covariance = 2.0 * after.covariance.matrix();
+  EXPECT_EQ(before.covariance.matrix()(0, 0), 1.0);
+  EXPECT_EQ(after.covariance.matrix()(0, 0), 2.0);
+  EXPECT_EQ(Metric3{}.covariance.matrix(), Matrix6d::Zero());
+  EXPECT_TRUE(identical(before, Metric3{lift({1, 2, 0.5}), Matrix6d::Identity()}));
+  EXPECT_FALSE(identical(before, after));
+  EXPECT_TRUE(identical(Metric3{}, Metric3{Pose3{}, Matrix6d::Zero()}));
 }
 
 TEST(Relation, LongChainsStayRelations) {

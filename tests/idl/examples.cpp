@@ -47,7 +47,7 @@ Place place(std::uint32_t index) {
 }
 
 Edge edge(const Relation& relation, Origin origin) {
-  return {{place_id(0xabcdef, 1), place_id(0xfedcba, 2)}, 4, relation, origin, "floor", Drivable::both, 87, 0.75F};
+  return {{place_id(0xabcdef, 1), place_id(0xfedcba, 2)}, 4, 87, 0.75F, origin, Drivable::both, relation, "floor"};
 }
 
 Route route() {

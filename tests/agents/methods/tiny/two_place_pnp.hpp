@@ -60,7 +60,7 @@ class TwoPlacePnp {
       if (place.content) near.push_back(&place);
     }
     const auto apart = [&](const ChartPlace<Content>* place) {
-      return norm(Metric3{spatial(place->centre_from_place).inverse() * belief.centre_from_robot});
+      return norm(Metric3{spatial(place->centre_from_place).inverse() * belief.centre_from_robot, {}});
     };
     std::stable_sort(near.begin(), near.end(), [&](const auto* a, const auto* b) { return apart(a) < apart(b); });
     if (near.size() < 2) return {belief, std::nullopt, {{"one_place_only", static_cast<double>(near.size()), 2.0}}};
@@ -86,11 +86,11 @@ class TwoPlacePnp {
     return metric != nullptr ? metric->a_from_b : lift(planar(relation));
   }
   static Metric3 raised(const Metric2& flat) {
-    Metric3 metric{lift(flat.a_from_b), 1e-8 * Matrix6d::Identity()};
-    metric.covariance(0, 0) = flat.covariance(0, 0);
-    metric.covariance(1, 1) = flat.covariance(1, 1);
-    metric.covariance(5, 5) = flat.covariance(2, 2);
-    return metric;
+    Matrix6d covariance = 1e-8 * Matrix6d::Identity();
+    covariance(0, 0) = flat.covariance(0, 0);
+    covariance(1, 1) = flat.covariance(1, 1);
+    covariance(5, 5) = flat.covariance(2, 2);
+    return {lift(flat.a_from_b), covariance};
   }
   static void add(Points& points, const Pose3& frame_from_robot, const Content& content) {
     for (const Marks::Sighting& seen : content.sightings) {
@@ -143,7 +143,8 @@ class TwoPlacePnp {
       frame_from_robot.rotation.normalize();
     }
     Related related;
-    related.a_from_b = Metric3{frame_from_robot, sigma * sigma * information.inverse()};
+    const Matrix6d covariance = sigma * sigma * information.inverse();
+    related.a_from_b = Metric3{frame_from_robot, 0.5 * (covariance + covariance.transpose())};
     related.inliers = used;
     related.overlap = static_cast<double>(used) / static_cast<double>(seen.sightings.size());
     related.residual = std::sqrt(squared / used) / sigma;
@@ -155,8 +156,6 @@ class TwoPlacePnp {
     if (related.residual > most_residual) {
       return tl::unexpected(Refusal{"points_do_not_fit", related.residual, most_residual});
     }
-    auto& covariance = std::get<Metric3>(related.a_from_b).covariance;
-    covariance = 0.5 * (covariance + covariance.transpose().eval());
     return related;
   }
 
