@@ -14,6 +14,7 @@
 #include "server/intake/intake.hpp"
 #include "server/keeper/subscriptions.hpp"
 #include "server/library/shelf.hpp"
+#include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
 
 namespace weft::server {
@@ -38,8 +39,9 @@ class FleetMapServer final : public Service {
         subscriptions_(context_),
         shelf_(context_),
         traffic_(context_, std::move(stored.occupancies)),
-        dispatcher_(context_, fleet_, traffic_, random.fork(2), std::move(stored.goals), std::move(stored.routes),
-                    now.steady),
+        routes_(context_),
+        dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
+                    std::move(stored.routes), now.steady),
         desk_(context_, fleet_, dispatcher_),
         answers_(context_, fleet_, traffic_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
@@ -70,14 +72,15 @@ class FleetMapServer final : public Service {
     subscriptions_.tick(now.steady);
     shelf_.tick(now);
     desk_.tick(now.steady);
+    routes_.tick(now);
     settle(now);
     return out_.take();
   }
 
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
-    for (const std::optional<SteadyTime>& due :
-         {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(), dispatcher_.next(), desk_.next()}) {
+    for (const std::optional<SteadyTime>& due : {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(),
+                                                 dispatcher_.next(), desk_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -167,6 +170,7 @@ class FleetMapServer final : public Service {
     if (!admit(description.header, true, now)) return;
     fleet_.on_description(description, now);
     traffic_.set_footprint(description.header.sender, description.footprint_radius_m);
+    routes_.want({description.methods.begin(), description.methods.end()});
   }
   void receive(const msg::RobotState& state, Now now) {
     if (!admit(state.header, true, now)) return;
@@ -224,6 +228,7 @@ class FleetMapServer final : public Service {
   Subscriptions subscriptions_;
   Shelf shelf_;
   Traffic traffic_;
+  Routes routes_;
   Dispatcher dispatcher_;
   Desk desk_;
   Answers answers_;

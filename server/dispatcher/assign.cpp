@@ -47,10 +47,14 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
   return ready;
 }
 
+FindWay Dispatcher::ways_to(const PlaceId& to, Now now) {
+  return [this, to, now](const Candidate& from) { return routes_.find(from.at, to, from.methods, now.steady); };
+}
+
 void Dispatcher::assign_waiting(Now now) {
-  const Snapshot& snapshot = context_.snapshots.current();
-  if (tried_at_ != snapshot.revision()) tried_.clear();
-  tried_at_ = snapshot.revision();
+  const Revision revision = context_.snapshots.current().revision();
+  if (tried_at_ != revision) tried_.clear();
+  tried_at_ = revision;
   const std::map<std::uint64_t, GoalId> alive = book_.alive();
   for (const auto& [number, id] : alive) {
     const Goal& goal = *book_.find(id);
@@ -63,7 +67,7 @@ void Dispatcher::assign_waiting(Now now) {
     }
     const auto tried = tried_.find(id);
     if (tried != tried_.end() && tried->second == ready) continue;
-    const Result<Choice> choice = choose(snapshot, ready, goal.to);
+    const Result<Choice> choice = choose(ready, ways_to(goal.to, now));
     if (!choice) {
       tried_[id] = ready;
       still_pending(goal, choice.error().message, now);
@@ -123,8 +127,8 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
   const msg::RobotState& state = *known->state;
   if (!state.localised || !state.place) return;
   errand.plan_at = now.steady + kBetweenPlans;
-  const Result<Choice> choice = choose(context_.snapshots.current(),
-                                       {{.robot = robot, .at = state.place, .methods = methods_of(*known)}}, goal.to);
+  const Result<Choice> choice =
+      choose({{.robot = robot, .at = state.place, .methods = methods_of(*known)}}, ways_to(goal.to, now));
   if (!choice) {
     if (goal.history.back().cause == choice.error().message) return;
     std::ignore = book_.write(

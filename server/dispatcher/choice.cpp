@@ -6,13 +6,13 @@
 
 namespace weft::server {
 
-Result<Choice> choose(const Snapshot& snapshot, std::vector<Candidate> candidates, const PlaceId& to) {
+Result<Choice> choose(std::vector<Candidate> candidates, const FindWay& find_way) {
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.robot < b.robot; });
   std::optional<Choice> best;
   Error last = {ErrorCode::not_found, "no robot is idle and knows where it is"};
   for (const Candidate& candidate : candidates) {
-    Result<Path> path = shortest_path(snapshot, candidate.at, to, candidate.methods);
+    Result<Path> path = find_way(candidate);
     if (!path) {
       last = path.error();
       continue;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,8 +22,11 @@ struct Choice {
   Path path;
 };
 
-/// The candidate with the shortest route to the place; of equally long ones the one with the lowest id.
+/// The shortest way of a candidate to where it is to go, or why there is none.
+using FindWay = std::function<Result<Path>(const Candidate&)>;
+
+/// The candidate with the shortest way; of equally long ones the one with the lowest id.
 /// not_found: there is no candidate, or none of them can get there; the message says how far the last one gets.
-Result<Choice> choose(const Snapshot& snapshot, std::vector<Candidate> candidates, const PlaceId& to);
+Result<Choice> choose(std::vector<Candidate> candidates, const FindWay& find_way);
 
 }  // namespace weft::server

@@ -33,13 +33,14 @@ std::string known_labels(const Snapshot& snapshot) {
 
 }  // namespace
 
-Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Random random, std::map<GoalId, Goal> goals,
-                       std::map<GoalId, Route> routes, SteadyTime now)
+Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Random random,
+                       std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now)
     : context_(context),
       fleet_(fleet),
       traffic_(traffic),
+      routes_(routes),
       random_(random),
-      book_(context, std::move(goals), std::move(routes)),
+      book_(context, std::move(goals), std::move(given)),
       look_at_(now) {
   for (const auto& [id, goal] : book_.goals()) {
     const Route* const route = book_.route(id);

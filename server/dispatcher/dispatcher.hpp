@@ -11,6 +11,7 @@
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
 #include "server/fleet/fleet.hpp"
+#include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
 
 namespace weft::server {
@@ -20,8 +21,8 @@ namespace weft::server {
 class Dispatcher {
  public:
   /// Goals that were under way are taken up where they were.
-  Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Random random, std::map<GoalId, Goal> goals,
-             std::map<GoalId, Route> routes, SteadyTime now);
+  Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Random random,
+             std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now);
 
   // What operators ask for. Each leaves the request's number, sender and header to the caller.
   msg::OperatorReply send(const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -71,6 +72,7 @@ class Dispatcher {
   std::vector<Candidate> candidates(const Goal& goal, std::string& why_none) const;
   void plan_anew(const RobotId& robot, Errand& errand, Now now);
   Route route_of(const Goal& goal, const Choice& choice);
+  FindWay ways_to(const PlaceId& to, Now now);
 
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
@@ -86,6 +88,7 @@ class Dispatcher {
   Context& context_;
   Fleet& fleet_;
   Traffic& traffic_;
+  Routes& routes_;
   Random random_;
   GoalBook book_;
   std::map<RobotId, Errand> errands_;

@@ -14,6 +14,7 @@ class Snapshots {
   explicit Snapshots(Snapshot first, std::size_t kept = 256) : kept_(kept) { push(std::move(first)); }
 
   const Snapshot& current() const { return *ring_.back(); }
+  std::shared_ptr<const Snapshot> shared_current() const { return ring_.back(); }
   /// The newest one from here on.
   void push(Snapshot next) {
     ring_.push_back(std::make_shared<const Snapshot>(std::move(next)));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "server/keeper/parts.hpp"
+#include "server/keeper/untouched.hpp"
 #include "server/repeating.hpp"
 
 namespace weft::server {
@@ -28,8 +29,7 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
   const bool holds_what_we_think =
       asker.held && asker.held->revision == request.held && asker.held_digest == request.held_digest;
   if (!holds_what_we_think) {
-    asker.held = window_at(request.held, request.definition, request.held_digest);
-    asker.held_definition = request.definition;
+    believe(asker, request.held, request.held_digest);
   }
   asker.held_digest = request.held_digest;
   asker.behind = true;
@@ -65,17 +65,18 @@ void Subscriptions::send(const PeerId& peer, std::uint64_t definition_id, const 
   }
 }
 
-std::shared_ptr<const Window> Subscriptions::window_at(Revision revision, const WindowDefinition& definition,
-                                                       const Digest& held_digest) const {
-  if (revision == Revision{}) return nullptr;
-  const std::shared_ptr<const Snapshot> kept = context_.snapshots.at(revision);
+void Subscriptions::believe(Asker& asker, Revision revision, const Digest& held_digest) const {
+  asker.held = nullptr;
+  asker.of = context_.snapshots.at(revision);
+  asker.held_definition = asker.definition;
+  if (revision == Revision{}) return;
   // A revision that is not kept any more may still look the same from there.
-  const Snapshot& snapshot = kept ? *kept : context_.snapshots.current();
-  Window window = make_window(snapshot, definition);
+  if (!asker.of) asker.of = context_.snapshots.shared_current();
+  Window window = make_window(*asker.of, asker.definition);
   // A window of another definition, or one that went wrong, is no base: the asker gets a fresh one.
-  if (digest(window) != held_digest) return nullptr;
+  if (digest(window) != held_digest) return;
   window.revision = revision;
-  return std::make_shared<const Window>(std::move(window));
+  asker.held = std::make_shared<const Window>(std::move(window));
 }
 
 std::pair<std::shared_ptr<const Window>, Digest> Subscriptions::window_now(const WindowDefinition& definition) const {
@@ -93,14 +94,23 @@ std::pair<std::shared_ptr<const Window>, Digest> Subscriptions::window_now(const
 
 void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
   asker.behind = false;
+  const std::shared_ptr<const Snapshot> current = context_.snapshots.shared_current();
+  if (!asker.asked && asker.held && is_untouched(asker.held_definition, *asker.held, *asker.of, *current)) {
+    asker.of = current;
+    return;
+  }
   const auto [target, target_digest] = window_now(asker.definition);
   const bool holds_it = asker.held != nullptr && asker.held_digest == target_digest;
   // An asker is answered even if nothing changed: it may be waiting for its new definition to be confirmed.
-  if (holds_it && !asker.asked) return;
+  if (holds_it && !asker.asked) {
+    asker.of = current;
+    return;
+  }
   asker.asked = false;
   const Window empty;
   send(peer, asker.definition_id, difference(asker.held ? *asker.held : empty, *target, target_digest));
   asker.held = target;
+  asker.of = current;
   asker.held_digest = target_digest;
   asker.held_definition = asker.definition;
   asker.next_patch = now + kBetweenPatches;

@@ -27,7 +27,8 @@ class Subscriptions {
     std::uint64_t definition_id = 0;
     WindowDefinition definition;
     std::shared_ptr<const Window> held;  ///< as far as we know; null: nothing, or nothing we can build on
-    WindowDefinition held_definition;    ///< what `held` is a window of
+    std::shared_ptr<const Snapshot> of;  ///< in which `held` is the window of `held_definition`
+    WindowDefinition held_definition;
     Digest held_digest;
     SteadyTime next_patch;  ///< not earlier
     bool behind = true;     ///< its window may have changed
@@ -40,9 +41,8 @@ class Subscriptions {
   /// Subscribes to nothing.
   void show_past(const msg::WindowRequest& request);
   void send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch);
-  /// The window that somebody with this digest holds; null when we cannot tell what it is.
-  std::shared_ptr<const Window> window_at(Revision revision, const WindowDefinition& definition,
-                                          const Digest& held_digest) const;
+  /// Takes what the asker holds for the window with this digest; for nothing, when we cannot tell what it is.
+  void believe(Asker& asker, Revision revision, const Digest& held_digest) const;
 
   Context& context_;
   std::map<PeerId, Asker> askers_;

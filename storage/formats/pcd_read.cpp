@@ -1,6 +1,6 @@
 #include <set>
 
-#include "storage/formats/cloud_fields.hpp"
+#include "storage/formats/cloud_points.hpp"
 #include "storage/formats/lines.hpp"
 #include "storage/formats/lzf.hpp"
 #include "storage/formats/unit.hpp"
@@ -18,7 +18,7 @@ class PcdReader {
     if (const Result<void> read = header(); !read) return fail(read.error());
     if (const Result<void> fits = check_header(); !fits) return fail(fits.error());
     if (const auto begun = builder_.begin(fields_, points_, file_, leftovers_); !begun) return fail(begun.error());
-    const Result<void> read = coding_ == "ascii" ? text() : coding_ == "binary" ? binary() : compressed();
+    const Result<void> read = points();
     if (!read) return fail(read.error());
     Cloud cloud = builder_.take();
     cloud.width = width_;
@@ -130,60 +130,16 @@ class PcdReader {
                            " bytes, which is no number");
       }
       stride_ += field.bytes();
-      numbers_ += field.count;
     }
-    // Before anything is made of these sizes: each number of text takes two bytes.
-    const std::size_t least = coding_ == "ascii" ? 2 * numbers_ : stride_;
-    const std::size_t rest = bytes_.size() - lines_.offset() + 1;
-    if (coding_ != "binary_compressed" && least > 0 && points_ > rest / least) {
-      return damaged("the header states " + std::to_string(points_) + " points, the " + std::to_string(rest - 1) +
-                     " bytes after it cannot hold them");
-    }
-    return {};
+    if (coding_ == "binary_compressed") return {};
+    return check_room(fields_, points_, coding_ == "ascii", bytes_.size() - lines_.offset(), file_);
   }
 
-  Result<void> text() {
-    for (std::size_t point = 0; point < points_;) {
-      const std::optional<std::string_view> line = lines_.next();
-      if (!line.has_value()) {
-        return wrong("the file ends after " + std::to_string(point) + " of " + std::to_string(points_) + " points");
-      }
-      const Words words = words_of(*line);
-      if (words.empty() || words.front().starts_with('#')) continue;
-      if (words.size() != numbers_) {
-        return wrong("a point has " + std::to_string(words.size()) + " numbers, it needs " +
-                     std::to_string(numbers_));
-      }
-      std::size_t at = 0;
-      for (std::size_t i = 0; i < fields_.size(); at += fields_[i++].count) {
-        if (!builder_.takes(i)) continue;
-        const std::optional<double> number = parse_double(words[at]);
-        if (!number.has_value() || !builder_.put(i, point, *number)) {
-          return wrong(cited(words[at]) + " cannot be " + fields_[i].name);
-        }
-      }
-      ++point;
-    }
-    return {};
-  }
-
-  Result<void> numbers(ByteView data, bool by_field) {
-    std::size_t offset = 0;
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      const std::size_t step = by_field ? fields_[i].bytes() : stride_;
-      for (std::size_t point = 0; builder_.takes(i) && point < points_; ++point) {
-        if (builder_.put(i, point, data.data() + offset + point * step, false)) continue;
-        return damaged("point " + std::to_string(point) + ": " + fields_[i].name + " is infinite");
-      }
-      offset += by_field ? fields_[i].bytes() * points_ : fields_[i].bytes();
-    }
-    return {};
-  }
-
-  Result<void> binary() {
+  Result<void> points() {
+    if (coding_ == "ascii") return read_text_points(lines_, fields_, points_, true, file_, builder_);
+    if (coding_ == "binary_compressed") return compressed();
     const ByteView data = bytes_.subspan(lines_.offset());
-    if (data.size() < points_ * stride_) return damaged("the points end early");
-    return numbers(data, false);
+    return read_binary_points(data, fields_, points_, false, false, file_, builder_);
   }
 
   Result<void> compressed() {
@@ -207,7 +163,7 @@ class PcdReader {
     }
     const Result<Bytes> points = lzf_decompress(data.subspan(kHead, packed), plain);
     if (!points) return damaged(points.error().message);
-    return numbers(*points, true);
+    return read_binary_points(*points, fields_, points_, true, false, file_, builder_);
   }
 
   ByteView bytes_;
@@ -218,8 +174,7 @@ class PcdReader {
   std::uint64_t width_ = 0;
   std::uint64_t height_ = 1;
   std::uint64_t points_ = 0;
-  std::size_t stride_ = 0;   // bytes of a point
-  std::size_t numbers_ = 0;  // of a point
+  std::size_t stride_ = 0;  // bytes of a point
   Pose3 world_from_sensor_;
   std::string_view coding_;
   CloudBuilder builder_;

@@ -1,6 +1,6 @@
 #include <map>
 
-#include "storage/formats/cloud_fields.hpp"
+#include "storage/formats/cloud_points.hpp"
 #include "storage/formats/lines.hpp"
 
 namespace weft::formats {
@@ -17,7 +17,7 @@ class PlyReader {
     if (const Result<void> read = header(); !read) return fail(read.error());
     if (const Result<void> fits = check_header(); !fits) return fail(fits.error());
     if (const auto begun = builder_.begin(fields_, points_, file_, leftovers_); !begun) return fail(begun.error());
-    const Result<void> read = coding_ == "ascii" ? text() : binary(coding_ == "binary_big_endian");
+    const Result<void> read = points();
     if (!read) return fail(read.error());
     return Read<Cloud>{builder_.take(), leftovers_.take()};
   }
@@ -26,9 +26,6 @@ class PlyReader {
   enum class Part { before, vertex, after };
 
   tl::unexpected<Error> wrong(const std::string& what) const { return fail_at(file_, lines_.number(), what); }
-  tl::unexpected<Error> damaged(const std::string& what) const {
-    return fail(ErrorCode::corrupt, std::string(file_) + ": " + what);
-  }
 
   Result<void> header() {
     while (const std::optional<std::string_view> line = lines_.next()) {
@@ -90,58 +87,19 @@ class PlyReader {
                        .size = type->second.second,
                        .count = 1,
                        .line = lines_.number()});
-    stride_ += type->second.second;
     return {};
   }
 
   Result<void> check_header() const {
     if (coding_.empty()) return wrong("the header has no format");
     if (part_ == Part::before) return wrong("the header has no element vertex");
-    const std::size_t least = coding_ == "ascii" ? 2 * fields_.size() : stride_;
-    const std::size_t rest = bytes_.size() - lines_.offset();
-    if (least > 0 && points_ > (rest + 1) / least) {
-      return damaged("the header states " + std::to_string(points_) + " points, the " + std::to_string(rest) +
-                     " bytes after it cannot hold them");
-    }
-    return {};
+    return check_room(fields_, points_, coding_ == "ascii", bytes_.size() - lines_.offset(), file_);
   }
 
-  Result<void> text() {
-    for (std::size_t point = 0; point < points_;) {
-      const std::optional<std::string_view> line = lines_.next();
-      if (!line.has_value()) {
-        return wrong("the file ends after " + std::to_string(point) + " of " + std::to_string(points_) + " points");
-      }
-      const Words words = words_of(*line);
-      if (words.empty()) continue;
-      if (words.size() != fields_.size()) {
-        return wrong("a point has " + std::to_string(words.size()) + " numbers, it needs " +
-                     std::to_string(fields_.size()));
-      }
-      for (std::size_t i = 0; i < fields_.size(); ++i) {
-        if (!builder_.takes(i)) continue;
-        const std::optional<double> number = parse_double(words[i]);
-        if (!number.has_value() || !builder_.put(i, point, *number)) {
-          return wrong(cited(words[i]) + " cannot be " + fields_[i].name);
-        }
-      }
-      ++point;
-    }
-    return {};
-  }
-
-  Result<void> binary(bool big_endian) {
-    const ByteView data = bytes_.subspan(lines_.offset());
-    if (data.size() < points_ * stride_) return damaged("the points end early");
-    std::size_t offset = 0;
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      for (std::size_t point = 0; builder_.takes(i) && point < points_; ++point) {
-        if (builder_.put(i, point, data.data() + offset + point * stride_, big_endian)) continue;
-        return damaged("point " + std::to_string(point) + ": " + fields_[i].name + " is infinite");
-      }
-      offset += fields_[i].bytes();
-    }
-    return {};
+  Result<void> points() {
+    if (coding_ == "ascii") return read_text_points(lines_, fields_, points_, false, file_, builder_);
+    return read_binary_points(bytes_.subspan(lines_.offset()), fields_, points_, false,
+                              coding_ == "binary_big_endian", file_, builder_);
   }
 
   ByteView bytes_;
@@ -151,7 +109,6 @@ class PlyReader {
   std::string_view coding_;
   std::vector<CloudField> fields_;
   std::uint64_t points_ = 0;
-  std::size_t stride_ = 0;  // bytes of a point
   CloudBuilder builder_;
   Leftovers leftovers_;
 };

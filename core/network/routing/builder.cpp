@@ -5,15 +5,27 @@
 #include "core/network/routing/bisection.hpp"
 #include "core/network/routing/draft.hpp"
 #include "core/network/routing/routing.hpp"
+#include "core/network/routing/work.hpp"
 
 namespace weft::routing {
 namespace {
 
 constexpr float kBetweenParts_m = 1000.0F;  ///< unconnected parts of a network are laid out side by side
 
-}  // namespace
+/// Numbers the places, lays them out, cuts them into cells, and makes these.
+class Preparing final : public Work {
+ public:
+  Preparing(const Snapshot& snapshot, const std::set<std::string>& methods) {
+    made.of = snapshot;
+    made.methods = methods;
+    next_experience = made.of.experiences().begin();
+  }
 
-struct Builder::State {
+  std::size_t piece() override;
+  double share_done() const override;
+  Preparation take() override { return draft->take(); }
+
+ private:
   /// A stretch of the order that is still to be cut, and the cells it lies in already.
   struct Task {
     std::uint32_t first = 0;
@@ -27,16 +39,11 @@ struct Builder::State {
     float sin = 0.0F;
   };
 
-  State(Snapshot snapshot, std::set<std::string> methods) {
-    made.of = std::move(snapshot);
-    made.methods = std::move(methods);
-    next_experience = made.of.experiences().begin();
-  }
-
   std::size_t number_experience();
   std::size_t join_place();
   std::size_t lay_out_place();
   std::size_t cut();
+  void finish_cut();
   void close(const Task& task);
   void begin_cells();
   std::uint32_t number(const PlaceId& place) const {
@@ -44,7 +51,7 @@ struct Builder::State {
     return known == nullptr || place.index >= (*known)->size() ? kNoNode : (**known)[place.index];
   }
 
-  enum class Phase { number, join, lay_out, cut, cells, done };
+  enum class Phase { number, join, lay_out, cut, cells };
   Phase phase = Phase::number;
   Preparation made;
   Snapshot::Experiences::const_iterator next_experience;
@@ -60,11 +67,12 @@ struct Builder::State {
   std::uint32_t parts = 0;
   std::size_t closed = 0;  ///< places in base cells
   std::vector<Task> tasks;
+  std::optional<Bisection> bisection;          ///< of the last task
   std::array<std::uint32_t, kLevels> cells{};  ///< so far
   std::unique_ptr<Draft> draft;
 };
 
-std::size_t Builder::State::number_experience() {
+std::size_t Preparing::number_experience() {
   if (next_experience == made.of.experiences().end()) {
     phase = Phase::join;
     layout.first_arc.reserve(layout.places.size() + 1);
@@ -83,7 +91,7 @@ std::size_t Builder::State::number_experience() {
   return work;
 }
 
-std::size_t Builder::State::join_place() {
+std::size_t Preparing::join_place() {
   layout.first_arc.push_back(static_cast<std::uint32_t>(layout.arcs.size()));
   if (next_place == layout.places.size()) {
     phase = Phase::lay_out;
@@ -105,7 +113,7 @@ std::size_t Builder::State::join_place() {
 
 /// Breadth first over all edges; where loops do not close, the first way counts. Only how good the cells are depends
 /// on it.
-std::size_t Builder::State::lay_out_place() {
+std::size_t Preparing::lay_out_place() {
   if (next_in_order == order.size()) {
     while (next_place < layout.places.size() && part_of[next_place] != 0) ++next_place;
     if (next_place == layout.places.size()) {
@@ -138,13 +146,16 @@ std::size_t Builder::State::lay_out_place() {
   return 2;
 }
 
-std::size_t Builder::State::cut() {
+std::size_t Preparing::cut() {
+  if (bisection) {
+    if (!bisection->step(parts + 1)) finish_cut();
+    return 1 + Bisection::kPortion / 16;
+  }
   if (tasks.empty()) {
     begin_cells();
     return 1;
   }
-  Task task = tasks.back();
-  tasks.pop_back();
+  Task& task = tasks.back();
   const std::uint32_t size = task.last - task.first;
   while (task.level > 0 && size <= kCellPlaces[task.level - 1]) {
     --task.level;
@@ -152,20 +163,24 @@ std::size_t Builder::State::cut() {
   }
   if (task.level == 0) {
     close(task);
+    tasks.pop_back();
     return 1 + size / 4;
   }
-  const std::uint32_t middle = bisect(layout, order, task.first, task.last, part_of);
+  bisection.emplace(layout, order, task.first, task.last, part_of);
+  return 1;
+}
+
+/// The last task is cut in two; its first part comes first.
+void Preparing::finish_cut() {
   ++parts;
-  for (std::uint32_t at = middle; at < task.last; ++at) part_of[order[at]] = parts;
-  Task second = task;
-  task.last = second.first = middle;
-  tasks.push_back(second);
-  tasks.push_back(task);
-  return 1 + size / 2;
+  Task first = tasks.back();
+  first.last = tasks.back().first = bisection->middle();
+  tasks.push_back(first);
+  bisection.reset();
 }
 
 /// Base cells come in the order of their numbers.
-void Builder::State::close(const Task& task) {
+void Preparing::close(const Task& task) {
   auto base = std::make_shared<BaseCell>();
   const auto begin = order.begin() + task.first;
   std::sort(begin, order.begin() + task.last);
@@ -183,7 +198,7 @@ void Builder::State::close(const Task& task) {
   closed += task.last - task.first;
 }
 
-void Builder::State::begin_cells() {
+void Preparing::begin_cells() {
   phase = Phase::cells;
   layout = {};
   order = {};
@@ -205,64 +220,72 @@ void Builder::State::begin_cells() {
   for (std::uint32_t cell = 0; cell < draft->preparation().base.size(); ++cell) draft->mark(cell);
 }
 
-Builder::Builder(Snapshot snapshot, std::set<std::string> methods)
-    : state_(std::make_unique<State>(std::move(snapshot), std::move(methods))) {}
+std::size_t Preparing::piece() {
+  switch (phase) {
+    case Phase::number:
+      return number_experience();
+    case Phase::join:
+      return join_place();
+    case Phase::lay_out:
+      return lay_out_place();
+    case Phase::cut:
+      return cut();
+    case Phase::cells:
+      break;
+  }
+  return draft->step();
+}
+
+double Preparing::share_done() const {
+  const auto all = static_cast<double>(std::max<std::size_t>(1, layout.places.size()));
+  double within = 0.0;
+  if (phase == Phase::join) within = next_place / all;
+  if (phase == Phase::lay_out) within = next_in_order / all;
+  if (phase == Phase::cut) within = static_cast<double>(closed) / all;
+  if (phase == Phase::cells) {
+    // Every base cell is made, and then looked at once more for its overlay; the levels above are few.
+    const auto cells_to_do = static_cast<double>(2 * std::max<std::size_t>(1, draft->preparation().base.size()));
+    within = 1.0 - std::min(1.0, static_cast<double>(draft->left_to_do()) / cells_to_do);
+  }
+  return (static_cast<double>(phase) + within) / (1.0 + static_cast<double>(Phase::cells));
+}
+
+}  // namespace
+
+Builder Builder::to_prepare(const Snapshot& snapshot, const std::set<std::string>& methods) {
+  return Builder(std::make_unique<Preparing>(snapshot, methods));
+}
+
+Builder::Builder(std::unique_ptr<Work> work) : work_(std::move(work)) {}
 Builder::~Builder() = default;
 Builder::Builder(Builder&&) noexcept = default;
 Builder& Builder::operator=(Builder&&) noexcept = default;
 
 bool Builder::step(std::size_t budget) {
-  State& state = *state_;
   for (std::size_t done = 0; done < budget;) {
-    switch (state.phase) {
-      case State::Phase::number:
-        done += state.number_experience();
-        break;
-      case State::Phase::join:
-        done += state.join_place();
-        break;
-      case State::Phase::lay_out:
-        done += state.lay_out_place();
-        break;
-      case State::Phase::cut:
-        done += state.cut();
-        break;
-      case State::Phase::cells:
-        if (!state.draft->step()) state.phase = State::Phase::done;
-        done += kCellPlaces[0];
-        break;
-      case State::Phase::done:
-        return false;
-    }
+    const std::size_t piece = work_->piece();
+    if (piece == 0) return false;
+    done += piece;
   }
   return true;
 }
 
 double Builder::share_done() const {
-  const State& state = *state_;
-  const auto phase = static_cast<double>(state.phase);
-  const auto all = static_cast<double>(std::max<std::size_t>(1, state.layout.places.size()));
-  double within = 0.0;
-  if (state.phase == State::Phase::join) within = state.next_place / all;
-  if (state.phase == State::Phase::lay_out) within = state.next_in_order / all;
-  if (state.phase == State::Phase::cut) within = static_cast<double>(state.closed) / all;
-  if (state.phase == State::Phase::cells) {
-    // Every base cell is made, and then looked at once more for its overlay; the levels above are few.
-    const auto cells = static_cast<double>(2 * std::max<std::size_t>(1, state.draft->preparation().base.size()));
-    within = 1.0 - std::min(1.0, static_cast<double>(state.draft->left_to_do()) / cells);
-  }
-  return (phase + within) / static_cast<double>(State::Phase::done);
+  return work_->share_done();
 }
 
 Preparation Builder::take() {
-  return state_->draft->take();
+  return work_->take();
+}
+
+Preparation Builder::finish() {
+  while (work_->piece() != 0) {
+  }
+  return work_->take();
 }
 
 Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& methods) {
-  Builder builder(snapshot, methods);
-  while (builder.step(1'000'000)) {
-  }
-  return builder.take();
+  return Builder::to_prepare(snapshot, methods).finish();
 }
 
 }  // namespace weft::routing

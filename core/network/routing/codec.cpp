@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/byte_reader.hpp"
@@ -5,6 +6,7 @@
 #include "core/network/routing/cells.hpp"
 #include "core/network/routing/draft.hpp"
 #include "core/network/routing/routing.hpp"
+#include "core/network/routing/work.hpp"
 
 namespace weft::routing {
 namespace {
@@ -150,21 +152,46 @@ void number(ByteReader& in, Preparation& made) {
   for (const auto& [id, row] : nodes) made.nodes.emplace(id, row);
 }
 
-Preparation hold_against_network(Written written) {
-  const Snapshot network = written.made.of;
-  Draft draft(std::move(written.made));
-  for (const auto& [id, experience] : network.experiences()) {
-    for (const Place& place : experience->places) {
-      if (draft.preparation().node(place.id) == kNoNode) draft.add(place.id);
+/// Holds what was written against the network: gives nodes to places that have none, joins all cells, and makes anew
+/// what differs.
+class Resuming final : public Work {
+ public:
+  explicit Resuming(Written written)
+      : network_(written.made.of),
+        next_experience_(network_.experiences().begin()),
+        draft_(std::move(written.made)),
+        fingerprints_(std::move(written.fingerprints)) {}
+
+  std::size_t piece() override {
+    if (next_experience_ != network_.experiences().end()) return look_for_new(*(next_experience_++)->second);
+    const Preparation& made = draft_.preparation();
+    if (next_cell_ == made.base.size()) return draft_.step();
+    const std::uint32_t cell = next_cell_++;
+    draft_.join(cell, [&](const BaseCell& joined) {
+      return cell < fingerprints_.size() && fingerprint(joined) == fingerprints_[cell];
+    });
+    return 1 + made.base[cell]->places.size();
+  }
+  double share_done() const override {
+    const auto cells = static_cast<double>(std::max<std::size_t>(1, draft_.preparation().base.size()));
+    return 0.5 * next_cell_ / cells + 0.5 / static_cast<double>(1 + draft_.left_to_do());
+  }
+  Preparation take() override { return draft_.take(); }
+
+ private:
+  std::size_t look_for_new(const Experience& experience) {
+    for (const Place& place : experience.places) {
+      if (draft_.preparation().node(place.id) == kNoNode) draft_.add(place.id);
     }
+    return 1 + experience.places.size() / 16;
   }
-  draft.join_all([&](std::uint32_t cell, const BaseCell& joined) {
-    return cell < written.fingerprints.size() && fingerprint(joined) == written.fingerprints[cell];
-  });
-  while (draft.step()) {
-  }
-  return draft.take();
-}
+
+  Snapshot network_;
+  Snapshot::Experiences::const_iterator next_experience_;
+  Draft draft_;
+  std::vector<std::uint64_t> fingerprints_;
+  std::uint32_t next_cell_ = 0;
+};
 
 }  // namespace
 
@@ -189,7 +216,7 @@ Bytes encode(const Preparation& preparation) {
   return out.take();
 }
 
-Result<Preparation> decode(ByteView bytes, const Snapshot& snapshot) {
+Result<Builder> Builder::to_resume(ByteView bytes, const Snapshot& snapshot) {
   ByteReader in(bytes);
   in.ranged<std::uint8_t>("format", kFormat, kFormat);
   in.number<std::uint64_t>("revision");
@@ -206,7 +233,13 @@ Result<Preparation> decode(ByteView bytes, const Snapshot& snapshot) {
   if (in.ok()) number(in, written.made);
   const Result<void> sound = in.finish("prepared routes");
   if (!sound) return fail(sound.error());
-  return hold_against_network(std::move(written));
+  return Builder(std::make_unique<Resuming>(std::move(written)));
+}
+
+Result<Preparation> decode(ByteView bytes, const Snapshot& snapshot) {
+  Result<Builder> builder = Builder::to_resume(bytes, snapshot);
+  if (!builder) return fail(builder.error());
+  return builder->finish();
 }
 
 }  // namespace weft::routing

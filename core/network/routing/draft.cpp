@@ -90,19 +90,19 @@ std::uint32_t Draft::new_cell(std::uint32_t near) {
   return cell;
 }
 
-bool Draft::step() {
+std::size_t Draft::step() {
   if (!marked_.empty()) {
-    remake_base(*marked_.begin());
+    const std::uint32_t cell = *marked_.begin();
     marked_.erase(marked_.begin());
-    return true;
+    return remake_base(cell);
   }
   for (std::size_t level = 0; level < kLevels; ++level) {
     if (stale_[level].empty()) continue;
-    remake_overlay(level, *stale_[level].begin());
+    const std::uint32_t cell = *stale_[level].begin();
     stale_[level].erase(stale_[level].begin());
-    return true;
+    return remake_overlay(level, cell);
   }
-  return false;
+  return 0;
 }
 
 std::size_t Draft::left_to_do() const {
@@ -111,17 +111,34 @@ std::size_t Draft::left_to_do() const {
   return cells;
 }
 
-void Draft::remake_base(std::uint32_t cell) {
+std::size_t Draft::remake_base(std::uint32_t cell) {
   BaseCell made = joined(made_, cell);
-  if (made == *made_.base[cell]) return;
+  const std::size_t work = 1 + made.places.size();
+  if (made == *made_.base[cell]) return work;
   made_.base[cell] = std::make_shared<const BaseCell>(std::move(made));
   look_at(cell, true);
+  return work;
 }
+
+namespace {
+
+/// Each entry's search looks at every arc of a base cell, or at every cost of the cells within.
+std::size_t work_of_measuring(const Preparation& preparation, std::size_t level, std::uint32_t cell,
+                              const Overlay& overlay) {
+  constexpr std::size_t kArcs = 16;    // gone along in a microsecond
+  constexpr std::size_t kCosts = 128;  // looked at in a microsecond
+  if (level == 0) return overlay.entries.size() * preparation.base[cell]->arcs.size() / kArcs;
+  std::size_t costs = 0;
+  for (const std::uint32_t child : overlay.children) costs += preparation.overlays[level - 1][child]->costs.size();
+  return overlay.entries.size() * costs / kCosts;
+}
+
+}  // namespace
 
 /// A cell's costs change only when something within it does; its borders can also move because a place that could be
 /// left to the next cell can now be left to one farther off. An overlay of stored bytes has no crossings yet: then
 /// nobody can tell that nothing changed but by what it was made of.
-void Draft::remake_overlay(std::size_t level, std::uint32_t cell) {
+std::size_t Draft::remake_overlay(std::size_t level, std::uint32_t cell) {
   const Overlay& old = *made_.overlays[level][cell];
   Overlay made = bordered(made_, level, cell, old.children);
   const bool has_crossings = !old.first_crossing.empty();
@@ -130,10 +147,12 @@ void Draft::remake_overlay(std::size_t level, std::uint32_t cell) {
       made.entries == old.entries && made.exits == old.exits && (same_crossings || !has_crossings);
   const bool same_inside = changed_inside_[level].erase(cell) == 0;
   bool is_same = same_borders && same_inside;
+  std::size_t work = 1 + made.entries.size() + made.exits.size();
   if (is_same) {
     made.costs = old.costs;
   } else {
     measure(made_, level, cell, made);
+    work += work_of_measuring(made_, level, cell, made);
     is_same = has_crossings && same_borders && made.costs == old.costs;
   }
   if (level + 1 < kLevels) {
@@ -144,6 +163,7 @@ void Draft::remake_overlay(std::size_t level, std::uint32_t cell) {
     if (!is_same) changed_inside_[level + 1].insert(parent);
   }
   if (!is_same || !has_crossings) made_.overlays[level][cell] = std::make_shared<const Overlay>(std::move(made));
+  return work;
 }
 
 }  // namespace weft::routing

@@ -24,13 +24,13 @@ class Draft {
   /// alone).
   void look_at(std::uint32_t cell, bool costs_too);
 
-  /// Joins all base cells, none of which is so far; `is_known(cell, joined)` says whether what lies over a cell was
-  /// made of just that, and needs its borders looked at alone.
+  /// Joins a base cell that is not so far; `is_known(joined)` says whether what lies over it was made of just that,
+  /// and needs its borders looked at alone.
   template <class IsKnown>
-  void join_all(IsKnown&& is_known);
+  void join(std::uint32_t cell, IsKnown&& is_known);
 
-  /// Makes one cell; false when nothing is left to be done.
-  bool step();
+  /// Makes one cell; returns how many places' worth of work it was, 0 when nothing is left to be done.
+  std::size_t step();
   std::size_t left_to_do() const;
   Preparation take() { return std::move(made_); }
 
@@ -38,8 +38,8 @@ class Draft {
   std::vector<Node>& nodes_of(ExperienceId experience);
   std::uint32_t room_near(const PlaceId& place);
   std::uint32_t new_cell(std::uint32_t near);
-  void remake_base(std::uint32_t cell);
-  void remake_overlay(std::size_t level, std::uint32_t cell);
+  std::size_t remake_base(std::uint32_t cell);
+  std::size_t remake_overlay(std::size_t level, std::uint32_t cell);
 
   Preparation made_;
   std::set<std::uint32_t> marked_;
@@ -49,13 +49,11 @@ class Draft {
 };
 
 template <class IsKnown>
-void Draft::join_all(IsKnown&& is_known) {
-  for (std::uint32_t cell = 0; cell < made_.base.size(); ++cell) {
-    auto base = std::make_shared<const BaseCell>(joined(made_, cell));
-    look_at(cell, !is_known(cell, *base));
-    made_.base[cell] = std::move(base);
-  }
-  marked_.clear();
+void Draft::join(std::uint32_t cell, IsKnown&& is_known) {
+  auto base = std::make_shared<const BaseCell>(joined(made_, cell));
+  look_at(cell, !is_known(*base));
+  made_.base[cell] = std::move(base);
+  marked_.erase(cell);
 }
 
 }  // namespace weft::routing

@@ -59,8 +59,8 @@ Result<Path> with_relations(const Snapshot& snapshot, std::vector<PlaceId> place
 
 }  // namespace
 
-Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
-                           const PlaceId& to, const std::set<std::string>& methods) {
+Result<std::optional<Path>> find_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
+                                      const PlaceId& to, const std::set<std::string>& methods) {
   if (preparation.of.revision() != snapshot.revision()) {
     return fail(ErrorCode::stale, "path: routes are prepared for revision " +
                                       std::to_string(preparation.of.revision().value) + ", the network is at " +
@@ -71,18 +71,25 @@ Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snaps
   }
   const Node start = preparation.node(from);
   const Node goal = preparation.node(to);
-  // Failures are rare, and how far one gets is worth a search of everything.
-  if (start == kNoNode || goal == kNoNode) return weft::shortest_path(snapshot, from, to, methods);
+  if (start == kNoNode || goal == kNoNode) return std::nullopt;
   BlockSearch search(preparation);
   search.search_all(start, goal);
   search.start(start);
-  if (search.run_to(goal) == std::numeric_limits<double>::infinity()) {
-    return weft::shortest_path(snapshot, from, to, methods);
-  }
+  if (search.run_to(goal) == std::numeric_limits<double>::infinity()) return std::nullopt;
   const std::vector<BlockSearch::Stretch> way = search.way_to(goal);
   Unpacker unpacker(preparation, search);
   unpacker.unpack(way);
-  return with_relations(snapshot, unpacker.take(), methods);
+  Result<Path> path = with_relations(snapshot, unpacker.take(), methods);
+  if (!path) return fail(path.error());
+  return *std::move(path);
+}
+
+Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
+                           const PlaceId& to, const std::set<std::string>& methods) {
+  Result<std::optional<Path>> path = find_path(preparation, snapshot, from, to, methods);
+  if (!path) return fail(path.error());
+  if (*path) return *std::move(*path);
+  return weft::shortest_path(snapshot, from, to, methods);
 }
 
 }  // namespace weft::routing

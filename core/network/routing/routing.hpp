@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "core/bytes.hpp"
 #include "core/network/routing/preparation.hpp"
@@ -7,25 +8,35 @@
 
 namespace weft::routing {
 
+class Work;
+
 /// Makes a preparation in steps, so that whoever has other things to do can do them in between.
 class Builder {
  public:
-  Builder(Snapshot snapshot, std::set<std::string> methods);
+  /// From nothing.
+  static Builder to_prepare(const Snapshot& snapshot, const std::set<std::string>& methods);
+  /// As `update`.
+  static Builder to_update(const Preparation& preparation, const Snapshot& snapshot);
+  /// As `decode`; the bytes are read at once.
+  static Result<Builder> to_resume(ByteView bytes, const Snapshot& snapshot);
+
+  explicit Builder(std::unique_ptr<Work> work);
   ~Builder();
   Builder(Builder&&) noexcept;
   Builder& operator=(Builder&&) noexcept;
 
-  /// About `budget` places' worth of work, or one indivisible piece of it (of a million places the longest takes a
-  /// fraction of a second: docs/decisions/042). False when it is done.
+  /// About `budget` places' worth of work, a place being about a microsecond, or one indivisible piece of it (of a
+  /// million places the longest takes a fraction of a second: docs/decisions/042). False when it is done.
   bool step(std::size_t budget);
   /// [0, 1]
   double share_done() const;
   /// Once, when it is done.
   Preparation take();
+  /// All that is left, and takes it.
+  Preparation finish();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Work> work_;
 };
 
 Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& methods);
@@ -36,8 +47,12 @@ Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& metho
 Preparation update(const Preparation& preparation, const Snapshot& snapshot);
 
 /// As `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of equal cost any one is
-/// taken, the same one each time.
-/// stale: the preparation is for another revision. invalid: it is for other methods. not_found: as `shortest_path`.
+/// taken, the same one each time. None: there is no way, or one of the places is not there.
+/// stale: the preparation is for another revision. invalid: it is for other methods.
+Result<std::optional<Path>> find_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
+                                      const PlaceId& to, const std::set<std::string>& methods);
+
+/// The same; where there is no way `weft::shortest_path` is asked for the words, which takes as long as it takes.
 Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
                            const PlaceId& to, const std::set<std::string>& methods);
 

@@ -4,26 +4,24 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <iostream>
 
 #include "core/network/routing/routing.hpp"
 #include "tests/bench/routing/baseline.hpp"
+#include "tests/bench/times.hpp"
 #include "tests/support/network_maker.hpp"
 #include "tests/support/site_network.hpp"
 
 namespace weft::routing {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using bench::Clock;
+using bench::milliseconds;
+using bench::Times;
 const std::set<std::string> kMethods{"floor"};
 constexpr int kChanges = 100;
-
-double milliseconds(Clock::duration time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
 
 struct Site {
   Snapshot snapshot;
@@ -46,28 +44,9 @@ Batch follow(Random& random, const Snapshot& snapshot, std::uint64_t number) {
   return batch;
 }
 
-class Times {
- public:
-  template <class Act>
-  void measure(Act&& act) {
-    const auto begin = Clock::now();
-    act();
-    times_.push_back(milliseconds(Clock::now() - begin));
-  }
-  void report(benchmark::State& state) {
-    std::sort(times_.begin(), times_.end());
-    state.counters["median_ms"] = times_[times_.size() / 2];
-    state.counters["p90_ms"] = times_[times_.size() * 9 / 10];
-    state.counters["p99_ms"] = times_[times_.size() * 99 / 100];
-  }
-
- private:
-  std::vector<double> times_;
-};
-
 void preparing(benchmark::State& state, Site& site) {
   for (auto _ : state) {
-    Builder builder(site.snapshot, kMethods);
+    Builder builder = Builder::to_prepare(site.snapshot, kMethods);
     double longest = 0.0;
     for (bool more = true; more;) {
       const auto begin = Clock::now();

@@ -74,7 +74,7 @@ TEST(Routes, AreFoundInAnEmptyNetworkByNobody) {
 
 TEST(RouteBuilder, GivesTheSameInSmallStepsAndTellsHowFarItIs) {
   const Snapshot snapshot = support::make_site({.places = 4'000, .seed = 2});
-  Builder builder(snapshot, {"floor"});
+  Builder builder = Builder::to_prepare(snapshot, {"floor"});
   std::size_t steps = 0;
   double share = 0.0;
   while (builder.step(100)) {

@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+
+#include "core/network/routing/preparation.hpp"
+
+namespace weft::routing {
+
+/// What a builder does, piece by piece. Private to the routing folder.
+class Work {
+ public:
+  virtual ~Work() = default;
+  /// One indivisible piece; returns how many places' worth it was, 0 when nothing is left.
+  virtual std::size_t piece() = 0;
+  /// [0, 1]
+  virtual double share_done() const = 0;
+  /// Once, when nothing is left.
+  virtual Preparation take() = 0;
+};
+
+}  // namespace weft::routing

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "storage/formats/cloud_fields.hpp"
+#include "storage/formats/lines.hpp"
+
+/// What files of points share, whatever their headers are like.
+namespace weft::formats {
+
+/// Before anything is made of the number of points that a header states. corrupt: `rest` bytes cannot hold them,
+/// each number of text taking two.
+Result<void> check_room(const std::vector<CloudField>& fields, std::uint64_t points, bool is_text, std::size_t rest,
+                        std::string_view file);
+
+/// Points as lines of numbers, field by field; empty lines are none, nor are those that begin with # where there are
+/// comments. invalid: names the line.
+Result<void> read_text_points(Lines& lines, const std::vector<CloudField>& fields, std::uint64_t points,
+                              bool has_comments, std::string_view file, CloudBuilder& builder);
+
+/// Points as bytes. `by_field`: the first field of all points, then the second one; else point by point. corrupt:
+/// ends early, or a number is infinite.
+Result<void> read_binary_points(ByteView data, const std::vector<CloudField>& fields, std::uint64_t points,
+                                bool by_field, bool big_endian, std::string_view file, CloudBuilder& builder);
+
+}  // namespace weft::formats

@@ -1,0 +1,131 @@
+/// The server on a large site: its start, its windows while robots teach, each beside what would do least.
+/// build/release/bench/scale_bench STORE, a directory that `weft-evaluate generate-site` made; it is copied.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "server/service.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+#include "tests/bench/scale/load.hpp"
+#include "tests/bench/scale/plain.hpp"
+#include "tests/storage/temporary_directory.hpp"
+#include "tests/support/network_maker.hpp"
+
+namespace weft::bench {
+namespace {
+
+double resident_MB() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1e3;
+  }
+  return 0.0;
+}
+
+struct Running {
+  std::unique_ptr<storage::MapStore> store;
+  std::unique_ptr<server::Service> service;
+  double clock_s = 1000.0;
+};
+
+void starting(benchmark::State& state, const std::filesystem::path& directory, Running& running) {
+  for (auto _ : state) {
+    auto store = storage::open_sqlite(directory);
+    if (!store) return state.SkipWithError(store.error().message.c_str());
+    running.store = *std::move(store);
+    server::ServiceConfig config;
+    config.self.bytes[0] = 1;
+    config.incarnation = 1;
+    const server::Now now{.steady = SteadyTime(from_seconds(running.clock_s)), .wall = {}};
+    auto service = server::start(config, *running.store, Random(1), now);
+    if (!service) return state.SkipWithError(service.error().message.c_str());
+    running.service = *std::move(service);
+    if (running.service->tick(now).empty()) return state.SkipWithError("no hello");
+  }
+  state.counters["places"] = static_cast<double>(running.service->snapshot().place_count());
+  state.counters["stitches"] = static_cast<double>(running.service->snapshot().stitch_count());
+  state.counters["resident_MB"] = resident_MB();
+}
+
+void reading_rows(benchmark::State& state, const std::filesystem::path& directory) {
+  for (auto _ : state) state.counters["row_MB"] = static_cast<double>(read_rows(directory)) / 1e6;
+}
+
+void plain_search(benchmark::State& state, const Running& running) {
+  const Snapshot snapshot = running.service->snapshot();
+  PlainGraph graph(snapshot);
+  Random random(7);
+  Times times;
+  double places = 0.0;
+  for (auto _ : state) {
+    const PlaceId centre = support::pick_place(random, snapshot);
+    times.measure([&] { places += static_cast<double>(graph.around(centre, 25, 2000).size()); });
+  }
+  times.report(state);
+  state.counters["places"] = places / static_cast<double>(state.iterations());
+}
+
+void windows(benchmark::State& state, const Running& running, bool with_digest) {
+  const Snapshot snapshot = running.service->snapshot();
+  Random random(7);
+  Times times;
+  double places = 0.0;
+  for (auto _ : state) {
+    WindowDefinition definition;
+    definition.centre = support::pick_place(random, snapshot);
+    times.measure([&] {
+      const Window window = make_window(snapshot, definition);
+      if (with_digest) benchmark::DoNotOptimize(digest(window));
+      places += static_cast<double>(window.places.size());
+    });
+  }
+  times.report(state);
+  state.counters["places"] = places / static_cast<double>(state.iterations());
+}
+
+void under_load(benchmark::State& state, Running& running, double seconds) {
+  Load load(*running.service, running.clock_s, {});
+  for (auto _ : state) load.run(seconds);
+  load.waits.report(state, "wait_");
+  load.windows.report(state, "window_");
+  load.batches.report(state, "batch_");
+  load.ticks.report(state, "tick_");
+  state.counters["batches"] = static_cast<double>(load.batches_joined);
+  state.counters["resident_MB"] = resident_MB();
+}
+
+int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc < 2) {
+    std::cerr << "scale_bench STORE: a directory that weft-evaluate generate-site has made\n";
+    return 2;
+  }
+  const storage::TemporaryDirectory copy;
+  std::filesystem::copy(argv[1], copy.path(), std::filesystem::copy_options::recursive);
+  Running running;
+  const auto once = [](auto* bench) { bench->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1); };
+  once(benchmark::RegisterBenchmark("start", [&](auto& state) { starting(state, copy.path(), running); }));
+  once(benchmark::RegisterBenchmark("rows_by_plain_sqlite", [&](auto& state) { reading_rows(state, copy.path()); }));
+  benchmark::RegisterBenchmark("search_in_plain_rows", [&](auto& state) {
+    plain_search(state, running);
+  })->Iterations(1000);
+  benchmark::RegisterBenchmark("window", [&](auto& state) { windows(state, running, false); })->Iterations(1000);
+  benchmark::RegisterBenchmark("window_and_digest", [&](auto& state) {
+    windows(state, running, true);
+  })->Iterations(1000);
+  // Routes are being prepared at first.
+  once(benchmark::RegisterBenchmark("under_load_at_first", [&](auto& state) { under_load(state, running, 20.0); }));
+  once(benchmark::RegisterBenchmark("under_load", [&](auto& state) { under_load(state, running, 60.0); }));
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
+}  // namespace
+}  // namespace weft::bench
+
+int main(int argc, char** argv) {
+  return weft::bench::run(argc, argv);
+}
