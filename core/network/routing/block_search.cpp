@@ -5,13 +5,20 @@
 namespace weft::routing {
 namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
-}
+constexpr std::size_t kChildren = 4;
+constexpr std::size_t kLabels = 8192;  ///< of a search in a network of a million places
+}  // namespace
 
 BlockSearch::BlockSearch(const Preparation& preparation) : preparation_(preparation) {
   for (std::size_t level = 0; level < kLevels; ++level) {
     blocks_at_[level].assign(preparation.overlays[level].size(), kNone);
   }
   blocks_at_[kOpen].assign(preparation.base.size(), kNone);
+  entries_.reserve(kLabels);
+  heaped_.reserve(kLabels);
+  exit_costs_.reserve(kLabels);
+  exit_entries_.reserve(kLabels);
+  heap_.reserve(kLabels);
 }
 
 void BlockSearch::confine(std::size_t level, std::uint32_t cell) {
@@ -31,7 +38,9 @@ void BlockSearch::start(Node from, double farthest) {
   for (const Block& block : blocks_) blocks_at_[block.level][block.cell] = kNone;
   blocks_.clear();
   entries_.clear();
-  exits_.clear();
+  heaped_.clear();
+  exit_costs_.clear();
+  exit_entries_.clear();
   heap_.clear();
   relax(from, 0.0, kNone, 0);
 }
@@ -46,11 +55,15 @@ BlockSearch::Where BlockSearch::where(Node node) const {
 }
 
 std::uint32_t BlockSearch::block_of(Where at) {
-  std::uint32_t& number = blocks_at_[at.level][at.cell];
-  if (number != kNone) return number;
-  number = static_cast<std::uint32_t>(blocks_.size());
+  const std::uint32_t known = blocks_at_[at.level][at.cell];
+  return known != kNone ? known : new_block(at);
+}
+
+std::uint32_t BlockSearch::new_block(Where at) {
+  const auto number = static_cast<std::uint32_t>(blocks_.size());
+  blocks_at_[at.level][at.cell] = number;
   Block block{
-      at.level, at.cell, static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(exits_.size()),
+      at.level, at.cell, static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(exit_costs_.size()),
       nullptr,  nullptr};
   if (at.level == kOpen) {
     block.base = preparation_.base[at.cell].get();
@@ -58,8 +71,10 @@ std::uint32_t BlockSearch::block_of(Where at) {
   } else {
     block.overlay = preparation_.overlays[at.level][at.cell].get();
     entries_.resize(entries_.size() + block.overlay->entries.size(), {kFar, kNone, 0});
-    exits_.resize(exits_.size() + block.overlay->exits.size(), {kFar, 0});
+    exit_costs_.resize(exit_costs_.size() + block.overlay->exits.size(), kFar);
+    exit_entries_.resize(exit_costs_.size(), 0);
   }
+  heaped_.resize(entries_.size(), kNone);
   blocks_.push_back(block);
   return number;
 }
@@ -85,40 +100,52 @@ void BlockSearch::relax(Node node, double cost, std::uint32_t parent_block, std:
 
 void BlockSearch::improve(std::uint32_t block, std::uint32_t slot, double cost, std::uint32_t parent_block,
                           std::uint32_t parent_slot) {
-  Label& label = entries_[blocks_[block].first_entry + slot];
+  const std::uint32_t at = blocks_[block].first_entry + slot;
+  Label& label = entries_[at];
   if (cost >= label.cost || cost > farthest_) return;
   label = {cost, parent_block, parent_slot};
-  push({cost, block, slot});
+  if (heaped_[at] == kNone) {
+    heap_.emplace_back();
+    rise({cost, block, at}, heap_.size() - 1);
+  } else {
+    rise({cost, block, at}, heaped_[at]);
+  }
 }
 
 void BlockSearch::settle(const Entry& entry) {
   const Block block = blocks_[entry.block];  // a copy: more blocks may come
-  if (entry.cost > entries_[block.first_entry + entry.slot].cost) return;
-  if (block.overlay == nullptr) {
-    const BaseCell& base = *block.base;
-    for (std::uint32_t at = base.first_arc[entry.slot]; at < base.first_arc[entry.slot + 1]; ++at) {
-      const Arc& arc = base.arcs[at];
-      const double cost = entry.cost + arc.cost;
-      if (cell_of(arc.to) == block.cell) {
-        improve(entry.block, slot_of(arc.to), cost, entry.block, entry.slot);
-      } else if (in_scope(arc.to)) {
-        relax(arc.to, cost, entry.block, entry.slot);
-      }
-    }
-    return;
-  }
-  const Overlay& overlay = *block.overlay;
-  const std::size_t exits = overlay.exits.size();
-  const double* const row = overlay.costs.data() + entry.slot * exits;
+  const std::uint32_t slot = entry.label - block.first_entry;
+  if (block.overlay == nullptr) return settle_open(block, entry.block, slot, entry.cost);
+  const std::size_t exits = block.overlay->exits.size();
+  const double* const row = block.overlay->costs.data() + slot * exits;
   for (std::uint32_t exit = 0; exit < exits; ++exit) {
-    const double cost = entry.cost + row[exit];
-    ExitLabel& label = exits_[block.first_exit + exit];
-    if (cost >= label.cost || cost > farthest_) continue;
-    label = {cost, entry.slot};
-    for (std::uint32_t at = overlay.first_crossing[exit]; at < overlay.first_crossing[exit + 1]; ++at) {
-      const Arc& arc = overlay.crossings[at];
-      if (in_scope(arc.to)) relax(arc.to, cost + arc.cost, entry.block, exit);
+    const double* const so_far = exit_costs_.data() + block.first_exit;  // moves when a block comes
+    while (exit < exits && entry.cost + row[exit] >= so_far[exit]) ++exit;
+    if (exit < exits) leave_by(block, entry.block, slot, exit, entry.cost + row[exit]);
+  }
+}
+
+void BlockSearch::settle_open(const Block& block, std::uint32_t number, std::uint32_t slot, double cost) {
+  const BaseCell& base = *block.base;
+  for (std::uint32_t at = base.first_arc[slot]; at < base.first_arc[slot + 1]; ++at) {
+    const Arc& arc = base.arcs[at];
+    if (cell_of(arc.to) == block.cell) {
+      improve(number, slot_of(arc.to), cost + arc.cost, number, slot);
+    } else if (in_scope(arc.to)) {
+      relax(arc.to, cost + arc.cost, number, slot);
     }
+  }
+}
+
+void BlockSearch::leave_by(const Block& block, std::uint32_t number, std::uint32_t entry, std::uint32_t exit,
+                           double cost) {
+  if (cost > farthest_) return;
+  exit_costs_[block.first_exit + exit] = cost;
+  exit_entries_[block.first_exit + exit] = entry;
+  const Overlay& overlay = *block.overlay;
+  for (std::uint32_t at = overlay.first_crossing[exit]; at < overlay.first_crossing[exit + 1]; ++at) {
+    const Arc& arc = overlay.crossings[at];
+    if (in_scope(arc.to)) relax(arc.to, cost + arc.cost, number, exit);
   }
 }
 
@@ -153,7 +180,7 @@ const double* BlockSearch::cost_at(Node node) const {
   const auto& exits = block.overlay->exits;
   const auto found = std::lower_bound(exits.begin(), exits.end(), node);
   if (found == exits.end() || *found != node) return nullptr;
-  return &exits_[block.first_exit + static_cast<std::size_t>(found - exits.begin())].cost;
+  return &exit_costs_[block.first_exit + static_cast<std::size_t>(found - exits.begin())];
 }
 
 std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
@@ -172,8 +199,7 @@ std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
       const Node here = node_at(block.cell, slot);
       way.push_back({0, block.cell, here, here, 0.0, true});
     } else {
-      const ExitLabel& exit = exits_[block.first_exit + slot];
-      entry = exit.entry;
+      entry = exit_entries_[block.first_exit + slot];
       way.push_back({block.level, block.cell, block.overlay->entries[entry], block.overlay->exits[slot],
                      block.overlay->costs[entry * block.overlay->exits.size() + slot], false});
     }
@@ -185,15 +211,41 @@ std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
   return way;
 }
 
-void BlockSearch::push(const Entry& entry) {
-  heap_.push_back(entry);
-  std::push_heap(heap_.begin(), heap_.end());
+/// A heap with four children a node: half as deep as one with two, and siblings lie side by side. What is in it
+/// already rises when it gets cheaper, so that nothing is in it twice.
+void BlockSearch::rise(const Entry& entry, std::size_t at) {
+  while (at > 0) {
+    const std::size_t parent = (at - 1) / kChildren;
+    if (heap_[parent].cost <= entry.cost) break;
+    heap_[at] = heap_[parent];
+    heaped_[heap_[at].label] = static_cast<std::uint32_t>(at);
+    at = parent;
+  }
+  heap_[at] = entry;
+  heaped_[entry.label] = static_cast<std::uint32_t>(at);
 }
 
 BlockSearch::Entry BlockSearch::pop() {
-  std::pop_heap(heap_.begin(), heap_.end());
-  const Entry top = heap_.back();
+  const Entry top = heap_.front();
+  heaped_[top.label] = kNone;
+  const Entry last = heap_.back();
   heap_.pop_back();
+  const std::size_t size = heap_.size();
+  if (size == 0) return top;
+  std::size_t at = 0;
+  for (std::size_t child = 1; child < size; child = kChildren * at + 1) {
+    const std::size_t end = std::min(size, child + kChildren);
+    std::size_t least = child;
+    for (++child; child < end; ++child) {
+      if (heap_[child].cost < heap_[least].cost) least = child;
+    }
+    if (last.cost <= heap_[least].cost) break;
+    heap_[at] = heap_[least];
+    heaped_[heap_[at].label] = static_cast<std::uint32_t>(at);
+    at = least;
+  }
+  heap_[at] = last;
+  heaped_[last.label] = static_cast<std::uint32_t>(at);
   return top;
 }
 

@@ -60,17 +60,10 @@ class BlockSearch {
     std::uint32_t parent_block;
     std::uint32_t parent_slot;  ///< an exit of the parent, or a slot of an open one
   };
-  struct ExitLabel {
-    double cost;
-    std::uint32_t entry;
-  };
   struct Entry {
     double cost;
     std::uint32_t block;
-    std::uint32_t slot;
-    bool operator<(const Entry& other) const {
-      return cost > other.cost;
-    }  // the standard heap has its largest on top
+    std::uint32_t label;  ///< in `entries_`
   };
 
   bool in_scope(Node node) const {
@@ -82,6 +75,7 @@ class BlockSearch {
   }
   Where where(Node node) const;
   std::uint32_t block_of(Where at);
+  std::uint32_t new_block(Where at);
   std::uint32_t known_block(Node node) const;
   std::uint32_t slot_in(const Block& block, Node node) const;
   const double* cost_at(Node node) const;
@@ -89,7 +83,9 @@ class BlockSearch {
   void improve(std::uint32_t block, std::uint32_t slot, double cost, std::uint32_t parent_block,
                std::uint32_t parent_slot);
   void settle(const Entry& entry);
-  void push(const Entry& entry);
+  void settle_open(const Block& block, std::uint32_t number, std::uint32_t slot, double cost);
+  void leave_by(const Block& block, std::uint32_t number, std::uint32_t entry, std::uint32_t exit, double cost);
+  void rise(const Entry& entry, std::size_t at);
   Entry pop();
 
   const Preparation& preparation_;
@@ -100,7 +96,9 @@ class BlockSearch {
   std::array<std::vector<std::uint32_t>, kLevels + 1> blocks_at_;
   std::vector<Block> blocks_;
   std::vector<Label> entries_;
-  std::vector<ExitLabel> exits_;
+  std::vector<std::uint32_t> heaped_;  ///< of each of `entries_`: where it is in the heap
+  std::vector<double> exit_costs_;
+  std::vector<std::uint32_t> exit_entries_;  ///< through which of the block's entries it is left at that cost
   std::vector<Entry> heap_;
   double farthest_ = std::numeric_limits<double>::infinity();
 };
