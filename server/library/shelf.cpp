@@ -14,14 +14,19 @@ constexpr std::size_t kMostWanted = 8192;
 
 }  // namespace
 
-Shelf::Shelf(Context& context) : context_(context) {
-  for (const auto& [id, experience] : context.snapshots.current().experiences()) {
-    for (const Place& place : experience->places) sizes_.emplace(place.content.hash, place.content.size);
+static ContentSizes sizes_in(const Snapshot& snapshot) {
+  ContentSizes::Sizes sizes;
+  sizes.reserve(snapshot.place_count());
+  for (const auto& [id, experience] : snapshot.experiences()) {
+    for (const Place& place : experience->places) sizes.emplace_back(place.content.hash, place.content.size);
   }
+  return ContentSizes(std::move(sizes));
 }
 
+Shelf::Shelf(Context& context) : context_(context), sizes_(sizes_in(context.snapshots.current())) {}
+
 void Shelf::joined(const Batch& batch) {
-  for (const Place& place : batch.places) sizes_.emplace(place.content.hash, place.content.size);
+  for (const Place& place : batch.places) sizes_.add(place.content.hash, place.content.size);
 }
 
 void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
@@ -36,14 +41,14 @@ void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
     asker.budget_at = now;
   }
   for (const msg::ContentRequest::Item& item : request.items) {
-    const auto known = sizes_.find(item.hash);
-    if (known == sizes_.end()) {
+    const std::optional<std::uint64_t> size = sizes_.find(item.hash);
+    if (!size) {
       ++context_.counters["library: content that nobody handed in"];
       continue;
     }
-    if (item.offset >= known->second || asker.wanted.size() >= kMostWanted) continue;
+    if (item.offset >= *size || asker.wanted.size() >= kMostWanted) continue;
     // Asked again while it is being sent: those bytes are on their way.
-    asker.wanted.emplace(Key{known->second, item.hash}, item.offset);
+    asker.wanted.emplace(Key{*size, item.hash}, item.offset);
   }
 }
 

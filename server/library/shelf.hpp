@@ -8,6 +8,7 @@
 
 #include "core/protocol/messages.hpp"
 #include "server/context.hpp"
+#include "server/library/content_sizes.hpp"
 
 namespace weft::server {
 
@@ -36,7 +37,7 @@ class Shelf {
   std::shared_ptr<const Bytes> fetch(const ContentHash& hash, Now now);
 
   Context& context_;
-  std::map<ContentHash, std::uint64_t> sizes_;
+  ContentSizes sizes_;
   std::map<PeerId, Asker> askers_;
   ContentHash open_hash_;  ///< the content read last, so that its chunks do not read it again each
   std::shared_ptr<const Bytes> open_;

@@ -2,6 +2,7 @@
 /// build/release/bench/scale_bench STORE, a directory that `weft-evaluate generate-site` made; it is copied.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -97,6 +98,42 @@ void under_load(benchmark::State& state, Running& running, double seconds) {
   state.counters["resident_MB"] = resident_MB();
 }
 
+/// Two runs of so many places, the second one stitched to the first at every second place; 20 more are joined to it.
+void joining(benchmark::State& state, std::uint32_t places) {
+  Random random(11);
+  std::array<support::BatchPlan, 2> runs{{{{1}, support::random_id<RobotId>(random), 0, 500, 0, "floor"},
+                                          {{2}, support::random_id<RobotId>(random), 0, 500, 0, "floor"}}};
+  Snapshot snapshot;
+  const auto next = [&](support::BatchPlan& run) {
+    ++run.sequence;
+    Batch batch = support::make_batch(random, snapshot, run);
+    for (const Place& place : batch.places) {
+      const PlaceId beside{runs[0].experience, place.id.index};
+      if (run.experience == runs[0].experience || place.id.index % 2 == 1 || !snapshot.place(beside)) continue;
+      batch.edges.push_back(support::make_stitch(random, beside, place.id, "floor"));
+    }
+    return batch;
+  };
+  for (std::uint32_t made = 0; made < places; made += 500) {
+    for (support::BatchPlan& run : runs) snapshot = with(snapshot, next(run));
+  }
+  for (support::BatchPlan& run : runs) run.places = 20;
+  Times times;
+  Times copies;
+  for (auto _ : state) {
+    snapshot = with(snapshot, next(runs[0]));
+    const Batch batch = next(runs[1]);
+    times.measure([&] { snapshot = with(snapshot, batch); });
+    const Experience& grown = *snapshot.experience(runs[1].experience);
+    copies.measure([&] {
+      benchmark::DoNotOptimize(std::vector<Place>(grown.places.begin(), grown.places.end()));
+      benchmark::DoNotOptimize(std::vector<Edge>(grown.chain.begin(), grown.chain.end()));
+    });
+  }
+  times.report(state);
+  copies.report(state, "copy_of_the_run_");
+}
+
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (argc < 2) {
@@ -116,6 +153,11 @@ int run(int argc, char** argv) {
   benchmark::RegisterBenchmark("window_and_digest", [&](auto& state) {
     windows(state, running, true);
   })->Iterations(1000);
+  for (const std::uint32_t places : {3'000U, 30'000U}) {
+    benchmark::RegisterBenchmark(("join_20_places_to_" + std::to_string(places)).c_str(), [places](auto& state) {
+      joining(state, places);
+    })->Iterations(100);
+  }
   // Routes are being prepared at first.
   once(benchmark::RegisterBenchmark("under_load_at_first", [&](auto& state) { under_load(state, running, 20.0); }));
   once(benchmark::RegisterBenchmark("under_load", [&](auto& state) { under_load(state, running, 60.0); }));
