@@ -117,6 +117,7 @@ struct StoreSize {
   std::uint64_t contents = 0;
   std::uint64_t content_bytes = 0;
   std::uint64_t disk_free_bytes = 0;
+  Revision floor;  ///< the oldest revision that is kept; 0: all are
 };
 
 /// The fleet's map on disk. One writer process; calls come from one thread.
@@ -138,10 +139,12 @@ class MapStore {
   /// Newest last, at most `limit`; filters that are none take everything.
   virtual Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot,
                                                  std::size_t limit) const = 0;
-  /// The map as it was then. not_found: no such revision, or older than what is kept.
+  /// The map as it was then. not_found: no such revision, or older than what is kept (StoreSize::floor).
   virtual Result<Snapshot> snapshot_at(Revision revision) const = 0;
-  /// Newest first, from `newest` on (0: from the latest), at most `limit`.
+  /// Newest first, from `newest` on (0: from the latest), at most `limit`, down to the oldest that is kept.
+  /// not_found: `newest` is older than that.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
+  /// not_found: no such revision, or not later than the oldest that is kept.
   virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
   /// not_found: none was put for these methods. corrupt: damaged; it must be made anew.
   virtual Result<Bytes> preparation(const std::string& methods) const = 0;
@@ -153,6 +156,13 @@ class MapStore {
   /// conflict: the file exists. refused: the engine has no file. exhausted, unavailable: the disk; nothing is left
   /// there.
   virtual Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) = 0;
+  /// Deletes for good what is in the map of no revision from `before` on, and gives its space back. `before` becomes
+  /// the oldest revision that can be seen and gone back to; of those after it everything can still be undone. What
+  /// was taken of a robot once is not taken again. A job that stops half way can be begun again with the same
+  /// `before`. not_found: no such revision, or older than what is kept. unavailable: another one is under way.
+  virtual Result<std::unique_ptr<StoreJob>> compact(Revision before) = 0;
+  /// What takes how much space, in the last progress's `space`.
+  virtual Result<std::unique_ptr<StoreJob>> stats() = 0;
   virtual StoreSize size() const = 0;
   virtual std::string engine() const = 0;
 };

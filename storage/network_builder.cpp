@@ -1,17 +1,13 @@
 #include "storage/network_builder.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+
+#include "core/network/index_of.hpp"
 
 namespace weft::storage {
 namespace {
-
-std::uint32_t index_of(const Place& place) {
-  return place.id.index;
-}
-std::uint32_t index_of(const Edge& edge) {
-  return edge.id.a.index;
-}
 
 /// Sorts by index; of equal ones the last added stays.
 template <class Row>
@@ -80,8 +76,7 @@ void NetworkBuilder::add_absent(const PlaceId& place) {
 }
 
 void NetworkBuilder::add_absent(const EdgeId& edge) {
-  const bool is_hop = edge.a.experience == edge.b.experience && edge.b.index == edge.a.index + 1;
-  if (is_hop) rows_[edge.a.experience].absent_hops.push_back(edge.a.index);
+  if (is_hop(edge)) rows_[edge.a.experience].absent_hops.push_back(edge.a.index);
 }
 
 void NetworkBuilder::move(const Removal& removal, bool is_back, Revision at) {
@@ -97,12 +92,44 @@ void NetworkBuilder::move(const Removal& removal, bool is_back, Revision at) {
   }
 }
 
+void NetworkBuilder::add_deleted(const Stretch& stretch) {
+  rows_[stretch.experience].deleted.push_back(stretch);
+}
+
+/// One more than the highest index of a row. The number of places in the experience's own row has no checksum, so it
+/// alone makes nothing large.
+std::uint32_t NetworkBuilder::measure(const Rows& rows) {
+  const std::uint64_t counted = rows.head.places;
+  std::uint64_t seen = rows.places.empty() ? 0 : std::uint64_t{rows.places.back().id.index} + 1;
+  for (const std::uint32_t index : rows.absent_places) {
+    seen = std::max(seen, std::min<std::uint64_t>(std::uint64_t{index} + 1, counted));
+  }
+  for (const Stretch& stretch : rows.deleted) {
+    seen = std::max(seen, std::min<std::uint64_t>(std::uint64_t{stretch.last} + 1, counted));
+  }
+  seen = std::min<std::uint64_t>(seen, std::numeric_limits<std::uint32_t>::max());
+  const std::string experience = "experience " + to_string(rows.head.id);
+  if (counted > std::numeric_limits<std::uint32_t>::max()) {
+    damage_.push_back(experience + ": its row says " + std::to_string(counted) + " places, which no run has; " +
+                      std::to_string(seen) + " are there");
+  } else if (seen < counted) {
+    damage_.push_back(experience + ": the rows of places " + std::to_string(seen) +
+                      (seen + 1 < counted ? " to " + std::to_string(counted - 1) : "") + " are missing");
+  } else if (seen > counted) {
+    damage_.push_back(experience + ": its row says " + std::to_string(counted) + " places, " + std::to_string(seen) +
+                      " are there");
+  }
+  return static_cast<std::uint32_t>(seen);
+}
+
 /// Leaves what is part of the map; names what should be there and is not.
-void NetworkBuilder::thin(Rows& rows) {
-  const auto extent = static_cast<std::uint32_t>(rows.head.places);
+void NetworkBuilder::thin(Rows& rows, std::uint32_t extent) {
   std::vector<bool> out(extent);
   for (const Move& move : rows.moves) {
     for (std::uint64_t i = move.first; i <= move.last && i < extent; ++i) out[i] = !move.is_back;
+  }
+  for (const Stretch& stretch : rows.deleted) {
+    for (std::uint64_t i = stretch.first; i <= stretch.last && i < extent; ++i) out[i] = true;
   }
   std::erase_if(rows.places, [&](const Place& place) { return place.id.index >= extent || out[place.id.index]; });
 
@@ -111,15 +138,19 @@ void NetworkBuilder::thin(Rows& rows) {
   std::erase_if(rows.chain, [&](const Edge& hop) {
     return hop.id.b.index >= extent || !there[hop.id.a.index] || !there[hop.id.b.index];
   });
+  name_missing(rows, out, there);
+  if (std::ranges::find(out, true) != out.end()) out_[rows.head.id] = std::move(out);
+}
 
-  std::vector<bool> known = out;
-  for (std::uint32_t i = 0; i < extent; ++i) known[i] = known[i] || there[i];
+void NetworkBuilder::name_missing(const Rows& rows, const std::vector<bool>& out, const std::vector<bool>& there) {
+  const auto extent = static_cast<std::uint32_t>(there.size());
+  std::vector<bool> absent(extent);
   for (const std::uint32_t index : rows.absent_places) {
-    if (index < extent) known[index] = true;
+    if (index < extent) absent[index] = true;
   }
   std::vector<std::uint32_t> missing;
   for (std::uint32_t i = 0; i < extent; ++i) {
-    if (!known[i]) missing.push_back(i);
+    if (!out[i] && !there[i] && !absent[i]) missing.push_back(i);
   }
   const std::string experience = "experience " + to_string(rows.head.id);
   if (!missing.empty()) damage_.push_back(experience + ": the rows of places " + ranges(missing) + " are missing");
@@ -136,13 +167,13 @@ void NetworkBuilder::thin(Rows& rows) {
   if (!missing.empty()) {
     damage_.push_back(experience + ": the rows of the edges after places " + ranges(missing) + " are missing");
   }
-  if (std::ranges::find(out, true) != out.end()) out_[rows.head.id] = std::move(out);
 }
 
 Experience NetworkBuilder::assemble(Rows& rows) {
   sort_latest(rows.places);
   sort_latest(rows.chain);
-  thin(rows);
+  const std::uint32_t extent = measure(rows);
+  thin(rows, extent);
   Experience experience;
   experience.id = rows.head.id;
   experience.robot = rows.head.robot;
@@ -150,7 +181,7 @@ Experience NetworkBuilder::assemble(Rows& rows) {
   experience.method = std::move(rows.head.method);
   experience.sealed = rows.head.sealed;
   experience.seal_reason = std::move(rows.head.seal_reason);
-  experience.extent = static_cast<std::uint32_t>(rows.head.places);
+  experience.extent = extent;
   experience.places = SharedRow<Place>(std::exchange(rows.places, {}));
   experience.chain = SharedRow<Edge>(std::exchange(rows.chain, {}));
   return experience;

@@ -33,6 +33,8 @@ class NetworkBuilder {
   /// A row that is none of this map: a rollback left it behind, or it is damaged and named so.
   void add_absent(const PlaceId& place);
   void add_absent(const EdgeId& edge);
+  /// In no map any more, and no damage; what the rows say does not count.
+  void add_deleted(const Stretch& stretch);
   /// Taken out, or brought back, at that revision; in the order of revisions. A stitch that was added later stays.
   void move(const Removal& removal, bool is_back, Revision at);
   /// In the order of revisions. A place of no experience: the label goes.
@@ -57,13 +59,16 @@ class NetworkBuilder {
     std::vector<std::uint32_t> absent_places;
     std::vector<std::uint32_t> absent_hops;
     std::vector<Move> moves;
+    std::vector<Stretch> deleted;
   };
   struct Stitch {
     std::shared_ptr<const Edge> edge;
     Revision since;
   };
   Experience assemble(Rows& rows);
-  void thin(Rows& rows);
+  std::uint32_t measure(const Rows& rows);
+  void thin(Rows& rows, std::uint32_t extent);
+  void name_missing(const Rows& rows, const std::vector<bool>& out, const std::vector<bool>& there);
   bool is_out(const PlaceId& place) const;
   bool is_out(const EdgeId& stitch, Revision since) const;
   void join_stitches(std::map<ExperienceId, Experience>& experiences);

@@ -52,6 +52,7 @@ class Planner {
                                            " must come first; send from there on");
     }
     if (auto fits = check_places(batch, known); !fits) return fail(fits.error());
+    for (const Edge& edge : batch.edges) offered_edges_.insert(edge.id);
     known.durable_through = batch.sequence;
     known.places += batch.places.size();
     batches_[{batch.experience, batch.sequence}] = append.hash;
@@ -62,6 +63,10 @@ class Planner {
   Result<bool> operator()(const PutLabel& put) {
     if (put.place.experience && !is_stored(put.place.experience, put.place.index)) {
       return fail(ErrorCode::conflict, "label " + put.label + ": place " + to_string(put.place) + " is not stored");
+    }
+    if (is_deleted({put.place.experience, put.place.index, put.place.index})) {
+      return fail(ErrorCode::conflict,
+                  "label " + put.label + ": place " + to_string(put.place) + " was deleted for good");
     }
     plan_.changes_network = true;
     return true;
@@ -78,6 +83,7 @@ class Planner {
       return fail(ErrorCode::conflict, "rollback: revision " + std::to_string(back.to.value) +
                                            " is not before the newest, " + std::to_string(facts_.revision.value));
     }
+    if (auto kept = check_kept("rollback", back.to, facts_.floor); !kept) return fail(kept.error());
     plan_.changes_network = true;
     return true;
   }
@@ -129,6 +135,14 @@ class Planner {
     return found != plan_.experiences.end() && index < found->second.places;
   }
 
+  /// All of it.
+  bool is_deleted(const Stretch& stretch) const {
+    const auto found = facts_.deleted.find(stretch.experience);
+    return found != facts_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& gone) {
+             return gone.first <= stretch.first && stretch.last <= gone.last;
+           });
+  }
+
   Result<bool> moved(const Removal& removal) {
     for (const Stretch& stretch : removal.places) {
       if (stretch.first > stretch.last || !is_stored(stretch.experience, stretch.last)) {
@@ -136,6 +150,16 @@ class Planner {
                                              std::to_string(stretch.last) + " of experience " +
                                              to_string(stretch.experience) + " are not stored");
       }
+      if (is_deleted(stretch)) {
+        return fail(ErrorCode::conflict, "places " + std::to_string(stretch.first) + " to " +
+                                             std::to_string(stretch.last) + " of experience " +
+                                             to_string(stretch.experience) + " were deleted for good");
+      }
+    }
+    for (const EdgeId& stitch : removal.stitches) {
+      if (facts_.stitches.contains(stitch) || offered_edges_.contains(stitch)) continue;
+      return fail(ErrorCode::conflict,
+                  "stitch " + to_string(stitch.a) + " - " + to_string(stitch.b) + " is not stored");
     }
     plan_.changes_network = true;
     return true;
@@ -170,6 +194,7 @@ class Planner {
   std::set<ContentHash> contents_;
   std::set<ContentHash> offered_;
   std::map<BatchKey, ContentHash> batches_;
+  std::set<EdgeId> offered_edges_;
 };
 
 }  // namespace
@@ -177,7 +202,11 @@ class Planner {
 namespace {
 
 void needs_of(const Removal& removal, Needs& needs) {
-  for (const Stretch& stretch : removal.places) needs.experiences.insert(stretch.experience);
+  for (const Stretch& stretch : removal.places) {
+    needs.experiences.insert(stretch.experience);
+    needs.moved_in.insert(stretch.experience);
+  }
+  needs.stitches.insert(removal.stitches.begin(), removal.stitches.end());
 }
 
 std::string count_of(const Removal& removal) {
@@ -197,7 +226,10 @@ Needs needs_of(const Transaction& transaction) {
         needs.batches.insert({append.batch.experience, append.batch.sequence});
         for (const Place& place : append.batch.places) needs.contents.insert(place.content.hash);
       },
-      [&](const PutLabel& put) { needs.experiences.insert(put.place.experience); },
+      [&](const PutLabel& put) {
+        needs.experiences.insert(put.place.experience);
+        needs.moved_in.insert(put.place.experience);
+      },
       [&](const SealExperience& seal) { needs.experiences.insert(seal.experience); },
       [&](const TakeOut& out) { needs_of(out.what, needs); },
       [&](const BringBack& back) { needs_of(back.what, needs); },
@@ -216,6 +248,19 @@ Result<Plan> make_plan(const Transaction& transaction, const Facts& facts) {
     fresh.push_back(*is_fresh);
   }
   return planner.take(std::move(fresh));
+}
+
+Result<void> check_kept(const std::string& what, Revision revision, Revision floor) {
+  if (revision >= floor) return {};
+  return fail(ErrorCode::not_found, what + ": revision " + std::to_string(revision.value) +
+                                        " is older than what is kept (revision " + std::to_string(floor.value) +
+                                        "); name that one or a later one, or restore an older snapshot");
+}
+
+Result<void> check_changes_kept(Revision revision, Revision floor) {
+  if (revision > floor || floor.value == 0) return {};
+  return fail(ErrorCode::not_found, "changes: revision " + std::to_string(revision.value) +
+                                        " is the oldest that is kept; what it changed is not known any more");
 }
 
 RevisionNote note_of(const Transaction& transaction, Revision newest) {

@@ -18,6 +18,8 @@ struct Needs {
   std::set<ExperienceId> experiences;
   std::set<BatchKey> batches;
   std::set<ContentHash> contents;
+  std::set<ExperienceId> moved_in;  ///< what labels and removals name
+  std::set<EdgeId> stitches;        ///< that go out or come back
 };
 Needs needs_of(const Transaction& transaction);
 
@@ -32,6 +34,9 @@ struct Facts {
   std::map<ExperienceId, ExperienceFacts> experiences;
   std::map<BatchKey, ContentHash> batches;
   std::set<ContentHash> contents;  ///< without quarantined ones
+  std::set<EdgeId> stitches;
+  std::map<ExperienceId, std::vector<Stretch>> deleted;  ///< places that a compaction took for good
+  Revision floor;                                        ///< the oldest revision that is kept
 };
 
 struct Plan {
@@ -42,8 +47,15 @@ struct Plan {
 
 /// invalid: a content's bytes are not its hash's, a batch has sequence 0 or places that are not of its experience.
 /// conflict: a batch out of order or repeated with another hash, places that do not continue the experience, a
-/// content that is neither stored nor in the transaction, a label or seal of something that is not stored.
+/// content that is neither stored nor in the transaction, a label, seal or removal of something that is not stored,
+/// or was deleted for good. not_found: a rollback to an older revision than is kept.
 Result<Plan> make_plan(const Transaction& transaction, const Facts& facts);
+
+/// not_found: a map of that revision cannot be seen any more; `what` asks for it.
+Result<void> check_kept(const std::string& what, Revision revision, Revision floor);
+
+/// not_found: the map before that revision, and with it what the revision changed, is not known any more.
+Result<void> check_changes_kept(Revision revision, Revision floor);
 
 /// The note of the revision that the transaction makes after `newest`: its own, or one made from its changes.
 RevisionNote note_of(const Transaction& transaction, Revision newest);

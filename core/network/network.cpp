@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/network/index_of.hpp"
+
 namespace weft {
 
 const char* to_string(Origin origin) {
@@ -18,13 +20,6 @@ const char* to_string(Origin origin) {
 }
 
 namespace {
-
-std::uint32_t index_of(const Place& place) {
-  return place.id.index;
-}
-std::uint32_t index_of(const Edge& edge) {
-  return edge.id.a.index;
-}
 
 /// Where nothing is missing a row stands at its index.
 template <class Row>

@@ -77,30 +77,6 @@ class Thinning {
   std::set<EdgeId> stitches_;
 };
 
-template <class Id>
-void compare(const std::vector<Id>& from, const std::vector<Id>& to, std::vector<Id>& added,
-             std::vector<Id>& removed) {
-  std::ranges::set_difference(to, from, std::back_inserter(added));
-  std::ranges::set_difference(from, to, std::back_inserter(removed));
-}
-
-std::vector<PlaceId> place_ids(const Experience* experience) {
-  std::vector<PlaceId> ids;
-  if (experience == nullptr) return ids;
-  for (const Place& place : experience->places) ids.push_back(place.id);
-  return ids;
-}
-
-/// Each stitch counts with its b's experience alone.
-std::vector<EdgeId> stitch_ids(const Experience* experience) {
-  std::vector<EdgeId> ids;
-  if (experience == nullptr) return ids;
-  for (const Edge& stitch : experience->stitches) {
-    if (stitch.id.b.experience == experience->id) ids.push_back(stitch.id);
-  }
-  return ids;
-}
-
 }  // namespace
 
 Result<void> check(const Snapshot& snapshot, const Removal& removal) {
@@ -132,32 +108,6 @@ Snapshot without(const Snapshot& snapshot, const Removal& removal) {
   std::erase_if(labels, [&](const auto& entry) { return thinned.place(entry.second) == nullptr; });
   if (labels.size() == snapshot.labels().size()) return thinned;
   return {thinned.revision(), thinned.experiences(), std::make_shared<const Snapshot::Labels>(std::move(labels))};
-}
-
-SnapshotDifference difference(const Snapshot& from, const Snapshot& to) {
-  SnapshotDifference found;
-  std::set<ExperienceId> ids;
-  for (const auto& [id, experience] : from.experiences()) ids.insert(id);
-  for (const auto& [id, experience] : to.experiences()) ids.insert(id);
-  for (const ExperienceId id : ids) {
-    const Experience* const before = from.experience(id);
-    const Experience* const after = to.experience(id);
-    if (before == after) continue;  // revisions share what did not change
-    compare(place_ids(before), place_ids(after), found.places_added, found.places_removed);
-    compare(stitch_ids(before), stitch_ids(after), found.stitches_added, found.stitches_removed);
-  }
-  for (const auto& [label, place] : to.labels()) {
-    const auto before = from.labels().find(label);
-    if (before == from.labels().end()) {
-      found.labels_added.push_back(label);
-    } else if (before->second != place) {
-      found.labels_moved.push_back(label);
-    }
-  }
-  for (const auto& [label, place] : from.labels()) {
-    if (!to.labels().contains(label)) found.labels_removed.push_back(label);
-  }
-  return found;
 }
 
 }  // namespace weft

@@ -29,12 +29,4 @@ Result<void> check(const Snapshot& snapshot, const Removal& removal);
 /// The snapshot without them, one revision on. Experiences stay known, so that nothing of them is handed in again.
 Snapshot without(const Snapshot& snapshot, const Removal& removal);
 
-/// How many places and stitches two snapshots differ in, and which.
-struct SnapshotDifference {
-  std::vector<PlaceId> places_added, places_removed;  ///< sorted
-  std::vector<EdgeId> stitches_added, stitches_removed;
-  std::vector<std::string> labels_added, labels_moved, labels_removed;
-};
-SnapshotDifference difference(const Snapshot& from, const Snapshot& to);
-
 }  // namespace weft

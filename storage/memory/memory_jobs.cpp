@@ -1,29 +1,10 @@
 #include "storage/memory/memory_jobs.hpp"
 
-#include <functional>
-
 #include "core/network/codec.hpp"
+#include "storage/memory/one_step.hpp"
 
 namespace weft::storage {
 namespace {
-
-class OneStep final : public StoreJob {
- public:
-  explicit OneStep(std::function<JobProgress()> work) : work_(std::move(work)) {}
-  Result<JobProgress> step() override {
-    if (!done_) {
-      done_ = work_();
-      done_->finished = true;
-      return *done_;
-    }
-    done_->findings.clear();
-    return *done_;
-  }
-
- private:
-  std::function<JobProgress()> work_;
-  std::optional<JobProgress> done_;
-};
 
 /// Looks at everything in the order of the tables that a store on disk would have.
 class Check {
@@ -95,6 +76,28 @@ class Check {
 
 std::unique_ptr<StoreJob> make_memory_check(const MemoryDisk& disk) {
   return std::make_unique<OneStep>([&disk] { return Check(disk).run(); });
+}
+
+std::unique_ptr<StoreJob> make_memory_stats(const MemoryDisk& disk) {
+  return std::make_unique<OneStep>([&disk] {
+    JobProgress progress;
+    std::uint64_t clouds = 0;
+    std::uint64_t cloud_bytes = 0;
+    for (const auto& [hash, content] : disk.contents) {
+      if (content.kind != msg::ContentKind::cloud) continue;
+      ++clouds;
+      cloud_bytes += content.bytes->size();
+    }
+    const std::uint64_t bytes = disk.content_bytes - cloud_bytes;
+    progress.space = {{"contents", disk.contents.size() - clouds, bytes, bytes},
+                      {"clouds", clouds, cloud_bytes, cloud_bytes},
+                      {"history", disk.history.size(), 0, 0},
+                      {"events", disk.events.size(), 0, 0}};
+    progress.unit = "rows";
+    progress.done = progress.total = disk.contents.size() + disk.history.size() + disk.events.size();
+    progress.summary = std::to_string(disk.content_bytes / 1'000'000) + " MB of contents in memory";
+    return progress;
+  });
 }
 
 }  // namespace weft::storage

@@ -22,6 +22,15 @@ Facts facts_for(const MemoryDisk& disk, const Needs& needs) {
   for (const ContentHash& hash : needs.contents) {
     if (disk.contents.contains(hash)) facts.contents.insert(hash);
   }
+  for (const EdgeId& stitch : needs.stitches) {
+    if (disk.edges.contains(stitch)) facts.stitches.insert(stitch);
+  }
+  for (const ExperienceId& id : needs.moved_in) {
+    const auto found = disk.deleted.find(id);
+    if (found != disk.deleted.end()) facts.deleted.insert(*found);
+  }
+  facts.revision = disk.revision;
+  facts.floor = disk.floor;
   return facts;
 }
 
@@ -36,6 +45,7 @@ class Writer {
   }
   void operator()(const AppendBatch& append) const {
     remember(append.batch);
+    for (const Edge& edge : append.batch.edges) ++disk_.edges[edge.id];
     disk_.batch_hashes[{append.batch.experience, append.batch.sequence}] = append.hash;
   }
   void operator()(const PutLabel& put) const { remember(put); }
@@ -86,7 +96,6 @@ class Replay {
       head.sealed = true;
       head.seal_reason = batch.seal_reason;
     }
-    head.places += batch.places.size();
     for (const Place& place : batch.places) is_in_ ? builder_.add(place) : builder_.add_absent(place.id);
     for (const Edge& edge : batch.edges) is_in_ ? builder_.add(edge, at_) : builder_.add_absent(edge.id);
   }
@@ -104,8 +113,11 @@ class Replay {
   void operator()(const BringBack& back) {
     if (is_in_) builder_.move(back.what, true, at_);
   }
-  void finish() {
-    for (auto& [id, head] : heads_) builder_.add(std::move(head));
+  void finish(const std::map<ExperienceId, ExperienceFacts>& facts) {
+    for (auto& [id, head] : heads_) {
+      head.places = facts.at(id).places;
+      builder_.add(std::move(head));
+    }
   }
 
  private:
@@ -119,9 +131,12 @@ class Replay {
 Snapshot replay(const MemoryDisk& disk, Revision revision, std::vector<std::string>& damage) {
   const Lineage lineage(revision, disk.bases);
   NetworkBuilder builder;
+  for (const auto& [id, stretches] : disk.deleted) {
+    for (const Stretch& stretch : stretches) builder.add_deleted(stretch);
+  }
   Replay replay(builder, lineage);
   for (const MemoryDisk::Step& step : disk.history) replay.take(step);
-  replay.finish();
+  replay.finish(disk.experiences);
   Snapshot snapshot = builder.build(revision);
   damage = builder.take_damage();
   return snapshot;
@@ -172,8 +187,7 @@ class MemoryStore final : public MapStore {
                                         " has ended, another server opened the store with epoch " +
                                         std::to_string(disk_->epoch.value));
     }
-    Facts known = facts_for(*disk_, needs_of(transaction));
-    known.revision = disk_->revision;
+    const Facts known = facts_for(*disk_, needs_of(transaction));
     Result<Plan> plan = make_plan(transaction, known);
     if (!plan) return fail(plan.error());
     if (auto error = disk_->faults.strike("memory store")) return fail(std::move(*error));
@@ -216,7 +230,7 @@ class MemoryStore final : public MapStore {
   }
 
   Result<Snapshot> snapshot_at(Revision revision) const override {
-    if (auto there = check_revision(revision); !there) return fail(there.error());
+    if (auto there = check_revision("map", revision); !there) return fail(there.error());
     std::vector<std::string> damage;
     return replay(*disk_, revision, damage);
   }
@@ -225,12 +239,15 @@ class MemoryStore final : public MapStore {
     std::vector<RevisionNote> notes;
     const std::uint64_t from =
         newest.value == 0 ? disk_->notes.size() : std::min(newest.value, disk_->revision.value);
-    for (std::uint64_t at = from; at > 0 && notes.size() < limit; --at) notes.push_back(disk_->notes[at - 1]);
+    if (auto kept = check_kept("log", {from}, disk_->floor); !kept) return fail(kept.error());
+    const std::uint64_t oldest = std::max<std::uint64_t>(disk_->floor.value, 1);
+    for (std::uint64_t at = from; at >= oldest && notes.size() < limit; --at) notes.push_back(disk_->notes[at - 1]);
     return notes;
   }
 
   Result<RevisionChanges> changes_of(Revision revision) const override {
-    if (auto there = check_revision(revision); !there) return fail(there.error());
+    if (auto there = check_revision("changes", revision); !there) return fail(there.error());
+    if (auto known = check_changes_kept(revision, disk_->floor); !known) return fail(known.error());
     if (revision.value == 0) return fail(ErrorCode::not_found, "the map has no revision 0");
     RevisionChanges changes;
     changes.note = disk_->notes[revision.value - 1];
@@ -262,17 +279,28 @@ class MemoryStore final : public MapStore {
     return fail(ErrorCode::refused, "snapshot " + file.string() + ": the memory engine has no file to copy");
   }
 
+  Result<std::unique_ptr<StoreJob>> compact(Revision before) override {
+    if (before.value == 0 || before > disk_->revision) {
+      return fail(ErrorCode::not_found, "compaction: the map has no revision " + std::to_string(before.value) +
+                                            " to keep; its newest is " + std::to_string(disk_->revision.value));
+    }
+    if (auto kept = check_kept("compaction", before, disk_->floor); !kept) return fail(kept.error());
+    return make_memory_compaction(*disk_, before);
+  }
+  Result<std::unique_ptr<StoreJob>> stats() override { return make_memory_stats(*disk_); }
+
   StoreSize size() const override {
     return {.contents = disk_->contents.size(),
             .content_bytes = disk_->content_bytes,
-            .disk_free_bytes = disk_->faults.full ? 0 : std::uint64_t{1} << 40U};
+            .disk_free_bytes = disk_->faults.full ? 0 : std::uint64_t{1} << 40U,
+            .floor = disk_->floor};
   }
 
   std::string engine() const override { return "memory"; }
 
  private:
-  Result<void> check_revision(Revision revision) const {
-    if (revision <= disk_->revision) return {};
+  Result<void> check_revision(const std::string& what, Revision revision) const {
+    if (revision <= disk_->revision) return check_kept(what, revision, disk_->floor);
     return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
                                           "; its newest is " + std::to_string(disk_->revision.value));
   }

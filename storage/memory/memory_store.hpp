@@ -38,6 +38,9 @@ struct MemoryDisk {
   std::map<Revision, Revision> bases;  ///< of rollbacks
   std::map<BatchKey, ContentHash> batch_hashes;
   std::map<ExperienceId, ExperienceFacts> experiences;
+  Revision floor;                                        ///< the oldest that is kept
+  std::map<ExperienceId, std::vector<Stretch>> deleted;  ///< by compactions
+  std::map<EdgeId, std::uint32_t> edges;                 ///< rows a pair
   std::map<GoalId, Goal> goals;
   std::map<GoalId, Route> routes;
   std::map<RobotId, PutOccupancy> occupancies;

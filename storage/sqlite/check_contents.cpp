@@ -6,7 +6,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-constexpr std::size_t kPiece = 16;  // 20 KB each: about a millisecond
+constexpr std::size_t kContentsAStep = 16;  // 20 KB each: about a millisecond
 
 /// What is wrong with the row; empty: nothing.
 std::string damage_of(const ContentHash& hash, const Query& row) {
@@ -23,7 +23,7 @@ class ContentCheck final : public CheckPart {
   Result<bool> step(Findings& findings) override {
     std::vector<ContentHash> damaged;
     std::vector<std::pair<std::uint64_t, ContentHash>> rows;
-    const Result<bool> more = scan_.next(kPiece, [&](const Query& row) {
+    const Result<bool> more = scan_.next(kContentsAStep, [&](const Query& row) {
       ++done_;
       const auto hash = row.id<ContentHash>(1);
       rows.emplace_back(row.number(0), hash);

@@ -9,7 +9,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-constexpr std::size_t kPiece = 500;
+constexpr std::size_t kMapPiece = 500;
 
 std::string name_of(const EdgeId& id) {
   return to_string(id.a) + " - " + to_string(id.b);
@@ -25,7 +25,7 @@ class MapCheck : public CheckPart {
   Result<bool> step(Findings& findings) final {
     lookup_.forget();
     std::vector<Row> rows;
-    const Result<bool> more = scan_.next(kPiece, [&](const Query& row) { rows.push_back(read(row)); });
+    const Result<bool> more = scan_.next(kMapPiece, [&](const Query& row) { rows.push_back(read(row)); });
     if (!more) return fail(more.error());
     for (const Row& row : rows) {
       if (auto done = look(row, findings); !done) return fail(done.error());
@@ -265,7 +265,13 @@ class MovedStitchCheck final : public MapCheck<MovedStitchRow> {
     if (row.revision <= parts_.row.floor.value) return {};  // a compaction may have deleted it
     const Result<bool> there = lookup_.has_edge(row.stitch);
     if (!there) return fail(there.error());
-    if (!*there) findings.push_back(name + ": the stitch is not stored");
+    if (*there) return {};
+    for (const PlaceId& end : {row.stitch.a, row.stitch.b}) {
+      const Result<bool> deleted = lookup_.is_deleted(end);
+      if (!deleted) return fail(deleted.error());
+      if (*deleted) return {};  // the stitch went with it
+    }
+    findings.push_back(name + ": the stitch is not stored");
     return {};
   }
 };

@@ -11,7 +11,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-constexpr std::size_t kPiece = 500;
+constexpr std::size_t kRecordPiece = 500;
 
 /// That each experience has as many places and batches as it says: the rows' own checks see gaps, not a missing end.
 class ExperienceCheck final : public CheckPart {
@@ -21,7 +21,7 @@ class ExperienceCheck final : public CheckPart {
   Result<bool> step(Findings& findings) override {
     lookup_.forget();
     std::vector<Row> rows;
-    const Result<bool> more = scan_.next(kPiece, [&](const Query& row) {
+    const Result<bool> more = scan_.next(kRecordPiece, [&](const Query& row) {
       rows.push_back({{row.number(0)}, row.number(1), row.number(2)});
     });
     if (!more) return fail(more.error());
@@ -83,7 +83,7 @@ class RowCheck final : public CheckPart {
   using Look = std::function<void(const Query&, Findings&)>;
   RowCheck(Scan scan, Look look) : scan_(std::move(scan)), look_(std::move(look)) {}
   Result<bool> step(Findings& findings) override {
-    return scan_.next(kPiece, [&](const Query& row) {
+    return scan_.next(kRecordPiece, [&](const Query& row) {
       ++done_;
       look_(row, findings);
     });

@@ -58,11 +58,13 @@ Result<void> read_moved(const Database& database, std::uint64_t revision, Revisi
 
 }  // namespace
 
-Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, std::size_t limit) {
+Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, Revision oldest,
+                                           std::size_t limit) {
   std::vector<RevisionNote> notes;
   const auto done = for_each_row(
-      database, "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id <= ? ORDER BY id DESC LIMIT ?",
-      [&](const Query& row) { notes.push_back(note_from(row)); }, newest.value,
+      database,
+      "SELECT id, base, at_ns, kind, who, cause FROM revision WHERE id <= ? AND id >= ? ORDER BY id DESC LIMIT ?",
+      [&](const Query& row) { notes.push_back(note_from(row)); }, newest.value, oldest.value,
       std::uint64_t{std::min<std::size_t>(limit, 1'000'000)});
   if (!done) return fail(done.error());
   return notes;

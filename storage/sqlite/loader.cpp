@@ -26,12 +26,12 @@ Result<void> load_experiences(const Database& database, NetworkBuilder& builder,
                       });
 }
 
-Result<Lineage> load_lineage(const Database& database, Revision top) {
-  std::map<Revision, Revision> bases;
-  const auto done = for_each_row(database, "SELECT id, base FROM revision WHERE base <> id - 1",
-                                 [&](const Query& row) { bases[{row.number(0)}] = {row.number(1)}; });
-  if (!done) return fail(done.error());
-  return Lineage(top, bases);
+Result<void> load_deleted(const Database& database, NetworkBuilder& builder) {
+  return for_each_row(
+      database, "SELECT experience, first_place, last_place FROM deleted_places", [&](const Query& row) {
+        const PlaceId first = place_id(row, 0);
+        builder.add_deleted({first.experience, first.index, static_cast<std::uint32_t>(row.number(2))});
+      });
 }
 
 Result<void> load_places(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
@@ -132,13 +132,15 @@ Result<void> load_robots(const Database& database, Stored& stored) {
 
 Result<void> load_network(const Database& database, Revision revision, NetworkBuilder& builder,
                           std::map<ExperienceId, std::uint64_t>& durable_through) {
-  const Result<Lineage> lineage = load_lineage(database, revision);
-  if (!lineage) return fail(lineage.error());
+  const auto bases = load_bases(database);
+  if (!bases) return fail(bases.error());
+  const Lineage lineage(revision, *bases);
   Result<void> done = load_experiences(database, builder, durable_through);
-  if (done) done = load_moves(database, *lineage, builder);
-  if (done) done = load_places(database, *lineage, builder);
-  if (done) done = load_edges(database, *lineage, builder);
-  if (done) done = load_labels(database, *lineage, builder);
+  if (done) done = load_deleted(database, builder);
+  if (done) done = load_moves(database, lineage, builder);
+  if (done) done = load_places(database, lineage, builder);
+  if (done) done = load_edges(database, lineage, builder);
+  if (done) done = load_labels(database, lineage, builder);
   return done;
 }
 
@@ -149,6 +151,14 @@ Result<void> load_quarantined_contents(const Database& database, NetworkBuilder&
 }
 
 }  // namespace
+
+Result<std::map<Revision, Revision>> load_bases(const Database& database) {
+  std::map<Revision, Revision> bases;
+  const auto done = for_each_row(database, "SELECT id, base FROM revision WHERE base <> id - 1",
+                                 [&](const Query& row) { bases[{row.number(0)}] = {row.number(1)}; });
+  if (!done) return fail(done.error());
+  return bases;
+}
 
 Result<Snapshot> load_snapshot(const Database& database, Revision revision) {
   NetworkBuilder builder;

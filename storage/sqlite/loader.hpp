@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <vector>
 
 #include "core/result.hpp"
@@ -13,8 +14,12 @@ Result<Stored> load(const Database& database, Epoch epoch, Revision revision);
 /// The network alone, as it was at a revision that exists.
 Result<Snapshot> load_snapshot(const Database& database, Revision revision);
 
-/// Newest first, from `newest` down.
-Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, std::size_t limit);
+/// What each rollback went back to.
+Result<std::map<Revision, Revision>> load_bases(const Database& database);
+
+/// Newest first, from `newest` down to `oldest`.
+Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, Revision oldest,
+                                           std::size_t limit);
 
 /// not_found: no such revision.
 Result<RevisionChanges> load_changes(const Database& database, Revision revision);

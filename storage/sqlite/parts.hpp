@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -20,6 +21,9 @@ struct Parts {
   Epoch epoch{};
   StoreRow row{};                       ///< as last committed
   std::set<ContentHash> quarantined{};  ///< found damaged by this process
+  std::uint64_t moves = 0;              ///< counts commits that took something out or back
+  std::weak_ptr<std::set<ContentHash>>
+      used_meanwhile{};  ///< a compaction that is under way notes here what commits name
 };
 
 /// The store's row, for a write transaction. stale: another server has opened the store since.

@@ -3,7 +3,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const std::string& after_each) {
+std::string listed(const std::vector<std::string>& words, const std::string& after_each) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word + after_each;
   return text;
@@ -13,11 +13,11 @@ std::string joined(const std::vector<std::string>& words, const std::string& aft
 
 Result<Scan> Scan::make(const Database& database, const std::string& table, const std::vector<std::string>& keys,
                         const std::string& columns, Order order) {
-  const std::string key = joined(keys, "");
+  const std::string key = listed(keys, "");
   const std::string select = "SELECT " + key + (columns.empty() ? "" : ", " + columns) + " FROM " + table;
   const std::string behind = std::string(" WHERE (") + key + (order == Order::up ? ") > (" : ") < (") +
-                             joined(std::vector<std::string>(keys.size(), "?"), "") + ")";
-  const std::string rest = " ORDER BY " + joined(keys, order == Order::up ? "" : " DESC") + " LIMIT ?";
+                             listed(std::vector<std::string>(keys.size(), "?"), "") + ")";
+  const std::string rest = " ORDER BY " + listed(keys, order == Order::up ? "" : " DESC") + " LIMIT ?";
   auto first = database.prepare(select + rest);
   if (!first) return fail(first.error());
   auto later = database.prepare(select + behind + rest);

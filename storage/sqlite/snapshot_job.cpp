@@ -1,10 +1,8 @@
-#include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <optional>
-#include <system_error>
 
+#include "storage/sqlite/files.hpp"
 #include "storage/sqlite/jobs.hpp"
 
 namespace weft::storage::sqlite {
@@ -12,24 +10,6 @@ namespace {
 
 constexpr int kPagesAStep = 256;
 constexpr std::uint64_t kPagesASync = 2048;  // small pieces, so that no step waits for a long write at the end
-
-Error system_error(const std::filesystem::path& file, const char* what) {
-  const int number = errno;
-  const bool is_full = number == ENOSPC || number == EDQUOT;
-  return {is_full ? ErrorCode::exhausted : ErrorCode::unavailable,
-          "snapshot " + file.string() + ": cannot " + what + ": " + std::generic_category().message(number) +
-              (is_full ? "; free space there" : "") + "; nothing is left there"};
-}
-
-Result<void> sync_path(const std::filesystem::path& path, int flags) {
-  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
-  if (file < 0) return fail(system_error(path, "open it"));
-  const bool is_done = ::fdatasync(file) == 0;
-  Error error = is_done ? Error{} : system_error(path, "synchronise it");
-  ::close(file);
-  if (!is_done) return fail(std::move(error));
-  return {};
-}
 
 std::string megabytes(std::uint64_t bytes) {
   return std::to_string((bytes + 500'000) / 1'000'000) + " MB";
@@ -78,7 +58,7 @@ class SnapshotJob final : public StoreJob {
                          megabytes(std::filesystem::file_size(file_, unknown)) + ", of revision " +
                          std::to_string(parts_.row.revision.value);
     } else if (progress.done < synced_ || progress.done - synced_ >= kPagesASync) {
-      if (auto done = sync_path(partial_, O_RDWR); !done) return fail(done.error());
+      if (auto done = sync_file(what(), partial_); !done) return fail(done.error());
       synced_ = progress.done;
     }
     return progress;
@@ -87,15 +67,17 @@ class SnapshotJob final : public StoreJob {
   Result<void> publish() {
     backup_.reset();
     copy_.reset();
-    if (auto done = sync_path(partial_, O_RDWR); !done) return done;
+    if (auto done = sync_file(what(), partial_); !done) return done;
     if (std::error_code ignored; std::filesystem::exists(file_, ignored)) {
       return fail(ErrorCode::conflict, "snapshot " + file_.string() + ": somebody has made a file there meanwhile");
     }
-    if (::rename(partial_.c_str(), file_.c_str()) != 0) return fail(system_error(file_, "rename it"));
-    auto done = sync_path(file_.parent_path(), O_RDONLY | O_DIRECTORY);
+    if (::rename(partial_.c_str(), file_.c_str()) != 0) return fail(file_error(what(), file_, "rename it to"));
+    auto done = sync_directory(what(), file_.parent_path());
     if (!done) ::unlink(file_.c_str());
     return done;
   }
+
+  std::string what() const { return "snapshot " + file_.string(); }
 
   void drop() {
     backup_.reset();

@@ -51,6 +51,7 @@ class SqliteStore final : public MapStore {
     if (!facts) return fail(facts.error());
     for (const ContentHash& hash : parts_->quarantined) facts->contents.erase(hash);
     facts->revision = row->revision;
+    facts->floor = row->floor;
     const Result<Plan> plan = make_plan(transaction, *facts);
     if (!plan) return fail(plan.error());
     if (std::none_of(plan->fresh.begin(), plan->fresh.end(), [](bool fresh) { return fresh; })) {
@@ -60,9 +61,7 @@ class SqliteStore final : public MapStore {
     if (!row) return fail(row.error());
     if (auto done = write->commit(); !done) return fail(done.error());
     parts_->row = *row;
-    for (const auto& change : transaction.changes) {
-      if (const auto* put = std::get_if<PutContent>(&change)) parts_->quarantined.erase(put->hash);
-    }
+    remember(transaction);
     return Commit{row->revision};
   }
 
@@ -113,16 +112,19 @@ class SqliteStore final : public MapStore {
   }
 
   Result<Snapshot> snapshot_at(Revision revision) const override {
-    if (auto there = check_revision(revision); !there) return fail(there.error());
+    if (auto there = check_revision("map", revision); !there) return fail(there.error());
     return load_snapshot(parts_->database, revision);
   }
 
   Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const override {
-    return load_log(parts_->database, newest.value == 0 ? parts_->row.revision : newest, limit);
+    const Revision from = newest.value == 0 ? parts_->row.revision : newest;
+    if (auto kept = check_kept("log", from, parts_->row.floor); !kept) return fail(kept.error());
+    return load_log(parts_->database, from, parts_->row.floor, limit);
   }
 
   Result<RevisionChanges> changes_of(Revision revision) const override {
-    if (auto there = check_revision(revision); !there) return fail(there.error());
+    if (auto there = check_revision("changes", revision); !there) return fail(there.error());
+    if (auto known = check_changes_kept(revision, parts_->row.floor); !known) return fail(known.error());
     return load_changes(parts_->database, revision);
   }
 
@@ -145,19 +147,38 @@ class SqliteStore final : public MapStore {
     return make_snapshot(*parts_, file);
   }
 
+  Result<std::unique_ptr<StoreJob>> compact(Revision before) override { return make_compaction(*parts_, before); }
+  Result<std::unique_ptr<StoreJob>> stats() override { return make_stats(*parts_); }
+
   StoreSize size() const override {
     std::error_code unknown;
     const auto space = std::filesystem::space(parts_->directory, unknown);
     return {.contents = parts_->row.contents,
             .content_bytes = parts_->row.content_bytes,
-            .disk_free_bytes = unknown ? 0 : space.available};
+            .disk_free_bytes = unknown ? 0 : space.available,
+            .floor = parts_->row.floor};
   }
 
   std::string engine() const override { return "sqlite"; }
 
  private:
-  Result<void> check_revision(Revision revision) const {
-    if (revision <= parts_->row.revision) return {};
+  /// For what goes on between this commit and the next.
+  void remember(const Transaction& transaction) const {
+    const auto used = parts_->used_meanwhile.lock();
+    for (const auto& change : transaction.changes) {
+      if (const auto* put = std::get_if<PutContent>(&change)) {
+        parts_->quarantined.erase(put->hash);
+        if (used) used->insert(put->hash);
+      } else if (const auto* append = std::get_if<AppendBatch>(&change); append != nullptr && used) {
+        for (const Place& place : append->batch.places) used->insert(place.content.hash);
+      } else if (std::holds_alternative<TakeOut>(change) || std::holds_alternative<BringBack>(change)) {
+        ++parts_->moves;
+      }
+    }
+  }
+
+  Result<void> check_revision(const std::string& what, Revision revision) const {
+    if (revision <= parts_->row.revision) return check_kept(what, revision, parts_->row.floor);
     return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
                                           "; its newest is " + std::to_string(parts_->row.revision.value));
   }

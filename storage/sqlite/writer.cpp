@@ -160,9 +160,35 @@ Result<StoreRow> read_store_row(const Statements& statements) {
 
 Result<void> write_store_row(const Statements& statements, const StoreRow& row) {
   Query query(statements.write_store);
-  query << row.epoch.value << row.revision.value << row.contents << row.content_bytes;
+  query << row.epoch.value << row.revision.value << row.contents << row.content_bytes << row.floor.value;
   return query.run();
 }
+
+namespace {
+
+Result<void> read_moved_facts(const Statements& statements, const Needs& needs, Facts& facts) {
+  for (const EdgeId& id : needs.stitches) {
+    Query query(statements.find_edge);
+    query << id.a.experience.value << std::uint64_t{id.a.index} << id.b.experience.value << std::uint64_t{id.b.index};
+    const Result<bool> found = query.step();
+    if (!found) return fail(found.error());
+    if (*found) facts.stitches.insert(id);
+  }
+  for (const ExperienceId& id : needs.moved_in) {
+    Query query(statements.find_deleted);
+    query << id.value;
+    for (;;) {
+      const Result<bool> found = query.step();
+      if (!found) return fail(found.error());
+      if (!*found) break;
+      facts.deleted[id].push_back(
+          {id, static_cast<std::uint32_t>(query.number(0)), static_cast<std::uint32_t>(query.number(1))});
+    }
+  }
+  return {};
+}
+
+}  // namespace
 
 Result<Facts> read_facts(const Statements& statements, const Needs& needs) {
   Facts facts;
@@ -187,6 +213,7 @@ Result<Facts> read_facts(const Statements& statements, const Needs& needs) {
     if (!found) return fail(found.error());
     if (*found) facts.contents.insert(hash);
   }
+  if (auto done = read_moved_facts(statements, needs, facts); !done) return fail(done.error());
   return facts;
 }
 

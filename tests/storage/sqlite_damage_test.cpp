@@ -139,6 +139,23 @@ TEST_F(SqliteDamage, MissingLastRowIsNoticed) {
   EXPECT_TRUE(is_named("the rows of places 2 are missing"));
 }
 
+TEST_F(SqliteDamage, ACountThatIsDamagedMakesNothingLarge) {
+  for (const char* const count : {"4294967295", "4294967296", "-1"}) {
+    damage(std::string("UPDATE experience SET places = ") + count + " WHERE id = 34");
+    const Experience& experience = *stored_.snapshot.experience({0x22});
+    EXPECT_EQ(experience.places.size(), 3U);
+    EXPECT_EQ(experience.extent, 3U);
+    EXPECT_EQ(stored_.snapshot.stitch_count(), 1U);
+    EXPECT_EQ(stored_.quarantined.size(), 1U);
+  }
+  EXPECT_TRUE(is_named("its row says 18446744073709551615 places, which no run has; 3 are there"));
+  damage("UPDATE experience SET places = 4000000000 WHERE id = 34");
+  EXPECT_TRUE(is_named("the rows of places 3 to 3999999999 are missing"));
+  damage("UPDATE experience SET places = 1 WHERE id = 34");
+  EXPECT_EQ(stored_.snapshot.experience({0x22})->places.size(), 3U);
+  EXPECT_TRUE(is_named("its row says 1 places, 3 are there"));
+}
+
 TEST_F(SqliteDamage, RowUnderAnotherKeyIsNotTaken) {
   damage(
       "UPDATE place SET row = (SELECT row FROM place WHERE experience = 17 AND place = 3)"

@@ -133,6 +133,40 @@ TEST_F(SqliteUpkeep, CheckNamesADamagedPreparationAndReadingItSaysSo) {
   EXPECT_EQ(store_->preparation("marks").error().code, ErrorCode::corrupt);
 }
 
+TEST_F(SqliteUpkeep, CompactionGivesSpaceBack) {
+  commit({{TakeOut{{{{run_.experience(), 0, 289}}, {}}}}});
+  start();
+  const auto file = directory_.path() / "map.sqlite";
+  const auto before = std::filesystem::file_size(file);
+  const auto job = store_->compact({34});
+  ASSERT_TRUE(job) << job.error().message;
+  const auto progress = finish(**job);
+  ASSERT_TRUE(progress) << progress.error().message;
+  EXPECT_LT(std::filesystem::file_size(file), before / 2) << progress->summary;
+  EXPECT_EQ(std::filesystem::file_size(directory_.path() / "map.sqlite-wal"), 0U);
+  EXPECT_TRUE(finish(**store_->check())->findings.empty());
+  EXPECT_EQ(store_->compact({34}).error().code, ErrorCode::unavailable) << "the job is still there";
+}
+
+TEST_F(SqliteUpkeep, CompactionStopsOnAFullDiskAndGoesOnLater) {
+  commit({{TakeOut{{{{run_.experience(), 0, 289}}, {}}}}});
+  const auto expected = sample::describe(store_->snapshot_at({34}).value());
+  int stopped = 0;
+  for (int writes = 0;; writes += 40) {
+    vfs_.fail_after(writes, FaultyVfs::Fault::disk_full);
+    const auto job = store_->compact({34});
+    const auto progress = job ? finish(**job) : Result<JobProgress>(fail(job.error()));
+    vfs_.heal();
+    EXPECT_EQ(sample::describe(store_->snapshot_at({34}).value()), expected);
+    if (progress) break;
+    ++stopped;
+    EXPECT_EQ(progress.error().code, ErrorCode::exhausted) << progress.error().message;
+  }
+  EXPECT_GE(stopped, 2);
+  EXPECT_TRUE(finish(**store_->check())->findings.empty());
+  EXPECT_EQ(store_->size().contents, 15U);
+}
+
 TEST_F(SqliteUpkeep, SnapshotCarriesCommitsBetweenItsStepsAndOpensAsAStore) {
   commit({{PutPreparation{"large", Bytes(4'000'000, 9)}}});
   const auto file = elsewhere_.path() / "map.sqlite";

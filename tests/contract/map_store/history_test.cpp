@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <optional>
 
 #include "core/network/codec.hpp"
 #include "tests/contract/map_store/store_fixture.hpp"
+#include "tests/storage/random_history.hpp"
 #include "tests/storage/sample_map.hpp"
 
 /// The map's past: every revision can be seen again, gone back to, and undone; nothing that was acknowledged is lost.
@@ -138,58 +138,15 @@ TEST_P(MapHistory, WhatCannotBeIsRefused) {
 
 /// Steps as a server would take them, each checked against the snapshot in memory, then all of the past once more.
 TEST_P(MapHistory, EveryRevisionCanBeSeenAgain) {
-  Random random(31);
-  std::vector<sample::Run> runs;
-  std::uint64_t next_run = 1;
+  sample::RandomHistory history(31);
   std::map<std::uint64_t, std::vector<std::string>> seen;
-  std::vector<Removal> out;
   for (int step = 0; step < 120; ++step) {
-    std::optional<Snapshot> expected;
-    Transaction transaction;
-    const std::uint64_t kind = random.below(10);
-    const auto pick = [&]() -> PlaceId {
-      std::vector<PlaceId> places;
-      for (const auto& [id, experience] : stored_.snapshot.experiences()) {
-        for (const Place& place : experience->places) places.push_back(place.id);
-      }
-      return places.empty() ? PlaceId{} : places[random.below(places.size())];
-    };
-    const PlaceId some = pick();
-    if (kind < 5 || !some.experience) {
-      if (runs.empty() || random.below(4) == 0) runs.emplace_back(next_run, 100 + next_run), ++next_run;
-      sample::Run& run = runs[random.below(runs.size())];
-      auto delivery = run.next(1 + static_cast<std::uint32_t>(random.below(4)));
-      if (some.experience && some.experience != run.experience()) {
-        delivery.batch.edges.push_back(sample::stitch(some, delivery.batch.places.back().id));
-      }
-      if (!check(stored_.snapshot, delivery.batch).empty()) {  // a rollback or a removal has ended it
-        std::erase_if(runs, [&](const sample::Run& one) { return one.experience() == delivery.batch.experience; });
-        continue;
-      }
-      transaction = sample::transaction(delivery);
-      expected = with(stored_.snapshot, delivery.batch);
-    } else if (kind == 5) {
-      transaction.changes.emplace_back(PutLabel{"label" + std::to_string(random.below(3)), some});
-      expected = with_label(stored_.snapshot, std::get<PutLabel>(transaction.changes[0]).label, some);
-    } else if (kind < 8) {
-      Removal removal{{{some.experience, some.index, some.index + static_cast<std::uint32_t>(random.below(3))}}, {}};
-      removal.places[0].last =
-          std::min(removal.places[0].last, stored_.snapshot.experience(some.experience)->extent - 1);
-      const auto& stitches = stored_.snapshot.experience(some.experience)->stitches;
-      if (!stitches.empty()) removal.stitches.push_back(stitches[random.below(stitches.size())].id);
-      out.push_back(removal);
-      transaction.changes.emplace_back(TakeOut{removal});
-      expected = without(stored_.snapshot, removal);
-    } else if (kind == 8 && !out.empty()) {
-      transaction.changes.emplace_back(BringBack{out[random.below(out.size())]});
-    } else if (stored_.snapshot.revision().value > 0) {
-      transaction.changes.emplace_back(RollBack{{random.below(stored_.snapshot.revision().value)}});
-    }
-    if (transaction.changes.empty()) continue;
-    const Revision revision = commit(transaction);
+    const auto drawn = history.draw(stored_.snapshot);
+    if (!drawn) continue;
+    const Revision revision = commit(drawn->transaction);
     stored_.snapshot = at(revision.value);
-    if (expected) {
-      ASSERT_EQ(sample::describe(*expected), sample::describe(stored_.snapshot)) << "step " << step;
+    if (drawn->expected) {
+      ASSERT_EQ(sample::describe(*drawn->expected), sample::describe(stored_.snapshot)) << "step " << step;
     }
     seen[revision.value] = sample::describe(stored_.snapshot);
   }

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "core/result.hpp"
+
+/// Files as a whole, for snapshots and restoring. Errors begin with `what`: exhausted for a full disk, else
+/// unavailable.
+namespace weft::storage::sqlite {
+
+/// Of the system call that has just set errno.
+Error file_error(const std::string& what, const std::filesystem::path& file, const char* doing);
+
+/// A file's bytes, or a directory's names, are on the disk when it returns.
+Result<void> sync_file(const std::string& what, const std::filesystem::path& file);
+Result<void> sync_directory(const std::string& what, const std::filesystem::path& directory);
+
+/// Copies and synchronises; `to` is made anew. `progress(done, total)` in bytes.
+Result<void> copy_file(const std::string& what, const std::filesystem::path& from, const std::filesystem::path& to,
+                       const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+
+/// A database with what SQLite keeps beside it; what is not there is fine.
+void remove_database(const std::filesystem::path& file);
+
+}  // namespace weft::storage::sqlite

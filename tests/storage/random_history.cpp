@@ -1,0 +1,59 @@
+#include "tests/storage/random_history.hpp"
+
+#include <algorithm>
+
+namespace weft::storage::sample {
+
+PlaceId RandomHistory::pick(const Snapshot& now) {
+  std::vector<PlaceId> places;
+  for (const auto& [id, experience] : now.experiences()) {
+    for (const Place& place : experience->places) places.push_back(place.id);
+  }
+  return places.empty() ? PlaceId{} : places[random_.below(places.size())];
+}
+
+std::optional<RandomHistory::Step> RandomHistory::draw_batch(const Snapshot& now, const PlaceId& joined) {
+  if (runs_.empty() || random_.below(4) == 0) {
+    runs_.emplace_back(next_run_, 100 + next_run_);
+    ++next_run_;
+  }
+  Run& run = runs_[random_.below(runs_.size())];
+  auto delivery = run.next(1 + static_cast<std::uint32_t>(random_.below(4)));
+  if (joined.experience && joined.experience != run.experience()) {
+    delivery.batch.edges.push_back(stitch(joined, delivery.batch.places.back().id));
+  }
+  if (!check(now, delivery.batch).empty()) {  // a rollback or a removal has ended it
+    std::erase_if(runs_, [&](const Run& one) { return one.experience() == delivery.batch.experience; });
+    return std::nullopt;
+  }
+  return Step{sample::transaction(delivery), with(now, delivery.batch)};
+}
+
+RandomHistory::Step RandomHistory::draw_removal(const Snapshot& now, const PlaceId& place) {
+  const Experience& experience = *now.experience(place.experience);
+  const std::uint32_t last =
+      std::min(place.index + static_cast<std::uint32_t>(random_.below(3)), experience.extent - 1);
+  Removal removal{{{place.experience, place.index, last}}, {}};
+  if (!experience.stitches.empty()) {
+    removal.stitches.push_back(experience.stitches[random_.below(experience.stitches.size())].id);
+  }
+  out_.push_back(removal);
+  return {{{TakeOut{removal}}, {}}, without(now, removal)};
+}
+
+std::optional<RandomHistory::Step> RandomHistory::draw(const Snapshot& now, Revision oldest) {
+  const std::uint64_t kind = random_.below(10);
+  const PlaceId some = pick(now);
+  if (kind < 5 || !some.experience) return draw_batch(now, some);
+  if (kind == 5) {
+    const std::string label = "label" + std::to_string(random_.below(3));
+    return Step{{{PutLabel{label, some}}, {}}, with_label(now, label, some)};
+  }
+  if (kind < 8) return draw_removal(now, some);
+  if (kind == 8 && !out_.empty()) return Step{{{BringBack{out_[random_.below(out_.size())]}}, {}}, std::nullopt};
+  if (now.revision() <= oldest) return std::nullopt;
+  const std::uint64_t to = oldest.value + random_.below(now.revision().value - oldest.value);
+  return Step{{{RollBack{{to}}}, {}}, std::nullopt};
+}
+
+}  // namespace weft::storage::sample
