@@ -34,7 +34,7 @@ server::Now Load::now() const {
   return {.steady = SteadyTime(from_seconds(now_s_)), .wall = WallTime(from_seconds(now_s_))};
 }
 
-void Load::take(const std::vector<msg::Message>& messages, double took_s) {
+void Load::take(const std::vector<msg::Message>& messages, const std::optional<Took>& took) {
   for (const msg::Message& message : messages) {
     const auto* const patch = std::get_if<msg::WindowPatch>(&message);
     if (patch == nullptr) continue;
@@ -47,33 +47,32 @@ void Load::take(const std::vector<msg::Message>& messages, double took_s) {
       constexpr double kBetweenPatches_s = 0.5;
       if (patch->definition_id == agent.definition && agent.is_waiting) {
         agent.is_waiting = false;
-        waits.add(1e3 * (now_s_ - std::max(agent.asked_s, agent.told_s + kBetweenPatches_s)));
-        if (took_s > 0.0) windows.add(1e3 * took_s);
+        const double waited_s = now_s_ - std::max(agent.asked_s, agent.told_s + kBetweenPatches_s);
+        waits.add({1e3 * waited_s, 0.0});
+        if (took) windows.add(*took);
       }
       agent.told_s = now_s_;
     }
   }
 }
 
-/// Returns how long it took, in seconds; the clock has gone on by it.
-double Load::handle(const msg::Message& message) {
-  const auto begin = Clock::now();
-  const std::vector<msg::Message> said = service_.handle(message, now());
-  const double took_s = milliseconds(Clock::now() - begin) / 1e3;
-  now_s_ += took_s;
-  take(said, took_s);
-  return took_s;
+/// Returns how long it took; the clock has gone on by it.
+Took Load::handle(const msg::Message& message) {
+  std::vector<msg::Message> said;
+  const Took took = timed([&] { said = service_.handle(message, now()); });
+  now_s_ += took.wall_ms / 1e3;
+  take(said, took);
+  return took;
 }
 
 void Load::tick_if_due() {
   const auto due = service_.next_tick();
   if (!due || seconds(due->time_since_epoch()) > now_s_) return;
-  const auto begin = Clock::now();
-  const std::vector<msg::Message> said = service_.tick(now());
-  const double took_ms = milliseconds(Clock::now() - begin);
-  now_s_ += took_ms / 1e3;
-  ticks.add(took_ms);
-  take(said, 0.0);
+  std::vector<msg::Message> said;
+  const Took took = timed([&] { said = service_.tick(now()); });
+  now_s_ += took.wall_ms / 1e3;
+  ticks.add(took);
+  take(said, std::nullopt);
 }
 
 void Load::arrive(const PeerId& id) {
@@ -133,7 +132,7 @@ void Load::teach() {
   std::vector<Bytes> contents;
   Batch batch = next_batch(teacher, contents);
   const Revision before = service_.snapshot().revision();
-  double took_s = handle(
+  Took took = handle(
       msg::ExperienceBatch{.header = {teacher.id, 1, {}, 10 + ++teacher.sequence, {}}, .batch = std::move(batch)});
   for (const Bytes& content : contents) {
     msg::Chunk chunk;
@@ -141,9 +140,9 @@ void Load::teach() {
     chunk.hash = hash_bytes(content);
     chunk.total = content.size();
     chunk.data = content;
-    took_s += handle(chunk);
+    took += handle(chunk);
   }
-  batches.add(1e3 * took_s);
+  batches.add(took);
   if (service_.snapshot().revision() != before) ++batches_joined;
 }
 

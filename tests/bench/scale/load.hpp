@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <map>
+#include <optional>
 #include <vector>
 
 #include "core/network/window.hpp"
@@ -59,9 +59,10 @@ class Load {
   void ask(Agent& agent);
   void teach();
   Batch next_batch(Teacher& teacher, std::vector<Bytes>& contents);
-  double handle(const msg::Message& message);
+  Took handle(const msg::Message& message);
   void tick_if_due();
-  void take(const std::vector<msg::Message>& messages, double took_s);
+  /// `took`: to answer one message; none: it was a tick, for several perhaps.
+  void take(const std::vector<msg::Message>& messages, const std::optional<Took>& took);
   server::Now now() const;
 
   server::Service& service_;
