@@ -7,6 +7,7 @@
 
 #include "core/network/codec.hpp"
 #include "core/protocol/messages.hpp"
+#include "storage/clouds/cloud.hpp"
 
 namespace weft::storage::sqlite {
 namespace {
@@ -32,7 +33,23 @@ std::optional<ByteView> unguard_row(ByteView row) {
   return canonical;
 }
 
+namespace {
+
+/// Canonical clouds are on their lattice already, so nothing is lost; still no byte is given up on a codec's word.
+/// None: no cloud, or one that it does not bring back.
+std::optional<Bytes> compressed_cloud(ByteView content) {
+  if (!clouds::is_cloud(content)) return std::nullopt;
+  Result<Bytes> compressed = clouds::compress_cloud(content);
+  if (!compressed || compressed->size() >= content.size()) return std::nullopt;
+  const Result<Bytes> back = clouds::expand_cloud(*compressed);
+  if (!back || !std::ranges::equal(*back, content)) return std::nullopt;
+  return std::move(*compressed);
+}
+
+}  // namespace
+
 Coded encode_content(ByteView content) {
+  if (auto cloud = compressed_cloud(content)) return {Coding::cloud, std::move(*cloud)};
   Bytes bytes(ZSTD_compressBound(content.size()));
   const std::size_t size = ZSTD_compress(bytes.data(), bytes.size(), content.data(), content.size(), kLevel);
   if (ZSTD_isError(size) != 0 || size >= content.size()) return {};
@@ -46,6 +63,12 @@ Result<Bytes> decode_content(Coding coding, ByteView stored, std::uint64_t size)
                                         std::to_string(msg::kContentBytes));
   }
   if (coding == Coding::raw) return Bytes(stored.begin(), stored.end());
+  if (coding == Coding::cloud) {
+    Result<Bytes> cloud = clouds::expand_cloud(stored);
+    if (!cloud || cloud->size() == size) return cloud;
+    return fail(ErrorCode::corrupt,
+                "it has " + std::to_string(cloud->size()) + " bytes, not " + std::to_string(size));
+  }
   if (coding != Coding::zstd) {
     return fail(ErrorCode::corrupt, "unknown coding " + std::to_string(static_cast<std::uint64_t>(coding)));
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/network/codec.hpp"
+#include "storage/clouds/cloud.hpp"
 #include "storage/sqlite/database.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 #include "tests/storage/sample_map.hpp"
@@ -100,6 +101,22 @@ TEST_F(SqliteDamage, QuarantinedContentIsHealedWhenItComesAgain) {
   store_.reset();
   start();
   EXPECT_TRUE(stored_.quarantined.empty());
+}
+
+TEST_F(SqliteDamage, ACompressedCloudIsCheckedLikeAnyContent) {
+  Random random(3);
+  clouds::Cloud cloud;
+  for (int point = 0; point < 3000; ++point) {
+    cloud.points.emplace_back(static_cast<float>(random.uniform()), static_cast<float>(random.uniform()), 0.0F);
+  }
+  const Bytes bytes = clouds::canonical_bytes(cloud, clouds::kFineQuantum_um).value();
+  const ContentHash hash = hash_bytes(bytes);
+  ASSERT_TRUE(store_->commit({{PutContent{hash, msg::ContentKind::cloud, bytes}}}));
+  damage("UPDATE content SET bytes = bytes WHERE coding = 2 AND length(bytes) < size / 3");
+  EXPECT_EQ(store_->content(hash).value(), bytes);
+  damage("UPDATE content SET bytes = substr(bytes, 1, 300) || x'ff01' || substr(bytes, 303) WHERE coding = 2");
+  EXPECT_EQ(store_->content(hash).error().code, ErrorCode::corrupt);
+  EXPECT_FALSE(store_->has_content(hash));
 }
 
 TEST_F(SqliteDamage, ImpossibleSizeIsCorruptNotAnAllocation) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/network/codec.hpp"
+#include "storage/clouds/cloud.hpp"
 #include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
@@ -174,6 +177,32 @@ TEST_P(MapStoreContract, ContentsOfAnySizeComeBack) {
     auto read = store_->content(hash);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, bytes);
+  }
+}
+
+TEST_P(MapStoreContract, CloudsComeBackToTheByteCanonicalOrNot) {
+  Random random(14);
+  clouds::Cloud cloud;
+  for (int point = 0; point < 5000; ++point) {
+    cloud.points.emplace_back(static_cast<float>(random.uniform(0.0, 4.0)),
+                              static_cast<float>(random.uniform(0.0, 4.0)),
+                              static_cast<float>(random.normal(0.0, 0.01)));
+    cloud.values.push_back(static_cast<std::uint16_t>(random.below(60'000)));
+  }
+  const Bytes canonical = clouds::canonical_bytes(cloud, clouds::kFineQuantum_um).value();
+  Bytes unsorted = canonical;
+  std::reverse(unsorted.begin() + 40, unsorted.begin() + 4040);  // begins as one, and is none
+  Bytes cut = canonical;
+  cut.resize(cut.size() - 3);
+  for (const Bytes& bytes : {canonical, unsorted, cut}) {
+    for (const msg::ContentKind kind : {msg::ContentKind::cloud, msg::ContentKind::content}) {
+      const ContentHash hash = hash_bytes(bytes);
+      commit({{PutContent{hash, kind, bytes}}});
+      restart();
+      const auto read = store_->content(hash);
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(*read, bytes);
+    }
   }
 }
 
