@@ -183,7 +183,7 @@ TEST(Routes, SayFromWhereOneGetsNoFartherOnceInAWhile) {
   const std::string first = words();
   EXPECT_EQ(first, shortest_path(rig.network(), from, to, {"marks"}).error().message);
   // The map grows where it does not help.
-  support::BatchPlan plan{from.experience, rig.network().experience(from.experience)->robot, 3, 4, 0, "marks"};
+  const support::BatchPlan plan{from.experience, rig.network().experience(from.experience)->robot, 3, 4, 0, "marks"};
   rig.snapshots.push(with(rig.network(), support::make_batch(random, rig.network(), plan)));
   EXPECT_EQ(words(), first);
   rig.now.steady += 2min;

@@ -169,5 +169,10 @@ int run(int argc, char** argv) {
 }  // namespace weft::bench
 
 int main(int argc, char** argv) {
-  return weft::bench::run(argc, argv);
+  try {
+    return weft::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "scale_bench: " << error.what() << '\n';
+    return 1;
+  }
 }

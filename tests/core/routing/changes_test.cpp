@@ -93,8 +93,8 @@ TEST(ChangedRoutes, FollowAStitchThatChangesItsRelation) {
   Random random(8);
   Snapshot snapshot = support::make_site({.places = 4'000, .seed = 14});
   const Preparation preparation = prepare(snapshot, {"floor"});
-  Snapshot::Experiences changed = snapshot.experiences();
-  for (auto& [id, experience] : changed) {
+  Snapshot::Experiences changed;
+  for (const auto& [id, experience] : snapshot.experiences()) {
     auto copy = std::make_shared<Experience>(*experience);
     copy->stitches = {};
     for (Edge stitch : experience->stitches) {
@@ -103,7 +103,7 @@ TEST(ChangedRoutes, FollowAStitchThatChangesItsRelation) {
       copy->stitches.push_back(std::make_shared<const Edge>(stitch));
     }
     index_stitches(*copy);
-    experience = copy;
+    changed.emplace(id, copy);
   }
   snapshot = {{snapshot.revision().value + 1}, changed, snapshot.shared_labels()};
   EXPECT_GT(expect_as_dijkstra(random, update(preparation, snapshot), snapshot, 30), 10U);
