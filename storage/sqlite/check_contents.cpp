@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t kContentsAStep = 16;  // 20 KB each: about a millisecond
 
 /// What is wrong with the row; empty: nothing.
-std::string damage_of(const ContentHash& hash, const Query& row) {
-  const Result<Bytes> bytes = decode_content(static_cast<Coding>(row.number(2)), row.blob(4), row.number(3));
+std::string damage_of(ContentCoder& coder, const ContentHash& hash, const Query& row) {
+  const Result<Bytes> bytes = coder.decode(static_cast<Coding>(row.number(2)), row.blob(4), row.number(3));
   if (!bytes) return bytes.error().message;
   return hash_bytes(*bytes) == hash ? "" : "its SHA-256 differs";
 }
@@ -28,7 +28,7 @@ class ContentCheck final : public CheckPart {
       const auto hash = row.id<ContentHash>(1);
       rows.emplace_back(row.number(0), hash);
       const bool is_known = row.number(5) != 0 || parts_.quarantined.contains(hash);
-      const std::string damage = is_known ? "it was found damaged before" : damage_of(hash, row);
+      const std::string damage = is_known ? "it was found damaged before" : damage_of(*parts_.coder, hash, row);
       if (damage.empty()) return;
       findings.push_back("content " + to_string(hash) + ": " + damage + "; quarantined");
       if (!is_known) damaged.push_back(hash);

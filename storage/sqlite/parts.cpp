@@ -23,7 +23,7 @@ Result<Bytes> read_content(const Parts& parts, const ContentHash& hash) {
   if (!found) return fail(found.error());
   if (!*found) return fail(ErrorCode::not_found, "it is not stored");
   if (query.number(0) != 0) return fail(ErrorCode::corrupt, "it was found damaged before");
-  Result<Bytes> bytes = decode_content(static_cast<Coding>(query.number(1)), query.blob(3), query.number(2));
+  Result<Bytes> bytes = parts.coder->decode(static_cast<Coding>(query.number(1)), query.blob(3), query.number(2));
   if (bytes && hash_bytes(*bytes) != hash) return fail(ErrorCode::corrupt, "its SHA-256 differs");
   return bytes;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "storage/sqlite/directory_lock.hpp"
+#include "storage/sqlite/rows.hpp"
 #include "storage/sqlite/statements.hpp"
 #include "storage/sqlite/writer.hpp"
 
@@ -19,6 +20,7 @@ struct Parts {
   Database database;
   Statements statements;
   Epoch epoch{};
+  std::unique_ptr<ContentCoder> coder = std::make_unique<ContentCoder>();
   StoreRow row{};                       ///< as last committed
   std::set<ContentHash> quarantined{};  ///< found damaged by this process
   std::uint64_t moves = 0;              ///< counts commits that took something out or back

@@ -13,7 +13,8 @@ namespace weft::storage::sqlite {
 namespace {
 
 constexpr std::size_t kGuardBytes = 8;
-constexpr int kLevel = 1;  // descriptors and patches: level 3 gains about a percent for twice the time
+constexpr std::size_t kLeastSaved = 8;  // an eighth: less is not worth decoding it at every reading
+constexpr int kLevel = 1;               // descriptors and patches: level 3 gains about a percent for twice the time
 
 }  // namespace
 
@@ -48,16 +49,26 @@ std::optional<Bytes> compressed_cloud(ByteView content) {
 
 }  // namespace
 
-Coded encode_content(ByteView content) {
+void ContentCoder::Free::operator()(ZSTD_CCtx_s* context) const {
+  ZSTD_freeCCtx(context);
+}
+void ContentCoder::Free::operator()(ZSTD_DCtx_s* context) const {
+  ZSTD_freeDCtx(context);
+}
+
+ContentCoder::ContentCoder() : compressor_(ZSTD_createCCtx()), decompressor_(ZSTD_createDCtx()) {}
+
+Coded ContentCoder::encode(ByteView content) {
   if (auto cloud = compressed_cloud(content)) return {Coding::cloud, std::move(*cloud)};
   Bytes bytes(ZSTD_compressBound(content.size()));
-  const std::size_t size = ZSTD_compress(bytes.data(), bytes.size(), content.data(), content.size(), kLevel);
-  if (ZSTD_isError(size) != 0 || size >= content.size()) return {};
+  const std::size_t size =
+      ZSTD_compressCCtx(compressor_.get(), bytes.data(), bytes.size(), content.data(), content.size(), kLevel);
+  if (ZSTD_isError(size) != 0 || size > content.size() - content.size() / kLeastSaved) return {};
   bytes.resize(size);
   return {Coding::zstd, std::move(bytes)};
 }
 
-Result<Bytes> decode_content(Coding coding, ByteView stored, std::uint64_t size) {
+Result<Bytes> ContentCoder::decode(Coding coding, ByteView stored, std::uint64_t size) {
   if (size > msg::kContentBytes) {
     return fail(ErrorCode::corrupt, "its row says " + std::to_string(size) + " bytes, the largest content has " +
                                         std::to_string(msg::kContentBytes));
@@ -73,7 +84,8 @@ Result<Bytes> decode_content(Coding coding, ByteView stored, std::uint64_t size)
     return fail(ErrorCode::corrupt, "unknown coding " + std::to_string(static_cast<std::uint64_t>(coding)));
   }
   Bytes bytes(size);
-  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), stored.data(), stored.size());
+  const std::size_t got =
+      ZSTD_decompressDCtx(decompressor_.get(), bytes.data(), bytes.size(), stored.data(), stored.size());
   if (ZSTD_isError(got) != 0) return fail(ErrorCode::corrupt, std::string("zstd: ") + ZSTD_getErrorName(got));
   if (got != size)
     return fail(ErrorCode::corrupt, "it has " + std::to_string(got) + " bytes, not " + std::to_string(size));

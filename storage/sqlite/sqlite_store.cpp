@@ -57,7 +57,7 @@ class SqliteStore final : public MapStore {
     if (std::none_of(plan->fresh.begin(), plan->fresh.end(), [](bool fresh) { return fresh; })) {
       return Commit{row->revision};
     }
-    row = write_changes(parts_->statements, transaction, *plan, *row);
+    row = write_changes(parts_->statements, *parts_->coder, transaction, *plan, *row);
     if (!row) return fail(row.error());
     if (auto done = write->commit(); !done) return fail(done.error());
     parts_->row = *row;

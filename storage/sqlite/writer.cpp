@@ -9,10 +9,11 @@ namespace {
 /// One call a change; `row` is the store's row of this transaction.
 class Writer {
  public:
-  Writer(const Statements& statements, StoreRow& row) : statements_(statements), row_(row) {}
+  Writer(const Statements& statements, ContentCoder& coder, StoreRow& row)
+      : statements_(statements), coder_(coder), row_(row) {}
 
   Result<void> operator()(const PutContent& put) const {
-    const Coded coded = encode_content(put.bytes);
+    const Coded coded = coder_.encode(put.bytes);
     const ByteView bytes = coded.coding == Coding::raw ? ByteView(put.bytes) : ByteView(coded.bytes);
     Query query(statements_.put_content);
     query << put.hash << static_cast<std::uint64_t>(put.kind) << std::uint64_t{put.bytes.size()}
@@ -138,6 +139,7 @@ class Writer {
   }
 
   const Statements& statements_;
+  ContentCoder& coder_;
   StoreRow& row_;
 };
 
@@ -217,13 +219,13 @@ Result<Facts> read_facts(const Statements& statements, const Needs& needs) {
   return facts;
 }
 
-Result<StoreRow> write_changes(const Statements& statements, const Transaction& transaction, const Plan& plan,
-                               StoreRow row) {
+Result<StoreRow> write_changes(const Statements& statements, ContentCoder& coder, const Transaction& transaction,
+                               const Plan& plan, StoreRow row) {
   if (plan.changes_network) {
     if (auto done = write_note(statements, note_of(transaction, row.revision)); !done) return fail(done.error());
     ++row.revision.value;
   }
-  const Writer write(statements, row);
+  const Writer write(statements, coder, row);
   for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
     if (!plan.fresh[at]) continue;
     if (auto done = std::visit(write, transaction.changes[at]); !done) return fail(done.error());

@@ -1,6 +1,7 @@
 #pragma once
 #include "storage/map_store.hpp"
 #include "storage/plan.hpp"
+#include "storage/sqlite/rows.hpp"
 #include "storage/sqlite/statements.hpp"
 
 namespace weft::storage::sqlite {
@@ -20,7 +21,7 @@ Result<void> write_store_row(const Statements& statements, const StoreRow& row);
 Result<Facts> read_facts(const Statements& statements, const Needs& needs);
 
 /// Writes what the plan calls fresh, within the caller's transaction; returns the store's row as it has then become.
-Result<StoreRow> write_changes(const Statements& statements, const Transaction& transaction, const Plan& plan,
-                               StoreRow row);
+Result<StoreRow> write_changes(const Statements& statements, ContentCoder& coder, const Transaction& transaction,
+                               const Plan& plan, StoreRow row);
 
 }  // namespace weft::storage::sqlite

@@ -59,6 +59,7 @@ void Chaos::begin(Kind kind) {
       return;
     case Kind::writes_fail:
       fleet_.disk().faults.fail_next = static_cast<std::uint32_t>(1 + random_.below(5));
+      fleet_.disk().faults.fail_with = random_.chance(0.5) ? ErrorCode::unavailable : ErrorCode::exhausted;
       return;
     case Kind::torn_write:
       fleet_.disk().faults.tear_next = true;

@@ -73,6 +73,7 @@ class Ledger {
   void check_released_point(const Robot& robot);
   void check_belief(const Robot& robot);
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
+  void check_revisions(const server::Service& service, const storage::MemoryDisk& disk);
   void check_stitches(const Snapshot& snapshot);
   void check_goals(const server::Service& service);
   bool waits_for_the_lost(const Goal& goal) const;

@@ -8,6 +8,7 @@ namespace weft::simulation {
 
 void Ledger::look(const server::Service& service, const storage::MemoryDisk& disk) {
   check_acknowledged(service, disk);
+  check_revisions(service, disk);
   check_stitches(service.snapshot());
   check_goals(service);
 }
@@ -42,6 +43,28 @@ void Ledger::check_acknowledged(const server::Service& service, const storage::M
       broken("acknowledged", to_string(experience) + " has " + std::to_string(served ? served->places.size() : 0) +
                                  " places, acknowledged were " + std::to_string(places));
     }
+  }
+}
+
+/// Whatever the disk refused or tore: revisions follow one another, the server's map is the disk's newest, and no
+/// batch is there twice.
+void Ledger::check_revisions(const server::Service& service, const storage::MemoryDisk& disk) {
+  if (service.snapshot().revision() != disk.revision) {
+    broken("revisions", "the server's map is of revision " + std::to_string(service.snapshot().revision().value) +
+                            ", the disk's newest is " + std::to_string(disk.revision.value));
+  }
+  std::uint64_t expected = 0;
+  for (const storage::RevisionNote& note : disk.notes) {
+    if (note.revision.value != ++expected)
+      broken("revisions", "revision " + std::to_string(expected) + " has no note");
+  }
+  if (expected != disk.revision.value) broken("revisions", "the newest revision has no note");
+  std::map<storage::BatchKey, std::size_t> times;
+  for (const storage::MemoryDisk::Step& step : disk.history) {
+    const auto* const batch = std::get_if<Batch>(&step.change);
+    if (batch == nullptr || ++times[{batch->experience, batch->sequence}] == 1) continue;
+    broken("acknowledged",
+           "batch " + std::to_string(batch->sequence) + " of " + to_string(batch->experience) + " is stored twice");
   }
 }
 

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "core/network/codec.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 #include "tests/storage/faulty_vfs.hpp"
+#include "tests/storage/job_steps.hpp"
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
@@ -75,6 +77,41 @@ TEST_P(SqliteFaults, FullDiskStopsCommitsServesReadsAndResumesWithoutRestart) {
   const auto committed = store_->commit(sample::transaction(second));
   ASSERT_TRUE(committed) << committed.error().message;
   EXPECT_EQ(committed->revision, Revision{2});
+  const auto job = store_->check();
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_TRUE(finish(**job)->findings.empty());
+  EXPECT_EQ(restart().snapshot.place_count(), 6U);
+  for (const Bytes& bytes : second.contents) EXPECT_EQ(store_->content(hash_bytes(bytes)).value(), bytes);
+}
+
+// What happens on a disk that fills up in the middle of a day: some commits, space for a while, full again.
+TEST_P(SqliteFaults, SpaceThatComesAndGoesLosesNothing) {
+  sample::Run run(1, 1);
+  restart();
+  Random random(9);
+  std::uint64_t refused = 0;
+  for (std::uint64_t batch = 1; batch <= 40; ++batch) {
+    const auto delivery = run.next(2, 2500);
+    vfs_.fail_after(static_cast<int>(random.below(30)), GetParam());
+    for (bool is_in = false; !is_in;) {
+      const auto committed = store_->commit(sample::transaction(delivery));
+      is_in = committed.has_value();
+      if (is_in) {
+        EXPECT_EQ(committed->revision, Revision{batch});
+      } else {
+        ++refused;
+        EXPECT_EQ(committed.error().code, expected_code());
+        EXPECT_TRUE(store_->log({}, 3)) << "reads are served";
+        vfs_.heal();
+      }
+    }
+  }
+  vfs_.heal();
+  EXPECT_GT(refused, 10U);
+  EXPECT_TRUE(finish(**store_->check())->findings.empty());
+  const Stored stored = restart();
+  EXPECT_EQ(stored.snapshot.place_count(), 80U);
+  EXPECT_EQ(stored.durable_through.at({1}), 40U);
 }
 
 TEST_P(SqliteFaults, OpeningOnAFaultyDiskNamesTheReason) {

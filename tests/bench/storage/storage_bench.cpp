@@ -103,6 +103,16 @@ std::vector<Transaction> neighbourhood() {
   return transactions;
 }
 
+/// What no store that verifies its contents can be faster than.
+void hash_50(benchmark::State& state) {
+  const auto transactions = neighbourhood();
+  for (auto _ : state) {
+    for (const Transaction& transaction : transactions) {
+      benchmark::DoNotOptimize(hash_bytes(std::get<PutContent>(transaction.changes.front()).bytes));
+    }
+  }
+}
+
 void read_50_store(benchmark::State& state) {
   const TemporaryDirectory directory;
   const auto store = open_store(directory.path(), state);
@@ -150,6 +160,7 @@ void open_100k_places(benchmark::State& state) {
 BENCHMARK(intake_plain_sqlite)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
 BENCHMARK(intake_store)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
 BENCHMARK(read_50_plain_sqlite)->Unit(benchmark::kMillisecond);
+BENCHMARK(hash_50)->Unit(benchmark::kMillisecond);
 BENCHMARK(read_50_store)->Unit(benchmark::kMillisecond);
 BENCHMARK(open_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime();
 
