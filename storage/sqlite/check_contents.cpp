@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/network/codec.hpp"
 #include "storage/sqlite/check_parts.hpp"
 #include "storage/sqlite/rows.hpp"
@@ -6,7 +8,8 @@
 namespace weft::storage::sqlite {
 namespace {
 
-constexpr std::size_t kContentsAStep = 16;  // 20 KB each: about a millisecond
+constexpr std::uint64_t kBytesAStep = 1U << 20U;  // about two milliseconds
+constexpr std::size_t kMostContentsAStep = 500;
 
 /// What is wrong with the row; empty: nothing.
 std::string damage_of(ContentCoder& coder, const ContentHash& hash, const Query& row) {
@@ -23,8 +26,10 @@ class ContentCheck final : public CheckPart {
   Result<bool> step(Findings& findings) override {
     std::vector<ContentHash> damaged;
     std::vector<std::pair<std::uint64_t, ContentHash>> rows;
-    const Result<bool> more = scan_.next(kContentsAStep, [&](const Query& row) {
+    std::uint64_t bytes = 0;
+    const Result<bool> more = scan_.next(piece_, [&](const Query& row) {
       ++done_;
+      bytes += row.number(3);
       const auto hash = row.id<ContentHash>(1);
       rows.emplace_back(row.number(0), hash);
       const bool is_known = row.number(5) != 0 || parts_.quarantined.contains(hash);
@@ -34,6 +39,9 @@ class ContentCheck final : public CheckPart {
       if (!is_known) damaged.push_back(hash);
     });
     if (!more) return fail(more.error());
+    // As many as would have been enough this time.
+    if (!rows.empty())
+      piece_ = std::clamp<std::size_t>(kBytesAStep * rows.size() / (bytes + 1), 1, kMostContentsAStep);
     for (const ContentHash& hash : damaged) quarantine(parts_, hash);
     for (const auto& [id, hash] : rows) {
       Query query(find_);
@@ -52,6 +60,7 @@ class ContentCheck final : public CheckPart {
   Parts& parts_;
   Scan scan_;
   Statement find_;
+  std::size_t piece_ = 16;
   std::uint64_t done_ = 0;
 };
 

@@ -6,6 +6,8 @@
 namespace weft::storage::sqlite {
 namespace {
 
+constexpr std::uint64_t kStepsAnEstimate = 200;
+
 class CheckJob final : public StoreJob {
  public:
   CheckJob(Parts& parts, CheckParts tables) : parts_(parts), tables_(std::move(tables)) {}
@@ -26,8 +28,8 @@ class CheckJob final : public StoreJob {
                                     [](std::uint64_t sum, const auto& table) { return sum + table->done(); });
     progress.unit = "rows";
     progress.finished = at_ == tables_.size();
-    const auto expected = estimate();
-    progress.total = progress.finished ? progress.done : std::max(progress.done, expected.value_or(progress.done));
+    if (steps_++ % kStepsAnEstimate == 0) expected_ = estimate().value_or(0);
+    progress.total = progress.finished ? progress.done : std::max(progress.done, expected_);
     if (progress.finished) progress.summary = summary(progress.done);
     return progress;
   }
@@ -50,6 +52,8 @@ class CheckJob final : public StoreJob {
   CheckParts tables_;
   std::size_t at_ = 0;
   std::uint64_t found_ = 0;
+  std::uint64_t steps_ = 0;
+  std::uint64_t expected_ = 0;
   std::optional<Error> failed_;
 };
 

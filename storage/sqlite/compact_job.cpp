@@ -6,6 +6,8 @@
 namespace weft::storage::sqlite {
 namespace {
 
+constexpr std::uint64_t kStepsBetweenEstimates = 200;
+
 class CompactJob final : public StoreJob {
  public:
   CompactJob(std::unique_ptr<Compaction> compaction, CompactParts pieces)
@@ -23,12 +25,13 @@ class CompactJob final : public StoreJob {
       }
       at_ += *more ? 0 : 1;
     }
+    if (steps_++ % kStepsBetweenEstimates == 0) expected_ = estimate();
     JobProgress progress;
     progress.unit = "rows";
     progress.done = std::accumulate(pieces_.begin(), pieces_.end(), std::uint64_t{0},
                                     [](std::uint64_t sum, const auto& piece) { return sum + piece->done(); });
     progress.finished = at_ == pieces_.size();
-    progress.total = progress.finished ? progress.done : std::max(progress.done, estimate());
+    progress.total = progress.finished ? progress.done : std::max(progress.done, expected_);
     if (progress.finished) progress.summary = summary();
     return progress;
   }
@@ -63,6 +66,8 @@ class CompactJob final : public StoreJob {
   std::unique_ptr<Compaction> compaction_;
   CompactParts pieces_;
   std::size_t at_ = 0;
+  std::uint64_t steps_ = 0;
+  std::uint64_t expected_ = 0;
   std::optional<Error> failed_;
 };
 

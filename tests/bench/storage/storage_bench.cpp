@@ -1,6 +1,9 @@
 /// The map store beside plain SQLite: the same bytes in the same transactions. build/release/bench/storage_bench
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "core/network/codec.hpp"
 #include "storage/sqlite/database.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
@@ -140,15 +143,58 @@ void read_50_plain_sqlite(benchmark::State& state) {
   }
 }
 
+void fill_100k_places(MapStore& store, benchmark::State& state) {
+  for (std::uint64_t experience = 1; experience <= 100; ++experience) {
+    sample::Run run(experience, experience);
+    if (!store.commit(sample::transaction(run.next(1000, 32)))) state.SkipWithError("commit failed");
+  }
+}
+
+/// Time in all, and the longest step: what others wait at most.
+template <class Begin>
+void upkeep_100k_places(benchmark::State& state, Begin begin) {
+  const TemporaryDirectory directory;
+  const auto store = open_store(directory.path(), state);
+  if (!store) return;
+  fill_100k_places(*store, state);
+  const Removal half{{{{7}, 0, 500}}, {}};
+  if (!store->commit({{TakeOut{half}}, {}})) state.SkipWithError("commit failed");
+  double longest_s = 0.0;
+  std::uint64_t steps = 0;
+  for (auto _ : state) {
+    const auto job = begin(*store, directory.path() / ("snapshot-" + std::to_string(steps)));
+    for (bool finished = !job; !finished; ++steps) {
+      const auto began = std::chrono::steady_clock::now();
+      const auto progress = (*job)->step();
+      longest_s =
+          std::max(longest_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+      if (!progress) state.SkipWithError("a step failed");
+      finished = !progress || progress->finished;
+    }
+  }
+  state.counters["longest_step_ms"] = longest_s * 1000.0;
+  state.counters["steps"] = static_cast<double>(steps);
+}
+
+void check_100k_places(benchmark::State& state) {
+  upkeep_100k_places(state, [](MapStore& store, const auto&) { return store.check(); });
+}
+void snapshot_100k_places(benchmark::State& state) {
+  upkeep_100k_places(state, [](MapStore& store, const auto& file) { return store.snapshot_to(file); });
+}
+void compact_100k_places(benchmark::State& state) {
+  upkeep_100k_places(state, [](MapStore& store, const auto&) { return store.compact({101}); });
+}
+void stats_100k_places(benchmark::State& state) {
+  upkeep_100k_places(state, [](MapStore& store, const auto&) { return store.stats(); });
+}
+
 void open_100k_places(benchmark::State& state) {
   const TemporaryDirectory directory;
   {
     const auto store = open_store(directory.path(), state);
     if (!store) return;
-    for (std::uint64_t experience = 1; experience <= 100; ++experience) {
-      sample::Run run(experience, experience);
-      if (!store->commit(sample::transaction(run.next(1000, 32)))) state.SkipWithError("commit failed");
-    }
+    fill_100k_places(*store, state);
   }
   for (auto _ : state) {
     auto store = open_sqlite(directory.path());
@@ -162,6 +208,10 @@ BENCHMARK(intake_store)->Unit(benchmark::kMillisecond)->UseRealTime()->Iteration
 BENCHMARK(read_50_plain_sqlite)->Unit(benchmark::kMillisecond);
 BENCHMARK(hash_50)->Unit(benchmark::kMillisecond);
 BENCHMARK(read_50_store)->Unit(benchmark::kMillisecond);
+BENCHMARK(check_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(snapshot_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(compact_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(stats_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(open_100k_places)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
