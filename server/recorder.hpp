@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/result.hpp"
 #include "server/outbox.hpp"
@@ -34,6 +35,8 @@ class Recorder {
   const std::optional<Error>& stopped() const { return stopped_; }
   /// Another server has taken the store over: this one has to end.
   const std::optional<Error>& broken() const { return broken_; }
+  /// What is served is not what is stored any more: this server has to end and load anew.
+  void give_up(Error why) { broken_ = std::move(why); }
 
  private:
   void failed(const Error& error, Now now);

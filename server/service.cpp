@@ -38,11 +38,11 @@ class FleetMapServer final : public Service {
         intake_(context_, stored.durable_through),
         subscriptions_(context_),
         shelf_(context_),
-        traffic_(context_, std::move(stored.occupancies)),
+        traffic_(context_, std::move(stored.occupancies), now),
         routes_(context_),
         dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
-        desk_(context_, fleet_, dispatcher_),
+        desk_(context_, fleet_, traffic_, dispatcher_),
         answers_(context_, fleet_, traffic_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
@@ -71,7 +71,7 @@ class FleetMapServer final : public Service {
     after(intake_.tick(now), now);
     subscriptions_.tick(now.steady);
     shelf_.tick(now);
-    desk_.tick(now.steady);
+    desk_.tick(now);
     routes_.tick(now);
     settle(now);
     return out_.take();
@@ -87,6 +87,10 @@ class FleetMapServer final : public Service {
   }
 
   void count(const std::string& what, std::uint64_t times) override { counters_[what] += times; }
+  void sent(const msg::Message& message, std::size_t bytes) override {
+    if (const auto* const patch = std::get_if<msg::WindowPatch>(&message)) fleet_.sent_window(patch->to, bytes);
+    if (const auto* const chunk = std::get_if<msg::Chunk>(&message)) fleet_.sent_content(chunk->to, bytes);
+  }
   const Snapshot& snapshot() const override { return snapshots_.current(); }
   std::vector<Goal> goals() const override {
     std::vector<Goal> goals;
@@ -128,6 +132,7 @@ class FleetMapServer final : public Service {
       traffic_.joined(batch);
       desk_.joined(batch, now);
     }
+    for (const auto& [batch, why] : intake_.take_refused()) desk_.refused(batch, why);
   }
 
   /// True when the message comes from somebody who may speak.

@@ -39,6 +39,9 @@ class Service {
   /// Refusals seen by the wire, to be shown in `map info`.
   virtual void count(const std::string& what, std::uint64_t times) = 0;
 
+  /// What a message took on the wire: what each robot's window and contents cost is shown.
+  virtual void sent(const msg::Message& message, std::size_t bytes) = 0;
+
   /// Another server has taken over the store: this one has nothing to say any more, and its process ends.
   virtual std::optional<Error> broken() const = 0;
 

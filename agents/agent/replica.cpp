@@ -113,7 +113,7 @@ Replica::Heard Replica::on_patch(const msg::WindowPatch& part, SteadyTime now) {
     ask(now);
     return Heard::ignored;
   }
-  window_ = std::move(*applied);
+  before_ = std::exchange(window_, std::move(*applied));
   digest_ = patch->digest;
   held_id_ = definition_id_;
   fresh_ = false;

@@ -35,6 +35,8 @@ class Replica {
   SteadyTime next() const { return ask_at_; }
 
   const Window& window() const { return window_; }
+  /// As it was before the last change.
+  const Window& before() const { return before_; }
   const Digest& digest() const { return digest_; }
   /// The window is of the present definition; false until its first patch has come.
   bool is_settled() const { return held_id_ == definition_id_; }
@@ -55,6 +57,7 @@ class Replica {
   std::uint64_t definition_id_;
   std::uint64_t held_id_ = 0;  ///< the definition that the window is of
   Window window_;
+  Window before_;
   Digest digest_;
   bool fresh_ = false;  ///< what is held is of no use as a base
   std::optional<Parts> parts_;

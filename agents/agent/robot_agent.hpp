@@ -130,6 +130,7 @@ class RobotAgent final : public Agent {
   void try_follow(SteadyTime now);
   void note_following(const Navigated& navigated, SteadyTime now);
   void recentre(SteadyTime now);
+  void keep_ground(SteadyTime now);
   void want_contents(SteadyTime now);
 
   // What is said of oneself (robot_agent_state.cpp).
@@ -153,6 +154,7 @@ class RobotAgent final : public Agent {
   Session session_;
   Spooler spooler_;
   Replica replica_;
+  std::optional<Window> ground_;  ///< as it was when the ground was taken away; while what is left is asked for
   ContentCache cache_;
   Budget budget_;
   CommandLedger ledger_;

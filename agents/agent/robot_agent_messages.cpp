@@ -62,6 +62,7 @@ void RobotAgent::on(const msg::BatchAck& ack, SteadyTime now) {
   output_.acks.insert(output_.acks.end(), heard.acknowledged.begin(), heard.acknowledged.end());
   if (!heard.reason.empty()) output_.notes.push_back(heard.reason);
   if (heard.refused) abandon_teaching(heard.reason);
+  if (!heard.reason.empty()) navigator_->forget_taught(replica_.window());
   if (!heard.reason.empty() && handing_in_.has_value() && handing_in_->experience == ack.experience) {
     refuse(handing_in_->asked_by, heard.reason);
     handing_in_.reset();
@@ -78,7 +79,9 @@ void RobotAgent::on(const msg::ContentRequest& request, SteadyTime now) {
 
 void RobotAgent::on(const msg::WindowPatch& patch, SteadyTime now) {
   if (replica_.is_own(patch)) session_.answered(patch.header);
-  if (replica_.on_patch(patch, now) == Replica::Heard::changed) want_contents(now);
+  if (replica_.on_patch(patch, now) != Replica::Heard::changed) return;
+  keep_ground(now);
+  want_contents(now);
 }
 
 void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {

@@ -81,6 +81,8 @@ msg::RobotState RobotAgent::state() {
   state.window_revision = replica_.window().revision;
   state.window_digest = replica_.digest();
   state.contents_missing = cache_.missing();
+  state.memory_bytes = cache_.bytes();
+  state.memory_cap_bytes = config_.content_cache_bytes;
   state.reason = reason();
   return state;
 }

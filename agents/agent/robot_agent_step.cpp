@@ -3,6 +3,7 @@
 
 #include "agents/agent/robot_agent.hpp"
 #include "agents/agent/surroundings.hpp"
+#include "core/network/search.hpp"
 
 namespace weft::agents {
 namespace {
@@ -10,6 +11,7 @@ using namespace std::chrono_literals;
 
 constexpr std::uint32_t kDriftHops = 8;  ///< the window moves when the robot is farther than this from its centre
 constexpr Duration kBetweenMoves = 1s;   ///< of the window
+constexpr std::uint32_t kGroundPlaces = 1000;
 
 double speed(const Motion& motion) {
   const double elapsed = seconds(motion.elapsed);
@@ -98,6 +100,35 @@ void RobotAgent::recentre(SteadyTime now) {
   if (old.has_value() && is_near(window, *old, *centre, kDriftHops)) return;
   WindowDefinition definition = replica_.definition();
   definition.centre = centre;
+  replica_.define(std::move(definition), now);
+}
+
+/// An edit of the map can take the ground away on which the robot knows where it is. Whether anything beside it is
+/// left shows when exactly that is asked for.
+void RobotAgent::keep_ground(SteadyTime now) {
+  // Who looks for himself around a seed asks for another part of the map on purpose.
+  const bool goes_elsewhere = localising_.has_value() && localising_->seed.has_value();
+  if (teaching_.has_value() || goes_elsewhere) return ground_.reset();
+  const Window& before = ground_.has_value() ? *ground_ : replica_.before();
+  WindowDefinition definition = replica_.definition();
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (navigator_->map_changed(before, replica_.window())) {
+    if (!ground_.has_value()) return;
+    ground_.reset();
+    if (const auto found = navigator_->estimate()) definition.centre = found->place;
+  } else if (!ground_.has_value()) {
+    ground_ = before;
+    definition.centre.reset();
+    definition.route =
+        neighbourhood(*ground_, estimate->place, static_cast<std::uint32_t>(before.places.size()), kGroundPlaces);
+    return replica_.define(std::move(definition), now);
+  } else {
+    ground_.reset();
+    navigator_->forget_where();
+    output_.notes.push_back("what it knew around " + to_string(estimate->place) +
+                            " was taken out of the map: it does not know where it is");
+  }
+  definition.route = task_.route().has_value() ? task_.route()->places : std::vector<PlaceId>{};
   replica_.define(std::move(definition), now);
 }
 

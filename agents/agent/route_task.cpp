@@ -25,6 +25,7 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
   touch(now);
   if (same && order.version < route_->version) return Took::ignored;
   if (same && order.version == route_->version) {
+    if (order.released == route_->released) route_->reason = order.reason;
     if (order.released <= route_->released) return Took::ignored;
     route_->released = order.released;
     route_->reason = order.reason;

@@ -38,6 +38,8 @@ class Belief {
   /// Trust this from now on, as if it had just been seen.
   void set(const Fix& fix);
   void forget();
+  /// The same belief, seen from another place.
+  void stand(const Estimate& estimate) { estimate_ = estimate; }
 
   /// A fix of a robot that knows about where it is; `predicted` is of the same place. Gives the fix as believed
   /// (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.

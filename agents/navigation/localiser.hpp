@@ -54,6 +54,17 @@ class Localiser {
     seek_.end();
   }
 
+  /// The same belief in other words: seen from another place.
+  void stand(const Estimate& estimate) {
+    belief_.stand(estimate);
+    charted_.forget();
+  }
+  void forget() {
+    belief_.forget();
+    charted_.forget();
+    seek_.end();
+  }
+
   /// Whether an attempt is worth its cost now. `soon`: standing where a fix is waited for.
   bool due(bool soon) const {
     if (seek_.active()) return true;

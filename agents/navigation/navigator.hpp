@@ -65,6 +65,15 @@ class Navigator {
   /// teaching, when it does not know where it is, and when what is seen joins nothing ("nothing_joined", or why not).
   virtual OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) = 0;
 
+  /// The window `before` became `after`. What is believed on a place that is not there any more is believed on the
+  /// nearest place that stayed, by the relations that led there. False: none of what was around has stayed, and what
+  /// is believed hangs in the air. Places that were taught and are on their way to the server count as there.
+  virtual bool map_changed(const Window& before, const Window& after) = 0;
+  /// The server has refused what was taught: those places will never be in the map.
+  virtual void forget_taught(const Window& map) = 0;
+  /// Where it is, is not known any more; the route stays.
+  virtual void forget_where() = 0;
+
   /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
   /// this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;

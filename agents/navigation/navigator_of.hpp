@@ -112,6 +112,23 @@ class NavigatorOf final : public Navigator {
     return tl::unexpected(found.refusals.empty() ? Refusal{"nothing_joined"} : found.refusals.front());
   }
 
+  bool map_changed(const Window& before, const Window& after) override {
+    if (teacher_ || !estimate()) return true;
+    const PlaceId& at = estimate()->place;
+    const bool has_left = before.place(at) != nullptr && after.place(at) == nullptr && !own_.has(at);
+    return !has_left || stand_on_what_stays(before, after);
+  }
+
+  void forget_taught(const Window& map) override {
+    if (teacher_) return;
+    const Window known = own_.map(map);
+    own_.clear();
+    const bool is_there = !estimate() || map.place(estimate()->place) != nullptr;
+    if (!is_there && !stand_on_what_stays(known, map)) localiser_.forget();
+  }
+
+  void forget_where() override { localiser_.forget(); }
+
   void seek(const std::optional<PlaceId>& seed) override {
     if (teacher_) {
       finder_.emplace(method_, config_);
@@ -127,6 +144,17 @@ class NavigatorOf final : public Navigator {
   void stop() override { follower_.stop(); }
 
  private:
+  bool stand_on_what_stays(const Window& before, const Window& after) {
+    const auto all = static_cast<std::uint32_t>(before.places.size());
+    for (const Reached& reached : breadth_first(before, estimate()->place, all, all)) {
+      if (after.place(reached.id) == nullptr) continue;
+      const Relation there_from_robot = compose(inverse(reached.centre_from_place), estimate()->place_from_robot);
+      localiser_.stand({reached.id, there_from_robot, estimate()->blind_m});
+      return true;
+    }
+    return false;
+  }
+
   using Content = typename M::Content;
   using Pointer = std::shared_ptr<const Content>;
 

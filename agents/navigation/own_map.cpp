@@ -1,5 +1,7 @@
 #include "agents/navigation/own_map.hpp"
 
+#include <algorithm>
+
 namespace weft::agents {
 
 namespace {
@@ -29,6 +31,10 @@ void OwnMap::add(const Place& place, const std::vector<Edge>& edges) {
 void OwnMap::anchor(const Edge& edge) {
   edges_.push_back(edge);
   if (joined_) insert(*joined_, {edge});
+}
+
+bool OwnMap::has(const PlaceId& place) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& own) { return own.id == place; });
 }
 
 void OwnMap::update(const Window& window, bool done) {

@@ -14,6 +14,8 @@ class OwnMap {
   /// A place and edges to places of this map. `anchor`: a join that the robot believes but does not hand in.
   void add(const Place& place, const std::vector<Edge>& edges);
   void anchor(const Edge& edge);
+  /// One of the places that were added.
+  bool has(const PlaceId& place) const;
   /// To be called with each new window before `map`. Once the window holds the last own place and teaching is over
   /// (`done`), the own places are forgotten.
   void update(const Window& window, bool done);

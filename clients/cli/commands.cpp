@@ -23,6 +23,15 @@ Duration patience(const Invocation& invocation) {
     case Command::map_draw:
     case Command::map_export:
     case Command::map_import:
+    case Command::map_rollback:
+    case Command::map_undo:
+    case Command::map_quarantine:
+    case Command::map_replace:
+    case Command::map_prune:
+    case Command::map_compact:
+    case Command::map_snapshot:
+    case Command::map_check:
+    case Command::map_stats:
       return 60s;
     case Command::goal_watch:
       return 24h;
@@ -57,12 +66,16 @@ Result<msg::QueryReply> query_robots(Session& session, Duration at_most) {
 Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const Output& output) {
   const Exit exit = exit_of(reply.outcome);
   if (invocation.json) {
-    static constexpr std::array<const char*, 5> kOutcomes = {"", "done", "accepted", "refused", "failed"};
+    static constexpr std::array<const char*, 6> kOutcomes = {"",        "done",   "accepted",
+                                                             "refused", "failed", "under way"};
     nlohmann::json document = {{"outcome", kOutcomes.at(static_cast<std::size_t>(reply.outcome))},
                                {"message", reply.message}};
     if (reply.goal) document["goal"] = to_string(reply.goal);
     if (reply.place) document["place"] = to_string(reply.place);
     if (reply.experience) document["experience"] = to_string(reply.experience);
+    if (reply.revision.value != 0) document["revision"] = reply.revision.value;
+    if (!reply.findings.empty()) document["findings"] = reply.findings;
+    for (const auto& [name, count] : reply.counts) document["counts"][name] = count;
     output.out << document.dump(2) << '\n';
   }
   if (exit != Exit::done) {
@@ -73,8 +86,16 @@ Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const O
   return exit;
 }
 
+bool needs_server(Command command) {
+  return command != Command::file_info && command != Command::file_convert && command != Command::map_restore;
+}
+
+Exit run_offline(const Invocation& invocation, const Output& output) {
+  return invocation.command == Command::map_restore ? run_restore(invocation, output) : run_file(invocation, output);
+}
+
 Exit run(Session& session, const Invocation& invocation, const Output& output) {
-  if (!needs_server(invocation.command)) return run_file(invocation, output);
+  if (!needs_server(invocation.command)) return run_offline(invocation, output);
   const Result<msg::Hello> server = session.connect(std::min(patience(invocation), kReach));
   if (!server) return report(server.error(), invocation.json, output);
   switch (invocation.command) {
@@ -95,6 +116,16 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
     case Command::map_log:
     case Command::map_diff:
       return run_history(session, invocation, output);
+    case Command::map_rollback:
+    case Command::map_undo:
+    case Command::map_quarantine:
+    case Command::map_replace:
+    case Command::map_prune:
+    case Command::map_compact:
+    case Command::map_snapshot:
+    case Command::map_check:
+    case Command::map_stats:
+      return run_map_work(session, invocation, output);
     case Command::map_import:
       return run_import(session, invocation, output);
     case Command::goal_send:
@@ -108,6 +139,7 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
       return run_doctor(session, *server, invocation, output);
     case Command::file_info:
     case Command::file_convert:
+    case Command::map_restore:
       break;  // done above
   }
   return report({ErrorCode::internal, "no such command"}, invocation.json, output);

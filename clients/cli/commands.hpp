@@ -18,11 +18,14 @@ struct Output {
 /// Connects and does what was asked. Files named in the invocation are read and written here.
 Exit run(Session& session, const Invocation& invocation, const Output& output);
 
-/// Whether a command talks to a server; the others are done by `run_file`.
+/// Whether a command talks to a server; the others are done by `run_offline`.
 bool needs_server(Invocation::Command command);
 /// As whom a command speaks: an import as the robot whose runs it says they are, so that importing again is a repeat.
 PeerId identity(const Invocation& invocation, const PeerId& otherwise);
-/// Reads and writes files of open formats; no server is asked.
+Exit run_offline(const Invocation& invocation, const Output& output);
+/// Makes a snapshot the map of a store's directory.
+Exit run_restore(const Invocation& invocation, const Output& output);
+/// Reads and writes files of open formats.
 Exit run_file(const Invocation& invocation, const Output& output);
 
 /// "weft: ..." to err, and with --json the error as a document.
@@ -36,6 +39,10 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);
 /// The whole network as it was at that revision; 0: as it is. refused: there is no such revision yet.
 Result<Window> network_at(Session& session, const Invocation& invocation, Revision revision);
+/// Edits of the map and upkeep of the store; long ones show how far they are.
+Exit run_map_work(Session& session, const Invocation& invocation, const Output& output);
+/// What is to be done to the map. invalid: what the command line names is nothing that could be meant.
+Result<msg::OperatorRequest> map_work(const Invocation& invocation);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);
 Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);

@@ -28,6 +28,9 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   found.push_back(
       {"versions", same,
        "server " + info.software + ", this " WEFT_VERSION + (same ? "" : ": update the older one when it suits")});
+  const bool takes = info.stopped.empty();
+  found.push_back({"store", takes,
+                   takes ? "takes what is handed in" : "takes nothing since its last write failed: " + info.stopped});
   const bool room = info.disk_free_bytes >= kDiskLow;
   found.push_back({"disk", room,
                    fixed(static_cast<double>(info.disk_free_bytes) / kGiB, 1) + " GiB free at the server" +

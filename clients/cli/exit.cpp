@@ -32,6 +32,7 @@ Exit exit_of(msg::Outcome outcome) {
     case msg::Outcome::refused:
       return Exit::refused;
     case msg::Outcome::failed:
+    case msg::Outcome::under_way:  // never the last word
       break;
   }
   return Exit::failed;

@@ -166,10 +166,6 @@ Exit convert(const Invocation& invocation, const Output& output) {
 
 }  // namespace
 
-bool needs_server(Invocation::Command command) {
-  return command != Invocation::Command::file_info && command != Invocation::Command::file_convert;
-}
-
 Exit run_file(const Invocation& invocation, const Output& output) {
   return invocation.command == Invocation::Command::file_info ? info(invocation, output)
                                                               : convert(invocation, output);

@@ -25,6 +25,16 @@ struct Invocation {
     map_import,
     map_log,
     map_diff,
+    map_rollback,
+    map_undo,
+    map_quarantine,
+    map_replace,
+    map_prune,
+    map_compact,
+    map_snapshot,
+    map_check,
+    map_stats,
+    map_restore,
     goal_send,
     goal_list,
     goal_show,
@@ -51,7 +61,14 @@ struct Invocation {
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
   Revision from, to;               ///< map diff; map log: the newest to show (to)
   std::uint32_t most = 20;         ///< map log: how many
-  bool as_text = false;            ///< file convert: clouds as text
+  std::string what;                ///< map undo, quarantine, replace: a stitch, places, an experience's name or id
+  bool only_say = false;           ///< map edits: say what would be done
+  std::string store;               ///< map restore: the server's directory
+  bool accept_damage = false;      ///< map restore: of a damaged snapshot what is sound
+  bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
+  double within_m = 0.0;           ///< map prune, replace: as usual when 0
+  double within_deg = 0.0;
+  bool as_text = false;  ///< file convert: clouds as text
   bool json = false;
 
   std::vector<std::string> servers;

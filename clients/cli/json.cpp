@@ -51,6 +51,10 @@ json to_json(const msg::RobotRow& row) {
                  {"frame", state.frame},
                  {"window_revision", state.window_revision.value},
                  {"contents_missing", state.contents_missing},
+                 {"memory_bytes", state.memory_bytes},
+                 {"memory_cap_bytes", state.memory_cap_bytes},
+                 {"window_bytes_sent", row.window_bytes},
+                 {"content_bytes_sent", row.content_bytes},
                  {"silent_s", row.silent_s},
                  {"clock_skew_s", row.clock_skew_s},
                  {"occupies", row.occupies}};
@@ -109,6 +113,7 @@ json to_json(const msg::MapInfo& info) {
           {"software", info.software},
           {"vendor", info.vendor},
           {"engine", info.engine},
+          {"stopped", info.stopped},
           {"counters", std::move(counters)}};
 }
 

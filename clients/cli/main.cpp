@@ -39,7 +39,7 @@ std::string operator_name() {
 
 cli::Exit run(const cli::Invocation& invocation) {
   const cli::Output output{std::cout, std::cerr};
-  if (!cli::needs_server(invocation.command)) return cli::run_file(invocation, output);
+  if (!cli::needs_server(invocation.command)) return cli::run_offline(invocation, output);
   Random random(entropy());
   PeerId self;
   for (std::uint8_t& byte : self.bytes) byte = static_cast<std::uint8_t>(random.next() >> 8U);

@@ -33,6 +33,7 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   table.add({"disk free", fixed(static_cast<double>(info.disk_free_bytes) / kMiB / 1024.0, 1) + " GiB"});
   table.add({"server", info.software + ", " + info.vendor + ", " + info.engine + ", epoch " +
                            std::to_string(info.epoch.value)});
+  if (!info.stopped.empty()) table.add({"store", "TAKES NOTHING: " + info.stopped});
   for (const auto& [what, times] : info.counters) table.add({"counted", std::to_string(times) + " x " + what});
   table.print(output.out);
   return Exit::done;

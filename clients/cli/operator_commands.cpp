@@ -64,7 +64,13 @@ Exit run_operator(Session& session, const Invocation& invocation, const Output& 
   if (!request) return report(request.error(), invocation.json, output);
   const Result<msg::OperatorReply> reply = session.ask(std::move(*request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
-  return show(*reply, invocation, output);
+  const bool is_taught = reply->outcome == msg::Outcome::done && reply->experience;
+  if (!invocation.replace || !is_taught) return show(*reply, invocation, output);
+  if (!invocation.json) output.out << reply->message << '\n';
+  Invocation replaced = invocation;
+  replaced.command = Command::map_replace;
+  replaced.what = to_string(reply->experience);
+  return run_map_work(session, replaced, output);
 }
 
 }  // namespace weft::cli

@@ -19,6 +19,19 @@ std::string doing(const msg::RobotState& state) {
   return "-";
 }
 
+constexpr double kMiB = 1024.0 * 1024.0;
+
+/// What its window and its contents took on the wire since the server started.
+std::string sent_to(const msg::RobotRow& row) {
+  return fixed(static_cast<double>(row.window_bytes) / kMiB, 1) + " + " +
+         fixed(static_cast<double>(row.content_bytes) / kMiB, 1) + " MiB";
+}
+
+std::string held_by(const msg::RobotState& state) {
+  return fixed(static_cast<double>(state.memory_bytes) / kMiB, 1) + " of " +
+         fixed(static_cast<double>(state.memory_cap_bytes) / kMiB, 0) + " MiB";
+}
+
 }  // namespace
 
 std::string fixed(double value, int digits) {
@@ -41,10 +54,10 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
     return Exit::done;
   }
   Table table;
-  table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "REASON"});
+  table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "REASON"});
   for (const msg::RobotRow& row : reply->robots) {
     table.add({row.description.name, msg::to_string(row.state.mode), where(row.state), doing(row.state),
-               fixed(row.silent_s, 1) + " s ago", row.state.reason});
+               fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), row.state.reason});
   }
   table.print(output.out);
   return Exit::done;

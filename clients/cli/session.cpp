@@ -141,16 +141,21 @@ Result<msg::Hello> Session::connect(Duration at_most) {
   return *server_;
 }
 
-Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration at_most) {
+Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way) {
   request.header = header();
   request.request = random_.next() | 1U;
   std::optional<msg::OperatorReply> answer;
-  const Result<void> heard = converse(request, at_most, [&](const msg::Message& message) {
+  const auto hear = [&](const msg::Message& message) {
     const auto* const reply = std::get_if<msg::OperatorReply>(&message);
     if (reply == nullptr || reply->to != self_ || reply->request != request.request) return false;
     answer = *reply;
     return true;
-  });
+  };
+  Result<void> heard = converse(request, at_most, hear);
+  while (heard && answer->outcome == msg::Outcome::under_way) {
+    if (under_way) under_way(*answer);
+    heard = converse(request, at_most, hear);
+  }
   if (!heard) {
     return fail(ErrorCode::timed_out, "the server did not answer in " +
                                           std::to_string(std::lround(seconds(at_most))) +

@@ -31,8 +31,10 @@ class Session {
 
   /// unavailable: no server was heard within `at_most`; refused: it speaks no protocol version that we do.
   Result<msg::Hello> connect(Duration at_most);
-  /// timed_out: no answer within `at_most`. What the request asked for may still happen.
-  Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most);
+  using Progress = std::function<void(const msg::OperatorReply&)>;
+  /// timed_out: no answer within `at_most`, and of long work no word for so long. What the request asked for may
+  /// still happen.
+  Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
   /// All parts joined into one.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
   /// The whole network as it is now, or (`at` not 0) as it was at that revision.

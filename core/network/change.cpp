@@ -31,7 +31,9 @@ class Draft {
     return *copy;
   }
 
+  /// Left out when one of its ends has been taken out of the map: it comes with that end when it comes back.
   void stitch(const Edge& edge) {
+    if (!has(edge.id.a) || !has(edge.id.b)) return;
     const auto shared = std::make_shared<const Edge>(edge);
     touch_stitches(edge.id.a.experience).push_back(shared);
     if (edge.id.b.experience != edge.id.a.experience) touch_stitches(edge.id.b.experience).push_back(shared);
@@ -44,6 +46,13 @@ class Draft {
   }
 
  private:
+  bool has(const PlaceId& id) const {
+    if (const auto changed = touched_.find(id.experience); changed != touched_.end()) {
+      return changed->second->place(id.index) != nullptr;
+    }
+    const auto found = experiences_.find(id.experience);
+    return found != experiences_.end() && found->second->place(id.index) != nullptr;
+  }
   SharedItems<Edge>& touch_stitches(ExperienceId id) {
     stitched_.insert(id);
     return touch(id).stitches;

@@ -33,7 +33,8 @@ ContentHash hash(const Batch& batch);
 /// odometry, relations that are none, ends that do not exist, sizes out of bounds. Empty means it fits.
 std::vector<Error> check(const Snapshot& snapshot, const Batch& batch);
 
-/// The snapshot with the batch joined, one revision on. Caller has checked it.
+/// The snapshot with the batch joined, one revision on; without stitches to places that have been taken out. Caller
+/// has checked it.
 Snapshot with(const Snapshot& snapshot, const Batch& batch);
 /// The snapshot with the label set (moved if it exists), one revision on. Caller has checked that the place exists.
 Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place);

@@ -84,8 +84,11 @@ class Checker {
     }
   }
 
+  /// Places that were taken out count too: a robot may not have heard yet, and what it has seen beside them is not to
+  /// be lost for it.
   bool exists(const PlaceId& id) const {
-    if (snapshot_.place(id) != nullptr) return true;
+    const Experience* const known = snapshot_.experience(id.experience);
+    if (known != nullptr && id.index < known->extent) return true;
     return id.experience == batch_.experience && id.index >= first_new_ &&
            id.index - first_new_ < batch_.places.size();
   }

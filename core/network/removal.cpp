@@ -1,7 +1,9 @@
 #include "core/network/removal.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -97,6 +99,62 @@ Result<void> check(const Snapshot& snapshot, const Removal& removal) {
     return fail(ErrorCode::not_found, "the map has no stitch " + to_string(stitch.a) + " - " + to_string(stitch.b));
   }
   return {};
+}
+
+namespace {
+
+/// Stretches of those indices whose being in the snapshot is as wanted.
+std::vector<Stretch> runs(const Snapshot& snapshot, const std::vector<Stretch>& stretches, bool is_in) {
+  std::set<Stretch> found;
+  for (const Stretch& stretch : stretches) {
+    const Experience* const experience = snapshot.experience(stretch.experience);
+    if (experience == nullptr || experience->extent == 0) continue;
+    const std::uint32_t last = std::min(stretch.last, experience->extent - 1);
+    std::optional<Stretch> run;
+    for (std::uint32_t index = stretch.first; index <= last; ++index) {
+      const bool wanted = (experience->place(index) != nullptr) == is_in;
+      if (wanted && run) run->last = index;
+      if (wanted && !run) run = Stretch{stretch.experience, index, index};
+      if (!wanted && run) found.insert(*std::exchange(run, std::nullopt));
+    }
+    if (run) found.insert(*run);
+  }
+  std::vector<Stretch> joined;
+  for (const Stretch& next : found) {
+    const bool goes_on =
+        !joined.empty() && joined.back().experience == next.experience && next.first <= joined.back().last + 1;
+    if (goes_on) {
+      joined.back().last = std::max(joined.back().last, next.last);
+    } else {
+      joined.push_back(next);
+    }
+  }
+  return joined;
+}
+
+Removal part(const Snapshot& snapshot, const Removal& removal, bool is_in) {
+  Removal found;
+  found.places = runs(snapshot, removal.places, is_in);
+  const std::set<EdgeId> stitches(removal.stitches.begin(), removal.stitches.end());
+  std::ranges::copy_if(stitches, std::back_inserter(found.stitches),
+                       [&](const EdgeId& stitch) { return has_stitch(snapshot, stitch) == is_in; });
+  return found;
+}
+
+}  // namespace
+
+Removal present(const Snapshot& snapshot, const Removal& removal) {
+  return part(snapshot, removal, true);
+}
+
+Removal absent(const Snapshot& snapshot, const Removal& removal) {
+  return part(snapshot, removal, false);
+}
+
+std::uint64_t place_count(const Removal& removal) {
+  std::uint64_t places = 0;
+  for (const Stretch& stretch : removal.places) places += std::uint64_t{stretch.last} - stretch.first + 1;
+  return places;
 }
 
 Snapshot without(const Snapshot& snapshot, const Removal& removal) {

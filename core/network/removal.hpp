@@ -26,6 +26,12 @@ struct Removal {
 /// its last, a removal of nothing.
 Result<void> check(const Snapshot& snapshot, const Removal& removal);
 
+/// What of it is in the snapshot, as the longest stretches, sorted; each once.
+Removal present(const Snapshot& snapshot, const Removal& removal);
+/// What of it is not in the snapshot; stretches are cut to what their experiences ever had.
+Removal absent(const Snapshot& snapshot, const Removal& removal);
+std::uint64_t place_count(const Removal& removal);
+
 /// The snapshot without them, one revision on. Experiences stay known, so that nothing of them is handed in again.
 Snapshot without(const Snapshot& snapshot, const Removal& removal);
 

@@ -7,6 +7,7 @@
 #include "core/bytes.hpp"
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
+#include "core/network/removal.hpp"
 #include "core/network/window.hpp"
 
 /// What crosses the wire, as the inside of every process knows it. The IDL of the same names is in idl/; the wire
@@ -87,6 +88,8 @@ struct RobotState {
   Revision window_revision;
   Digest window_digest;
   std::uint64_t contents_missing = 0;  ///< of its window
+  std::uint64_t memory_bytes = 0;      ///< of contents that it holds
+  std::uint64_t memory_cap_bytes = 0;  ///< it never holds more
   std::string reason;                  ///< why it stands, when it stands
 };
 
@@ -204,6 +207,16 @@ struct AgentReply {
   ExperienceId experience;  ///< teach: which
 };
 
+/// What is to be done to the map; which fields count depends on the request's kind.
+struct MapWork {
+  Revision revision;        ///< rollback: to which; undo: which; compact: before which
+  Removal what;             ///< undo, quarantine: when not by revision or name
+  bool only_say = false;    ///< say what it would do, and leave the map as it is
+  double within_m = 0.0;    ///< replace, prune: how near another place covers the same ground; 0: as usual
+  double within_rad = 0.0;  ///< the same for headings
+  std::string file;         ///< snapshot: where on the server's machine
+};
+
 /// Client to server. A repeat (same sender, same request) gets the same answer and is done once.
 struct OperatorRequest {
   enum class Kind : std::uint8_t {
@@ -216,19 +229,32 @@ struct OperatorRequest {
     resume = 7,
     label = 8,
     label_here = 9,
-    clear = 10
+    clear = 10,
+    rollback = 11,    ///< the map as it was at a revision, as a new one
+    undo = 12,        ///< a stitch, an experience, or what a revision changed
+    quarantine = 13,  ///< places out of the map until that is undone
+    replace = 14,     ///< an experience takes the place of what it covers
+    prune = 15,       ///< places that others cover go
+    compact = 16,     ///< delete for good what no revision from there on has
+    snapshot = 17,    ///< a copy of the store into a file
+    check = 18,       ///< every checksum and reference
+    stats = 19        ///< what takes space
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
   Kind kind = Kind::goal_send;
   std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
-  std::string label;  ///< goal_send: where to; label: its name; localise: a seed; teach: its name
-  PlaceId place;      ///< label, localise: which place, when not by label
-  GoalId goal;        ///< goal_cancel; goal_send: the id to be, drawn by the client
+  /// goal_send: where to; label: its name; localise: a seed; teach: its name; undo, quarantine, replace: an
+  /// experience's name or hex id
+  std::string label;
+  PlaceId place;  ///< label, localise: which place, when not by label
+  GoalId goal;    ///< goal_cancel; goal_send: the id to be, drawn by the client
   std::vector<AgentCommand::Point> along;
+  MapWork work;
 };
 
-enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4 };
+/// under_way: long work has come so far; another reply follows.
+enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4, under_way = 5 };
 
 struct OperatorReply {
   Header header;
@@ -239,6 +265,11 @@ struct OperatorReply {
   GoalId goal;
   PlaceId place;
   ExperienceId experience;
+  Revision revision;                  ///< the one that an edit of the map made; 0: none
+  std::uint64_t done = 0, total = 0;  ///< of long work; total 0: not known
+  std::string unit;                   ///< of `done` and `total`, for people
+  std::vector<std::string> findings;  ///< new since the last reply
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
 /// Client to server: read only.
@@ -280,7 +311,9 @@ struct RobotRow {
   std::string vendor;
   std::string software;  ///< the agent's version
   double clock_skew_s = 0.0;
-  std::string occupies;  ///< for people: from place to place
+  std::string occupies;             ///< for people: from place to place
+  std::uint64_t window_bytes = 0;   ///< sent to it since the server started: its window's patches
+  std::uint64_t content_bytes = 0;  ///< the same of contents
 };
 
 struct MapInfo {
@@ -290,6 +323,7 @@ struct MapInfo {
   std::uint64_t batches_acknowledged = 0, batches_refused = 0;
   std::uint64_t disk_free_bytes = 0;
   std::string software, vendor, engine;                         ///< engine: sqlite | memory
+  std::string stopped;                                          ///< why the store takes nothing now; empty: it works
   std::vector<std::pair<std::string, std::uint64_t>> counters;  ///< refused messages by reason, and the like
 };
 

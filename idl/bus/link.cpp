@@ -28,10 +28,13 @@ std::string counted_reason(std::string_view text) {
 
 Link::Link(std::unique_ptr<Bus> bus) : bus_(std::move(bus)) {}
 
-Result<void> Link::send(const msg::Message& message) {
+Result<std::size_t> Link::send(const msg::Message& message) {
   Result<Encoded> encoded = encode(message, bus_->role());
   if (!encoded) return fail(std::move(encoded.error()));
-  return bus_->publish(encoded->topic, encoded->to, encoded->cdr);
+  if (const Result<void> sent = bus_->publish(encoded->topic, encoded->to, encoded->cdr); !sent) {
+    return fail(sent.error());
+  }
+  return encoded->cdr.size();
 }
 
 std::optional<msg::Message> Link::take() {

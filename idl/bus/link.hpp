@@ -17,7 +17,8 @@ class Link {
  public:
   explicit Link(std::unique_ptr<Bus> bus);
 
-  Result<void> send(const msg::Message& message);
+  /// Bytes that went onto the wire.
+  Result<std::size_t> send(const msg::Message& message);
   /// The next valid message; none when nothing is there.
   std::optional<msg::Message> take();
   bool wait(Duration at_most) { return bus_->wait(at_most); }

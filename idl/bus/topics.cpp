@@ -172,7 +172,7 @@ constexpr std::array<Topic, kTopics> kTable = {{
      256 * kKiB,
      "as operators ask, repeated until answered"},
     {TopicId::operator_reply, "weft/1/operator_reply", "weft::idl::OperatorReply", false, kTo, false, prompt, 64,
-     seconds(5), kServer, kClient, 8 * kKiB, "one a request"},
+     seconds(5), kServer, kClient, 256 * kKiB, "one a request; two a second while long work is under way"},
     {TopicId::query,
      "weft/1/query",
      "weft::idl::Query",

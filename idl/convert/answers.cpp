@@ -111,6 +111,8 @@ static idl::RobotRow row_to_idl(const msg::RobotRow& row) {
   wire.software(row.software);
   wire.clock_skew_s(row.clock_skew_s);
   wire.occupies(row.occupies);
+  wire.window_bytes(row.window_bytes);
+  wire.content_bytes(row.content_bytes);
   return wire;
 }
 
@@ -123,6 +125,8 @@ static msg::RobotRow from_idl(const idl::RobotRow& wire, Reading reading) {
   value.software = reading.text("software", wire.software(), kNameLength);
   value.clock_skew_s = reading.finite("clock_skew_s", wire.clock_skew_s());
   value.occupies = reading.text("occupies", wire.occupies(), kTextLength);
+  value.window_bytes = wire.window_bytes();
+  value.content_bytes = wire.content_bytes();
   return value;
 }
 
@@ -141,12 +145,8 @@ static idl::MapInfo info_to_idl(const msg::MapInfo& info) {
   wire.software(info.software);
   wire.vendor(info.vendor);
   wire.engine(info.engine);
-  for (const auto& [name, count] : info.counters) {
-    idl::NamedCount counter;
-    counter.name(name);
-    counter.count(count);
-    wire.counters().push_back(std::move(counter));
-  }
+  wire.stopped(info.stopped);
+  wire.counters(counts_to_idl(info.counters));
   return wire;
 }
 
@@ -165,9 +165,8 @@ static msg::MapInfo from_idl(const idl::MapInfo& wire, Reading reading) {
   value.software = reading.text("software", wire.software(), kNameLength);
   value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
   value.engine = reading.text("engine", wire.engine(), kNameLength);
-  for (const idl::NamedCount& counter : reading.list("counters", wire.counters(), kCounters)) {
-    value.counters.emplace_back(reading.text("counters.name", counter.name(), kTextLength), counter.count());
-  }
+  value.stopped = reading.text("stopped", wire.stopped(), kTextLength);
+  value.counters = counts_from_idl(wire.counters(), reading, "counters");
   return value;
 }
 

@@ -247,6 +247,23 @@ std::vector<msg::AgentCommand::Point> from_idl(const std::vector<idl::SitePoint>
   return value;
 }
 
+std::vector<idl::NamedCount> counts_to_idl(const Counts& counts) {
+  std::vector<idl::NamedCount> wire(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    wire[i].name(counts[i].first);
+    wire[i].count(counts[i].second);
+  }
+  return wire;
+}
+
+Counts counts_from_idl(const std::vector<idl::NamedCount>& counts, Reading& reading, std::string_view field) {
+  Counts list;
+  for (const idl::NamedCount& one : reading.list(field, counts, kCounters)) {
+    list.emplace_back(reading.text(field, one.name(), kTextLength), one.count());
+  }
+  return list;
+}
+
 std::vector<PlaceId> places_from_idl(const std::vector<idl::PlaceId>& ids, Reading& reading, std::string_view field,
                                      std::size_t most) {
   std::vector<PlaceId> list;

@@ -54,6 +54,10 @@ std::vector<T> list_from_idl(const std::vector<Wire>& values, Reading& reading, 
   }
   return list;
 }
+/// Numbers with names for people.
+using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
+std::vector<idl::NamedCount> counts_to_idl(const Counts& counts);
+Counts counts_from_idl(const std::vector<idl::NamedCount>& counts, Reading& reading, std::string_view field);
 std::vector<PlaceId> places_from_idl(const std::vector<idl::PlaceId>& ids, Reading& reading, std::string_view field,
                                      std::size_t most);
 

@@ -4,6 +4,46 @@
 
 namespace weft::convert {
 
+static idl::Stretch stretch_to_idl(const Stretch& stretch) {
+  idl::Stretch wire;
+  wire.experience(stretch.experience.value);
+  wire.first(stretch.first);
+  wire.last(stretch.last);
+  return wire;
+}
+
+static Stretch from_idl(const idl::Stretch& wire, Reading reading) {
+  const Stretch value{reading.some("experience", ExperienceId{wire.experience()}), wire.first(), wire.last()};
+  reading.require(value.first <= value.last, "last", "must not be before first");
+  return value;
+}
+
+static idl::MapWork work_to_idl(const msg::MapWork& work) {
+  idl::MapWork wire;
+  wire.revision(work.revision.value);
+  for (const Stretch& stretch : work.what.places) wire.places().push_back(stretch_to_idl(stretch));
+  wire.stitches(list_to_idl<idl::EdgeId>(work.what.stitches));
+  wire.only_say(work.only_say);
+  wire.within_m(work.within_m);
+  wire.within_rad(work.within_rad);
+  wire.file(work.file);
+  return wire;
+}
+
+static msg::MapWork from_idl(const idl::MapWork& wire, Reading reading) {
+  msg::MapWork value;
+  value.revision = Revision{wire.revision()};
+  value.what.places = list_from_idl<Stretch>(wire.places(), reading, "places", kRemoved);
+  value.what.stitches = list_from_idl<EdgeId>(wire.stitches(), reading, "stitches", kRemoved);
+  value.only_say = wire.only_say();
+  value.within_m = reading.not_negative("within_m", wire.within_m());
+  reading.require(value.within_m <= kWithin_m, "within_m", "must be at most 10");
+  value.within_rad = reading.not_negative("within_rad", wire.within_rad());
+  reading.require(value.within_rad <= kWithin_rad, "within_rad", "must be at most pi");
+  value.file = reading.text("file", wire.file(), kFileLength);
+  return value;
+}
+
 idl::OperatorRequest to_idl(const msg::OperatorRequest& message) {
   idl::OperatorRequest wire;
   wire.header(to_idl(message.header));
@@ -14,6 +54,7 @@ idl::OperatorRequest to_idl(const msg::OperatorRequest& message) {
   wire.place(to_idl(message.place));
   wire.goal(message.goal.bytes);
   wire.along(to_idl(message.along));
+  wire.work(work_to_idl(message.work));
   return wire;
 }
 
@@ -23,7 +64,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::clear);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::stats);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
   value.place = from_idl(wire.place());
@@ -31,6 +72,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   const bool needs_goal = value.kind == Kind::goal_send || value.kind == Kind::goal_cancel;
   reading.require(!needs_goal || value.goal, "goal", "must not be none");
   value.along = from_idl(wire.along(), reading.in("along"));
+  value.work = from_idl(wire.work(), reading.in("work"));
   return reading.finish(std::move(value));
 }
 
@@ -44,6 +86,12 @@ idl::OperatorReply to_idl(const msg::OperatorReply& message) {
   wire.goal(message.goal.bytes);
   wire.place(to_idl(message.place));
   wire.experience(message.experience.value);
+  wire.revision(message.revision.value);
+  wire.done(message.done);
+  wire.total(message.total);
+  wire.unit(message.unit);
+  wire.findings(message.findings);
+  wire.counts(counts_to_idl(message.counts));
   return wire;
 }
 
@@ -53,11 +101,19 @@ Result<msg::OperatorReply> from_idl(const idl::OperatorReply& wire) {
   value.header = from_idl(wire.header(), reading.in("header"));
   value.to = reading.some("to", id_from<PeerId>(wire.to()));
   value.request = wire.request();
-  value.outcome = reading.choice("outcome", wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
+  value.outcome = reading.choice("outcome", wire.outcome(), msg::Outcome::done, msg::Outcome::under_way);
   value.message = reading.text("message", wire.message(), kTextLength);
   value.goal = id_from<GoalId>(wire.goal());
   value.place = from_idl(wire.place());
   value.experience = ExperienceId{wire.experience()};
+  value.revision = Revision{wire.revision()};
+  value.done = wire.done();
+  value.total = wire.total();
+  value.unit = reading.text("unit", wire.unit(), kNameLength);
+  for (const std::string& finding : reading.list("findings", wire.findings(), kFindings)) {
+    value.findings.push_back(reading.text("findings", finding, kTextLength));
+  }
+  value.counts = counts_from_idl(wire.counts(), reading, "counts");
   return reading.finish(std::move(value));
 }
 

@@ -103,6 +103,8 @@ idl::RobotState to_idl(const msg::RobotState& message) {
   wire.window_revision(message.window_revision.value);
   wire.window_digest(message.window_digest.bytes);
   wire.contents_missing(message.contents_missing);
+  wire.memory_bytes(message.memory_bytes);
+  wire.memory_cap_bytes(message.memory_cap_bytes);
   wire.reason(message.reason);
   return wire;
 }
@@ -127,6 +129,8 @@ msg::RobotState from_idl(const idl::RobotState& wire, Reading reading) {
   value.window_revision = Revision{wire.window_revision()};
   value.window_digest = id_from<Digest>(wire.window_digest());
   value.contents_missing = wire.contents_missing();
+  value.memory_bytes = wire.memory_bytes();
+  value.memory_cap_bytes = wire.memory_cap_bytes();
   value.reason = reading.text("reason", wire.reason(), kTextLength);
   return value;
 }

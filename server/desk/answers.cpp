@@ -69,6 +69,8 @@ std::vector<msg::QueryReply> Answers::robots(SteadyTime now) const {
     row.software = robot.software;
     row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);
     row.occupies = occupies(id);
+    row.window_bytes = robot.window_bytes;
+    row.content_bytes = robot.content_bytes;
     parts.back().robots.push_back(std::move(row));
   }
   return parts;
@@ -145,8 +147,7 @@ msg::MapInfo Answers::info() const {
   info.vendor = context_.config.vendor;
   info.engine = context_.store.engine();
   for (const auto& [what, times] : context_.counters) info.counters.emplace_back(what, times);
-  if (context_.record.stopped())
-    info.counters.emplace_back("store stopped: " + context_.record.stopped()->message, 1);
+  if (context_.record.stopped()) info.stopped = clipped(context_.record.stopped()->message);
   return info;
 }
 

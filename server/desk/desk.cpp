@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "server/outcome.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -11,19 +13,6 @@ using Kind = msg::OperatorRequest::Kind;
 /// Within this a robot stands exactly on a place.
 constexpr double kOnPlace_m = 0.03;
 constexpr double kOnPlace_rad = 0.035;
-
-/// Whether it is the asker's to mend, or ours: a store that takes nothing has failed.
-msg::Outcome outcome_of(const Error& error) {
-  switch (error.code) {
-    case ErrorCode::invalid:
-    case ErrorCode::not_found:
-    case ErrorCode::refused:
-    case ErrorCode::conflict:
-      return msg::Outcome::refused;
-    default:
-      return msg::Outcome::failed;
-  }
-}
 
 bool stands_on_its_place(const msg::RobotState& state) {
   return state.localised && state.place && distance_m(state.place_from_robot) <= kOnPlace_m &&
@@ -83,7 +72,40 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
     case Kind::localise:
       command_one(key, request, who, now);
       return;
+    case Kind::rollback:
+    case Kind::undo:
+    case Kind::quarantine:
+      answer(key, editor_.on_request(request, who, now));
+      return;
+    case Kind::replace:
+    case Kind::prune:
+    case Kind::compact:
+    case Kind::snapshot:
+    case Kind::check:
+    case Kind::stats:
+      if (std::optional<msg::OperatorReply> at_once = jobs_.begin(key, request, who, now)) {
+        answer(key, *std::move(at_once));
+      }
+      return;
   }
+}
+
+void Desk::tick(Now now) {
+  commands_.tick(now.steady);
+  for (auto& [key, reply] : jobs_.tick(now)) {
+    if (reply.outcome != msg::Outcome::under_way) {
+      answer(key, std::move(reply));
+      continue;
+    }
+    reply.to = key.first;
+    reply.request = key.second;
+    context_.out.send(std::move(reply));
+  }
+}
+
+std::optional<SteadyTime> Desk::next() const {
+  const std::optional<SteadyTime> work = jobs_.next();
+  return work ? work : commands_.next();
 }
 
 Result<const Robot*> Desk::reachable(const std::string& name) const {

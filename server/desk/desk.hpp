@@ -10,7 +10,9 @@
 #include "server/desk/commands.hpp"
 #include "server/desk/request_ledger.hpp"
 #include "server/dispatcher/dispatcher.hpp"
+#include "server/editor/editor.hpp"
 #include "server/fleet/fleet.hpp"
+#include "server/jobs/jobs.hpp"
 
 namespace weft::server {
 
@@ -18,8 +20,13 @@ namespace weft::server {
 /// the operator is answered when the robot has answered.
 class Desk {
  public:
-  Desk(Context& context, Fleet& fleet, Dispatcher& dispatcher)
-      : context_(context), fleet_(fleet), dispatcher_(dispatcher), commands_(context) {}
+  Desk(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher)
+      : context_(context),
+        fleet_(fleet),
+        dispatcher_(dispatcher),
+        editor_(context, traffic, dispatcher),
+        jobs_(context, editor_),
+        commands_(context) {}
 
   /// `who`: the client's name.
   void on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -30,9 +37,11 @@ class Desk {
   /// Two live agents share the robot's id.
   void on_twins(const RobotId& robot, Now now);
   void joined(const Batch& batch, Now now);
+  /// The batch will never join.
+  void refused(const Batch& batch, const Error& why);
 
-  void tick(SteadyTime now) { commands_.tick(now); }
-  std::optional<SteadyTime> next() const { return commands_.next(); }
+  void tick(Now now);
+  std::optional<SteadyTime> next() const;
 
  private:
   using Key = RequestLedger::Key;
@@ -67,6 +76,8 @@ class Desk {
   Context& context_;
   Fleet& fleet_;
   Dispatcher& dispatcher_;
+  Editor editor_;
+  Jobs jobs_;
   Commands commands_;
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;

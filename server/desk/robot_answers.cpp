@@ -73,6 +73,17 @@ void Desk::joined(const Batch& batch, Now now) {
   }
 }
 
+void Desk::refused(const Batch& batch, const Error& why) {
+  for (const Place& place : batch.places) {
+    const auto found = labels_to_be_.find(place.id);
+    if (found == labels_to_be_.end()) continue;
+    const LabelToBe to_be = std::move(found->second);
+    labels_to_be_.erase(found);
+    answer(to_be.key, msg::Outcome::failed,
+           "the place that was kept for " + to_be.label + " is not taken into the map: " + why.message);
+  }
+}
+
 void Desk::on_state(const Robot& robot, Now now) {
   if (const auto stop = unstored_stops_.find(robot.id); stop != unstored_stops_.end()) {
     // Not to be taken for a robot that has missed its order to go on.

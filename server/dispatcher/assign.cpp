@@ -15,10 +15,6 @@ std::string metres(double length_m) {
   return std::to_string(centimetres / 100) + (cents.size() == 1 ? ".0" : ".") + cents + " m";
 }
 
-std::set<std::string> methods_of(const Robot& robot) {
-  return {robot.description->methods.begin(), robot.description->methods.end()};
-}
-
 }  // namespace
 
 /// Why the robot cannot be given a goal; empty when it can.
@@ -88,17 +84,19 @@ void Dispatcher::still_pending(const Goal& goal, const std::string& why, Now now
 Route Dispatcher::route_of(const Goal& goal, const Choice& choice) {
   Route route;
   route.goal = goal.id;
-  if (goal.route) {
-    route.id = *goal.route;
-  } else {
-    for (std::uint8_t& byte : route.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
-  }
+  route.id = goal.route ? *goal.route : new_route_id();
   route.version = goal.route_version + 1;
   route.made_of = context_.snapshots.current().revision();
   route.robot = choice.robot;
   route.places = choice.path.places;
   route.relations = choice.path.relations;
   return route;
+}
+
+RouteId Dispatcher::new_route_id() {
+  RouteId id;
+  for (std::uint8_t& byte : id.bytes) byte = static_cast<std::uint8_t>(random_.next());
+  return id;
 }
 
 bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
@@ -141,8 +139,12 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
                                         metres(choice->path.length_m),
                                .who = "dispatcher",
                                .kind = "goal.planned_anew"};
-  if (!book_.write(goal, step, route_of(goal, *choice), {}, now)) return;
+  Route route = route_of(goal, *choice);
+  if (errand.is_over_there) route.id = new_route_id();
+  if (!book_.write(goal, step, route, {}, now)) return;
   errand.lost = false;
+  errand.cut = false;
+  errand.is_over_there = false;
   errand.waits_for.reset();  // told anew, if it waits again
   errand.has_latest_order = false;
   errand.heard_of_it.reset();

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@
 #include "server/traffic/traffic.hpp"
 
 namespace weft::server {
+
+/// What the robot can drive; it has described itself.
+inline std::set<std::string> methods_of(const Robot& robot) {
+  return {robot.description->methods.begin(), robot.description->methods.end()};
+}
 
 /// Leads every goal through its life (docs/path-of-a-goal.md): gives it to a robot, plans its route, has it released
 /// by traffic, sends the order until the robot has it, and follows its progress to the end.
@@ -39,7 +45,9 @@ class Dispatcher {
   /// Its agent was restarted and has forgotten its route.
   void on_restart(const RobotId& robot);
 
-  void network_changed() { look_again_ = true; }
+  void network_changed();
+  /// Something left the map or came back: routes under way are held against it at the next tick.
+  void network_edited() { routes_checked_ = false; }
   void tick(Now now);
   std::optional<SteadyTime> next() const;
 
@@ -57,7 +65,10 @@ class Dispatcher {
     std::optional<SteadyTime> ordered_at;      ///< last order to follow it
     SteadyTime send_at;
     Duration wait{};
-    bool lost = false;  ///< the robot has no such route any more: plan from where it stands
+    bool lost = false;           ///< the robot has no such route any more: plan from where it stands
+    bool cut = false;            ///< the route leads to its released point and no farther: the map has changed
+    bool recalled = false;       ///< what the robot drives on has left the map: it is to forget the route, and stand
+    bool is_over_there = false;  ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
     std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
@@ -73,6 +84,13 @@ class Dispatcher {
   void plan_anew(const RobotId& robot, Errand& errand, Now now);
   Route route_of(const Goal& goal, const Choice& choice);
   FindWay ways_to(const PlaceId& to, Now now);
+  RouteId new_route_id();
+
+  // mend.cpp
+  void mend(const RobotId& robot, Errand& errand, Now now);
+  void plan_on(const RobotId& robot, Errand& errand, Now now);
+  void cut_off(const RobotId& robot, Errand& errand, const std::string& why, Now now);
+  void recall(const RobotId& robot, Errand& errand, Now now);
 
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
@@ -82,6 +100,7 @@ class Dispatcher {
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause, const std::string& who,
               Now now);
+  bool has_to_send(const RobotId& robot, const Errand& errand) const;
   bool has_forgotten(const Errand& errand, const msg::RobotState& state, const Route& route, SteadyTime now) const;
   void watch_for_loss(Errand& errand, const Route& route, const msg::RobotState& state, SteadyTime now);
 
@@ -94,6 +113,7 @@ class Dispatcher {
   std::map<RobotId, Errand> errands_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   Revision tried_at_;
+  bool routes_checked_ = false;
   bool look_again_ = true;
   SteadyTime look_at_;
 };

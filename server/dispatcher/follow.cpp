@@ -34,7 +34,8 @@ bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
 void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
   const Goal& goal = *book_.find(errand.goal);
   const Route& route = *book_.route(errand.goal);
-  if (errand.ending || errand.lost || goal.state == GoalState::paused) return;
+  const bool stays = errand.ending || errand.lost || errand.cut || errand.recalled;
+  if (stays || goal.state == GoalState::paused) return;
   const bool told = is_told(robot, route);
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   if (told && route.released == last) return;
@@ -76,11 +77,12 @@ void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const std::o
 
 void Dispatcher::send_order(const RobotId& robot, Errand& errand, SteadyTime now) {
   Route route = *book_.route(errand.goal);
-  if (errand.ending) {
+  if (errand.ending || errand.recalled) {
     // To end it, the robot needs to know which, and why.
     route.places.clear();
     route.relations.clear();
     route.released = 0;
+    route.ended = true;
   } else {
     errand.ordered_at = now;
   }
@@ -112,7 +114,7 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   }
   Errand& errand = found->second;
   // The order to end it is repeated by the clock, not by its reports.
-  if (errand.ending || progress.version != route->version) return;
+  if (errand.ending || errand.recalled || progress.version != route->version) return;
   errand.lost = false;
   errand.missing_since.reset();
   errand.heard_of_it = std::max(errand.heard_of_it.value_or(0), progress.header.sequence);
@@ -199,6 +201,13 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
     traffic_.stands(state, now);
     return;
   }
+  if (errand.recalled) {
+    if (!has_forgotten(errand, state, route, now.steady)) return;
+    errand.recalled = false;
+    errand.is_over_there = true;
+    errand.lost = true;
+    traffic_.stands(state, now);
+  }
   if (!is_told(robot.id, route) && !traffic_.holds_route(robot.id, route.id)) {
     traffic_.stands(state, now);
     // It was moved before it could set off.
@@ -213,17 +222,24 @@ void Dispatcher::on_restart(const RobotId& robot) {
   const auto found = errands_.find(robot);
   if (found == errands_.end() || found->second.ending) return;
   found->second.lost = true;
+  found->second.recalled = false;
   found->second.has_latest_order = false;
   found->second.heard_of_it.reset();
 }
 
+bool Dispatcher::has_to_send(const RobotId& robot, const Errand& errand) const {
+  if (errand.ending || errand.recalled) return true;
+  const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
+  return !errand.has_latest_order && !errand.lost && !is_paused && is_told(robot, *book_.route(errand.goal));
+}
+
 void Dispatcher::tick(Now now) {
+  if (!std::exchange(routes_checked_, true)) {
+    for (auto& [robot, errand] : errands_) mend(robot, errand, now);
+  }
   for (auto& [robot, errand] : errands_) {
     if (!errand.lost) release(robot, errand, now);
-    const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
-    const bool has_something_to_send = errand.ending || (!errand.has_latest_order && !errand.lost && !is_paused &&
-                                                         is_told(robot, *book_.route(errand.goal)));
-    if (has_something_to_send && errand.send_at <= now.steady) send_order(robot, errand, now.steady);
+    if (has_to_send(robot, errand) && errand.send_at <= now.steady) send_order(robot, errand, now.steady);
   }
   if (!look_again_ || look_at_ > now.steady) return;
   look_again_ = false;
@@ -235,10 +251,7 @@ std::optional<SteadyTime> Dispatcher::next() const {
   std::optional<SteadyTime> next;
   const auto sooner = [&next](SteadyTime at) { next = next ? std::min(*next, at) : at; };
   for (const auto& [robot, errand] : errands_) {
-    const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
-    const bool sends = errand.ending || (!errand.has_latest_order && !errand.lost && !is_paused &&
-                                         is_told(robot, *book_.route(errand.goal)));
-    if (sends) sooner(errand.send_at);
+    if (has_to_send(robot, errand)) sooner(errand.send_at);
   }
   const bool anybody_waits = std::any_of(book_.alive().begin(), book_.alive().end(), [this](const auto& entry) {
     return book_.find(entry.second)->state == GoalState::pending;

@@ -206,4 +206,12 @@ void Fleet::note(const char* kind, const Robot& robot, const std::string& cause,
                        now);
 }
 
+void Fleet::sent_window(const PeerId& to, std::size_t bytes) {
+  if (const auto robot = robots_.find(to); robot != robots_.end()) robot->second.window_bytes += bytes;
+}
+
+void Fleet::sent_content(const PeerId& to, std::size_t bytes) {
+  if (const auto robot = robots_.find(to); robot != robots_.end()) robot->second.content_bytes += bytes;
+}
+
 }  // namespace weft::server

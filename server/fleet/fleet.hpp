@@ -27,6 +27,8 @@ struct Robot {
   bool silent = true;
   ClockSkew skew;
   SteadyTime next_probe;
+  std::uint64_t window_bytes = 0;   ///< sent to it since the server started
+  std::uint64_t content_bytes = 0;  ///< the same
 };
 
 /// Why a robot cannot be given anything to do now; empty when it can be talked to.
@@ -48,6 +50,9 @@ class Fleet {
   /// not one that only robots send.
   std::optional<Incarnations::Verdict> hear(const msg::Header& from, bool says_it_is_a_robot, Now now);
   bool is_refused(const PeerId& peer) const { return refused_.contains(peer); }
+
+  void sent_window(const PeerId& to, std::size_t bytes);
+  void sent_content(const PeerId& to, std::size_t bytes);
 
   /// Silence, ended twins, clock probes. Returns robots that fell silent just now.
   std::vector<RobotId> tick(Now now);

@@ -255,6 +255,7 @@ void Intake::refuse(Line& line, const Batch& batch, const ContentHash& hash, con
   if (line.last_refused == hash) return;
   line.last_refused = hash;
   ++refused_;
+  refused_batches_.emplace_back(batch, why);
   ++context_.counters[std::string("intake: batch refused, ") + to_string(why.code)];
   context_.record.note(
       {.at = {},
@@ -270,7 +271,11 @@ void Intake::refuse_waiting(Line& line, std::uint64_t sequence, const Error& why
   const Waiting& wrong = line.waiting.at(sequence);
   refuse(line, wrong.batch, wrong.hash, why, now);
   // What follows a batch that never comes is never taken either.
-  while (!line.waiting.empty()) forget(line, line.waiting.begin()->first);
+  while (!line.waiting.empty()) {
+    const auto follower = line.waiting.begin();
+    if (follower->first != sequence) refused_batches_.emplace_back(follower->second.batch, why);
+    forget(line, follower->first);
+  }
 }
 
 void Intake::forget(Line& line, std::uint64_t sequence) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/protocol/messages.hpp"
@@ -24,6 +25,9 @@ class Intake {
   /// Tries again what the store could not take.
   std::vector<Batch> tick(Now now);
   std::optional<SteadyTime> next() const { return retry_at_; }
+
+  /// What was refused for good since it was asked last.
+  std::vector<std::pair<Batch, Error>> take_refused() { return std::exchange(refused_batches_, {}); }
 
   std::uint64_t acknowledged() const { return acknowledged_; }
   std::uint64_t refused() const { return refused_; }
@@ -74,6 +78,7 @@ class Intake {
   std::uint64_t bytes_ = 0;  ///< reserved for incoming contents
   std::uint64_t acknowledged_ = 0;
   std::uint64_t refused_ = 0;
+  std::vector<std::pair<Batch, Error>> refused_batches_;
   std::optional<SteadyTime> retry_at_;
 };
 

@@ -93,7 +93,10 @@ class Loop {
         log_.info("{}: {} ({})", note->event.kind, note->event.cause, note->event.who);
       }
       // What is not sent is repeated by the service, like what is lost on the way.
-      if (const Result<void> sent = link_.send(message); !sent) {
+      const Result<std::size_t> sent = link_.send(message);
+      if (sent) {
+        service_.sent(message, *sent);
+      } else {
         service_.count("bus: not sent, " + std::string(to_string(sent.error().code)), 1);
         log_.debug("not sent: {}", sent.error().message);
       }

@@ -32,7 +32,7 @@ bool holds(const std::vector<PlaceId>& sorted, const PlaceId& place) {
 
 }  // namespace
 
-Nearness::Found Nearness::search(const Snapshot& snapshot, const PlaceId& centre) const {
+Nearness::Found Nearness::search(const Ground& ground, const PlaceId& centre) const {
   struct Open {
     PlaceId place;
     Relation centre_from_place;
@@ -44,7 +44,7 @@ Nearness::Found Nearness::search(const Snapshot& snapshot, const PlaceId& centre
   while (!open.empty() && seen.size() < kMostPlaces) {
     const Open here = open.front();
     open.pop_front();
-    snapshot.for_each_edge(here.place, [&](const Edge& edge) {
+    ground.for_each_edge(here.place, [&](const Edge& edge) {
       const PlaceId next = other_end(edge, here.place);
       if (!seen.insert(next).second) return;
       const Relation edge_relation = relation_from(edge, here.place);
@@ -59,12 +59,12 @@ Nearness::Found Nearness::search(const Snapshot& snapshot, const PlaceId& centre
   return found;
 }
 
-const std::vector<Near>& Nearness::around(const Snapshot& snapshot, const PlaceId& place) {
+const std::vector<Near>& Nearness::around(const Ground& ground, const PlaceId& place) {
   const auto known = found_.find(place);
   if (known != found_.end()) return known->second.near;
   static const std::vector<Near> nothing;
-  if (snapshot.place(place) == nullptr) return nothing;
-  return found_.emplace(place, search(snapshot, place)).first->second.near;
+  if (!ground.has(place)) return nothing;
+  return found_.emplace(place, search(ground, place)).first->second.near;
 }
 
 void Nearness::joined(const Batch& batch) {

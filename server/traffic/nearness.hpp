@@ -4,6 +4,7 @@
 
 #include "core/network/change.hpp"
 #include "core/network/network.hpp"
+#include "server/traffic/ground.hpp"
 
 namespace weft::server {
 
@@ -19,11 +20,13 @@ class Nearness {
  public:
   explicit Nearness(double radius_m) : radius_m_(radius_m) {}
 
-  /// Sorted by place; the place itself is in it. Empty when the snapshot does not know the place. Valid until the
+  /// Sorted by place; the place itself is in it. Empty when the ground does not have the place. Valid until the
   /// next change of the network or of the radius.
-  const std::vector<Near>& around(const Snapshot& snapshot, const PlaceId& place);
+  const std::vector<Near>& around(const Ground& ground, const PlaceId& place);
   /// The batch has joined the network.
   void joined(const Batch& batch);
+  /// The network, or what is remembered of its past, was edited.
+  void forget() { found_.clear(); }
   /// How far the search looks; growing it forgets what was found.
   void look_at_least(double radius_m);
 
@@ -32,7 +35,7 @@ class Nearness {
     std::vector<Near> near;
     std::vector<PlaceId> seen;  ///< everything the search came by, sorted: an edge there may change the result
   };
-  Found search(const Snapshot& snapshot, const PlaceId& centre) const;
+  Found search(const Ground& ground, const PlaceId& centre) const;
 
   double radius_m_;
   std::map<PlaceId, Found> found_;

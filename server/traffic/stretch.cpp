@@ -28,14 +28,14 @@ std::vector<Touched> touched_by(const Route& route, std::uint32_t from, std::uin
   return touched;
 }
 
-Looked look(const Snapshot& snapshot, Nearness& nearness, const Touched& touched) {
-  return {.touched = touched, .around = &nearness.around(snapshot, touched.place)};
+Looked look(const Ground& ground, Nearness& nearness, const Touched& touched) {
+  return {.touched = touched, .around = &nearness.around(ground, touched.place)};
 }
 
-std::vector<Looked> look(const Snapshot& snapshot, Nearness& nearness, const std::vector<Touched>& touched) {
+std::vector<Looked> look(const Ground& ground, Nearness& nearness, const std::vector<Touched>& touched) {
   std::vector<Looked> all;
   all.reserve(touched.size());
-  for (const Touched& one : touched) all.push_back(look(snapshot, nearness, one));
+  for (const Touched& one : touched) all.push_back(look(ground, nearness, one));
   return all;
 }
 
@@ -45,11 +45,10 @@ bool overlap(const Looked& a, const Looked& b) {
   return sees(a, b.touched.place, room_m) || sees(b, a.touched.place, room_m);
 }
 
-bool overlap(const Snapshot& snapshot, Nearness& nearness, const std::vector<Touched>& a,
-             const std::vector<Touched>& b) {
-  const std::vector<Looked> others = look(snapshot, nearness, b);
+bool overlap(const Ground& ground, Nearness& nearness, const std::vector<Touched>& a, const std::vector<Touched>& b) {
+  const std::vector<Looked> others = look(ground, nearness, b);
   return std::any_of(a.begin(), a.end(), [&](const Touched& one) {
-    const Looked here = look(snapshot, nearness, one);
+    const Looked here = look(ground, nearness, one);
     return std::any_of(others.begin(), others.end(), [&](const Looked& other) { return overlap(here, other); });
   });
 }

@@ -31,13 +31,12 @@ struct Looked {
   Touched touched;
   const std::vector<Near>* around = nullptr;
 };
-Looked look(const Snapshot& snapshot, Nearness& nearness, const Touched& touched);
-std::vector<Looked> look(const Snapshot& snapshot, Nearness& nearness, const std::vector<Touched>& touched);
+Looked look(const Ground& ground, Nearness& nearness, const Touched& touched);
+std::vector<Looked> look(const Ground& ground, Nearness& nearness, const std::vector<Touched>& touched);
 
 /// Whether two robots could touch: a place of one lies within both reaches and the margin of a place of the other,
 /// seen from either side. Two runs over one floor that nothing stitches together know nothing of each other.
 bool overlap(const Looked& a, const Looked& b);
-bool overlap(const Snapshot& snapshot, Nearness& nearness, const std::vector<Touched>& a,
-             const std::vector<Touched>& b);
+bool overlap(const Ground& ground, Nearness& nearness, const std::vector<Touched>& a, const std::vector<Touched>& b);
 
 }  // namespace weft::server

@@ -14,9 +14,10 @@ constexpr double kSameStand_m = 0.2;
 /// must not each wait for the other's first step.
 constexpr double kRoomToSetOff_m = 0.5;
 
-storage::PutOccupancy standing_at(const RobotId& robot, const PlaceId& place) {
+storage::PutOccupancy standing_at(const RobotId& robot, const PlaceId& place, Revision revision) {
   storage::PutOccupancy occupancy;
   occupancy.robot = robot;
+  occupancy.held.made_of = revision;
   occupancy.held.robot = robot;
   occupancy.held.places = {place};
   return occupancy;
@@ -35,9 +36,59 @@ Touched standing(const msg::RobotState& state, double footprint_m) {
 
 }  // namespace
 
-Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored)
+Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored, Now now)
     : context_(context), nearness_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m) {
   for (auto& entry : stored) holder(entry.first).occupancy = std::move(entry.second);
+  recall_pasts(now);
+}
+
+/// Of stretches that were given out before an edit of the map, and held when the server ended.
+void Traffic::recall_pasts(Now now) {
+  for (const auto& [robot, holder] : holders_) {
+    const Route& held = holder.occupancy.held;
+    const bool is_known = std::all_of(held.places.begin(), held.places.end(),
+                                      [this](const PlaceId& place) { return ground().has(place); });
+    if (is_known) continue;
+    Result<Snapshot> then = context_.store.snapshot_at(held.made_of);
+    if (then) {
+      pasts_.push_back(std::make_shared<const Snapshot>(*std::move(then)));
+      continue;
+    }
+    context_.record.note({.at = {},
+                          .kind = "traffic.ground_unknown",
+                          .robot = robot,
+                          .goal = {},
+                          .cause = "it holds places that are no more, and what lay around them is not known (" +
+                                   then.error().message + "): look where it stands, then weft robot clear",
+                          .who = "server"},
+                         now);
+  }
+}
+
+std::set<PlaceId> Traffic::held_places() const {
+  std::set<PlaceId> places;
+  for (const auto& [robot, holder] : holders_) {
+    for (const Touched& one : touched(holder)) places.insert(one.place);
+  }
+  return places;
+}
+
+bool Traffic::holds_what_is_out() const {
+  const std::set<PlaceId> held = held_places();
+  return std::any_of(held.begin(), held.end(),
+                     [this](const PlaceId& place) { return context_.snapshots.current().place(place) == nullptr; });
+}
+
+void Traffic::drop_pasts() {
+  if (pasts_.empty() || holds_what_is_out()) return;
+  pasts_.clear();
+  nearness_.forget();
+}
+
+void Traffic::edited(const Snapshot& before) {
+  nearness_.forget();
+  if (holds_what_is_out()) pasts_.push_back(std::make_shared<const Snapshot>(before));
+  ++version_;
 }
 
 Traffic::Holder& Traffic::holder(const RobotId& robot) {
@@ -72,13 +123,13 @@ std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
   std::vector<Other> others;
   for (const auto& [other, holder] : holders_) {
     if (other == robot) continue;
-    others.push_back({other, look(context_.snapshots.current(), nearness_, touched(holder))});
+    others.push_back({other, look(ground(), nearness_, touched(holder))});
   }
   return others;
 }
 
 std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Touched& place) {
-  const Looked here = look(context_.snapshots.current(), nearness_, place);
+  const Looked here = look(ground(), nearness_, place);
   const auto found = std::find_if(others.begin(), others.end(), [&](const Other& other) {
     return std::any_of(other.touched.begin(), other.touched.end(),
                        [&](const Looked& there) { return overlap(here, there); });
@@ -130,6 +181,7 @@ void Traffic::committed(const std::vector<storage::PutOccupancy>& occupancies) {
     known.is_stored = true;
     if (occupancy.held.id) known.cleared_at.reset();
   }
+  drop_pasts();
 }
 
 void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t from) {
@@ -140,6 +192,7 @@ void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t fr
   held.from = std::min(from, held.to);
   known.is_stored = false;
   ++version_;
+  drop_pasts();
 }
 
 bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) {
@@ -148,7 +201,7 @@ bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) 
   const PlaceId at = held.held.places[held.from];
   if (at == state.place) return true;
   // Between two places the nearest one flickers.
-  const std::vector<Near>& around = nearness_.around(context_.snapshots.current(), at);
+  const std::vector<Near>& around = nearness_.around(ground(), at);
   const auto found = std::lower_bound(around.begin(), around.end(), state.place,
                                       [](const Near& near, const PlaceId& id) { return near.place < id; });
   return found != around.end() && found->place == state.place &&
@@ -175,9 +228,10 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
   const Touched here = standing(state, known.footprint_m);
   const std::optional<RobotId> other = holder_near(others_of(robot), here);
   if (!other) {
-    if (!store(robot, known, standing_at(robot, state.place), now)) return;
+    if (!store(robot, known, standing_at(robot, state.place, context_.snapshots.current().revision()), now)) return;
     known.intruding.reset();
     ++version_;
+    drop_pasts();
     return;
   }
   if (!known.intruding) {
@@ -231,6 +285,7 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
   known.intruding.reset();
   known.cleared_at = at;
   ++version_;
+  drop_pasts();
   return "nothing is held for it any more, from " + to_string(at) + " on";
 }
 

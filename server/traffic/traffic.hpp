@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace weft::server {
 /// an operator, never because time has passed. A robot that never knew where it is holds nothing.
 class Traffic {
  public:
-  Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored);
+  Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored, Now now);
 
   /// How far a route can be released for its robot.
   struct Way {
@@ -41,6 +42,11 @@ class Traffic {
 
   void set_footprint(const RobotId& robot, double radius_m);
   void joined(const Batch& batch);
+  /// The map was edited. What is held stays held, on the ground that it was given on.
+  void edited(const Snapshot& before);
+  /// Whether somebody holds a place that is out of the map.
+  bool holds_what_is_out() const;
+  std::set<PlaceId> held_places() const;
 
   /// None: it holds nothing.
   const storage::PutOccupancy* held(const RobotId& robot) const;
@@ -66,6 +72,9 @@ class Traffic {
   static void leave_room(const Route& route, std::uint32_t from, Way& way);
   Holder& holder(const RobotId& robot);
   std::vector<Touched> touched(const Holder& holder) const;
+  Ground ground() const { return {context_.snapshots.current(), pasts_}; }
+  void recall_pasts(Now now);
+  void drop_pasts();
   std::vector<Other> others_of(const RobotId& robot);
   std::optional<RobotId> holder_near(const std::vector<Other>& others, const Touched& place);
   bool is_there_still(const Holder& holder, const msg::RobotState& state);
@@ -75,6 +84,7 @@ class Traffic {
   Context& context_;
   Nearness nearness_;
   std::map<RobotId, Holder> holders_;
+  Ground::Pasts pasts_;  ///< that have what is held and out of the map; usually none
   std::uint64_t version_ = 1;
 };
 

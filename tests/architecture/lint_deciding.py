@@ -9,7 +9,7 @@ FORBIDDEN = [
     (r'\bstd::(thread|jthread|async|mutex|shared_mutex|condition_variable|atomic)\b|\bthread_local\b|\bsleep_(for|until)\b', 'a thread or lock: belongs to the edge'),
     (r'\b(mt19937(_64)?|random_device|default_random_engine|minstd_rand0?|random_shuffle)\b|\bs?rand\s*\(|\b(theRNG|randu|randn)\b', 'a random source: take a weft::Random'),
     (r'\bunordered_(multi)?(map|set)\b', 'an unordered container: its order is not the same on each run'),
-    (r'\bstd::(i|o)?fstream\b|\bfopen\s*\(|\bstd::filesystem\b|\bgetenv\s*\(', 'a file or the environment: edges read them'),
+    (r'\bstd::(i|o)?fstream\b|\bfopen\s*\(|\bstd::filesystem\b(?!::path\b)|\bgetenv\s*\(', 'a file or the environment: edges read them'),
     (r'::(socket|bind|connect|sendto|recvfrom)\s*\(', 'a socket: belongs to the edge'),
 ]
 

@@ -92,6 +92,8 @@ msg::RobotState state() {
   made.window_revision = Revision{98};
   made.window_digest = id_of<Digest>(0x80);
   made.contents_missing = 12;
+  made.memory_bytes = 5'000'000;
+  made.memory_cap_bytes = 64'000'000;
   made.reason = "window is incomplete";
   return made;
 }
@@ -143,27 +145,16 @@ msg::QueryReply query_reply() {
   made.request = 31;
   made.part = 0;
   made.parts = 2;
-  made.robots = {
-      {description(), state(), 0.5, "cyclonedds", "0.1.0", -0.001, "0000000000000001:5 to 0000000000000002:0"}};
+  made.robots = {{description(), state(), 0.5, "cyclonedds", "0.1.0", -0.001,
+                  "0000000000000001:5 to 0000000000000002:0", 70'000, 4'000'000}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};
   made.log = {
       {Revision{9}, Revision{4}, WallTime(std::chrono::seconds(1'700'000'000)), "rollback", "anna", "to revision 4"}};
-  made.info = {Revision{99},
-               Epoch{7},
-               2,
-               400,
-               12,
-               380,
-               9'000'000,
-               55,
-               1,
-               1ULL << 40U,
-               "weft 0.1.0",
-               "fastdds",
-               "sqlite",
-               {{"weft/1/query: Query.kind must be from 1 to 5", 2}}};
+  made.info = {Revision{99}, Epoch{7},  2,        400,         12,
+               380,          9'000'000, 55,       1,           1ULL << 40U,
+               "weft 0.1.0", "fastdds", "sqlite", "disk full", {{"weft/1/query: Query.kind must be from 1 to 5", 2}}};
   return made;
 }
 
@@ -248,10 +239,28 @@ void add_operating(std::vector<Example>& all) {
                                       "dock",
                                       place_id(2, 1),
                                       id_of<GoalId>(0x60),
-                                      {{0.5, 1.5}}}});
+                                      {{0.5, 1.5}},
+                                      {Revision{40},
+                                       {{{ExperienceId{0xabcdef}, 3, 9}}, {{place_id(1, 5), place_id(2, 0)}}},
+                                       true,
+                                       0.25,
+                                       0.5,
+                                       "/var/backups/map.sqlite"}}});
   all.push_back({"operator_reply", Role::server,
-                 msg::OperatorReply{header(), example_addressee(), 30, msg::Outcome::refused, "no label 'dock'",
-                                    id_of<GoalId>(0x60), place_id(2, 1), ExperienceId{0xabcdef}}});
+                 msg::OperatorReply{header(),
+                                    example_addressee(),
+                                    30,
+                                    msg::Outcome::refused,
+                                    "no label 'dock'",
+                                    id_of<GoalId>(0x60),
+                                    place_id(2, 1),
+                                    ExperienceId{0xabcdef},
+                                    Revision{41},
+                                    300,
+                                    4000,
+                                    "rows",
+                                    {"content 12ab: checksum differs"},
+                                    {{"places", 400}}}});
   all.push_back({"query", Role::client,
                  msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20}});
   all.push_back({"query_reply", Role::server, query_reply()});

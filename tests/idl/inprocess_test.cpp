@@ -134,7 +134,7 @@ TEST_F(InProcess, ADetachedPeerIsGoneWithWhatWasUnderWay) {
   net.set_faults({.delay_min = 10ms, .delay_max = 10ms});
   ASSERT_TRUE(client.send(query(1)));
   net.detach(peer(2));
-  const Result<void> sent = client.send(query(2));
+  const auto sent = client.send(query(2));
   ASSERT_FALSE(sent);
   EXPECT_EQ(sent.error().code, ErrorCode::unavailable);
   net.deliver_until(at(1s));

@@ -106,6 +106,15 @@ TEST(FromIdl, RefusesListsAndNumbersOutOfBounds) {
               HasSubstr("released must be the index"));
   EXPECT_THAT(refusal<msg::ExperienceBatch>([](auto& m) { m.batch.sequence = 0; }), HasSubstr("at least 1"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.header.signature.resize(65); }), HasSubstr("more than 64 entries"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.what.places[0].last = 2; }),
+              HasSubstr("work.places[0].last must not be before first"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.what.places[0].experience = {}; }),
+              HasSubstr("experience must not be none"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.within_m = std::nan(""); }),
+              HasSubstr("work.within_m must be finite"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.within_rad = 4.0; }), HasSubstr("at most pi"));
+  EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.outcome = msg::Outcome{6}; }),
+              HasSubstr("outcome must be from 1 to 5"));
   EXPECT_THAT(refusal<msg::ContentRequest>([](auto& m) { m.items.resize(4097, m.items[0]); }),
               HasSubstr("more than 4096 entries"));
 }

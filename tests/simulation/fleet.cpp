@@ -167,7 +167,9 @@ void Fleet::send_all(const std::vector<msg::Message>& messages) {
   for (const msg::Message& message : messages) {
     record(message);
     ledger_.server_sent(message, *server_.service);
-    if (const auto sent = server_.link->send(message); !sent) throw std::runtime_error(sent.error().message);
+    const auto sent = server_.link->send(message);
+    if (!sent) throw std::runtime_error(sent.error().message);
+    server_.service->sent(message, *sent);
   }
 }
 
@@ -274,6 +276,20 @@ std::vector<std::string> Fleet::diary() const {
                     to_string(robot.state.place) + ": " + robot.state.reason);
   }
   return lines;
+}
+
+Removal Fleet::some_places(Random& random) const {
+  std::vector<const Experience*> ended;
+  if (!server_.service) return {};
+  for (const auto& [id, experience] : server_.service->snapshot().experiences()) {
+    if (experience->sealed && experience->places.size() > 10) ended.push_back(experience.get());
+  }
+  if (ended.empty()) return {};
+  const Experience& experience = *ended[random.below(ended.size())];
+  const auto first = static_cast<std::uint32_t>(random.below(experience.extent));
+  return {
+      {{experience.id, first, std::min(first + static_cast<std::uint32_t>(random.below(12)), experience.extent - 1)}},
+      {}};
 }
 
 void Fleet::look_when_quiet() {

@@ -52,6 +52,8 @@ class Fleet {
   const std::string& name(std::size_t robot) const { return robots_[robot].name; }
 
   Ledger& ledger() { return ledger_; }
+  /// A few places in a row of an experience that has ended, as the map has it; none while the server is down.
+  Removal some_places(Random& random) const;
   void look_when_quiet();
   /// The server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
   std::vector<std::string> diary() const;

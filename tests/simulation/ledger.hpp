@@ -54,6 +54,9 @@ class Ledger {
   /// nothing has been asked for a while.
   void look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk);
 
+  /// People have asked for an edit of the map, or have undone it: meanwhile not all that is stored is served.
+  void map_edited(bool is_edited) { is_edited_ = is_edited; }
+
   const std::vector<Violation>& violations() const { return violations_; }
   std::uint64_t acknowledged() const { return acknowledged_count_; }
   std::map<std::string, std::uint64_t> goals_by_state() const;
@@ -86,6 +89,7 @@ class Ledger {
   std::map<ExperienceId, std::map<std::uint64_t, Batch>> sent_;
   std::map<ExperienceId, std::uint64_t> acknowledged_;
   std::uint64_t acknowledged_count_ = 0;
+  bool is_edited_ = false;
   std::map<RobotId, Stretch> held_;           ///< released to a robot, not yet freed
   std::map<RobotId, msg::RobotState> known_;  ///< as the server last heard
   std::set<GoalId> accepted_;

@@ -61,6 +61,28 @@ void Operator::stop_a_while(std::size_t robot) {
   }
 }
 
+/// A stretch of the map goes, with who drives there, and comes back.
+void Operator::edit_a_while() {
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::quarantine;
+  request.work.what = fleet_.some_places(random_);
+  if (request.work.what.empty()) return;
+  fleet_.ledger().map_edited(true);
+  const auto edited = ask(request, 3600.0);
+  if (edited && edited->outcome == msg::Outcome::done) {
+    pass(from_seconds(random_.uniform(1.0, 60.0)));
+    request.kind = msg::OperatorRequest::Kind::undo;
+    request.work.what = {};
+    request.work.revision = edited->revision;
+    while (true) {
+      const auto undone = ask(request, 600.0);
+      if (undone && undone->outcome != msg::Outcome::failed) break;
+      pass(std::chrono::seconds(5));
+    }
+  }
+  fleet_.ledger().map_edited(false);
+}
+
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
@@ -79,7 +101,9 @@ void Operator::errand() {
     ask(request);
   } else if (what < 0.88) {
     stop_a_while(robot);
-  } else if (what < 0.94) {
+  } else if (what < 0.92) {
+    edit_a_while();
+  } else if (what < 0.96) {
     teach_more(robot);
   } else if (!fleet_.state(robot).localised) {
     msg::OperatorRequest request;

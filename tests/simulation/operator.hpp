@@ -49,6 +49,7 @@ class Operator {
   bool is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line) const;
   void send_goal(const std::string& label, const std::string& robot);
   void stop_a_while(std::size_t robot);
+  void edit_a_while();
   void look_around();
   void help_waiting(const GoalId& id, Open& open);
   std::string free_station();

@@ -100,8 +100,7 @@ void Loop::perform(AgentOutput output) {
   if (parts_.records != nullptr) note(output);
   for (const msg::Message& message : output.send) {
     // What is not sent is repeated by the agent, like what is lost on the way.
-    if (const Result<void> sent = parts_.link.send(message); !sent)
-      parts_.log.debug("not sent: {}", sent.error().message);
+    if (const auto sent = parts_.link.send(message); !sent) parts_.log.debug("not sent: {}", sent.error().message);
   }
   if (output.hand_stop) parts_.body.stop_hand();
   if (output.hand_start.has_value()) {

@@ -55,9 +55,9 @@ Result<Subject> subject_of(const DisturbancesOptions& options) {
 }
 
 /// Rows there are to measure, and how fast it goes.
-class Progress {
+class RowsMeasured {
  public:
-  Progress(std::size_t all, std::size_t kept, const Surroundings& around)
+  RowsMeasured(std::size_t all, std::size_t kept, const Surroundings& around)
       : all_(all), kept_(kept), around_(around), began_s_(around.steady_s()) {
     around_.progress << "weft-evaluate: " << all_ << " rows to measure, " << kept_ << " of them are there already\n"
                      << std::flush;
@@ -94,7 +94,7 @@ Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& opt
                           const Surroundings& around) {
   const std::vector<Variant> variants = variants_of(subject.site.disturbances);
   const std::size_t all = variants.size() * (options.seeds.last - options.seeds.first + 1);
-  Progress progress(all, kept_of(rows, variants, options.seeds), around);
+  RowsMeasured progress(all, kept_of(rows, variants, options.seeds), around);
   LeadTask task{subject.site, subject.line, 1, options.out / "truth.now", around.asked_to_stop};
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
     for (const Variant& variant : variants) {

@@ -23,6 +23,18 @@ class ScriptedNavigator final : public Navigator {
     if (view != nullptr && keeps) answer.kept.push_back(keep(frame));
     return answer;
   }
+  bool map_changed(const Window& before, const Window& after) override {
+    if (!script_->estimate || after.place(script_->estimate->place) != nullptr) return true;
+    if (before.place(script_->estimate->place) == nullptr) return true;
+    for (const Reached& reached : breadth_first(before, script_->estimate->place, 100, 1000)) {
+      if (after.place(reached.id) == nullptr) continue;
+      script_->estimate->place = reached.id;
+      return true;
+    }
+    return false;
+  }
+  void forget_taught(const Window&) override { ++script_->forgot_taught; }
+  void forget_where() override { script_->estimate.reset(); }
   void begin_teach(const TeachStart& start) override {
     script_->taught.push_back(start);
     script_->teaching = true;

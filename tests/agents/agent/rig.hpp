@@ -27,6 +27,7 @@ struct Script {
   std::vector<std::optional<PlaceId>> sought;
   std::vector<Route> followed;
   int stops = 0;
+  int forgot_taught = 0;
 };
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script);
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/network/change.hpp"
+#include "core/network/removal.hpp"
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -125,6 +126,35 @@ TEST(WindowOfAgent, HoldsItsRoute) {
   rig.tell(rig.order(a_route(laid, 60, 1)));
   rig.run(3s);
   EXPECT_EQ(rig.agent->window().places.size(), 60U);
+}
+
+// The window around what was taken out is empty: what is left beside it has to be asked for.
+TEST(WindowOfAgent, IsFoundAgainWhenItsCentreWasTakenOut) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 60);
+  rig.run(2s);
+  rig.script->estimate = Estimate{{laid, 10}, Relation{}, 0.0};
+  rig.run(3s);
+  ASSERT_EQ(rig.last<msg::WindowRequest>()->definition.centre, (PlaceId{laid, 10}));
+  rig.server.snapshot = without(rig.server.snapshot, {{{laid, 5, 15}}, {}});
+  rig.run(35s);
+  ASSERT_TRUE(rig.script->estimate) << "places beside the gap are left to stand on";
+  EXPECT_NE(rig.server.snapshot.place(rig.script->estimate->place), nullptr);
+  EXPECT_NE(rig.agent->window().place(rig.script->estimate->place), nullptr);
+  EXPECT_EQ(rig.last<msg::WindowRequest>()->definition.centre, rig.script->estimate->place);
+  EXPECT_TRUE(rig.last<msg::WindowRequest>()->definition.route.empty());
+}
+
+TEST(WindowOfAgent, ARobotWhoseWholeSurroundingsWereTakenOutDoesNotKnowWhereItIs) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 60);
+  rig.run(2s);
+  rig.script->estimate = Estimate{{laid, 10}, Relation{}, 0.0};
+  rig.run(3s);
+  rig.server.snapshot = without(rig.server.snapshot, {{{laid, 0, 59}}, {}});
+  rig.run(35s);
+  EXPECT_FALSE(rig.script->estimate);
+  EXPECT_FALSE(rig.last<msg::RobotState>()->localised);
 }
 
 }  // namespace

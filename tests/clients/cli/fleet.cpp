@@ -74,7 +74,10 @@ Batch taught(ExperienceId experience, const RobotId& robot, const std::vector<Po
 }  // namespace
 
 std::filesystem::path folder() {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_cli";
+  // Tests run side by side.
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "weft_cli" /
+                                     (std::string(test.test_suite_name()) + "." + test.name());
   std::filesystem::create_directories(path);
   return path;
 }

@@ -30,7 +30,7 @@ class Sender {
       msg::Chunk chunk{header_of(from_), to_, msg::ContentKind::cloud, hash(), content_.size(), offset_, {}};
       chunk.data.assign(content_.begin() + static_cast<std::ptrdiff_t>(offset_),
                         content_.begin() + static_cast<std::ptrdiff_t>(offset_ + size));
-      const Result<void> sent = link_.send(chunk);
+      const auto sent = link_.send(chunk);
       if (!sent) {
         EXPECT_EQ(sent.error().code, ErrorCode::unavailable) << sent.error().message;
         return;

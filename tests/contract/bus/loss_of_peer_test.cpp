@@ -86,7 +86,7 @@ TEST_P(PeerContract, AKilledReaderOfBulkSaysUnavailableAndHoldsNobodyUp) {
   chunk.hash.bytes.fill(1);
   chunk.data.resize(msg::kChunkBytes);
   const auto is_sent = [&] {
-    const Result<void> sent = fleet.server().send(chunk);
+    const auto sent = fleet.server().send(chunk);
     if (!sent) {
       EXPECT_EQ(sent.error().code, ErrorCode::unavailable) << sent.error().message;
     }

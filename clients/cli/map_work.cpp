@@ -1,0 +1,118 @@
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/progress.hpp"
+#include "clients/cli/table.hpp"
+
+/// Edits of the map, each one revision, and upkeep of the store.
+namespace weft::cli {
+namespace {
+
+using Command = Invocation::Command;
+using Kind = msg::OperatorRequest::Kind;
+
+Kind kind_of(Command command) {
+  switch (command) {
+    case Command::map_rollback:
+      return Kind::rollback;
+    case Command::map_undo:
+      return Kind::undo;
+    case Command::map_quarantine:
+      return Kind::quarantine;
+    case Command::map_replace:
+      return Kind::replace;
+    case Command::map_compact:
+      return Kind::compact;
+    case Command::map_snapshot:
+      return Kind::snapshot;
+    case Command::map_check:
+      return Kind::check;
+    case Command::map_stats:
+      return Kind::stats;
+    default:
+      return Kind::prune;
+  }
+}
+
+/// "E:I..J"; none when the text is not of that form.
+std::optional<Stretch> parse_stretch(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return std::nullopt;
+  const std::optional<PlaceId> first = parse_place_id(text.substr(0, dots));
+  std::uint32_t last = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + dots + 2, end, last);
+  if (!first.has_value() || error != std::errc{} || stop != end) return std::nullopt;
+  return Stretch{first->experience, first->index, last};
+}
+
+std::optional<EdgeId> parse_stitch(const std::string& text) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string::npos) return std::nullopt;
+  const std::optional<PlaceId> a = parse_place_id(text.substr(0, dash));
+  const std::optional<PlaceId> b = parse_place_id(text.substr(dash + 1));
+  if (!a.has_value() || !b.has_value()) return std::nullopt;
+  return EdgeId{*a, *b};
+}
+
+/// What is nothing else is an experience's name or id.
+Result<void> put_what(const std::string& what, msg::OperatorRequest& request) {
+  if (const auto stitch = parse_stitch(what); stitch.has_value()) {
+    request.work.what.stitches = {*stitch};
+  } else if (const auto stretch = parse_stretch(what); stretch.has_value()) {
+    if (stretch->first > stretch->last) return fail(ErrorCode::invalid, what + ": the first comes after the last");
+    request.work.what.places = {*stretch};
+  } else if (const auto place = parse_place_id(what); place.has_value()) {
+    request.work.what.places = {{place->experience, place->index, place->index}};
+  } else if (what.find(':') != std::string::npos || what.size() > 64) {
+    return fail(ErrorCode::invalid, "'" + what +
+                                        "' is no stitch E:I-F:J, no place E:I and no places E:I..J with E and "
+                                        "F of 16 hex digits, as `weft map export` and `weft map diff` write them");
+  } else {
+    request.label = what;
+  }
+  return {};
+}
+
+void show_counts(const msg::OperatorReply& reply, const Output& output) {
+  Table table;
+  for (const auto& [name, count] : reply.counts) table.add({name, std::to_string(count)});
+  table.print(output.out);
+}
+
+}  // namespace
+
+Result<msg::OperatorRequest> map_work(const Invocation& invocation) {
+  msg::OperatorRequest request;
+  request.kind = kind_of(invocation.command);
+  request.work.revision = invocation.to;
+  request.work.only_say = invocation.only_say;
+  request.work.within_m = invocation.within_m;
+  request.work.within_rad = invocation.within_deg * std::numbers::pi / 180.0;
+  request.work.file = invocation.file;
+  if (invocation.what.empty()) return request;
+  if (request.kind == Kind::replace) {
+    request.label = invocation.what;
+    return request;
+  }
+  if (const Result<void> good = put_what(invocation.what, request); !good) return fail(good.error());
+  return request;
+}
+
+Exit run_map_work(Session& session, const Invocation& invocation, const Output& output) {
+  Result<msg::OperatorRequest> request = map_work(invocation);
+  if (!request) return report(request.error(), invocation.json, output);
+  ProgressLine line(output.err, session.world().now);
+  const Result<msg::OperatorReply> reply =
+      session.ask(*std::move(request), patience(invocation), [&](const msg::OperatorReply& now) { line.show(now); });
+  if (!reply) return report(reply.error(), invocation.json, output);
+  if (!invocation.json) line.rest(*reply);
+  const Exit exit = show(*reply, invocation, output);
+  if (!invocation.json && invocation.command == Command::map_stats) show_counts(*reply, output);
+  return exit;
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/network/search.hpp"
+#include "server/dispatcher/dispatcher.hpp"
+
+/// Routes under way when the map is edited (docs/path-of-a-goal.md, 6).
+namespace weft::server {
+namespace {
+
+bool leads_on(const Snapshot& snapshot, const PlaceId& from, const PlaceId& to) {
+  bool leads = false;
+  snapshot.for_each_edge(
+      from, [&](const Edge& edge) { leads = leads || (other_end(edge, from) == to && can_drive(edge, from)); });
+  return leads;
+}
+
+/// The index of the first place, after `from`, that the map does not lead to any more along the route; `from` itself
+/// when it is out. None: the route is whole.
+std::optional<std::uint32_t> first_broken(const Snapshot& snapshot, const Route& route, std::uint32_t from) {
+  if (from >= route.places.size()) return std::nullopt;
+  if (snapshot.place(route.places[from]) == nullptr) return from;
+  for (std::uint32_t at = from + 1; at < route.places.size(); ++at) {
+    if (!leads_on(snapshot, route.places[at - 1], route.places[at])) return at;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Dispatcher::network_changed() {
+  look_again_ = true;
+  const bool any_cut =
+      std::any_of(errands_.begin(), errands_.end(), [](const auto& entry) { return entry.second.cut; });
+  // What was added may lead on where something was taken away.
+  if (any_cut) routes_checked_ = false;
+}
+
+void Dispatcher::mend(const RobotId& robot, Errand& errand, Now now) {
+  if (errand.ending || errand.recalled || errand.lost) return;
+  const Route& route = *book_.route(errand.goal);
+  const bool told = is_told(robot, route);
+  const std::optional<std::uint32_t> broken =
+      first_broken(context_.snapshots.current(), route, told ? traffic_.held(robot)->from : 0);
+  if (!broken) {
+    if (std::exchange(errand.cut, false)) errand.traffic_looked = 0;
+    return;
+  }
+  if (!told) {
+    errand.lost = true;  // as if it had been moved: from where it says that it stands
+  } else if (*broken > route.released) {
+    plan_on(robot, errand, now);
+  } else {
+    recall(robot, errand, now);
+  }
+}
+
+/// The next version begins with all that was released, so that the robot need not stop and holds what it held.
+void Dispatcher::plan_on(const RobotId& robot, Errand& errand, Now now) {
+  const Goal& goal = *book_.find(errand.goal);
+  const Route& route = *book_.route(errand.goal);
+  const Robot* const known = fleet_.find(robot);
+  if (known == nullptr || !known->description) return cut_off(robot, errand, "its robot has not been heard yet", now);
+  const Result<Choice> choice = choose(
+      {{.robot = robot, .at = route.places[route.released], .methods = methods_of(*known)}}, ways_to(goal.to, now));
+  if (!choice) return cut_off(robot, errand, choice.error().message, now);
+  Route next = route;
+  const auto kept = static_cast<std::ptrdiff_t>(route.released);
+  next.version = route.version + 1;
+  next.made_of = context_.snapshots.current().revision();
+  next.reason.clear();
+  next.places.erase(next.places.begin() + kept, next.places.end());
+  next.relations.erase(next.relations.begin() + kept, next.relations.end());
+  next.places.insert(next.places.end(), choice->path.places.begin(), choice->path.places.end());
+  next.relations.insert(next.relations.end(), choice->path.relations.begin(), choice->path.relations.end());
+  const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, traffic_.held(robot)->from, route.released);
+  storage::Transaction transaction;
+  for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
+  const GoalBook::Step step = {.state = goal.state,
+                               .cause = "the map was changed ahead of " + known->name + ": it goes on from " +
+                                        to_string(route.places[route.released]) + " another way",
+                               .who = "dispatcher",
+                               .kind = "goal.planned_anew"};
+  if (!book_.write(goal, step, next, std::move(transaction), now)) {
+    routes_checked_ = false;  // the store takes nothing now; nothing more of the old one is released meanwhile
+    errand.cut = true;
+    return;
+  }
+  traffic_.committed(claims);
+  errand.cut = false;
+  errand.has_latest_order = false;
+  errand.heard_of_it.reset();
+  errand.traffic_looked = 0;
+  errand.wait = Duration{};
+  send_order(robot, errand, now.steady);
+}
+
+/// It stops at its released point, and says why.
+void Dispatcher::cut_off(const RobotId& robot, Errand& errand, const std::string& why, Now now) {
+  errand.cut = true;
+  const Goal& goal = *book_.find(errand.goal);
+  const std::string cause = "the map was changed ahead of " + fleet_.name_of(robot) + ": " + why;
+  if (goal.history.back().cause == cause) return;
+  Route next = *book_.route(errand.goal);
+  next.reason = clipped(cause);
+  if (!book_.write(goal, {.state = goal.state, .cause = cause, .who = "dispatcher", .kind = "goal.waits"}, next, {},
+                   now)) {
+    return;  // said again at the next change of the map
+  }
+  errand.wait = Duration{};
+  send_order(robot, errand, now.steady);
+}
+
+void Dispatcher::recall(const RobotId& robot, Errand& errand, Now now) {
+  const Goal& goal = *book_.find(errand.goal);
+  errand.recalled = true;
+  errand.wait = Duration{};
+  // Told even when it cannot be written down: to stand is more urgent.
+  std::ignore = book_.write(goal,
+                            {.state = goal.state,
+                             .cause = "the map was changed under " + fleet_.name_of(robot) +
+                                      ": it stops, and is given another route from where it stands",
+                             .who = "dispatcher",
+                             .kind = "goal.waits"},
+                            std::nullopt, {}, now);
+  send_order(robot, errand, now.steady);
+}
+
+}  // namespace weft::server

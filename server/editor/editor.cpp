@@ -1,0 +1,104 @@
+#include "server/editor/editor.hpp"
+
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+using Kind = msg::OperatorRequest::Kind;
+
+storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
+  storage::Transaction transaction;
+  if (edit.to.value != 0) {
+    transaction.changes.emplace_back(storage::RollBack{edit.to});
+  }
+  if (!edit.out.empty()) transaction.changes.emplace_back(storage::TakeOut{edit.out});
+  if (!edit.back.empty()) transaction.changes.emplace_back(storage::BringBack{edit.back});
+  for (const auto& [label, place] : edit.labels) transaction.changes.emplace_back(storage::PutLabel{label, place});
+  transaction.changes.emplace_back(storage::PutEvent{{.at = {},
+                                                      .kind = "map." + edit.kind,
+                                                      .robot = {},
+                                                      .goal = {},
+                                                      .cause = edit.cause + ": " + to_text(edit),
+                                                      .who = who}});
+  transaction.note.kind = edit.kind;
+  transaction.note.who = who;
+  transaction.note.cause = clipped(edit.cause + ": " + to_text(edit));
+  return transaction;
+}
+
+}  // namespace
+
+Result<Edit> Editor::edit_for(const msg::OperatorRequest& request) const {
+  const Snapshot& snapshot = context_.snapshots.current();
+  const msg::MapWork& work = request.work;
+  Result<Edit> edit = request.kind == Kind::rollback ? rolling_back(snapshot, context_.store, work.revision)
+                      : request.kind == Kind::undo && work.revision.value != 0
+                          ? undoing(snapshot, context_.store, work.revision)
+                          : taking_out(snapshot, request);
+  if (edit) {
+    edit->kind = request.kind == Kind::rollback ? "rollback" : request.kind == Kind::undo ? "undo" : "quarantine";
+  }
+  return edit;
+}
+
+msg::OperatorReply Editor::on_request(const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Result<Edit> edit = edit_for(request);
+  msg::OperatorReply reply;
+  if (!edit) {
+    const ErrorCode code = edit.error().code;
+    const bool is_the_stores = code == ErrorCode::corrupt || code == ErrorCode::internal;
+    reply.outcome = is_the_stores ? msg::Outcome::failed : msg::Outcome::refused;
+    reply.message = edit.error().message;
+    return reply;
+  }
+  if (!request.work.only_say) return commit(*edit, who, now);
+  reply.message = "it would be so: " + to_text(*edit) + "; nothing was changed";
+  return reply;
+}
+
+msg::OperatorReply Editor::commit(const Edit& edit, const std::string& who, Now now) {
+  msg::OperatorReply reply;
+  const Result<Revision> revision = context_.record.commit(transaction_of(edit, who), now);
+  if (!revision) {
+    reply.outcome = msg::Outcome::failed;
+    reply.message = "nothing was changed: " + revision.error().message;
+    return reply;
+  }
+  Result<Snapshot> next = edited(edit, *revision);
+  if (!next) {
+    // What is stored is right; what is served would not be it any more.
+    context_.record.give_up({ErrorCode::internal, "the edited map cannot be loaded, the server has to start anew: " +
+                                                      next.error().message});
+    reply.outcome = msg::Outcome::failed;
+    reply.message = "it is stored as revision " + std::to_string(revision->value) +
+                    "; the server has to start anew (" + next.error().message + ")";
+    return reply;
+  }
+  const Snapshot before = context_.snapshots.current();
+  context_.snapshots.push(*std::move(next));
+  traffic_.edited(before);
+  dispatcher_.network_edited();
+  reply.revision = *revision;
+  reply.message = "revision " + std::to_string(revision->value) + ": " + to_text(edit) +
+                  " (weft map undo --revision " + std::to_string(revision->value) + " undoes it)";
+  return reply;
+}
+
+std::set<PlaceId> Editor::in_use() const {
+  std::set<PlaceId> places = traffic_.held_places();
+  const GoalBook& book = dispatcher_.book();
+  for (const auto& [number, id] : book.alive()) {
+    places.insert(book.find(id)->to);
+    if (const Route* const route = book.route(id)) places.insert(route->places.begin(), route->places.end());
+  }
+  return places;
+}
+
+Result<Snapshot> Editor::edited(const Edit& edit, Revision revision) const {
+  const bool only_out = edit.back.empty() && edit.labels.empty() && edit.to.value == 0;
+  if (only_out) return without(context_.snapshots.current(), edit.out);
+  return context_.store.snapshot_at(revision);
+}
+
+}  // namespace weft::server

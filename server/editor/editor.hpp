@@ -1,0 +1,37 @@
+#pragma once
+#include <set>
+#include <string>
+
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+#include "server/dispatcher/dispatcher.hpp"
+#include "server/editor/edits.hpp"
+#include "server/traffic/traffic.hpp"
+
+namespace weft::server {
+
+/// Changes the map as operators ask. Each edit is one revision that can be undone; who drives on what is edited is
+/// looked after (dispatcher/mend.cpp, traffic).
+class Editor {
+ public:
+  Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)
+      : context_(context), traffic_(traffic), dispatcher_(dispatcher) {}
+
+  /// rollback, undo and quarantine.
+  msg::OperatorReply on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
+  /// Durable, and served, when it returns.
+  msg::OperatorReply commit(const Edit& edit, const std::string& who, Now now);
+  /// Places that robots hold, and that routes under way and their goals need.
+  std::set<PlaceId> in_use() const;
+  bool holds_what_is_out() const { return traffic_.holds_what_is_out(); }
+
+ private:
+  Result<Edit> edit_for(const msg::OperatorRequest& request) const;
+  Result<Snapshot> edited(const Edit& edit, Revision revision) const;
+
+  Context& context_;
+  Traffic& traffic_;
+  Dispatcher& dispatcher_;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,158 @@
+#include "server/editor/edits.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace weft::server {
+namespace {
+
+std::string counted(std::uint64_t count, const char* one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+std::string counted(const Removal& removal) {
+  std::string text;
+  if (!removal.places.empty()) text = counted(place_count(removal), "place");
+  if (removal.stitches.empty()) return text;
+  return text + (text.empty() ? "" : " and ") +
+         (removal.stitches.size() == 1 ? "1 stitch" : std::to_string(removal.stitches.size()) + " stitches");
+}
+
+std::string named(Revision revision) {
+  return "revision " + std::to_string(revision.value);
+}
+
+void append(Removal& all, const Removal& more) {
+  all.places.insert(all.places.end(), more.places.begin(), more.places.end());
+  all.stitches.insert(all.stitches.end(), more.stitches.begin(), more.stitches.end());
+}
+
+Stretch whole(ExperienceId experience) {
+  return {experience, 0, std::numeric_limits<std::uint32_t>::max()};
+}
+
+std::string cause_of(const msg::OperatorRequest& request, const Removal& asked) {
+  if (!request.label.empty()) return "experience " + request.label;
+  std::string text;
+  for (const Stretch& stretch : asked.places) {
+    text += (text.empty() ? "" : ", ") + to_string(stretch.experience) + ":" + std::to_string(stretch.first) +
+            " to " + std::to_string(stretch.last);
+  }
+  for (const EdgeId& stitch : asked.stitches) {
+    text += (text.empty() ? "" : ", ") + to_string(stitch.a) + " - " + to_string(stitch.b);
+  }
+  return text;
+}
+
+/// What the revision set labels to, where they still mean that.
+void undo_labels(const Snapshot& snapshot, const Snapshot& then, const storage::RevisionChanges& changes,
+                 Edit& edit) {
+  for (const auto& [label, before] : changes.labels_before) {
+    const auto set = then.labels().find(label);
+    const auto now = snapshot.labels().find(label);
+    const PlaceId was = set == then.labels().end() ? PlaceId{} : set->second;
+    const PlaceId is = now == snapshot.labels().end() ? PlaceId{} : now->second;
+    if (was == is && before != is) edit.labels[label] = before;
+  }
+}
+
+}  // namespace
+
+std::string to_text(const Edit& edit) {
+  if (edit.to.value != 0) return "the map is as it was at " + named(edit.to);
+  std::vector<std::string> parts;
+  if (!edit.out.empty()) parts.push_back(counted(edit.out) + " out of the map");
+  if (!edit.back.empty()) parts.push_back(counted(edit.back) + " in the map again");
+  for (const auto& [label, place] : edit.labels) {
+    parts.push_back("label " + label + (place.experience ? " at " + to_string(place) + " again" : " gone"));
+  }
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name) {
+  std::vector<ExperienceId> found;
+  for (const auto& [id, experience] : snapshot.experiences()) {
+    if (to_string(id) == name) return id;
+    if (experience->name == name) found.push_back(id);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    return fail(ErrorCode::not_found,
+                "the map has no experience " + name + "; give its name, or the 16 hex digits of its id");
+  }
+  std::string ids;
+  for (const ExperienceId id : found) ids += (ids.empty() ? "" : ", ") + to_string(id);
+  return fail(ErrorCode::refused,
+              std::to_string(found.size()) + " experiences are named " + name + ": give one of the ids " + ids);
+}
+
+Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& request) {
+  Removal asked = request.work.what;
+  if (!request.label.empty()) {
+    const Result<ExperienceId> experience = experience_of(snapshot, request.label);
+    if (!experience) return fail(experience.error());
+    asked.places.push_back(whole(*experience));
+  }
+  if (asked.empty()) return fail(ErrorCode::invalid, "nothing is named that could leave the map");
+  Edit edit;
+  edit.cause = cause_of(request, asked);
+  edit.out = present(snapshot, asked);
+  if (edit.out.empty()) {
+    return fail(ErrorCode::not_found, "nothing of " + edit.cause + " is in the map; weft map log shows when it left");
+  }
+  return edit;
+}
+
+Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision) {
+  const Result<storage::RevisionChanges> changes = store.changes_of(revision);
+  if (!changes) return fail(changes.error());
+  const bool was_rollback = changes->note.base.value + 1 != revision.value;
+  if (was_rollback && revision != snapshot.revision()) {
+    return fail(ErrorCode::refused, named(revision) + " is a rollback, and more has come since: weft map rollback " +
+                                        std::to_string(revision.value - 1) + " goes back to before it");
+  }
+  if (was_rollback) {
+    Result<Edit> edit = rolling_back(snapshot, store, {revision.value - 1});
+    if (edit) edit->cause = named(revision) + ", a rollback";
+    return edit;
+  }
+  Edit edit;
+  edit.cause = named(revision) + " (" + changes->note.kind + ": " + changes->note.cause + ")";
+  Removal out = changes->added;
+  append(out, changes->brought_back);
+  edit.out = present(snapshot, out);
+  edit.back = absent(snapshot, changes->taken_out);
+  if (!changes->labels_before.empty()) {
+    const Result<Snapshot> then = store.snapshot_at(revision);
+    if (!then) return fail(then.error());
+    undo_labels(snapshot, *then, *changes, edit);
+  }
+  if (edit.empty()) {
+    return fail(ErrorCode::not_found, "nothing of " + edit.cause +
+                                          " is left to undo: it has been undone, or later "
+                                          "revisions changed the same; weft map log shows them");
+  }
+  return edit;
+}
+
+Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to) {
+  if (to >= snapshot.revision()) {
+    return fail(ErrorCode::refused, named(to) + " is not before the newest, " +
+                                        std::to_string(snapshot.revision().value) + ": weft map log lists them");
+  }
+  const Result<std::vector<storage::RevisionNote>> known = store.log(to, 1);
+  if (!known) return fail(known.error());
+  if (known->empty() || known->front().revision != to) {
+    return fail(ErrorCode::not_found, "the map has no " + named(to) + " any more: weft map log lists what is kept");
+  }
+  Edit edit;
+  edit.to = to;
+  edit.cause = "to " + named(to);
+  return edit;
+}
+
+}  // namespace weft::server

@@ -1,0 +1,37 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "core/network/removal.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/result.hpp"
+#include "storage/map_store.hpp"
+
+namespace weft::server {
+
+/// What an operator's edit would do to the map as it is.
+struct Edit {
+  Removal out;
+  Removal back;
+  std::map<std::string, PlaceId> labels;  ///< a place of no experience: the label goes
+  Revision to;                            ///< not 0: a rollback, and nothing else
+  std::string kind;                       ///< for the log
+  std::string cause;                      ///< what was asked for, in words
+  bool empty() const { return out.empty() && back.empty() && labels.empty() && to.value == 0; }
+};
+
+/// For people: "12 places and 3 stitches leave the map".
+std::string to_text(const Edit& edit);
+
+/// The experience of that hex id, or of that name. not_found; refused: several have the name, with their ids.
+Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name);
+
+// Each is not_found when nothing of it is left to do, and says so.
+
+/// The places and stitches named, or a whole experience by its name.
+Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& request);
+/// What a revision changed, the other way round. refused: a rollback that is not the newest revision.
+Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
+Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);
+
+}  // namespace weft::server

@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/network/prune.hpp"
+#include "core/protocol/messages.hpp"
+#include "server/context.hpp"
+#include "server/desk/request_ledger.hpp"
+#include "server/editor/editor.hpp"
+
+namespace weft::server {
+
+/// Long work on the map, one at a time, piece by piece between messages: check, snapshot, stats, compact, prune,
+/// replace. Who asked hears how it goes twice a second. It goes on when nobody listens any more, and its end is an
+/// event.
+class Jobs {
+ public:
+  using Key = RequestLedger::Key;
+  using Replies = std::vector<std::pair<Key, msg::OperatorReply>>;
+
+  Jobs(Context& context, Editor& editor) : context_(context), editor_(editor) {}
+
+  /// None: it has begun. Otherwise the answer: why not.
+  std::optional<msg::OperatorReply> begin(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                          Now now);
+  /// One piece. Replies are under_way, but the last.
+  Replies tick(Now now);
+  /// At once, while there is work.
+  std::optional<SteadyTime> next() const { return running_ ? std::optional(running_->work_at) : std::nullopt; }
+
+ private:
+  struct Running {
+    Key key;
+    msg::OperatorRequest request;
+    std::string who;
+    std::unique_ptr<storage::StoreJob> store_job;  ///< this or
+    std::optional<Pruner> pruner;                  ///< this
+    std::vector<std::string> findings;             ///< the first of them, for the last reply
+    std::uint64_t found = 0;
+    std::vector<std::string> unsaid;
+    SteadyTime say_at;
+    SteadyTime work_at;
+  };
+
+  Result<Running> make(const msg::OperatorRequest& request) const;
+  Result<std::unique_ptr<storage::StoreJob>> store_job(const msg::OperatorRequest& request) const;
+  Result<Pruner> make_pruner(const msg::OperatorRequest& request) const;
+  msg::OperatorReply work_on_store(Now now);
+  msg::OperatorReply work_on_pruning(Now now);
+  msg::OperatorReply pruned(Now now);
+  void note_end(const msg::OperatorReply& reply, Now now);
+
+  Context& context_;
+  Editor& editor_;
+  std::optional<Running> running_;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include "clients/cli/progress.hpp"
+#include "tests/clients/cli/fleet.hpp"
+
+/// Edits of the map and upkeep of the store, as an operator asks for them.
+namespace weft::cli::test {
+namespace {
+using namespace std::chrono_literals;
+
+std::uint64_t places(Fleet& fleet) {
+  return fleet.weft({"map", "info", "--json"}).json()["places"];
+}
+
+TEST(MapUndo, TakesAnExperienceOutAndBack) {
+  Fleet fleet;
+  const std::uint64_t all = places(fleet);
+  const std::string experience = to_string(fleet.second);
+  const Said dry = fleet.weft({"map", "undo", experience, "--dry-run"});
+  EXPECT_EQ(dry.exit, Exit::done) << dry.err;
+  EXPECT_NE(dry.out.find("nothing was changed"), std::string::npos) << dry.out;
+  EXPECT_EQ(places(fleet), all);
+  const auto undone = fleet.weft({"map", "undo", experience, "--json"}).json();
+  EXPECT_LT(places(fleet), all);
+  const auto log = fleet.weft({"map", "log", "--json", "--most", "1"}).json();
+  EXPECT_EQ(log[0]["kind"], "undo");
+  EXPECT_EQ(log[0]["who"], "tester");
+  EXPECT_EQ(log[0]["revision"], undone["revision"]);
+  const std::string revision = std::to_string(undone["revision"].get<std::uint64_t>());
+  const Said back = fleet.weft({"map", "undo", "--revision", revision});
+  EXPECT_EQ(back.exit, Exit::done) << back.err;
+  EXPECT_EQ(places(fleet), all);
+  EXPECT_EQ(fleet.weft({"map", "undo", "--revision", revision}).exit, Exit::refused);
+}
+
+TEST(MapUndo, NamesWhatItCannotRead) {
+  Fleet fleet;
+  EXPECT_EQ(fleet.weft({"map", "undo"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "undo", "a:b-c:d"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "undo", to_string(fleet.first) + ":9..3"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "undo", "nowhere"}).exit, Exit::refused);
+  EXPECT_EQ(fleet.weft({"map", "undo", "x", "--revision", "3"}).exit, Exit::usage) << "one of both";
+}
+
+TEST(MapQuarantine, TakesPlacesAndStitchesByTheirIds) {
+  Fleet fleet;
+  const std::uint64_t all = places(fleet);
+  const std::string experience = to_string(fleet.first);
+  EXPECT_EQ(fleet.weft({"map", "quarantine", experience + ":3..5"}).exit, Exit::done);
+  EXPECT_EQ(places(fleet), all - 3);
+  EXPECT_EQ(fleet.weft({"map", "quarantine", experience + ":6"}).exit, Exit::done);
+  EXPECT_EQ(places(fleet), all - 4);
+  const Edge stitch = fleet.service->snapshot().experience(fleet.second)->stitches[0];
+  const Said said = fleet.weft({"map", "undo", to_string(stitch.id.a) + "-" + to_string(stitch.id.b)});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_NE(said.out.find("1 stitch out of the map"), std::string::npos) << said.out;
+}
+
+TEST(MapRollback, IsARevisionOfItsOwn) {
+  Fleet fleet;
+  const std::uint64_t all = places(fleet);
+  const std::uint64_t before = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  fleet.weft({"map", "undo", to_string(fleet.second)});
+  const Said said = fleet.weft({"map", "rollback", std::to_string(before)});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(places(fleet), all);
+  EXPECT_EQ(fleet.weft({"map", "rollback", "900"}).exit, Exit::refused);
+}
+
+TEST(MapPrune, SaysFirstAndDoesItWhenApplied) {
+  Fleet fleet;
+  const std::uint64_t all = places(fleet);
+  const Said said = fleet.weft({"map", "prune", "--within", "0.6"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(places(fleet), all);
+  EXPECT_EQ(fleet.weft({"map", "prune", "--within", "0.6", "--apply"}).exit, Exit::done);
+  EXPECT_LE(places(fleet), all);
+  EXPECT_EQ(fleet.weft({"map", "prune", "--within", "99"}).exit, Exit::usage);
+}
+
+TEST(MapCheck, SaysThatAllIsWell) {
+  Fleet fleet;
+  const Said said = fleet.weft({"map", "check"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(fleet.weft({"map", "check", "--json"}).json()["counts"]["findings"], 0);
+}
+
+TEST(MapSnapshot, IsOnTheServersMachine) {
+  Fleet fleet;
+  EXPECT_EQ(fleet.weft({"map", "snapshot", "here.sqlite"}).exit, Exit::refused);
+}
+
+TEST(ProgressLine, SaysCountRateAndWhatRemains) {
+  std::ostringstream out;
+  SteadyTime now{};
+  ProgressLine line(out, [&] { return now; });
+  msg::OperatorReply reply;
+  reply.done = 100;
+  reply.total = 1000;
+  reply.unit = "rows";
+  reply.findings = {"content 12: checksum differs"};
+  line.show(reply);
+  EXPECT_EQ(out.str(), "content 12: checksum differs\n") << "found is said at once, progress now and then";
+  now += 10s;
+  line.show(reply);
+  EXPECT_NE(out.str().find("100 of 1000 rows, 10 a second, 90 s remain"), std::string::npos) << out.str();
+  line.rest(reply);
+  EXPECT_EQ(out.str().find("checksum"), out.str().rfind("checksum")) << "said once";
+}
+
+TEST(Robots, ShowWhatTheyWereSentAndHold) {
+  Fleet fleet;
+  fleet.add_robot("r7");
+  fleet.run(2s);
+  const auto row = fleet.weft({"robots", "--json"}).json()["robots"][0];
+  EXPECT_TRUE(row.contains("window_bytes_sent"));
+  EXPECT_TRUE(row.contains("memory_cap_bytes"));
+  EXPECT_NE(fleet.weft({"robots"}).out.find("HOLDS"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::cli::test
