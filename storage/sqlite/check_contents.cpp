@@ -25,11 +25,21 @@ class ContentCheck final : public CheckPart {
 
   Result<bool> step(Findings& findings) override {
     std::vector<ContentHash> damaged;
+    const Result<bool> more = read(findings, damaged);
+    for (const ContentHash& hash : damaged) quarantine(parts_, hash);
+    return more;
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  Result<bool> read(Findings& findings, std::vector<ContentHash>& damaged) {
+    const auto reading = ReadTransaction::begin(parts_.database);
+    if (!reading) return fail(reading.error());
     std::vector<std::pair<std::uint64_t, ContentHash>> rows;
     std::uint64_t bytes = 0;
     const Result<bool> more = scan_.next(piece_, [&](const Query& row) {
       ++done_;
-      bytes += row.number(3);
+      bytes += std::min<std::uint64_t>(row.number(3), msg::kContentBytes);  // it may be damaged
       const auto hash = row.id<ContentHash>(1);
       rows.emplace_back(row.number(0), hash);
       const bool is_known = row.number(5) != 0 || parts_.quarantined.contains(hash);
@@ -42,7 +52,6 @@ class ContentCheck final : public CheckPart {
     // As many as would have been enough this time.
     if (!rows.empty())
       piece_ = std::clamp<std::size_t>(kBytesAStep * rows.size() / (bytes + 1), 1, kMostContentsAStep);
-    for (const ContentHash& hash : damaged) quarantine(parts_, hash);
     for (const auto& [id, hash] : rows) {
       Query query(find_);
       query << hash;
@@ -54,9 +63,7 @@ class ContentCheck final : public CheckPart {
     }
     return more;
   }
-  std::uint64_t done() const override { return done_; }
 
- private:
   Parts& parts_;
   Scan scan_;
   Statement find_;

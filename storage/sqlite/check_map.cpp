@@ -24,6 +24,8 @@ class MapCheck : public CheckPart {
 
   Result<bool> step(Findings& findings) final {
     lookup_.forget();
+    const auto reading = ReadTransaction::begin(parts_.database);
+    if (!reading) return fail(reading.error());
     std::vector<Row> rows;
     const Result<bool> more = scan_.next(kMapPiece, [&](const Query& row) { rows.push_back(read(row)); });
     if (!more) return fail(more.error());

@@ -209,6 +209,16 @@ std::uint64_t Backup::remaining() const {
   return static_cast<std::uint64_t>(sqlite3_backup_remaining(backup_.get()));
 }
 
+Result<ReadTransaction> ReadTransaction::begin(const Database& database) {
+  const Result<void> begun = database.run("BEGIN");
+  if (!begun) return fail(begun.error());
+  return ReadTransaction(database);
+}
+
+ReadTransaction::~ReadTransaction() {
+  if (database_ != nullptr && database_->in_transaction()) (void)database_->run("COMMIT");
+}
+
 Result<WriteTransaction> WriteTransaction::begin(const Database& database) {
   const Result<void> begun = database.run("BEGIN IMMEDIATE");
   if (!begun) return fail(begun.error());
