@@ -98,7 +98,7 @@ int crash(std::uint64_t rounds, std::uint64_t seed) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   CLI::App app{"Kills a store's process and takes its power, and looks for what was lost.", "tests/crash"};
   std::uint64_t rounds = 50;
   std::uint64_t seed = 1;
@@ -106,4 +106,7 @@ int main(int count, char** arguments) {
   app.add_option("--seed", seed, "of contents, edits and moments")->capture_default_str();
   CLI11_PARSE(app, count, arguments);
   return crash(rounds, seed);
+} catch (const std::exception& error) {
+  std::cerr << "tests/crash: " << error.what() << '\n';
+  return 1;
 }

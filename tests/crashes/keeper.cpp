@@ -23,7 +23,7 @@ using namespace storage;
 
 class Keeper {
  public:
-  Keeper(const KeeperPlan& plan, MapStore& store, Stored stored, int watcher)
+  Keeper(const KeeperPlan& plan, MapStore& store, const Stored& stored, int watcher)
       : plan_(plan), store_(store), random_(plan.seed), watcher_(watcher), newest_(stored.snapshot.revision()) {
     for (const auto& [id, experience] : stored.snapshot.experiences()) extents_[id] = experience->extent;
   }
