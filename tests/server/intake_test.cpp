@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <limits>
+
 #include "tests/server/arranged_site.hpp"
 
 namespace weft::server::test {
@@ -126,6 +129,44 @@ TEST_F(Intake, BatchThatCannotJoinIsRefusedWithTheReason) {
   EXPECT_EQ(ack().refused_sequence, 1U);
   EXPECT_FALSE(ack().refusal.empty());
   EXPECT_EQ(stored(run), nullptr);
+}
+
+// Each kind by itself is named in tests/core/change_test.cpp, and at the wire in tests/idl/validation_test.cpp.
+TEST_F(Intake, MalformedBatchesAreCountedAndLeaveNoTrace) {
+  site.hand_in(r1, run.next(5));
+  const Revision before = site.service().snapshot().revision();
+  const std::vector<std::function<void(Batch&)>> damages = {
+      [](Batch& b) { b.places[1].id.experience = {300}; },
+      [](Batch& b) { std::get<Metric2>(b.edges[0].a_from_b).a_from_b.x = std::numeric_limits<double>::quiet_NaN(); },
+      [](Batch& b) {
+        Metric3 turned;
+        turned.a_from_b.rotation = Eigen::Quaterniond(3.0, 0.0, 0.0, 0.0);  // no rotation
+        b.edges[0].a_from_b = turned;
+      },
+      [](Batch& b) { std::swap(b.edges[0].id.a, b.edges[0].id.b); },
+      [](Batch& b) { b.edges[0].id.a = {ExperienceId{77}, 3}; },
+      [](Batch& b) { b.name.assign(100'000'000, 'x'); },
+      [](Batch& b) { b.places[0].content.size = ~0ULL; },
+  };
+  std::uint64_t refused = 0;
+  std::uint64_t experience = 500;
+  for (const auto& damage : damages) {
+    TaughtRun other(r1, ++experience);
+    Handed handed = other.next(3);
+    damage(handed.batch);
+    site.hush();
+    site.hand_in(r1, handed);
+    EXPECT_FALSE(ack().refusal.empty()) << "damage " << refused;
+    EXPECT_LT(ack().refusal.size(), 3000U);
+    EXPECT_EQ(site.events_of("intake.refused").size(), ++refused);
+    EXPECT_EQ(stored(other), nullptr);
+  }
+  Handed repeat = run.next(1);
+  repeat.batch.sequence = 1;
+  site.hand_in(r1, repeat);
+  EXPECT_EQ(site.events_of("intake.refused").size(), ++refused) << "a repeat with other content";
+  EXPECT_EQ(site.service().snapshot().revision(), before);
+  EXPECT_EQ(site.service().snapshot().place_count(), 5U);
 }
 
 TEST_F(Intake, BatchOfAnotherRobotIsNotTaken) {
