@@ -111,8 +111,8 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
   const auto before = held_.find(route.robot);
   const bool continued =
       before != held_.end() && before->second.route.id == route.id && before->second.route.version == route.version;
-  const std::uint32_t first = continued ? before->second.route.released + 1 : 0;
   const Robot& mine = robots.at(route.robot);
+  const std::uint32_t first = continued ? before->second.route.released + 1 : ahead_from(mine, route);
   for (std::uint32_t i = first; i <= route.released && i < route.places.size(); ++i) {
     check_standing(mine, route.places[i], snapshot);
     for (const auto& [other, stretch] : held_) {
@@ -125,7 +125,7 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
       }
     }
   }
-  held_[route.robot] = {route, continued ? before->second.from : 0, continued && before->second.known};
+  held_[route.robot] = {route, continued ? before->second.from : first, continued && before->second.known};
 }
 
 /// Nobody is sent through a robot that stands where it has told the server that it stands.
