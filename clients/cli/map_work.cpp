@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/progress.hpp"
@@ -77,9 +79,18 @@ Result<void> put_what(const std::string& what, msg::OperatorRequest& request) {
   return {};
 }
 
-void show_counts(const msg::OperatorReply& reply, const Output& output) {
+/// A row for each kind; the server names its numbers "kind: what".
+void show_space(const msg::OperatorReply& reply, const Output& output) {
   Table table;
-  for (const auto& [name, count] : reply.counts) table.add({name, std::to_string(count)});
+  table.add({"WHAT", "COUNT", "BYTES ON DISK", "AS HANDED IN"});
+  std::vector<std::string> row;
+  for (const auto& [name, count] : reply.counts) {
+    const std::string kind = name.substr(0, name.find(':'));
+    if (!row.empty() && row.front() != kind) table.add(std::exchange(row, {}));
+    if (row.empty()) row.push_back(kind);
+    row.push_back(std::to_string(count));
+  }
+  if (!row.empty()) table.add(std::move(row));
   table.print(output.out);
 }
 
@@ -111,7 +122,7 @@ Exit run_map_work(Session& session, const Invocation& invocation, const Output& 
   if (!reply) return report(reply.error(), invocation.json, output);
   if (!invocation.json) line.rest(*reply);
   const Exit exit = show(*reply, invocation, output);
-  if (!invocation.json && invocation.command == Command::map_stats) show_counts(*reply, output);
+  if (!invocation.json && invocation.command == Command::map_stats) show_space(*reply, output);
   return exit;
 }
 

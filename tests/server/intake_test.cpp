@@ -144,7 +144,9 @@ TEST_F(Intake, MalformedBatchesAreCountedAndLeaveNoTrace) {
         b.edges[0].a_from_b = turned;
       },
       [](Batch& b) { std::swap(b.edges[0].id.a, b.edges[0].id.b); },
-      [](Batch& b) { b.edges[0].id.a = {ExperienceId{77}, 3}; },
+      [](Batch& b) {
+        b.edges[0].id.a = {ExperienceId{77}, 3};
+      },
       [](Batch& b) { b.name.assign(100'000'000, 'x'); },
       [](Batch& b) { b.places[0].content.size = ~0ULL; },
   };

@@ -85,6 +85,27 @@ TEST(MapCheck, SaysThatAllIsWell) {
   EXPECT_EQ(fleet.weft({"map", "check", "--json"}).json()["counts"]["findings"], 0);
 }
 
+TEST(MapStats, HasARowForEachKind) {
+  Fleet fleet;
+  const Said said = fleet.weft({"map", "stats"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_NE(said.out.find("AS HANDED IN"), std::string::npos) << said.out;
+  const auto counts = fleet.weft({"map", "stats", "--json"}).json()["counts"];
+  EXPECT_GT(counts["contents: bytes as handed in"], 0) << counts.dump();
+}
+
+TEST(MapCompact, LeavesNoWayBackAndSaysSo) {
+  Fleet fleet;
+  const std::uint64_t before = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  fleet.weft({"map", "undo", to_string(fleet.second)});
+  const std::string now = std::to_string(before + 1);
+  const Said said = fleet.weft({"map", "compact", "--before", now});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  const Said back = fleet.weft({"map", "rollback", std::to_string(before)});
+  EXPECT_NE(back.exit, Exit::done) << back.out;
+  EXPECT_NE(back.err.find("older than what is kept"), std::string::npos) << back.err;
+}
+
 TEST(MapSnapshot, IsOnTheServersMachine) {
   Fleet fleet;
   EXPECT_EQ(fleet.weft({"map", "snapshot", "here.sqlite"}).exit, Exit::refused);
