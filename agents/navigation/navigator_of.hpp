@@ -114,7 +114,7 @@ class NavigatorOf final : public Navigator {
 
   bool map_changed(const Window& before, const Window& after) override {
     if (teacher_ || !estimate()) return true;
-    const PlaceId& at = estimate()->place;
+    const PlaceId at = estimate()->place;
     const bool has_left = before.place(at) != nullptr && after.place(at) == nullptr && !own_.has(at);
     return !has_left || stand_on_what_stays(before, after);
   }
