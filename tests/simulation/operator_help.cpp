@@ -62,8 +62,8 @@ std::string Operator::free_station() {
   return free.empty() ? std::string() : free[random_.below(free.size())];
 }
 
-/// `weft goal show`; none when it is not answered, or the server knows no such goal.
-std::optional<Goal> Operator::look_at(const GoalId& goal) {
+/// `weft goal show`; none when it is not answered.
+std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
   msg::Query query;
   query.kind = msg::Query::Kind::goals;
   query.request = random_.next();
@@ -73,7 +73,7 @@ std::optional<Goal> Operator::look_at(const GoalId& goal) {
     for (int i = 0; i < 8; ++i) {
       pass(std::chrono::milliseconds(250));
       for (const msg::QueryReply& answer : fleet_.take_answers()) {
-        if (answer.request == query.request && !answer.goals.empty()) return answer.goals.front();
+        if (answer.request == query.request) return answer;
       }
     }
   }
@@ -84,19 +84,17 @@ void Operator::look_around() {
   std::vector<GoalId> ids;
   for (const auto& [id, open] : open_) ids.push_back(id);
   for (const GoalId& id : ids) {
-    std::optional<Goal> goal = look_at(id);
-    if (!goal) {
-      // The request may never have arrived.
-      if (open_[id].goal.history.empty()) open_.erase(id);
-      continue;
-    }
-    if (is_terminal(goal->state)) {
+    const std::optional<msg::QueryReply> answer = look_at(id);
+    if (!answer) continue;
+    // A server that knows of no such goal: the request never arrived.
+    if (answer->goals.empty() || is_terminal(answer->goals.front().state)) {
       open_.erase(id);
       continue;
     }
+    const Goal& goal = answer->goals.front();
     Open& open = open_[id];
-    if (open.goal.history.size() != goal->history.size()) open.since = fleet_.now();
-    open.goal = std::move(*goal);
+    if (open.goal.history.size() != goal.history.size()) open.since = fleet_.now();
+    open.goal = goal;
   }
 }
 
