@@ -23,6 +23,8 @@ class Lineage {
   bool contains(std::uint64_t revision) const;
   /// Newest first.
   const std::vector<Interval>& intervals() const { return intervals_; }
+  /// The revisions that only one of the two is made of, oldest first.
+  std::vector<Interval> differing(const Lineage& other) const;
 
  private:
   std::vector<Interval> intervals_;

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -94,7 +95,7 @@ struct RevisionChanges {
   Removal added;  ///< by batches
   Removal taken_out;
   Removal brought_back;
-  std::map<std::string, PlaceId> labels_before;  ///< of the labels it set; a place of no experience: there was none
+  std::set<std::string> labels;  ///< that it set, or took away
 };
 
 /// Everything a server needs to resume. Contents stay on disk.
@@ -139,8 +140,10 @@ class MapStore {
   /// Newest last, at most `limit`; filters that are none take everything.
   virtual Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot,
                                                  std::size_t limit) const = 0;
-  /// The map as it was then. not_found: no such revision, or older than what is kept (StoreSize::floor).
-  virtual Result<Snapshot> snapshot_at(Revision revision) const = 0;
+  /// The map as it was then. `near` is the map at another revision: what is the same in both is shared with it and
+  /// not read, so that going a little back in a large map is cheap. An empty one: everything is read. not_found: no
+  /// such revision, or older than what is kept (StoreSize::floor).
+  virtual Result<Snapshot> snapshot_at(Revision revision, const Snapshot& near) const = 0;
   /// Newest first, from `newest` on (0: from the latest), at most `limit`, down to the oldest that is kept.
   /// not_found: `newest` is older than that.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;

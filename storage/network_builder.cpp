@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "core/network/index_of.hpp"
@@ -197,6 +198,25 @@ bool NetworkBuilder::is_out(const EdgeId& stitch, Revision since) const {
   return (taken != stitches_out_.end() && since <= taken->second) || is_out(stitch.a) || is_out(stitch.b);
 }
 
+/// Those of the rest that have, or had, stitches to what was added: without these.
+void NetworkBuilder::borrow_neighbours(const Snapshot& rest, std::map<ExperienceId, Experience>& experiences) const {
+  std::set<ExperienceId> neighbours;
+  const auto note = [&](const Edge& stitch) { neighbours.insert({stitch.id.a.experience, stitch.id.b.experience}); };
+  for (const auto& [id, experience] : experiences) {
+    const Experience* const before = rest.experience(id);
+    if (before != nullptr) std::ranges::for_each(before->stitches, note);
+  }
+  for (const Stitch& stitch : stitches_) note(*stitch.edge);
+  for (const ExperienceId id : neighbours) {
+    const Experience* const known = rows_.contains(id) ? nullptr : rest.experience(id);
+    if (known == nullptr) continue;
+    Experience& neighbour = experiences.emplace(id, *known).first->second;
+    neighbour.stitches.erase_if([this](const Edge& stitch) {
+      return rows_.contains(stitch.id.a.experience) || rows_.contains(stitch.id.b.experience);
+    });
+  }
+}
+
 void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experiences) {
   std::stable_sort(stitches_.begin(), stitches_.end(),
                    [](const Stitch& left, const Stitch& right) { return left.edge->id < right.edge->id; });
@@ -219,7 +239,7 @@ void NetworkBuilder::join_stitches(std::map<ExperienceId, Experience>& experienc
   }
 }
 
-Snapshot NetworkBuilder::build(Revision revision) {
+Snapshot NetworkBuilder::build(Revision revision, const Snapshot& rest) {
   std::map<ExperienceId, Experience> experiences;
   for (auto& [id, rows] : rows_) {
     if (!rows.head.id) {
@@ -228,21 +248,27 @@ Snapshot NetworkBuilder::build(Revision revision) {
     }
     experiences.emplace_hint(experiences.end(), id, assemble(rows));
   }
+  borrow_neighbours(rest, experiences);
   join_stitches(experiences);
 
+  Snapshot::Experiences shared = rest.experiences();
+  for (auto& [id, experience] : experiences) {
+    shared[id] = std::make_shared<const Experience>(std::move(experience));
+  }
+  Snapshot network(revision, std::move(shared), rest.shared_labels());
+  return {revision, network.experiences(), labels_of(network)};
+}
+
+std::shared_ptr<const Snapshot::Labels> NetworkBuilder::labels_of(const Snapshot& network) {
   auto labels = std::make_shared<Snapshot::Labels>();
   for (const auto& [label, place] : labels_) {
-    if (is_served(experiences, place)) {
+    if (network.place(place) != nullptr) {
       labels->emplace(label, place);
     } else if (!is_out(place)) {
       damage_.push_back("label " + label + ": its place " + to_string(place) + " is not served");
     }
   }
-  Snapshot::Experiences shared;
-  for (auto& [id, experience] : experiences) {
-    shared.emplace_hint(shared.end(), id, std::make_shared<const Experience>(std::move(experience)));
-  }
-  return {revision, std::move(shared), std::move(labels)};
+  return labels;
 }
 
 }  // namespace weft::storage

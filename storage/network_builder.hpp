@@ -42,7 +42,8 @@ class NetworkBuilder {
   void add_damage(std::string what);
 
   /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
-  Snapshot build(Revision revision);
+  /// Experiences that were not added are as in `rest`; of those that were, every stitch has to be added, to wherever.
+  Snapshot build(Revision revision, const Snapshot& rest = {});
   /// What was damaged or left out, each named; complete after `build`.
   std::vector<std::string> take_damage() { return std::move(damage_); }
 
@@ -71,7 +72,9 @@ class NetworkBuilder {
   void name_missing(const Rows& rows, const std::vector<bool>& out, const std::vector<bool>& there);
   bool is_out(const PlaceId& place) const;
   bool is_out(const EdgeId& stitch, Revision since) const;
+  void borrow_neighbours(const Snapshot& rest, std::map<ExperienceId, Experience>& experiences) const;
   void join_stitches(std::map<ExperienceId, Experience>& experiences);
+  std::shared_ptr<const Snapshot::Labels> labels_of(const Snapshot& network);
 
   std::map<ExperienceId, Rows> rows_;
   std::map<ExperienceId, std::vector<bool>> out_;  // of each index, for experiences of which something is out

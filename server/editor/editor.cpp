@@ -98,7 +98,7 @@ std::set<PlaceId> Editor::in_use() const {
 Result<Snapshot> Editor::edited(const Edit& edit, Revision revision) const {
   const bool only_out = edit.back.empty() && edit.labels.empty() && edit.to.value == 0;
   if (only_out) return without(context_.snapshots.current(), edit.out);
-  return context_.store.snapshot_at(revision);
+  return context_.store.snapshot_at(revision, context_.snapshots.current());
 }
 
 }  // namespace weft::server

@@ -46,16 +46,17 @@ std::string cause_of(const msg::OperatorRequest& request, const Removal& asked) 
   return text;
 }
 
-/// What the revision set labels to, where they still mean that.
-void undo_labels(const Snapshot& snapshot, const Snapshot& then, const storage::RevisionChanges& changes,
-                 Edit& edit) {
-  for (const auto& [label, before] : changes.labels_before) {
-    const auto set = then.labels().find(label);
-    const auto now = snapshot.labels().find(label);
-    const PlaceId was = set == then.labels().end() ? PlaceId{} : set->second;
-    const PlaceId is = now == snapshot.labels().end() ? PlaceId{} : now->second;
-    if (was == is && before != is) edit.labels[label] = before;
-  }
+PlaceId place_of(const std::string& label, const Snapshot& snapshot) {
+  const auto found = snapshot.labels().find(label);
+  return found == snapshot.labels().end() ? PlaceId{} : found->second;
+}
+
+/// What the revision set the label to, if it still means that.
+void undo_label(const std::string& label, const Snapshot& now, const Snapshot& then, const Snapshot& before,
+                Edit& edit) {
+  const PlaceId is = place_of(label, now);
+  const PlaceId was = place_of(label, before);
+  if (place_of(label, then) == is && was != is) edit.labels[label] = was;
 }
 
 }  // namespace
@@ -126,10 +127,12 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
   append(out, changes->brought_back);
   edit.out = present(snapshot, out);
   edit.back = absent(snapshot, changes->taken_out);
-  if (!changes->labels_before.empty()) {
-    const Result<Snapshot> then = store.snapshot_at(revision);
+  if (!changes->labels.empty()) {
+    const Result<Snapshot> then = store.snapshot_at(revision, snapshot);
     if (!then) return fail(then.error());
-    undo_labels(snapshot, *then, *changes, edit);
+    const Result<Snapshot> before = store.snapshot_at(changes->note.base, *then);
+    if (!before) return fail(before.error());
+    for (const std::string& label : changes->labels) undo_label(label, snapshot, *then, *before, edit);
   }
   if (edit.empty()) {
     return fail(ErrorCode::not_found, "nothing of " + edit.cause +

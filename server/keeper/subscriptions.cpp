@@ -41,7 +41,7 @@ void Subscriptions::show_past(const msg::WindowRequest& request) {
   std::shared_ptr<const Snapshot> then = context_.snapshots.at(request.at);
   if (!then && past_ && past_->revision() == request.at) then = past_;
   if (!then) {
-    Result<Snapshot> stored = context_.store.snapshot_at(request.at);
+    Result<Snapshot> stored = context_.store.snapshot_at(request.at, context_.snapshots.current());
     if (!stored) {
       ++context_.counters["keeper: no such revision"];
       return;

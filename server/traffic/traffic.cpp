@@ -49,7 +49,7 @@ void Traffic::recall_pasts(Now now) {
     const bool is_known = std::all_of(held.places.begin(), held.places.end(),
                                       [this](const PlaceId& place) { return ground().has(place); });
     if (is_known) continue;
-    Result<Snapshot> then = context_.store.snapshot_at(held.made_of);
+    Result<Snapshot> then = context_.store.snapshot_at(held.made_of, context_.snapshots.current());
     if (then) {
       pasts_.push_back(std::make_shared<const Snapshot>(*std::move(then)));
       continue;

@@ -229,7 +229,7 @@ class MemoryStore final : public MapStore {
     return found;
   }
 
-  Result<Snapshot> snapshot_at(Revision revision) const override {
+  Result<Snapshot> snapshot_at(Revision revision, const Snapshot& /*near*/) const override {
     if (auto there = check_revision("map", revision); !there) return fail(there.error());
     std::vector<std::string> damage;
     return replay(*disk_, revision, damage);
@@ -252,16 +252,11 @@ class MemoryStore final : public MapStore {
     RevisionChanges changes;
     changes.note = disk_->notes[revision.value - 1];
     changes.added = added_at(*disk_, revision);
-    std::vector<std::string> damage;
-    const Snapshot before = replay(*disk_, changes.note.base, damage);
     for (const MemoryDisk::Step& step : disk_->history) {
       if (step.revision != revision) continue;
       if (const auto* out = std::get_if<TakeOut>(&step.change)) append(changes.taken_out, out->what);
       if (const auto* back = std::get_if<BringBack>(&step.change)) append(changes.brought_back, back->what);
-      if (const auto* put = std::get_if<PutLabel>(&step.change)) {
-        const auto place = before.labels().find(put->label);
-        changes.labels_before[put->label] = place == before.labels().end() ? PlaceId{} : place->second;
-      }
+      if (const auto* put = std::get_if<PutLabel>(&step.change)) changes.labels.insert(put->label);
     }
     return changes;
   }

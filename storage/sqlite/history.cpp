@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "storage/sqlite/loader.hpp"
@@ -17,23 +18,46 @@ RevisionNote note_from(const Query& row) {
           .cause = row.text(5)};
 }
 
+/// Rows are found by their experience; those whose batches the revision took are few.
+Result<std::set<ExperienceId>> grown_at(const Database& database, std::uint64_t revision) {
+  std::set<ExperienceId> grown;
+  const auto done = for_each_row(
+      database, "SELECT DISTINCT experience FROM batch WHERE revision = ?",
+      [&](const Query& row) { grown.insert({row.number(0)}); }, revision);
+  if (!done) return fail(done.error());
+  return grown;
+}
+
 Result<void> read_added(const Database& database, std::uint64_t revision, Removal& added) {
-  auto done = for_each_row(
-      database, "SELECT experience, min(place), max(place) FROM place WHERE revision = ? GROUP BY experience",
-      [&](const Query& row) {
-        added.places.push_back(
-            {{row.number(0)}, static_cast<std::uint32_t>(row.number(1)), static_cast<std::uint32_t>(row.number(2))});
-      },
-      revision);
-  if (!done) return done;
-  return for_each_row(
-      database,
-      "SELECT a_experience, a_place, b_experience, b_place FROM edge WHERE revision = ?"
-      " AND NOT (a_experience = b_experience AND b_place = a_place + 1)",
-      [&](const Query& row) {
-        added.stitches.push_back({place_id(row, 0), place_id(row, 2)});
-      },
-      revision);
+  const auto grown = grown_at(database, revision);
+  if (!grown) return fail(grown.error());
+  for (const ExperienceId experience : *grown) {
+    auto done = for_each_row(
+        database,
+        "SELECT experience, min(place), max(place) FROM place WHERE experience = ? AND revision = ?"
+        " GROUP BY experience",
+        [&](const Query& row) {
+          added.places.push_back({{row.number(0)},
+                                  static_cast<std::uint32_t>(row.number(1)),
+                                  static_cast<std::uint32_t>(row.number(2))});
+        },
+        experience.value, revision);
+    if (!done) return done;
+    const auto add_stitch = [&](const Query& row) { added.stitches.push_back({place_id(row, 0), place_id(row, 2)}); };
+    // A stitch's b is in the experience whose batch brought it.
+    done = for_each_row(database,
+                        "SELECT a_experience, a_place, b_experience, b_place FROM edge WHERE a_experience = ?1"
+                        " AND b_experience = ?1 AND b_place <> a_place + 1 AND revision = ?2",
+                        add_stitch, experience.value, revision);
+    if (!done) return done;
+    done = for_each_row(database,
+                        "SELECT a_experience, a_place, b_experience, b_place FROM edge WHERE b_experience = ?"
+                        " AND a_experience <> b_experience AND revision = ?",
+                        add_stitch, experience.value, revision);
+    if (!done) return done;
+  }
+  std::ranges::sort(added.stitches);
+  return {};
 }
 
 Result<void> read_moved(const Database& database, std::uint64_t revision, RevisionChanges& changes) {
@@ -83,15 +107,8 @@ Result<RevisionChanges> load_changes(const Database& database, Revision revision
   if (!done) return fail(done.error());
   done = for_each_row(
       database, "SELECT label FROM label WHERE revision = ?",
-      [&](const Query& row) { changes.labels_before[row.text(0)]; }, revision.value);
+      [&](const Query& row) { changes.labels.insert(row.text(0)); }, revision.value);
   if (!done) return fail(done.error());
-  if (changes.labels_before.empty()) return changes;
-  const Result<Snapshot> before = load_snapshot(database, changes.note.base);
-  if (!before) return fail(before.error());
-  for (auto& [label, place] : changes.labels_before) {
-    const auto found = before->labels().find(label);
-    if (found != before->labels().end()) place = found->second;
-  }
   return changes;
 }
 

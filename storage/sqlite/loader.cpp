@@ -4,68 +4,78 @@
 #include "storage/lineage.hpp"
 #include "storage/network_builder.hpp"
 #include "storage/sqlite/row_reading.hpp"
+#include "storage/sqlite/scope.hpp"
 
 namespace weft::storage::sqlite {
 namespace {
 
-Result<void> load_experiences(const Database& database, NetworkBuilder& builder,
+Result<void> load_experiences(const Database& database, const Scope& scope, NetworkBuilder& builder,
                               std::map<ExperienceId, std::uint64_t>& durable_through) {
-  return for_each_row(database,
-                      "SELECT id, robot, name, method, sealed, seal_reason, places, durable_through FROM experience",
-                      [&](const Query& row) {
-                        NetworkBuilder::Head head;
-                        head.id = {row.number(0)};
-                        head.robot = row.id<RobotId>(1);
-                        head.name = row.text(2);
-                        head.method = row.text(3);
-                        head.sealed = row.number(4) != 0;
-                        head.seal_reason = row.text(5);
-                        head.places = row.number(6);
-                        durable_through[head.id] = row.number(7);
-                        builder.add(std::move(head));
-                      });
+  return for_each_row_of(
+      scope, database, "SELECT id, robot, name, method, sealed, seal_reason, places, durable_through FROM experience",
+      "id", "", [&](const Query& row) {
+        NetworkBuilder::Head head;
+        head.id = {row.number(0)};
+        head.robot = row.id<RobotId>(1);
+        head.name = row.text(2);
+        head.method = row.text(3);
+        head.sealed = row.number(4) != 0;
+        head.seal_reason = row.text(5);
+        head.places = row.number(6);
+        durable_through[head.id] = row.number(7);
+        builder.add(std::move(head));
+      });
 }
 
-Result<void> load_deleted(const Database& database, NetworkBuilder& builder) {
-  return for_each_row(
-      database, "SELECT experience, first_place, last_place FROM deleted_places", [&](const Query& row) {
+Result<void> load_deleted(const Database& database, const Scope& scope, NetworkBuilder& builder) {
+  return for_each_row_of(
+      scope, database, "SELECT experience, first_place, last_place FROM deleted_places", "experience", "",
+      [&](const Query& row) {
         const PlaceId first = place_id(row, 0);
         builder.add_deleted({first.experience, first.index, static_cast<std::uint32_t>(row.number(2))});
       });
 }
 
-Result<void> load_places(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
-  return for_each_row(database, "SELECT experience, place, row, revision FROM place ORDER BY experience, place",
-                      [&](const Query& row) {
-                        const PlaceId id = place_id(row, 0);
-                        if (!lineage.contains(row.number(3))) return builder.add_absent(id);
-                        Result<Place> place = decode_guarded(row.blob(2), decode_place);
-                        if (place && place->id == id) {
-                          builder.add(std::move(*place));
-                        } else {
-                          builder.add_absent(id);
-                          builder.add_damage("place " + to_string(id) + ": " +
-                                             (place ? "the row of another place" : place.error().message));
-                        }
-                      });
+Result<void> load_places(const Database& database, const Scope& scope, const Lineage& lineage,
+                         NetworkBuilder& builder) {
+  return for_each_row_of(scope, database, "SELECT experience, place, row, revision FROM place", "experience",
+                         " ORDER BY experience, place", [&](const Query& row) {
+                           const PlaceId id = place_id(row, 0);
+                           if (!lineage.contains(row.number(3))) return builder.add_absent(id);
+                           Result<Place> place = decode_guarded(row.blob(2), decode_place);
+                           if (place && place->id == id) {
+                             builder.add(std::move(*place));
+                           } else {
+                             builder.add_absent(id);
+                             builder.add_damage("place " + to_string(id) + ": " +
+                                                (place ? "the row of another place" : place.error().message));
+                           }
+                         });
 }
 
-Result<void> load_edges(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
-  return for_each_row(database,
-                      "SELECT a_experience, a_place, b_experience, b_place, row, revision FROM edge"
-                      " ORDER BY a_experience, a_place, b_experience, b_place, revision",
-                      [&](const Query& row) {
-                        const EdgeId id{place_id(row, 0), place_id(row, 2)};
-                        if (!lineage.contains(row.number(5))) return builder.add_absent(id);
-                        Result<Edge> edge = decode_guarded(row.blob(4), decode_edge);
-                        if (edge && edge->id == id) {
-                          builder.add(std::move(*edge), {row.number(5)});
-                        } else {
-                          builder.add_absent(id);
-                          builder.add_damage("edge " + to_string(id.a) + " - " + to_string(id.b) + ": " +
-                                             (edge ? "the row of another edge" : edge.error().message));
-                        }
-                      });
+Result<void> load_edges(const Database& database, const Scope& scope, const Lineage& lineage,
+                        NetworkBuilder& builder) {
+  const std::string select = "SELECT a_experience, a_place, b_experience, b_place, row, revision FROM edge";
+  const std::string order = " ORDER BY a_experience, a_place, b_experience, b_place, revision";
+  const auto add = [&](const Query& row) {
+    const EdgeId id{place_id(row, 0), place_id(row, 2)};
+    if (!lineage.contains(row.number(5))) return builder.add_absent(id);
+    Result<Edge> edge = decode_guarded(row.blob(4), decode_edge);
+    if (edge && edge->id == id) {
+      builder.add(std::move(*edge), {row.number(5)});
+    } else {
+      builder.add_absent(id);
+      builder.add_damage("edge " + to_string(id.a) + " - " + to_string(id.b) + ": " +
+                         (edge ? "the row of another edge" : edge.error().message));
+    }
+  };
+  auto done = for_each_row_of(scope, database, select, "a_experience", order, add);
+  if (!done || !scope.only) return done;
+  // Those that come in from experiences that are not read.
+  return for_each_row_of(scope, database, select, "a_experience <> b_experience AND b_experience", order,
+                         [&](const Query& row) {
+                           if (!scope.has({row.number(0)})) add(row);
+                         });
 }
 
 Result<void> load_labels(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
@@ -75,12 +85,13 @@ Result<void> load_labels(const Database& database, const Lineage& lineage, Netwo
                       });
 }
 
-Result<void> load_moves(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+Result<void> load_moves(const Database& database, const Scope& scope, const Lineage& lineage,
+                        NetworkBuilder& builder) {
   auto done = for_each_row(
       database,
       "SELECT experience, first_place, last_place, is_back, revision FROM moved_places ORDER BY revision, is_back",
       [&](const Query& row) {
-        if (!lineage.contains(row.number(4))) return;
+        if (!scope.has({row.number(0)}) || !lineage.contains(row.number(4))) return;
         const Stretch stretch{
             {row.number(0)}, static_cast<std::uint32_t>(row.number(1)), static_cast<std::uint32_t>(row.number(2))};
         builder.move({{stretch}, {}}, row.number(3) != 0, {row.number(4)});
@@ -130,16 +141,13 @@ Result<void> load_robots(const Database& database, Stored& stored) {
                       [&](const Query& row) { stored.robots[row.id<RobotId>(0)] = row.text(1); });
 }
 
-Result<void> load_network(const Database& database, Revision revision, NetworkBuilder& builder,
-                          std::map<ExperienceId, std::uint64_t>& durable_through) {
-  const auto bases = load_bases(database);
-  if (!bases) return fail(bases.error());
-  const Lineage lineage(revision, *bases);
-  Result<void> done = load_experiences(database, builder, durable_through);
-  if (done) done = load_deleted(database, builder);
-  if (done) done = load_moves(database, lineage, builder);
-  if (done) done = load_places(database, lineage, builder);
-  if (done) done = load_edges(database, lineage, builder);
+Result<void> load_network(const Database& database, const Scope& scope, const Lineage& lineage,
+                          NetworkBuilder& builder, std::map<ExperienceId, std::uint64_t>& durable_through) {
+  Result<void> done = load_experiences(database, scope, builder, durable_through);
+  if (done) done = load_deleted(database, scope, builder);
+  if (done) done = load_moves(database, scope, lineage, builder);
+  if (done) done = load_places(database, scope, lineage, builder);
+  if (done) done = load_edges(database, scope, lineage, builder);
   if (done) done = load_labels(database, lineage, builder);
   return done;
 }
@@ -160,18 +168,29 @@ Result<std::map<Revision, Revision>> load_bases(const Database& database) {
   return bases;
 }
 
-Result<Snapshot> load_snapshot(const Database& database, Revision revision) {
+Result<Snapshot> load_snapshot(const Database& database, Revision revision, const Snapshot& near) {
+  const auto bases = load_bases(database);
+  if (!bases) return fail(bases.error());
+  const Lineage lineage(revision, *bases);
+  Scope scope;
+  if (near.revision().value != 0) {
+    auto differing = scope_between(database, lineage, Lineage(near.revision(), *bases));
+    if (!differing) return fail(differing.error());
+    scope = *std::move(differing);
+  }
   NetworkBuilder builder;
   std::map<ExperienceId, std::uint64_t> durable_through;
-  if (auto done = load_network(database, revision, builder, durable_through); !done) return fail(done.error());
-  return builder.build(revision);
+  if (auto done = load_network(database, scope, lineage, builder, durable_through); !done) return fail(done.error());
+  return builder.build(revision, near);
 }
 
 Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
   Stored stored;
   stored.epoch = epoch;
+  const auto bases = load_bases(database);
+  if (!bases) return fail(bases.error());
   NetworkBuilder builder;
-  Result<void> done = load_network(database, revision, builder, stored.durable_through);
+  Result<void> done = load_network(database, {}, Lineage(revision, *bases), builder, stored.durable_through);
   if (done) {
     done = load_rows<Goal>(database, "SELECT id, row FROM goal", "goal", decode_goal, builder, stored.goals);
   }

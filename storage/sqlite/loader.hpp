@@ -11,8 +11,9 @@ namespace weft::storage::sqlite {
 /// Reads everything but contents. Damaged rows are left out and named; an error only when a table cannot be read.
 Result<Stored> load(const Database& database, Epoch epoch, Revision revision);
 
-/// The network alone, as it was at a revision that exists.
-Result<Snapshot> load_snapshot(const Database& database, Revision revision);
+/// The network alone, as it was at a revision that exists. Of `near`, the network at another revision, everything is
+/// taken over that is the same; revision 0: nothing.
+Result<Snapshot> load_snapshot(const Database& database, Revision revision, const Snapshot& near);
 
 /// What each rollback went back to.
 Result<std::map<Revision, Revision>> load_bases(const Database& database);

@@ -144,6 +144,9 @@ CREATE TABLE preparation (
   bytes   BLOB NOT NULL
 );
 )sql",
+    R"sql(
+CREATE INDEX edge_by_b ON edge (b_experience) WHERE a_experience <> b_experience;
+)sql",
 };
 
 Error is_foreign(const std::filesystem::path& file, const std::string& why) {

@@ -111,9 +111,9 @@ class SqliteStore final : public MapStore {
     return found;
   }
 
-  Result<Snapshot> snapshot_at(Revision revision) const override {
+  Result<Snapshot> snapshot_at(Revision revision, const Snapshot& near) const override {
     if (auto there = check_revision("map", revision); !there) return fail(there.error());
-    return load_snapshot(parts_->database, revision);
+    return load_snapshot(parts_->database, revision, near);
   }
 
   Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const override {

@@ -92,7 +92,8 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch; DROP TABLE deleted_places;"
+          "DROP INDEX edge_by_b; DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch; DROP TABLE "
+          "deleted_places;"
           "DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor; PRAGMA user_version = 1");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
@@ -100,9 +101,9 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
   ASSERT_TRUE(stored);
   EXPECT_EQ(stored->snapshot.place_count(), 3U);
   EXPECT_EQ((*store)->log({}, 10)->size(), 2U);
-  EXPECT_EQ((*store)->snapshot_at({1})->labels().size(), 0U);
+  EXPECT_EQ((*store)->snapshot_at({1}, {})->labels().size(), 0U);
   EXPECT_EQ((*store)->commit({{RollBack{{1}}}, {}})->revision, Revision{3});
-  EXPECT_EQ((*store)->snapshot_at({3})->place_count(), 3U);
+  EXPECT_EQ((*store)->snapshot_at({3}, {})->place_count(), 3U);
 }
 
 TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
@@ -114,17 +115,18 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     ASSERT_TRUE((*store)->open());
     ASSERT_TRUE((*store)->commit(sample::transaction(run.next(3))));
     ASSERT_TRUE((*store)->commit({{TakeOut{{{{run.experience(), 1, 1}}, {}}}}, {}}));
-    before = sample::describe((*store)->snapshot_at({1}).value());
+    before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
-  run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE deleted_places; DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor;"
-          "PRAGMA user_version = 2");
+  run_sql(
+      directory.path() / "map.sqlite",
+      "DROP INDEX edge_by_b; DROP TABLE deleted_places; DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor;"
+      "PRAGMA user_version = 2");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
   const auto stored = (*store)->open();
   ASSERT_TRUE(stored);
   EXPECT_EQ(stored->snapshot.place_count(), 2U);
-  EXPECT_EQ(sample::describe((*store)->snapshot_at({1}).value()), before);
+  EXPECT_EQ(sample::describe((*store)->snapshot_at({1}, {}).value()), before);
   ASSERT_TRUE((*store)->commit({{PutPreparation{"marks", {1, 2, 3}}}, {}}));
   EXPECT_EQ((*store)->preparation("marks").value(), (Bytes{1, 2, 3}));
 }

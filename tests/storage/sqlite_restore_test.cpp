@@ -20,9 +20,9 @@ class SqliteRestore : public testing::Test {
     const auto store = open();
     for (int i = 0; i < 10; ++i) commit(*store, sample::transaction(run_.next(10, 2000)));
     finish(**store->snapshot_to(snapshot_)).value();
-    old_half_ = sample::describe(store->snapshot_at({10}).value());
+    old_half_ = sample::describe(store->snapshot_at({10}, {}).value());
     for (int i = 0; i < 5; ++i) commit(*store, sample::transaction(run_.next(10, 2000)));
-    whole_ = sample::describe(store->snapshot_at({15}).value());
+    whole_ = sample::describe(store->snapshot_at({15}, {}).value());
   }
 
   std::unique_ptr<MapStore> open() {

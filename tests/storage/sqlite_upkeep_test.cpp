@@ -155,14 +155,14 @@ TEST_F(SqliteUpkeep, CompactionGivesSpaceBack) {
 
 TEST_F(SqliteUpkeep, CompactionStopsOnAFullDiskAndGoesOnLater) {
   commit({{TakeOut{{{{run_.experience(), 0, 289}}, {}}}}});
-  const auto expected = sample::describe(store_->snapshot_at({34}).value());
+  const auto expected = sample::describe(store_->snapshot_at({34}, {}).value());
   int stopped = 0;
   for (int writes = 0;; writes += 40) {
     vfs_.fail_after(writes, FaultyVfs::Fault::disk_full);
     const auto job = store_->compact({34});
     const auto progress = job ? finish(**job) : Result<JobProgress>(fail(job.error()));
     vfs_.heal();
-    EXPECT_EQ(sample::describe(store_->snapshot_at({34}).value()), expected);
+    EXPECT_EQ(sample::describe(store_->snapshot_at({34}, {}).value()), expected);
     if (progress) break;
     ++stopped;
     EXPECT_EQ(progress.error().code, ErrorCode::exhausted) << progress.error().message;

@@ -59,10 +59,10 @@ TEST_P(MapCompaction, OlderRevisionsAreRefusedNamingTheOldest) {
   for (int i = 0; i < 6; ++i) commit(sample::transaction(run.next(2)));
   compact(4);
   for (int round = 0; round < 2; ++round) {
-    EXPECT_EQ(code_of(store_->snapshot_at({3})), ErrorCode::not_found);
-    EXPECT_NE(store_->snapshot_at({3}).error().message.find("older than what is kept (revision 4)"),
+    EXPECT_EQ(code_of(store_->snapshot_at({3}, {})), ErrorCode::not_found);
+    EXPECT_NE(store_->snapshot_at({3}, {}).error().message.find("older than what is kept (revision 4)"),
               std::string::npos);
-    EXPECT_EQ(code_of(store_->snapshot_at({0})), ErrorCode::not_found);
+    EXPECT_EQ(code_of(store_->snapshot_at({0}, {})), ErrorCode::not_found);
     EXPECT_EQ(at(4).place_count(), 8U);
     EXPECT_EQ(code_of(store_->changes_of({3})), ErrorCode::not_found);
     EXPECT_EQ(code_of(store_->changes_of({4})), ErrorCode::not_found) << "what was before it is not known";

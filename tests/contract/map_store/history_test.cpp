@@ -113,10 +113,10 @@ TEST_P(MapHistory, ChangesOfARevisionAreWhatUndoesIt) {
   EXPECT_EQ(changes(4).added, (Removal{{{run.experience(), 4, 5}}, {second.batch.edges.back().id}}));
   EXPECT_EQ(changes(5).taken_out, (Removal{{{run.experience(), 1, 1}}, {second.batch.edges.back().id}}));
   EXPECT_TRUE(changes(5).added.empty());
-  const auto labels = changes(3).labels_before;
-  EXPECT_EQ(labels, (std::map<std::string, PlaceId>{{"dock", {run.experience(), 1}}, {"gate", {}}}));
+  EXPECT_EQ(changes(3).labels, (std::set<std::string>{"dock", "gate"}));
+  EXPECT_EQ(at(2).labels(), (Snapshot::Labels{{"dock", {run.experience(), 1}}}));
 
-  commit({{PutLabel{"dock", labels.at("dock")}, PutLabel{"gate", labels.at("gate")}}});
+  commit({{PutLabel{"dock", {run.experience(), 1}}, PutLabel{"gate", {}}}});
   EXPECT_FALSE(at(6).labels().contains("gate"));
   EXPECT_FALSE(at(6).labels().contains("dock")) << "its place is out";
   commit({{BringBack{changes(5).taken_out}}});
@@ -131,7 +131,7 @@ TEST_P(MapHistory, WhatCannotBeIsRefused) {
   EXPECT_EQ(refusal({{RollBack{{1}}}}), ErrorCode::conflict) << "it is the newest";
   EXPECT_EQ(refusal({{RollBack{{9}}}}), ErrorCode::conflict);
   EXPECT_EQ(refusal({{PutLabel{"dock", {run.experience(), 0}}, RollBack{{0}}}}), ErrorCode::invalid);
-  EXPECT_EQ(store_->snapshot_at({7}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(store_->snapshot_at({7}, {}).error().code, ErrorCode::not_found);
   EXPECT_EQ(store_->changes_of({7}).error().code, ErrorCode::not_found);
   EXPECT_EQ(at(0).place_count(), 0U);
 }

@@ -39,8 +39,9 @@ class StoreTest : public testing::TestWithParam<Engine> {
     return committed.error().code;
   }
 
-  Snapshot at(std::uint64_t revision) {
-    auto snapshot = store_->snapshot_at({revision});
+  Snapshot at(std::uint64_t revision) { return at(revision, Snapshot{}); }
+  Snapshot at(std::uint64_t revision, const Snapshot& near) {
+    auto snapshot = store_->snapshot_at({revision}, near);
     EXPECT_TRUE(snapshot) << snapshot.error().message;
     return snapshot.value_or(Snapshot{});
   }
