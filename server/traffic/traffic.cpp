@@ -166,7 +166,7 @@ Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
 std::vector<storage::PutOccupancy> Traffic::claim(const Route& route, std::uint32_t from,
                                                   std::uint32_t through) const {
   std::vector<storage::PutOccupancy> changes;
-  // What others gave up goes first: at no point does the store hold two stretches that overlap.
+  // What others gave up goes first: at no point does the store hold two that were given and overlap.
   for (const auto& [robot, holder] : holders_) {
     if (!holder.is_stored && robot != route.robot) changes.push_back(holder.occupancy);
   }
@@ -227,16 +227,18 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
 void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState& state, Now now) {
   const Touched here = standing(state, known.footprint_m);
   const std::optional<RobotId> other = holder_near(others_of(robot), here);
-  if (!other) {
-    if (!store(robot, known, standing_at(robot, state.place, context_.snapshots.current().revision()), now)) return;
-    known.intruding.reset();
+  if (!other || !known.intruding || known.intruding->place != here.place) {
+    // Stored also where somebody else holds that: nobody is released towards it, after a restart neither.
+    const Revision revision = context_.snapshots.current().revision();
+    if (!store(robot, known, standing_at(robot, state.place, revision), now)) return;
     ++version_;
+  }
+  if (!other) {
+    known.intruding.reset();
     drop_pasts();
     return;
   }
   if (!known.intruding) {
-    // It has left what it held, and stands where somebody else may drive. Nobody is released towards it.
-    if (!store(robot, known, nothing_held(robot), now)) return;
     context_.record.note(
         {.at = {},
          .kind = "traffic.too_close",
@@ -245,9 +247,6 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
          .cause = "it stands at " + to_string(state.place) + ", within what robot " + to_string(*other) + " holds",
          .who = "server"},
         now);
-    ++version_;
-  } else if (known.intruding->place != here.place) {
-    ++version_;
   }
   known.intruding = here;
   known.intruding_looked = version_;
