@@ -103,31 +103,34 @@ void RobotAgent::recentre(SteadyTime now) {
   replica_.define(std::move(definition), now);
 }
 
-/// An edit of the map can take the ground away on which the robot knows where it is. Whether anything beside it is
-/// left shows when exactly that is asked for.
+/// The place on which the robot knows where it is can leave the window: an edit has taken it out of the map, or the
+/// window is of another part by now. Which of the two, and what beside it is left, shows when exactly that is asked
+/// for.
 void RobotAgent::keep_ground(SteadyTime now) {
   // Who looks for himself around a seed asks for another part of the map on purpose.
   const bool goes_elsewhere = localising_.has_value() && localising_->seed.has_value();
   if (teaching_.has_value() || goes_elsewhere) return ground_.reset();
-  const Window& before = ground_.has_value() ? *ground_ : replica_.before();
-  WindowDefinition definition = replica_.definition();
   const std::optional<Estimate> estimate = navigator_->estimate();
-  if (navigator_->map_changed(before, replica_.window())) {
-    if (!ground_.has_value()) return;
-    ground_.reset();
-    if (const auto found = navigator_->estimate()) definition.centre = found->place;
-  } else if (!ground_.has_value()) {
+  WindowDefinition definition = replica_.definition();
+  if (!ground_.has_value()) {
+    const Window& before = replica_.before();
+    const bool has_left = estimate.has_value() && before.place(estimate->place) != nullptr &&
+                          replica_.window().place(estimate->place) == nullptr;
+    if (!has_left) return;
     ground_ = before;
     definition.centre.reset();
     definition.route =
         neighbourhood(*ground_, estimate->place, static_cast<std::uint32_t>(before.places.size()), kGroundPlaces);
     return replica_.define(std::move(definition), now);
+  }
+  if (navigator_->map_changed(*ground_, replica_.window())) {
+    if (const auto found = navigator_->estimate()) definition.centre = found->place;
   } else {
-    ground_.reset();
     navigator_->forget_where();
     output_.notes.push_back("what it knew around " + to_string(estimate->place) +
                             " was taken out of the map: it does not know where it is");
   }
+  ground_.reset();
   definition.route = task_.route().has_value() ? task_.route()->places : std::vector<PlaceId>{};
   replica_.define(std::move(definition), now);
 }

@@ -83,6 +83,7 @@ class Localiser {
     if (seek_.active()) {
       search(seen, map, bytes, decoded, outcome);
     } else if (estimate()) {
+      come_nearer(map);
       if constexpr (ChartsItself<M>) {
         chart(seen, map, bytes, decoded, outcome);
       } else {
@@ -93,6 +94,16 @@ class Localiser {
   }
 
  private:
+  /// What is believed on a place out of reach, because nothing nearer was there, is believed on a nearer one as soon
+  /// as the window has it.
+  void come_nearer(const Window& map) {
+    const double apart_m = norm(estimate()->place_from_robot);
+    if (apart_m <= config_.locate.reach_m) return;
+    const std::vector<Candidate> near = candidates(config_, map, *estimate(), config_.locate.most_hops, apart_m, {});
+    if (near.empty() || near.front().place == estimate()->place) return;
+    stand({near.front().place, near.front().place_from_robot, estimate()->blind_m});
+  }
+
   /// The default `locate` (III-C): the best candidates by predicted norm, related with the prediction as guess.
   void track(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
              const std::set<PlaceId>& preferred, Outcome& outcome) {

@@ -128,6 +128,25 @@ TEST(WindowOfAgent, HoldsItsRoute) {
   EXPECT_EQ(rig.agent->window().places.size(), 60U);
 }
 
+/// Its window had not followed it yet when the route, which was always in it, ended.
+TEST(WindowOfAgent, APlaceThatIsOnlyOutOfTheWindowIsStoodOnAllTheSame) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 60);
+  rig.run(2s);
+  rig.script->estimate = Estimate{{laid, 2}, Relation{}, 0.0};
+  Route route = a_route(laid, 60, 1);
+  rig.tell(rig.order(route));
+  rig.run(3s);
+  ASSERT_EQ(rig.agent->window().places.size(), 60U);
+  rig.script->estimate->place.index = 55;
+  route.ended = true;
+  rig.tell(rig.order(route));
+  rig.run(5s);
+  EXPECT_EQ(rig.script->estimate->place, (PlaceId{laid, 55}));
+  EXPECT_EQ(rig.last<msg::WindowRequest>()->definition.centre, (PlaceId{laid, 55}));
+  EXPECT_NE(rig.agent->window().place({laid, 55}), nullptr);
+}
+
 // The window around what was taken out is empty: what is left beside it has to be asked for.
 TEST(WindowOfAgent, IsFoundAgainWhenItsCentreWasTakenOut) {
   Rig rig;

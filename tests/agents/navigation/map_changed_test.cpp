@@ -31,6 +31,19 @@ TEST_F(MapChanged, WhatIsBelievedMovesToTheNearestPlaceThatStays) {
   EXPECT_LT(test::distance(believed, robot.world_from_robot()), 0.1);
 }
 
+TEST_F(MapChanged, WhatComesBackIsStoodOnAgain) {
+  const PlaceId at{first, 15};
+  NavigatedRobot robot = localised_at(truth.at(at), at, 15);
+  const Window after = window_without({{{first, 1, 29}, {second, 1, 29}}, {}});
+  ASSERT_TRUE(robot.navigator().map_changed(window(), after));
+  ASSERT_GT(distance_m(robot.navigator().estimate()->place_from_robot), 2.0);
+  for (int i = 0; i < 30; ++i) robot.step(server.map(), false);
+  const Estimate again = *robot.navigator().estimate();
+  EXPECT_LT(distance_m(again.place_from_robot), 0.3) << to_string(again.place);
+  const Pose2 believed = truth.at(again.place) * planar(again.place_from_robot);
+  EXPECT_LT(test::distance(believed, robot.world_from_robot()), 0.05);
+}
+
 TEST_F(MapChanged, NothingMovesWhenItsPlaceStays) {
   const PlaceId at{first, 10};
   NavigatedRobot robot = localised_at(truth.at(at), at, 12);
