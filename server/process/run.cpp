@@ -135,7 +135,7 @@ Result<void> run(const Options& options) {
 
   const Result<PeerId> self = load_identity(options.store);
   if (!self) return fail(self.error());
-  Result<std::unique_ptr<storage::MapStore>> store = storage::open_sqlite(options.store);
+  Result<std::unique_ptr<storage::MapStore>> store = storage::open_sqlite(options.store, {.empties_log_aside = true});
   if (!store) return fail(store.error());
   Result<std::unique_ptr<bus::Bus>> opened = bus::open(options.vendor, {.role = msg::Role::server,
                                                                         .self = *self,

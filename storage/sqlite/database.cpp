@@ -184,6 +184,23 @@ bool Database::in_transaction() const {
   return sqlite3_get_autocommit(database_.get()) == 0;
 }
 
+void Database::watch_log(LogWatch watch) {
+  watch_ = std::make_unique<LogWatch>(std::move(watch));
+  const auto after_commit = [](void* watching, sqlite3* database, const char* name, int pages) {
+    const bool is_too_long = (*static_cast<LogWatch*>(watching))(static_cast<std::uint64_t>(pages));
+    // Its failure is none of the commit's.
+    if (is_too_long) sqlite3_wal_checkpoint_v2(database, name, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+    return SQLITE_OK;
+  };
+  sqlite3_wal_hook(database_.get(), after_commit, watch_.get());
+}
+
+Result<void> Database::empty_log() const {
+  const int code = sqlite3_wal_checkpoint_v2(database_.get(), "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+  if (code != SQLITE_OK) return fail(error_from_sqlite(database_.get()));
+  return {};
+}
+
 void Backup::Finish::operator()(sqlite3_backup* backup) const {
   sqlite3_backup_finish(backup);
 }

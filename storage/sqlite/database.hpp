@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -91,11 +92,19 @@ class Database {
   Result<std::uint64_t> number(std::string_view sql) const;
   bool in_transaction() const;
 
+  /// After each commit: how many pages the log has. From now on it is emptied only when that says true, and when
+  /// somebody calls `empty_log`.
+  void watch_log(std::function<bool(std::uint64_t pages)> watch);
+  /// Moves what the log has into the file, as far as nobody reads it; waits for nobody.
+  Result<void> empty_log() const;
+
  private:
   friend class Backup;
+  using LogWatch = std::function<bool(std::uint64_t pages)>;
   struct Close {
     void operator()(sqlite3* database) const;
   };
+  std::unique_ptr<LogWatch> watch_;  ///< SQLite knows its address
   std::unique_ptr<sqlite3, Close> database_;
 };
 

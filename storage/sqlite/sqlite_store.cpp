@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/network/codec.hpp"
+#include "storage/sqlite/checkpointer.hpp"
 #include "storage/sqlite/jobs.hpp"
 #include "storage/sqlite/loader.hpp"
 #include "storage/sqlite/parts.hpp"
@@ -28,6 +29,11 @@ msg::Event event_from_row(const Query& row) {
 class SqliteStore final : public MapStore {
  public:
   explicit SqliteStore(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+  void empty_log_by(std::unique_ptr<Checkpointer> checkpointer) {
+    checkpointer_ = std::move(checkpointer);
+    parts_->database.watch_log([by = checkpointer_.get()](std::uint64_t pages) { return by->log_has(pages); });
+  }
 
   Result<Stored> open() override {
     auto write = WriteTransaction::begin(parts_->database);
@@ -184,6 +190,7 @@ class SqliteStore final : public MapStore {
   }
 
   std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Checkpointer> checkpointer_;  ///< ends before the rest does; none: SQLite's own way
 };
 
 }  // namespace
@@ -197,8 +204,14 @@ Result<std::unique_ptr<MapStore>> open_sqlite(const std::filesystem::path& direc
   if (auto done = prepare_schema(*database, file); !done) return fail(done.error());
   auto statements = Statements::prepare(*database);
   if (!statements) return fail(statements.error());
-  return std::make_unique<SqliteStore>(std::make_unique<Parts>(
+  auto store = std::make_unique<SqliteStore>(std::make_unique<Parts>(
       Parts{directory, options.vfs, std::move(*lock), std::move(*database), std::move(*statements)}));
+  if (options.empties_log_aside) {
+    auto checkpointer = Checkpointer::start(file, options.vfs);
+    if (!checkpointer) return fail(checkpointer.error());
+    store->empty_log_by(std::move(*checkpointer));
+  }
+  return store;
 }
 
 }  // namespace weft::storage

@@ -8,7 +8,10 @@
 namespace weft::storage {
 
 struct SqliteOptions {
-  std::string vfs;  ///< SQLite's file layer by name; empty: the system's. Tests bring one with faults.
+  std::string vfs{};  ///< SQLite's file layer by name; empty: the system's. Tests bring one with faults.
+  /// A thread of the store's own empties its log, so that no commit waits for that. Without: one in some commits
+  /// does.
+  bool empties_log_aside = false;
 };
 
 /// The map store in `directory` (made if need be), file map.sqlite; its format is docs/formats/store.md.

@@ -34,7 +34,7 @@ struct Running {
 
 void starting(benchmark::State& state, const std::filesystem::path& directory, Running& running) {
   for (auto _ : state) {
-    auto store = storage::open_sqlite(directory);
+    auto store = storage::open_sqlite(directory, {.empties_log_aside = true});
     if (!store) return state.SkipWithError(store.error().message.c_str());
     running.store = *std::move(store);
     server::ServiceConfig config;
