@@ -1,5 +1,6 @@
 #include "server/keeper/subscriptions.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 #include <vector>
@@ -92,19 +93,19 @@ std::pair<std::shared_ptr<const Window>, Digest> Subscriptions::window_now(const
   return {std::move(window), of_it};
 }
 
-void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
+bool Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
   asker.behind = false;
   const std::shared_ptr<const Snapshot> current = context_.snapshots.shared_current();
   if (!asker.asked && asker.held && is_untouched(asker.held_definition, *asker.held, *asker.of, *current)) {
     asker.of = current;
-    return;
+    return false;
   }
   const auto [target, target_digest] = window_now(asker.definition);
   const bool holds_it = asker.held != nullptr && asker.held_digest == target_digest;
   // An asker is answered even if nothing changed: it may be waiting for its new definition to be confirmed.
   if (holds_it && !asker.asked) {
     asker.of = current;
-    return;
+    return true;
   }
   asker.asked = false;
   const Window empty;
@@ -114,6 +115,7 @@ void Subscriptions::serve(const PeerId& peer, Asker& asker, SteadyTime now) {
   asker.held_digest = target_digest;
   asker.held_definition = asker.definition;
   asker.next_patch = now + kBetweenPatches;
+  return true;
 }
 
 void Subscriptions::network_changed() {
@@ -121,8 +123,13 @@ void Subscriptions::network_changed() {
 }
 
 void Subscriptions::tick(SteadyTime now) {
-  for (auto& [peer, asker] : askers_) {
-    if (asker.behind && asker.next_patch <= now) serve(peer, asker, now);
+  std::vector<std::pair<SteadyTime, PeerId>> due;
+  for (const auto& [peer, asker] : askers_) {
+    if (asker.behind && asker.next_patch <= now) due.emplace_back(asker.next_patch, peer);
+  }
+  std::sort(due.begin(), due.end());
+  for (const auto& [since, peer] : due) {
+    if (serve(peer, askers_.at(peer), now)) return;
   }
 }
 

@@ -19,6 +19,7 @@ class Subscriptions {
   void on_request(const msg::WindowRequest& request, SteadyTime now);
   /// The network has a new revision.
   void network_changed();
+  /// Makes at most one window, for whom is due longest: messages are heard between one and the next.
   void tick(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
@@ -37,7 +38,8 @@ class Subscriptions {
 
   /// As the network has it, with its digest.
   std::pair<std::shared_ptr<const Window>, Digest> window_now(const WindowDefinition& definition) const;
-  void serve(const PeerId& peer, Asker& asker, SteadyTime now);
+  /// True when that took making a window, much longer than seeing that it is right.
+  bool serve(const PeerId& peer, Asker& asker, SteadyTime now);
   /// Subscribes to nothing.
   void show_past(const msg::WindowRequest& request);
   void send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch);
