@@ -10,8 +10,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostSets = 4;
-constexpr std::size_t kPiece = 3000;  ///< places' worth of work: about 3 ms
-constexpr Duration kBetweenPieces = 5ms;
+constexpr std::size_t kPiece = 1000;  ///< places' worth of work: about 1 ms
+constexpr Duration kBetweenPieces = 2ms;
 constexpr Duration kBetweenUpdates = 1s;
 constexpr Duration kBetweenStorings = 10min;
 constexpr Duration kCalm = 10s;  ///< without a change of the network
