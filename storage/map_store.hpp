@@ -110,6 +110,13 @@ struct Stored {
   std::vector<std::string> quarantined;  ///< what was damaged and is not served, each named
 };
 
+/// A content as an engine keeps it, which is how it travels.
+struct StoredContent {
+  msg::Coding coding = msg::Coding::raw;
+  std::uint64_t size = 0;  ///< of the content itself
+  Bytes bytes;             ///< coded; what they decode to has the content's hash
+};
+
 struct Commit {
   Revision revision;
 };
@@ -133,8 +140,11 @@ class MapStore {
   /// or a content that is neither stored nor in the transaction.
   virtual Result<Commit> commit(const Transaction& transaction) = 0;
   virtual bool has_content(const ContentHash& hash) const = 0;
-  /// not_found; corrupt: quarantined, named.
+  /// Expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
+  /// As it is kept. Damage on the disk is found by the engine's own checksum, much faster; who expands it verifies
+  /// the SHA-256. Errors as `content`.
+  virtual Result<StoredContent> stored_content(const ContentHash& hash) const = 0;
   /// The hash with which that batch was committed; none if it was not.
   virtual std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const = 0;
   /// Newest last, at most `limit`; filters that are none take everything.

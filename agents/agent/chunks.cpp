@@ -15,11 +15,11 @@ constexpr Duration kUnderWay = 1s;
 }  // namespace
 
 Result<void> Assembly::add(const msg::Chunk& chunk) {
-  if (chunk.total != bytes_.size() || chunk.offset > chunk.total || chunk.data.size() > chunk.total - chunk.offset) {
+  if (!is_of(chunk) || chunk.offset > chunk.total || chunk.data.size() > chunk.total - chunk.offset) {
     return fail(ErrorCode::invalid, "chunk of " + to_string(chunk.hash) + ": " + std::to_string(chunk.data.size()) +
                                         " bytes at " + std::to_string(chunk.offset) + " of " +
                                         std::to_string(chunk.total) + ", expected " + std::to_string(bytes_.size()) +
-                                        " in all");
+                                        " in all, or of another coding");
   }
   if (chunk.data.empty()) return {};
   std::copy(chunk.data.begin(), chunk.data.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(chunk.offset));
@@ -39,13 +39,6 @@ Result<void> Assembly::add(const msg::Chunk& chunk) {
 std::uint64_t Assembly::contiguous() const {
   const auto first = have_.begin();
   return first == have_.end() || first->first != 0 ? 0 : first->second;
-}
-
-Result<Bytes> Assembly::finish(const ContentHash& hash) && {
-  if (!complete() || hash_bytes(bytes_) != hash) {
-    return fail(ErrorCode::corrupt, "content " + to_string(hash) + ": its bytes have another hash");
-  }
-  return std::move(bytes_);
 }
 
 void ChunkQueue::push(const ContentHash& hash, std::uint64_t offset, SteadyTime now) {

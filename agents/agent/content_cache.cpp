@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/network/codec.hpp"
+
 namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
@@ -14,6 +16,13 @@ constexpr Duration kFetchAgainMost = 8s;
 constexpr std::size_t kItems = 64;
 constexpr std::size_t kUnwanted = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t kUnderWayLeast = 256 * 1024;
+
+/// Whether a chunk can be of a content of `size` bytes: compressed bytes are fewer, so nothing that a message says
+/// takes more memory than what was asked for.
+bool is_possible(const msg::Chunk& chunk, std::uint64_t size) {
+  const bool has_room = chunk.coding == msg::Coding::raw ? chunk.total == size : chunk.total < size;
+  return has_room && chunk.offset <= chunk.total && chunk.data.size() <= chunk.total - chunk.offset;
+}
 }  // namespace
 
 ContentCache::ContentCache(std::uint64_t most_bytes, std::uint64_t bytes_per_second)
@@ -52,7 +61,7 @@ void ContentCache::want(const std::vector<ContentRef>& nearest_first, SteadyTime
   std::erase_if(incoming_, [&](const auto& entry) {
     const std::size_t rank = rank_of(entry.first);
     if (rank == kUnwanted) {
-      under_way_ -= entry.second.assembly.total();
+      under_way_ -= entry.second.size;
       return true;
     }
     is_missing[rank] = false;
@@ -99,25 +108,41 @@ bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
     return false;
   }
   Incoming& incoming = found->second;
-  if (const Result<void> added = incoming.assembly.add(chunk); !added) {
+  if (!is_possible(chunk, incoming.size)) {
     ++counters_["chunk: out of bounds"];
     return false;
   }
+  if (!incoming.assembly.has_value() || !incoming.assembly->is_of(chunk)) {
+    if (incoming.assembly.has_value()) ++counters_["content: begun anew in another form"];
+    incoming.assembly.emplace(chunk.total, chunk.coding);
+  }
+  if (!incoming.assembly->add(chunk)) return false;  // possible, so it is taken
   incoming.wait = kFetchAgain;
   incoming.ask_at = now + incoming.wait;
-  if (!incoming.assembly.complete()) return false;
-  const std::uint64_t total = incoming.assembly.total();
-  Result<Bytes> bytes = std::move(incoming.assembly).finish(chunk.hash);
-  if (!bytes) {
-    ++counters_["content: hash differs"];
-    incoming.assembly = Assembly(total);
+  if (!incoming.assembly->complete()) return false;
+  std::optional<Bytes> bytes = expand(chunk, incoming);
+  if (!bytes.has_value()) {
+    incoming.assembly.reset();
     return false;
   }
+  under_way_ -= incoming.size;
   incoming_.erase(found);
-  under_way_ -= total;
   ask_at_ = std::min(ask_at_, now);
   put(chunk.hash, std::move(*bytes));
   return true;
+}
+
+std::optional<Bytes> ContentCache::expand(const msg::Chunk& last, const Incoming& incoming) {
+  Result<Bytes> bytes = coder_.decode(last.coding, incoming.assembly->bytes(), incoming.size);
+  if (!bytes) {
+    ++counters_["content: cannot be expanded"];
+    return std::nullopt;
+  }
+  if (hash_bytes(*bytes) != last.hash) {
+    ++counters_["content: hash differs"];
+    return std::nullopt;
+  }
+  return *std::move(bytes);
 }
 
 void ContentCache::server_restarted(SteadyTime now) {
@@ -131,7 +156,7 @@ std::optional<msg::ContentRequest> ContentCache::due(SteadyTime now) {
   msg::ContentRequest request;
   for (auto& [hash, incoming] : incoming_) {
     if (incoming.ask_at > now || request.items.size() == kItems) continue;
-    request.items.push_back({.hash = hash, .offset = incoming.assembly.contiguous()});
+    request.items.push_back({.hash = hash, .offset = incoming.contiguous()});
     incoming.wait = std::min(incoming.wait * 2, kFetchAgainMost);
     incoming.ask_at = now + incoming.wait;
   }
@@ -141,7 +166,7 @@ std::optional<msg::ContentRequest> ContentCache::due(SteadyTime now) {
     missing_.pop_front();
     if (held_.contains(next.hash) || next.size > msg::kContentBytes) continue;
     under_way_ += next.size;
-    incoming_.emplace(next.hash, Incoming{Assembly(next.size), now + kFetchAgain, kFetchAgain});
+    incoming_.emplace(next.hash, Incoming{next.size, std::nullopt, now + kFetchAgain, kFetchAgain});
     request.items.push_back({.hash = next.hash, .offset = 0});
   }
   if (request.items.empty()) return std::nullopt;

@@ -11,10 +11,12 @@
 #include "agents/navigation/map_view.hpp"
 #include "core/network/network.hpp"
 #include "core/protocol/messages.hpp"
+#include "storage/content_coder.hpp"
 
 namespace weft::agents {
 
-/// The contents of the window, as many of them as fit: the nearest are asked for first and given up last.
+/// The contents of the window, as many of them as fit: the nearest are asked for first and given up last. They come
+/// as the server keeps them, are expanded and verified here, and counted by their own size.
 class ContentCache final : public Contents {
  public:
   ContentCache(std::uint64_t most_bytes, std::uint64_t bytes_per_second);
@@ -45,10 +47,15 @@ class ContentCache final : public Contents {
     std::size_t rank = 0;  ///< nearness; what is not wanted has the last rank
   };
   struct Incoming {
-    Assembly assembly;
+    std::uint64_t size = 0;            ///< of the content itself
+    std::optional<Assembly> assembly;  ///< from the first chunk on, which says how much travels
     SteadyTime ask_at;
     Duration wait{};
+
+    std::uint64_t contiguous() const { return assembly.has_value() ? assembly->contiguous() : 0; }
   };
+  /// The content that the last chunk completed; none: what came is not what its hash says.
+  std::optional<Bytes> expand(const msg::Chunk& last, const Incoming& incoming);
   std::size_t rank_of(const ContentHash& hash) const;
   void keep(const ContentHash& hash, Bytes bytes, std::size_t rank);
   void shrink();
@@ -62,6 +69,7 @@ class ContentCache final : public Contents {
   std::map<ContentHash, Incoming> incoming_;
   std::uint64_t under_way_ = 0;
   SteadyTime ask_at_{};
+  storage::ContentCoder coder_;
   Counters counters_;
 };
 

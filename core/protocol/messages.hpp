@@ -110,18 +110,23 @@ struct BatchAck {
 
 enum class ContentKind : std::uint8_t { content = 1, cloud = 2 };
 
-/// A piece of a content or cloud; any order, any number of times.
+/// How a content's bytes stand in a store, and how they travel from there: docs/formats/store.md. raw: as they are.
+enum class Coding : std::uint8_t { raw = 0, zstd = 1, cloud = 2 };
+
+/// A piece of a content or cloud; any order, any number of times. Handed in raw, lent as the server keeps it: who
+/// gets it expands it and verifies the hash, which is that of the content itself.
 struct Chunk {
   Header header;
   PeerId to;
   ContentKind kind = ContentKind::content;
+  Coding coding = Coding::raw;
   ContentHash hash;
-  std::uint64_t total = 0;
-  std::uint64_t offset = 0;
+  std::uint64_t total = 0;   ///< of the coded bytes
+  std::uint64_t offset = 0;  ///< among the coded bytes
   Bytes data;
 };
 
-/// "Send me these, from these offsets on."
+/// "Send me these, from these offsets on", which count the bytes as they travel.
 struct ContentRequest {
   struct Item {
     ContentHash hash;

@@ -65,6 +65,11 @@ Reliable means between two live processes only. A message can be lost when eithe
 away for longer than a participant's lease, or when a reader is not there yet; it can come twice, and late. Whoever
 needs an answer asks again. `unavailable` from publish means that the queue of an "all" topic is full: nothing was sent.
 
+Contents are handed in raw (`coding` 0) and lent as the server's store keeps them (formats/store.md, column `coding`): `total`
+and `offset` count those bytes. The reader knows the content's size and hash from its place; it refuses compressed bytes
+that are not fewer than that, expands them and verifies the hash. When a chunk comes with another coding or total than
+those before it, the store was another: it begins anew.
+
 ## Discovery
 
 No multicast. The server's DDS participant has a fixed index (`server_index`, default 0), so its UDP ports on the

@@ -97,6 +97,7 @@ idl::Chunk to_idl(const msg::Chunk& message) {
   wire.header(to_idl(message.header));
   wire.to(message.to.bytes);
   wire.kind(static_cast<std::uint8_t>(message.kind));
+  wire.coding(static_cast<std::uint8_t>(message.coding));
   wire.hash(message.hash.bytes);
   wire.total(message.total);
   wire.offset(message.offset);
@@ -110,6 +111,7 @@ Result<msg::Chunk> from_idl(const idl::Chunk& wire) {
   value.header = from_idl(wire.header(), reading.in("header"));
   value.to = id_from<PeerId>(wire.to());
   value.kind = reading.choice("kind", wire.kind(), msg::ContentKind::content, msg::ContentKind::cloud);
+  value.coding = reading.choice("coding", wire.coding(), msg::Coding::raw, msg::Coding::cloud);
   value.hash = reading.some("hash", id_from<ContentHash>(wire.hash()));
   value.total = wire.total();
   reading.require(value.total <= msg::kContentBytes, "total",

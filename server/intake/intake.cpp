@@ -120,6 +120,10 @@ std::vector<Batch> Intake::on_chunk(const msg::Chunk& chunk, Now now) {
     ++context_.counters["intake: chunk that no batch waits for"];
     return {};
   }
+  if (chunk.coding != msg::Coding::raw) {
+    ++context_.counters["intake: chunk that is not raw"];
+    return {};
+  }
   Incoming& incoming = found->second;
   if (incoming.done) return {};
   if (!incoming.assembly.add(chunk)) {

@@ -57,23 +57,23 @@ void Shelf::refill(Asker& asker, SteadyTime now) const {
   asker.budget_at = now;
 }
 
-std::shared_ptr<const Bytes> Shelf::fetch(const ContentHash& hash, Now now) {
+std::shared_ptr<const storage::StoredContent> Shelf::fetch(const ContentHash& hash, Now now) {
   if (open_ != nullptr && open_hash_ == hash) return open_;
-  Result<Bytes> bytes = context_.store.content(hash);
-  if (!bytes) {
+  Result<storage::StoredContent> content = context_.store.stored_content(hash);
+  if (!content) {
     ++context_.counters["library: content cannot be read"];
     context_.record.note({.at = {},
                           .kind = "library.content_damaged",
                           .robot = {},
                           .goal = {},
-                          .cause = bytes.error().message,
+                          .cause = content.error().message,
                           .who = "server"},
                          now);
     sizes_.erase(hash);
     return nullptr;
   }
   open_hash_ = hash;
-  open_ = std::make_shared<const Bytes>(*std::move(bytes));
+  open_ = std::make_shared<const storage::StoredContent>(*std::move(content));
   return open_;
 }
 
@@ -82,24 +82,28 @@ void Shelf::serve(const PeerId& peer, Asker& asker, Now now) {
   while (!asker.wanted.empty() && asker.budget >= 0.0) {
     const auto first = asker.wanted.begin();
     const ContentHash hash = std::get<1>(first->first);
-    const std::shared_ptr<const Bytes> bytes = fetch(hash, now);
-    if (bytes == nullptr || first->second >= bytes->size()) {
+    const std::shared_ptr<const storage::StoredContent> content = fetch(hash, now);
+    if (content == nullptr) {
       asker.wanted.erase(first);
       continue;
     }
+    const Bytes& bytes = content->bytes;
+    // It began with another form of it, of a store before this one: the first chunk tells it so.
+    if (first->second >= bytes.size()) first->second = 0;
     const std::uint64_t offset = first->second;
-    const std::uint64_t size = std::min<std::uint64_t>(msg::kChunkBytes, bytes->size() - offset);
-    const auto begin = bytes->begin() + static_cast<std::ptrdiff_t>(offset);
+    const std::uint64_t size = std::min<std::uint64_t>(msg::kChunkBytes, bytes.size() - offset);
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
     context_.out.send(msg::Chunk{.header = {},
                                  .to = peer,
                                  .kind = msg::ContentKind::content,
+                                 .coding = content->coding,
                                  .hash = hash,
-                                 .total = bytes->size(),
+                                 .total = bytes.size(),
                                  .offset = offset,
                                  .data = Bytes(begin, begin + static_cast<std::ptrdiff_t>(size))});
     asker.budget -= static_cast<double>(size);
     first->second += size;
-    if (first->second == bytes->size()) asker.wanted.erase(first);
+    if (first->second == bytes.size()) asker.wanted.erase(first);
   }
 }
 

@@ -12,8 +12,8 @@
 
 namespace weft::server {
 
-/// Lends contents: each asker gets what it asked for in chunks, small contents first, within a budget of bytes a
-/// second, so that nothing small ever waits behind something big.
+/// Lends contents as they are stored, which the asker expands: each asker gets what it asked for in chunks, small
+/// contents first, within a budget of bytes a second, so that nothing small ever waits behind something big.
 class Shelf {
  public:
   explicit Shelf(Context& context);
@@ -25,22 +25,22 @@ class Shelf {
   std::optional<SteadyTime> next() const;
 
  private:
-  using Key = std::tuple<std::uint64_t, ContentHash>;  ///< size first: small before big
+  using Key = std::tuple<std::uint64_t, ContentHash>;  ///< the content's own size first: small before big
   struct Asker {
-    std::map<Key, std::uint64_t> wanted;  ///< and from which offset on
+    std::map<Key, std::uint64_t> wanted;  ///< and from which offset among its coded bytes on
     double budget = 0.0;                  ///< bytes that may be sent now
     SteadyTime budget_at;
   };
 
   void refill(Asker& asker, SteadyTime now) const;
   void serve(const PeerId& peer, Asker& asker, Now now);
-  std::shared_ptr<const Bytes> fetch(const ContentHash& hash, Now now);
+  std::shared_ptr<const storage::StoredContent> fetch(const ContentHash& hash, Now now);
 
   Context& context_;
   ContentSizes sizes_;
   std::map<PeerId, Asker> askers_;
   ContentHash open_hash_;  ///< the content read last, so that its chunks do not read it again each
-  std::shared_ptr<const Bytes> open_;
+  std::shared_ptr<const storage::StoredContent> open_;
 };
 
 }  // namespace weft::server

@@ -42,6 +42,9 @@ bool is_cloud(ByteView content);
 /// What a store keeps. corrupt or newer: its head or the order of its codes is none of canonical_bytes.
 Result<Bytes> compress_cloud(ByteView canonical);
 
+/// How many bytes expand_cloud would make of it, by its head alone. corrupt or newer.
+Result<std::uint64_t> expanded_size(ByteView compressed);
+
 /// The very bytes that were compressed. corrupt or newer; never takes more memory than a few times kLargestContent.
 Result<Bytes> expand_cloud(ByteView compressed);
 

@@ -129,6 +129,15 @@ Result<Bytes> compress_cloud(ByteView canonical) {
   return with_checksum(payload.view());
 }
 
+Result<std::uint64_t> expanded_size(ByteView compressed) {
+  if (auto magic = check_magic(compressed, kCompressedMagic); !magic) return fail(magic.error());
+  ByteReader in(compressed.subspan(kMagicBytes));
+  in.id<ContentHash>("checksum");
+  const Head head = read_head(in);
+  if (!in.ok()) return fail(in.finish("cloud").error());
+  return head.canonical_size();
+}
+
 Result<Bytes> expand_cloud(ByteView compressed) {
   const auto payload = checked_payload(compressed);
   if (!payload) return fail(payload.error());

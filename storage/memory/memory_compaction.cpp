@@ -116,7 +116,7 @@ class MemoryCompaction {
     std::erase_if(disk_.contents, [&](const auto& entry) {
       const auto& [hash, content] = entry;
       const bool goes = content.kind == msg::ContentKind::content && !used.contains(hash);
-      if (goes) disk_.content_bytes -= content.bytes->size();
+      if (goes) disk_.content_bytes -= content.size;
       return goes;
     });
   }

@@ -13,7 +13,9 @@ class Check {
 
   JobProgress run() {
     for (const auto& [hash, content] : disk_.contents) {
-      if (hash_bytes(*content.bytes) != hash) found("content " + to_string(hash) + ": its SHA-256 differs");
+      const auto bytes = coder_.decode(content.coding, *content.bytes, content.size);
+      if (!bytes) found("content " + to_string(hash) + ": " + bytes.error().message);
+      if (bytes && hash_bytes(*bytes) != hash) found("content " + to_string(hash) + ": its SHA-256 differs");
     }
     for (const MemoryDisk::Step& step : disk_.history) {
       if (const auto* const batch = std::get_if<Batch>(&step.change)) look(*batch);
@@ -68,6 +70,7 @@ class Check {
   }
 
   const MemoryDisk& disk_;
+  ContentCoder coder_;
   JobProgress progress_;
   std::uint64_t found_ = 0;
 };
@@ -86,7 +89,7 @@ std::unique_ptr<StoreJob> make_memory_stats(const MemoryDisk& disk) {
     for (const auto& [hash, content] : disk.contents) {
       if (content.kind != msg::ContentKind::cloud) continue;
       ++clouds;
-      cloud_bytes += content.bytes->size();
+      cloud_bytes += content.size;
     }
     const std::uint64_t bytes = disk.content_bytes - cloud_bytes;
     progress.space = {{"contents", disk.contents.size() - clouds, bytes, bytes},

@@ -37,10 +37,13 @@ Facts facts_for(const MemoryDisk& disk, const Needs& needs) {
 /// Writes one change that the plan calls fresh. Cannot fail.
 class Writer {
  public:
-  explicit Writer(MemoryDisk& disk) : disk_(disk) {}
+  Writer(MemoryDisk& disk, ContentCoder& coder) : disk_(disk), coder_(coder) {}
 
   void operator()(const PutContent& put) const {
-    disk_.contents[put.hash] = {put.kind, std::make_shared<const Bytes>(put.bytes)};
+    Coded coded = coder_.encode(put.bytes);
+    if (coded.coding == Coding::raw) coded.bytes = put.bytes;
+    disk_.contents[put.hash] = {put.kind, coded.coding, put.bytes.size(),
+                                std::make_shared<const Bytes>(std::move(coded.bytes))};
     disk_.content_bytes += put.bytes.size();
   }
   void operator()(const AppendBatch& append) const {
@@ -74,6 +77,7 @@ class Writer {
     disk_.history.push_back({{disk_.revision.value + 1}, change});
   }
   MemoryDisk& disk_;
+  ContentCoder& coder_;
 };
 
 /// Collects heads first, because a later batch or seal may close an experience.
@@ -192,7 +196,7 @@ class MemoryStore final : public MapStore {
     if (!plan) return fail(plan.error());
     if (auto error = disk_->faults.strike("memory store")) return fail(std::move(*error));
 
-    const Writer write(*disk_);
+    const Writer write(*disk_, *coder_);
     for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
       if (plan->fresh[at]) std::visit(write, transaction.changes[at]);
     }
@@ -207,11 +211,15 @@ class MemoryStore final : public MapStore {
   bool has_content(const ContentHash& hash) const override { return disk_->contents.contains(hash); }
 
   Result<Bytes> content(const ContentHash& hash) const override {
-    const auto found = disk_->contents.find(hash);
-    if (found == disk_->contents.end()) {
-      return fail(ErrorCode::not_found, "content " + to_string(hash) + " is not stored");
-    }
-    return *found->second.bytes;
+    const auto found = find(hash);
+    if (!found) return fail(found.error());
+    return coder_->decode((*found)->coding, *(*found)->bytes, (*found)->size);
+  }
+
+  Result<StoredContent> stored_content(const ContentHash& hash) const override {
+    const auto found = find(hash);
+    if (!found) return fail(found.error());
+    return StoredContent{(*found)->coding, (*found)->size, *(*found)->bytes};
   }
 
   std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const override {
@@ -294,6 +302,12 @@ class MemoryStore final : public MapStore {
   std::string engine() const override { return "memory"; }
 
  private:
+  Result<const MemoryDisk::Content*> find(const ContentHash& hash) const {
+    const auto found = disk_->contents.find(hash);
+    if (found != disk_->contents.end()) return &found->second;
+    return fail(ErrorCode::not_found, "content " + to_string(hash) + " is not stored");
+  }
+
   Result<void> check_revision(const std::string& what, Revision revision) const {
     if (revision <= disk_->revision) return check_kept(what, revision, disk_->floor);
     return fail(ErrorCode::not_found, "the map has no revision " + std::to_string(revision.value) +
@@ -301,6 +315,7 @@ class MemoryStore final : public MapStore {
   }
 
   std::shared_ptr<MemoryDisk> disk_;
+  std::unique_ptr<ContentCoder> coder_ = std::make_unique<ContentCoder>();
   Epoch epoch_;
 };
 

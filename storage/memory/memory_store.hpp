@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/content_coder.hpp"
 #include "storage/map_store.hpp"
 #include "storage/memory/disk_faults.hpp"
 #include "storage/plan.hpp"
@@ -18,8 +19,11 @@ struct MemoryDisk {
     ExperienceId experience;
     std::string reason;
   };
+  /// Coded as the engines on disk do it, so that the simulation's agents get what real ones get.
   struct Content {
     msg::ContentKind kind = msg::ContentKind::content;
+    Coding coding = Coding::raw;
+    std::uint64_t size = 0;  ///< of the content itself
     std::shared_ptr<const Bytes> bytes;
   };
 

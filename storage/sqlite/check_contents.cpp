@@ -13,9 +13,11 @@ constexpr std::size_t kMostContentsAStep = 500;
 
 /// What is wrong with the row; empty: nothing.
 std::string damage_of(ContentCoder& coder, const ContentHash& hash, const Query& row) {
-  const Result<Bytes> bytes = coder.decode(static_cast<Coding>(row.number(2)), row.blob(4), row.number(3));
+  const ContentRow told{hash, row.number(3), row.number(2)};
+  const Result<Bytes> bytes = expand_content(coder, told, row.blob(4));
   if (!bytes) return bytes.error().message;
-  return hash_bytes(*bytes) == hash ? "" : "its SHA-256 differs";
+  const bool has_sum = !row.is_null(6);
+  return has_sum && row.number(6) != content_sum(told, row.blob(4)) ? "its sum differs" : "";
 }
 
 class ContentCheck final : public CheckPart {
@@ -91,7 +93,7 @@ class PreparationCheck final : public CheckPart {
 }  // namespace
 
 Result<void> add_content_checks(Parts& parts, CheckParts& to) {
-  auto scan = Scan::make(parts.database, "content", {"rowid"}, "hash, coding, size, bytes, quarantined");
+  auto scan = Scan::make(parts.database, "content", {"rowid"}, "hash, coding, size, bytes, quarantined, sum");
   if (!scan) return fail(scan.error());
   auto find = parts.database.prepare("SELECT rowid FROM content WHERE hash = ?");
   if (!find) return fail(find.error());

@@ -111,6 +111,10 @@ Result<void> Query::run() {
   return {};
 }
 
+bool Query::is_null(int column) const {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
+}
+
 std::uint64_t Query::number(int column) const {
   return std::bit_cast<std::uint64_t>(std::int64_t{sqlite3_column_int64(statement_, column)});
 }

@@ -62,6 +62,7 @@ class Query {
   /// For statements without rows.
   Result<void> run();
 
+  bool is_null(int column) const;
   std::uint64_t number(int column) const;
   std::string text(int column) const;
   ByteView blob(int column) const;

@@ -16,16 +16,48 @@ Result<StoreRow> current_row(const Parts& parts) {
   return row;
 }
 
-Result<Bytes> read_content(const Parts& parts, const ContentHash& hash) {
-  Query query(parts.statements.read_content);
+namespace {
+
+/// The row of read_content, if it is there and not quarantined.
+Result<ContentRow> find_content_row(Query& query, const ContentHash& hash) {
   query << hash;
   const Result<bool> found = query.step();
   if (!found) return fail(found.error());
   if (!*found) return fail(ErrorCode::not_found, "it is not stored");
   if (query.number(0) != 0) return fail(ErrorCode::corrupt, "it was found damaged before");
-  Result<Bytes> bytes = parts.coder->decode(static_cast<Coding>(query.number(1)), query.blob(3), query.number(2));
-  if (bytes && hash_bytes(*bytes) != hash) return fail(ErrorCode::corrupt, "its SHA-256 differs");
+  return ContentRow{hash, query.number(2), query.number(1)};
+}
+
+}  // namespace
+
+Result<Bytes> expand_content(ContentCoder& coder, const ContentRow& row, ByteView kept) {
+  const Result<Coding> coding = coding_from(row.coding);
+  if (!coding) return fail(coding.error());
+  Result<Bytes> bytes = coder.decode(*coding, kept, row.size);
+  if (bytes && hash_bytes(*bytes) != row.hash) return fail(ErrorCode::corrupt, "its SHA-256 differs");
   return bytes;
+}
+
+Result<Bytes> read_content(const Parts& parts, const ContentHash& hash) {
+  Query query(parts.statements.read_content);
+  const Result<ContentRow> row = find_content_row(query, hash);
+  if (!row) return fail(row.error());
+  return expand_content(*parts.coder, *row, query.blob(3));
+}
+
+Result<StoredContent> read_stored(const Parts& parts, const ContentHash& hash) {
+  Query query(parts.statements.read_content);
+  const Result<ContentRow> row = find_content_row(query, hash);
+  if (!row) return fail(row.error());
+  const Result<Coding> coding = coding_from(row->coding);
+  if (!coding) return fail(coding.error());
+  const ByteView kept = query.blob(3);
+  if (query.is_null(4)) {  // of a schema without sums
+    if (const auto bytes = expand_content(*parts.coder, *row, kept); !bytes) return fail(bytes.error());
+  } else if (query.number(4) != content_sum(*row, kept)) {
+    return fail(ErrorCode::corrupt, "its sum differs");
+  }
+  return StoredContent{*coding, row->size, Bytes(kept.begin(), kept.end())};
 }
 
 void quarantine(Parts& parts, const ContentHash& hash) {

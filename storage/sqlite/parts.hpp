@@ -31,8 +31,12 @@ struct Parts {
 /// The store's row, for a write transaction. stale: another server has opened the store since.
 Result<StoreRow> current_row(const Parts& parts);
 
+/// corrupt: the bytes do not decode to what the row says, by the SHA-256 too.
+Result<Bytes> expand_content(ContentCoder& coder, const ContentRow& row, ByteView kept);
 /// not_found; corrupt: quarantined before, or its bytes do not decode to what the hash says.
 Result<Bytes> read_content(const Parts& parts, const ContentHash& hash);
+/// The same, as it is kept. corrupt: quarantined before, or its sum differs; without a sum it is decoded.
+Result<StoredContent> read_stored(const Parts& parts, const ContentHash& hash);
 
 /// Marks the row, so that it stays named after a restart. When the disk takes no mark, this process remembers.
 void quarantine(Parts& parts, const ContentHash& hash);

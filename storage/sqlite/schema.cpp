@@ -146,6 +146,7 @@ CREATE TABLE preparation (
 )sql",
     R"sql(
 CREATE INDEX edge_by_b ON edge (b_experience) WHERE a_experience <> b_experience;
+ALTER TABLE content ADD COLUMN sum INTEGER;
 )sql",
 };
 

@@ -79,15 +79,11 @@ class SqliteStore final : public MapStore {
   }
 
   Result<Bytes> content(const ContentHash& hash) const override {
-    const std::string name = "content " + to_string(hash);
-    Result<Bytes> bytes = read_content(*parts_, hash);
-    if (!bytes) {
-      if (bytes.error().code != ErrorCode::corrupt)
-        return fail(bytes.error().code, name + ": " + bytes.error().message);
-      quarantine(*parts_, hash);
-      return fail(ErrorCode::corrupt, name + " is damaged and quarantined: " + bytes.error().message);
-    }
-    return bytes;
+    return quarantined_if_corrupt(hash, read_content(*parts_, hash));
+  }
+
+  Result<StoredContent> stored_content(const ContentHash& hash) const override {
+    return quarantined_if_corrupt(hash, read_stored(*parts_, hash));
   }
 
   std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const override {
@@ -168,6 +164,15 @@ class SqliteStore final : public MapStore {
   std::string engine() const override { return "sqlite"; }
 
  private:
+  template <class Read>
+  Result<Read> quarantined_if_corrupt(const ContentHash& hash, Result<Read> read) const {
+    if (read) return read;
+    const std::string name = "content " + to_string(hash);
+    if (read.error().code != ErrorCode::corrupt) return fail(read.error().code, name + ": " + read.error().message);
+    quarantine(*parts_, hash);
+    return fail(ErrorCode::corrupt, name + " is damaged and quarantined: " + read.error().message);
+  }
+
   /// For what goes on between this commit and the next.
   void remember(const Transaction& transaction) const {
     const auto used = parts_->used_meanwhile.lock();

@@ -14,15 +14,15 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::find_experience, "SELECT durable_through, places FROM experience WHERE id = ?"},
       {&Statements::find_batch, "SELECT hash FROM batch WHERE experience = ? AND sequence = ?"},
       {&Statements::find_content, "SELECT 1 FROM content WHERE hash = ? AND quarantined = 0"},
-      {&Statements::read_content, "SELECT quarantined, coding, size, bytes FROM content WHERE hash = ?"},
+      {&Statements::read_content, "SELECT quarantined, coding, size, bytes, sum FROM content WHERE hash = ?"},
       // A quarantined content that comes again is healed.
       {&Statements::find_edge,
        "SELECT 1 FROM edge WHERE a_experience = ? AND a_place = ? AND b_experience = ? AND b_place = ? LIMIT 1"},
       {&Statements::find_deleted, "SELECT first_place, last_place FROM deleted_places WHERE experience = ?"},
       {&Statements::put_content,
-       "INSERT INTO content (hash, kind, size, coding, bytes) VALUES (?, ?, ?, ?, ?) ON CONFLICT (hash) DO UPDATE SET"
-       " kind = excluded.kind, size = excluded.size, coding = excluded.coding, bytes = excluded.bytes,"
-       " quarantined = 0"},
+       "INSERT INTO content (hash, kind, size, coding, bytes, sum) VALUES (?, ?, ?, ?, ?, ?)"
+       " ON CONFLICT (hash) DO UPDATE SET kind = excluded.kind, size = excluded.size, coding = excluded.coding,"
+       " bytes = excluded.bytes, sum = excluded.sum, quarantined = 0"},
       {&Statements::put_experience,
        "INSERT INTO experience (id, robot, name, method, sealed, seal_reason, durable_through, places)"
        " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET"

@@ -15,9 +15,10 @@ class Writer {
   Result<void> operator()(const PutContent& put) const {
     const Coded coded = coder_.encode(put.bytes);
     const ByteView bytes = coded.coding == Coding::raw ? ByteView(put.bytes) : ByteView(coded.bytes);
+    const ContentRow row{put.hash, put.bytes.size(), static_cast<std::uint64_t>(coded.coding)};
     Query query(statements_.put_content);
-    query << put.hash << static_cast<std::uint64_t>(put.kind) << std::uint64_t{put.bytes.size()}
-          << static_cast<std::uint64_t>(coded.coding) << bytes;
+    query << put.hash << static_cast<std::uint64_t>(put.kind) << row.size << row.coding << bytes
+          << content_sum(row, bytes);
     ++row_.contents;
     row_.content_bytes += put.bytes.size();
     return query.run();

@@ -193,8 +193,9 @@ void add_network(std::vector<Example>& all) {
                                {id_of<ContentHash>(0x40), id_of<ContentHash>(0x50)},
                                8,
                                "gap after place 12"}});
-  const msg::Chunk chunk{header(), example_addressee(),  msg::ContentKind::cloud, id_of<ContentHash>(0x40), 1000,
-                         64,       {1, 2, 3, 4, 5, 6, 7}};
+  const msg::Chunk chunk{
+      header(), example_addressee(),  msg::ContentKind::cloud, msg::Coding::zstd, id_of<ContentHash>(0x40), 1000,
+      64,       {1, 2, 3, 4, 5, 6, 7}};
   all.push_back({"chunk_up", Role::agent, chunk});
   all.push_back({"chunk_down", Role::server, chunk});
   const msg::ContentRequest request{

@@ -65,6 +65,8 @@ TEST(FromIdl, RefusesValuesOutsideTheirEnumeration) {
   EXPECT_THAT(refusal<msg::RobotState>([](auto& m) { m.mode = msg::RobotMode{0}; }),
               HasSubstr("mode must be from 1 to 7"));
   EXPECT_THAT(refusal<msg::WindowPatch>([](auto& m) { m.patch.edges[0].origin = Origin{4}; }), HasSubstr("origin"));
+  EXPECT_THAT(refusal<msg::Chunk>([](auto& m) { m.coding = msg::Coding{3}; }),
+              HasSubstr("coding must be from 0 to 2"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.kind = msg::Query::Kind{77}; }),
               HasSubstr("kind must be from 1 to 5"));
 }

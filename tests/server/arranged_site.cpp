@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/network/codec.hpp"
+#include "core/random.hpp"
 
 namespace weft::server::test {
 
@@ -32,7 +33,7 @@ Metric2 metric(double x, double y) {
 
 }  // namespace
 
-Handed TaughtRun::next(std::uint32_t places, std::size_t content_bytes) {
+Handed TaughtRun::next(std::uint32_t places, std::size_t content_bytes, std::uint64_t values) {
   Handed handed;
   Batch& batch = handed.batch;
   batch.experience = experience_;
@@ -41,8 +42,9 @@ Handed TaughtRun::next(std::uint32_t places, std::size_t content_bytes) {
   batch.name = "run";
   batch.method = "marks";
   for (std::uint32_t i = 0; i < places; ++i, ++places_) {
-    Bytes content(content_bytes, static_cast<std::uint8_t>(places_));
-    content[0] = static_cast<std::uint8_t>(experience_.value);
+    Random random(experience_.value * 1'000'000 + places_);
+    Bytes content(content_bytes);
+    for (std::uint8_t& byte : content) byte = static_cast<std::uint8_t>(random.below(values));
     Place place;
     place.id = {experience_, places_};
     place.method = "marks";
@@ -191,6 +193,18 @@ void Site::send_content(Peer& robot, const Bytes& bytes) {
 void Site::hand_in(Peer& robot, const Handed& handed) {
   send_batch(robot, handed.batch);
   for (const Bytes& content : handed.contents) send_content(robot, content);
+}
+
+std::uint64_t Site::counted(const std::string& what) {
+  msg::Query query;
+  query.header = client.header();
+  query.kind = msg::Query::Kind::info;
+  say(query);
+  const msg::MapInfo info = last<msg::QueryReply>().value().info;
+  for (const auto& [counter, times] : info.counters) {
+    if (counter == what) return times;
+  }
+  return 0;
 }
 
 void Site::label(const std::string& name, const PlaceId& place) {

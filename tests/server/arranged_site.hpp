@@ -39,7 +39,8 @@ class TaughtRun {
  public:
   TaughtRun(const Peer& robot, std::uint64_t experience, double spacing_m = 0.5)
       : robot_(robot.id), experience_{experience}, spacing_m_(spacing_m) {}
-  Handed next(std::uint32_t places, std::size_t content_bytes = 100);
+  /// Each byte is one of `values`: with few of them the contents are stored compressed.
+  Handed next(std::uint32_t places, std::size_t content_bytes = 100, std::uint64_t values = 256);
   Handed seal();
   PlaceId place(std::uint32_t index) const { return {experience_, index}; }
   ExperienceId id() const { return experience_; }
@@ -83,6 +84,8 @@ class Site {
 
   const Goal& goal(std::uint8_t number);
   std::vector<std::string> events_of(const std::string& kind) const;
+  /// How often the server counted that.
+  std::uint64_t counted(const std::string& what);
 
   /// All messages of a kind that were said since the last `hush`.
   template <class M>

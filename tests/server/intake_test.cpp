@@ -85,6 +85,7 @@ TEST_F(Intake, ChunksMayComeDoubledAndOutOfOrder) {
     site.say(msg::Chunk{.header = r1.header(),
                         .to = {},
                         .kind = msg::ContentKind::content,
+                        .coding = msg::Coding::raw,
                         .hash = handed.batch.places[0].content.hash,
                         .total = content.size(),
                         .offset = offset,
@@ -104,6 +105,22 @@ TEST_F(Intake, BytesThatAreNotWhatWasPromisedAreRefusedAndAskedForAgain) {
   site.say(chunk);
   EXPECT_EQ(stored(run), nullptr);
   EXPECT_THAT(site.events_of("intake.content_refused"), SizeIs(1));
+  site.hand_in(r1, handed);
+  EXPECT_EQ(ack().durable_through, 1U);
+}
+
+TEST_F(Intake, ChunkThatIsNotRawIsRefusedAndCounted) {
+  const Handed handed = run.next(1);
+  site.send_batch(r1, handed.batch);
+  msg::Chunk chunk;
+  chunk.header = r1.header();
+  chunk.coding = msg::Coding::zstd;
+  chunk.hash = handed.batch.places[0].content.hash;
+  chunk.total = handed.contents[0].size();
+  chunk.data = handed.contents[0];
+  site.say(chunk);
+  EXPECT_EQ(stored(run), nullptr);
+  EXPECT_EQ(site.counted("intake: chunk that is not raw"), 1U);
   site.hand_in(r1, handed);
   EXPECT_EQ(ack().durable_through, 1U);
 }

@@ -88,6 +88,49 @@ TEST_F(SqliteDamage, DamagedContentIsQuarantinedNamedAndTheRestServed) {
   EXPECT_FALSE(store_->has_content(hash));
 }
 
+/// Whatever of a content's row is damaged, reading it as it is kept finds out, without expanding it.
+TEST_F(SqliteDamage, AStoredContentIsFoundDamagedAtItsFirstReading) {
+  const std::vector<std::string> damages = {"bytes = substr(bytes, 1, 20) || x'ff' || substr(bytes, 22)",
+                                            "bytes = substr(bytes, 1, length(bytes) - 1)",
+                                            "bytes = x''",
+                                            "size = size + 1",
+                                            "size = size | (1 << 40)",
+                                            "coding = 1 - coding",
+                                            "coding = 2",
+                                            "coding = coding + 256",
+                                            "sum = sum + 1",
+                                            "sum = 'seven'"};
+  for (const std::string& what : damages) {
+    const ContentHash hash = first_.batch.places[1].content.hash;
+    ASSERT_TRUE(store_->stored_content(hash)) << what;
+    damage("UPDATE content SET " + what + " WHERE hash = x'" + to_string(hash) + "'");
+    EXPECT_TRUE(stored_.quarantined.empty()) << what;
+    const auto read = store_->stored_content(hash);
+    ASSERT_FALSE(read) << what;
+    EXPECT_EQ(read.error().code, ErrorCode::corrupt) << what;
+    EXPECT_NE(read.error().message.find(to_string(hash)), std::string::npos) << read.error().message;
+    EXPECT_FALSE(store_->has_content(hash)) << what;
+    EXPECT_EQ(store_->size().contents, 6U);
+    EXPECT_EQ(store_->stored_content(first_.batch.places[2].content.hash)->size, first_.contents[2].size());
+    store_.reset();
+    start();
+    EXPECT_TRUE(is_named("content " + to_string(hash))) << what;
+    ASSERT_TRUE(store_->commit({{PutContent{hash, msg::ContentKind::content, first_.contents[1]}}}));
+  }
+}
+
+TEST_F(SqliteDamage, AContentOfASchemaWithoutSumsIsVerifiedByItsHash) {
+  const ContentHash good = first_.batch.places[1].content.hash;
+  const ContentHash bad = first_.batch.places[2].content.hash;
+  damage("UPDATE content SET sum = NULL");
+  EXPECT_EQ(store_->stored_content(good)->size, first_.contents[1].size());
+  damage("UPDATE content SET bytes = substr(bytes, 1, 20) || x'ff' || substr(bytes, 22) WHERE hash = x'" +
+         to_string(bad) + "'");
+  EXPECT_TRUE(store_->stored_content(good));
+  EXPECT_EQ(store_->stored_content(bad).error().code, ErrorCode::corrupt);
+  EXPECT_FALSE(store_->has_content(bad));
+}
+
 TEST_F(SqliteDamage, QuarantinedContentIsHealedWhenItComesAgain) {
   const ContentHash hash = first_.batch.places[1].content.hash;
   damage("UPDATE content SET bytes = x'00', coding = 1 WHERE hash = x'" + to_string(hash) + "'");

@@ -92,9 +92,9 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP INDEX edge_by_b; DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch; DROP TABLE "
-          "deleted_places;"
-          "DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor; PRAGMA user_version = 1");
+          "DROP INDEX edge_by_b; DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch;"
+          "DROP TABLE deleted_places; DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor;"
+          "ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 1");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
   const auto stored = (*store)->open();
@@ -117,10 +117,9 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     ASSERT_TRUE((*store)->commit({{TakeOut{{{{run.experience(), 1, 1}}, {}}}}, {}}));
     before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
-  run_sql(
-      directory.path() / "map.sqlite",
-      "DROP INDEX edge_by_b; DROP TABLE deleted_places; DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor;"
-      "PRAGMA user_version = 2");
+  run_sql(directory.path() / "map.sqlite",
+          "DROP INDEX edge_by_b; DROP TABLE deleted_places; DROP TABLE preparation;"
+          "ALTER TABLE store DROP COLUMN floor; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 2");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
   const auto stored = (*store)->open();
@@ -129,6 +128,24 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
   EXPECT_EQ(sample::describe((*store)->snapshot_at({1}, {}).value()), before);
   ASSERT_TRUE((*store)->commit({{PutPreparation{"marks", {1, 2, 3}}}, {}}));
   EXPECT_EQ((*store)->preparation("marks").value(), (Bytes{1, 2, 3}));
+}
+
+TEST(SqliteOpen, AStoreOfTheThirdSchemaIsMigratedAndItsContentsAreServed) {
+  const TemporaryDirectory directory;
+  const auto delivery = sample::Run(0x11, 1).next(2);
+  const ContentHash hash = delivery.batch.places[0].content.hash;
+  {
+    const auto store = open_sqlite(directory.path());
+    ASSERT_TRUE((*store)->open());
+    ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
+  }
+  run_sql(directory.path() / "map.sqlite",
+          "DROP INDEX edge_by_b; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 3");
+  const auto store = open_sqlite(directory.path());
+  ASSERT_TRUE(store) << store.error().message;
+  ASSERT_TRUE((*store)->open());
+  EXPECT_EQ((*store)->content(hash).value(), delivery.contents[0]);
+  EXPECT_EQ((*store)->stored_content(hash)->size, delivery.contents[0].size());
 }
 
 TEST(SqliteOpen, SecondProcessOnTheSameStoreIsToldWhoHasIt) {

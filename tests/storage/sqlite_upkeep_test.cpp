@@ -88,6 +88,11 @@ TEST_F(SqliteUpkeep, CheckNamesAnImpossibleSize) {
   expect_found("UPDATE content SET size = -1 WHERE hash = x'" + to_string(hash) + "'", "content " + to_string(hash));
 }
 
+TEST_F(SqliteUpkeep, CheckNamesASumThatDiffers) {
+  const ContentHash hash = deliveries_[0].batch.places[0].content.hash;
+  expect_found("UPDATE content SET sum = sum + 1 WHERE hash = x'" + to_string(hash) + "'",
+               "content " + to_string(hash) + ": its sum differs");
+}
 TEST_F(SqliteUpkeep, CheckNamesAMissingContentOfAPlace) {
   expect_found("DELETE FROM content WHERE hash = x'" + to_string(deliveries_[2].batch.places[1].content.hash) + "'",
                "place " + to_string(PlaceId{run_.experience(), 21}));

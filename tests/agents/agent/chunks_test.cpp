@@ -30,7 +30,7 @@ TEST(Assembly, AnyOrderOverlapAndRepeatsGiveTheBytes) {
   EXPECT_FALSE(assembly.complete());
   ASSERT_TRUE(assembly.add(piece(bytes, 200, 500)).has_value());
   ASSERT_TRUE(assembly.complete());
-  EXPECT_EQ(std::move(assembly).finish(hash_bytes(bytes)).value(), bytes);
+  EXPECT_EQ(assembly.bytes(), bytes);
 }
 
 TEST(Assembly, ChunkBeyondTheContentIsRefused) {
@@ -43,11 +43,15 @@ TEST(Assembly, ChunkBeyondTheContentIsRefused) {
   EXPECT_EQ(assembly.contiguous(), 0U);
 }
 
-TEST(Assembly, OtherBytesThanTheHashSaysAreCorrupt) {
+TEST(Assembly, ChunkOfAnotherFormIsRefused) {
   const Bytes bytes = some_content(1, 100);
-  Assembly assembly(100);
-  ASSERT_TRUE(assembly.add(piece(bytes, 0, 100)).has_value());
-  EXPECT_EQ(std::move(assembly).finish(hash_bytes(some_content(2, 100))).error().code, ErrorCode::corrupt);
+  Assembly assembly(100, msg::Coding::zstd);
+  msg::Chunk chunk = piece(bytes, 0, 100);
+  EXPECT_FALSE(assembly.is_of(chunk));
+  EXPECT_EQ(assembly.add(chunk).error().code, ErrorCode::invalid);
+  chunk.coding = msg::Coding::zstd;
+  EXPECT_TRUE(assembly.is_of(chunk));
+  EXPECT_TRUE(assembly.add(chunk));
 }
 
 TEST(ChunkQueue, KeepsToItsBudgetAndPutsTheContentOutWhole) {
@@ -74,7 +78,8 @@ TEST(ChunkQueue, KeepsToItsBudgetAndPutsTheContentOutWhole) {
               2.0 * msg::kChunkBytes + 4.0 * msg::kChunkBytes * seconds(now.time_since_epoch()) + 1);
   }
   EXPECT_EQ(sent, bytes.size());
-  EXPECT_TRUE(std::move(assembly).finish(hash).has_value());
+  EXPECT_TRUE(assembly.complete());
+  EXPECT_EQ(assembly.bytes(), bytes);
   EXPECT_GE(seconds(now.time_since_epoch()), 0.7);
 }
 

@@ -3,6 +3,7 @@
 #include "agents/agent/content_cache.hpp"
 #include "agents/agent/surroundings.hpp"
 #include "core/network/codec.hpp"
+#include "storage/content_coder.hpp"
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -55,6 +56,128 @@ TEST(ContentsOfAgent, WithAnotherHashAreThrownAwayAndAskedForAgain) {
   chunk.data = bytes;
   EXPECT_TRUE(cache.on_chunk(chunk, now));
   EXPECT_EQ(*cache.find(chunk.hash), bytes);
+}
+
+/// Contents that shrink, as a server keeps and sends them.
+struct Lent {
+  Bytes content;
+  storage::Coded coded;
+  ContentRef ref;
+
+  explicit Lent(std::size_t size) {
+    Random random(size);
+    for (std::size_t at = 0; at < size; ++at) content.push_back(static_cast<std::uint8_t>(random.below(16)));
+    coded = storage::ContentCoder().encode(content);
+    ref = {hash_bytes(content), content.size()};
+  }
+  msg::Chunk piece(std::uint64_t offset, std::uint64_t most = msg::kChunkBytes) const {
+    return cut(msg::Coding::zstd, coded.bytes, offset, most);
+  }
+  msg::Chunk raw_piece(std::uint64_t offset, std::uint64_t most = msg::kChunkBytes) const {
+    return cut(msg::Coding::raw, content, offset, most);
+  }
+
+ private:
+  msg::Chunk cut(msg::Coding coding, const Bytes& bytes, std::uint64_t offset, std::uint64_t most) const {
+    msg::Chunk chunk;
+    chunk.coding = coding;
+    chunk.hash = ref.hash;
+    chunk.total = bytes.size();
+    chunk.offset = offset;
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+    chunk.data.assign(begin, begin + static_cast<std::ptrdiff_t>(std::min(most, bytes.size() - offset)));
+    return chunk;
+  }
+};
+
+/// A cache that has asked for that content.
+struct Asking {
+  SteadyTime now{};
+  ContentCache cache{1 << 20, 1 << 20};
+
+  explicit Asking(const Lent& lent) {
+    cache.want({lent.ref}, now);
+    EXPECT_TRUE(cache.due(now).has_value());
+  }
+  bool take(const msg::Chunk& chunk) { return cache.on_chunk(chunk, now); }
+  std::uint64_t asks_from() {
+    now = *cache.next();
+    const auto request = cache.due(now);
+    return request.has_value() ? request->items.front().offset : ~0ULL;
+  }
+  std::uint64_t counted(const std::string& what) const {
+    const auto found = cache.counters().find(what);
+    return found == cache.counters().end() ? 0 : found->second;
+  }
+};
+
+TEST(ContentsOfAgent, AsTheyAreStoredAreExpandedVerifiedAndCountedByTheirOwnSize) {
+  const Lent lent(3 * msg::kChunkBytes);
+  ASSERT_EQ(lent.coded.coding, msg::Coding::zstd);
+  ASSERT_GT(lent.coded.bytes.size(), msg::kChunkBytes);
+  Asking asking(lent);
+  EXPECT_FALSE(asking.take(lent.piece(0)));
+  EXPECT_EQ(asking.asks_from(), msg::kChunkBytes) << "resumes among the coded bytes";
+  EXPECT_TRUE(asking.take(lent.piece(msg::kChunkBytes)));
+  EXPECT_EQ(*asking.cache.find(lent.ref.hash), lent.content);
+  EXPECT_EQ(asking.cache.bytes(), lent.ref.size);
+  EXPECT_EQ(asking.cache.missing(), 0U);
+  EXPECT_FALSE(asking.cache.next().has_value()) << "nothing is under way";
+}
+
+TEST(ContentsOfAgent, InAnotherFormThanTheyBeganAreBegunAnew) {
+  const Lent lent(3 * msg::kChunkBytes);
+  Asking asking(lent);
+  EXPECT_FALSE(asking.take(lent.piece(0)));
+  EXPECT_FALSE(asking.take(lent.raw_piece(msg::kChunkBytes))) << "the server restarted with another store";
+  EXPECT_EQ(asking.counted("content: begun anew in another form"), 1U);
+  EXPECT_EQ(asking.asks_from(), 0U);
+  EXPECT_FALSE(asking.take(lent.raw_piece(0)));
+  EXPECT_TRUE(asking.take(lent.raw_piece(2 * msg::kChunkBytes)));
+  EXPECT_EQ(*asking.cache.find(lent.ref.hash), lent.content);
+}
+
+TEST(ContentsOfAgent, ThatCannotBeExpandedAreThrownAwayAndAskedForAgain) {
+  const Lent lent(1000);
+  for (const std::size_t damaged : {std::size_t{0}, std::size_t{5}, lent.coded.bytes.size() / 2}) {
+    Asking asking(lent);
+    msg::Chunk chunk = lent.piece(0);
+    chunk.data[damaged] ^= 0x55U;
+    EXPECT_FALSE(asking.take(chunk));
+    EXPECT_EQ(asking.counted("content: cannot be expanded") + asking.counted("content: hash differs"), 1U);
+    EXPECT_EQ(asking.asks_from(), 0U);
+    EXPECT_TRUE(asking.take(lent.piece(0)));
+    EXPECT_EQ(*asking.cache.find(lent.ref.hash), lent.content);
+  }
+}
+
+TEST(ContentsOfAgent, LargerThanWhatIsWantedAreNotBegun) {
+  const Lent lent(1000);
+  Asking asking(lent);
+  EXPECT_FALSE(asking.take(lent.piece(0, 100)));
+  for (const msg::Coding coding : {msg::Coding::raw, msg::Coding::zstd, msg::Coding::cloud}) {
+    msg::Chunk chunk = lent.piece(0);
+    chunk.coding = coding;
+    chunk.total = msg::kContentBytes;
+    EXPECT_FALSE(asking.take(chunk));
+    chunk.total = coding == msg::Coding::raw ? 999 : 1000;
+    EXPECT_FALSE(asking.take(chunk));
+  }
+  EXPECT_EQ(asking.counted("chunk: out of bounds"), 6U);
+  EXPECT_EQ(asking.asks_from(), 100U) << "what had come was kept";
+}
+
+TEST(ContentsOfAgent, ExpandingToMoreThanWasWantedAreRefused) {
+  const Lent lent(1000);
+  const Bytes larger(100'000, 7);
+  const storage::Coded bomb = storage::ContentCoder().encode(larger);
+  ASSERT_LT(bomb.bytes.size(), 1000U);
+  Asking asking(lent);
+  msg::Chunk chunk = lent.piece(0);
+  chunk.data = bomb.bytes;
+  chunk.total = chunk.data.size();
+  EXPECT_FALSE(asking.take(chunk));
+  EXPECT_EQ(asking.counted("content: cannot be expanded"), 1U);
 }
 
 TEST(ContentsOfAgent, WhatTwoPlacesShareIsAskedForOnce) {

@@ -227,9 +227,11 @@ std::vector<msg::Message> FakeServer::serve(const msg::ContentRequest& request) 
   for (const msg::ContentRequest::Item& item : request.items) {
     const auto found = contents.find(item.hash);
     if (found == contents.end()) continue;
-    const Bytes& bytes = found->second;
+    const storage::Coded coded = coder_.encode(found->second);
+    const Bytes& bytes = coded.coding == msg::Coding::raw ? found->second : coded.bytes;
     for (std::uint64_t at = item.offset; at < bytes.size(); at += msg::kChunkBytes) {
       msg::Chunk chunk;
+      chunk.coding = coded.coding;
       chunk.hash = item.hash;
       chunk.total = bytes.size();
       chunk.offset = at;
@@ -342,7 +344,8 @@ ExperienceId Rig::lay_out(std::uint64_t experience, std::uint32_t places) {
   batch.sequence = 1;
   batch.method = "marks";
   for (std::uint32_t i = 0; i < places; ++i) {
-    const Bytes content = some_content(experience * 1000 + i, 200);
+    Bytes content = some_content(experience * 1000 + i, 200);
+    if (i % 2 == 0) std::fill(content.begin() + 100, content.end(), std::uint8_t{0});  // shrinks
     server.contents[hash_bytes(content)] = content;
     batch.places.push_back(a_place(batch.experience, i, {}, content));
     if (i > 0) batch.edges.push_back(an_edge({batch.experience, i - 1}, {batch.experience, i}));

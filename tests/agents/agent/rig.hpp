@@ -8,6 +8,7 @@
 
 #include "agents/agent/agent.hpp"
 #include "core/network/network.hpp"
+#include "storage/content_coder.hpp"
 #include "storage/spool/memory_spool.hpp"
 
 namespace weft::agents::test {
@@ -69,6 +70,7 @@ class FakeServer {
   std::uint64_t sequence_ = 0;
   std::map<std::pair<ExperienceId, std::uint64_t>, Batch> waiting_;
   std::map<ContentHash, std::map<std::uint64_t, Bytes>> incoming_;
+  storage::ContentCoder coder_;
 };
 
 /// One agent, one server, a virtual clock, and a wire that loses and doubles what the test wants.

@@ -27,7 +27,8 @@ class Sender {
   void send(int chunks) {
     for (; chunks > 0 && !done(); --chunks) {
       const std::size_t size = std::min(msg::kChunkBytes, content_.size() - offset_);
-      msg::Chunk chunk{header_of(from_), to_, msg::ContentKind::cloud, hash(), content_.size(), offset_, {}};
+      msg::Chunk chunk{header_of(from_), to_, msg::ContentKind::cloud, msg::Coding::raw, hash(), content_.size(),
+                       offset_,          {}};
       chunk.data.assign(content_.begin() + static_cast<std::ptrdiff_t>(offset_),
                         content_.begin() + static_cast<std::ptrdiff_t>(offset_ + size));
       const auto sent = link_.send(chunk);

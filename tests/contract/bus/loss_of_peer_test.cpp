@@ -82,7 +82,8 @@ TEST_P(PeerContract, AKilledReaderOfBulkSaysUnavailableAndHoldsNobodyUp) {
   Peer& survivor = fleet.start_peer(Role::agent, peer_id(3));
   greet(fleet, victim);
   greet(fleet, survivor);
-  msg::Chunk chunk{header_of(kServerId), victim.id, msg::ContentKind::content, {}, msg::kChunkBytes, 0, {}};
+  msg::Chunk chunk{
+      header_of(kServerId), victim.id, msg::ContentKind::content, msg::Coding::raw, {}, msg::kChunkBytes, 0, {}};
   chunk.hash.bytes.fill(1);
   chunk.data.resize(msg::kChunkBytes);
   const auto is_sent = [&] {

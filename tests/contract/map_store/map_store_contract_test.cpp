@@ -4,6 +4,7 @@
 
 #include "core/network/codec.hpp"
 #include "storage/clouds/cloud.hpp"
+#include "storage/content_coder.hpp"
 #include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
@@ -180,6 +181,39 @@ TEST_P(MapStoreContract, ContentsOfAnySizeComeBack) {
   }
 }
 
+TEST_P(MapStoreContract, StoredContentsDecodeToTheContent) {
+  Random random(15);
+  ContentCoder coder;
+  const Bytes shrinks = sample::content(random, 20'000);
+  Bytes random_bytes(20'000);
+  for (auto& byte : random_bytes) byte = static_cast<std::uint8_t>(random.next());
+  clouds::Cloud cloud;
+  for (int point = 0; point < 2000; ++point) {
+    cloud.points.emplace_back(static_cast<float>(random.uniform()), static_cast<float>(random.uniform()), 0.0F);
+  }
+  const Bytes canonical = clouds::canonical_bytes(cloud, clouds::kFineQuantum_um).value();
+  const std::vector<std::pair<Coding, Bytes>> forms = {{Coding::zstd, shrinks},
+                                                       {Coding::raw, random_bytes},
+                                                       {Coding::raw, Bytes{7}},
+                                                       {Coding::raw, Bytes{}},
+                                                       {Coding::cloud, canonical}};
+  for (const auto& [coding, bytes] : forms) {
+    const ContentHash hash = hash_bytes(bytes);
+    commit({{PutContent{hash, msg::ContentKind::content, bytes}}});
+    restart();
+    const auto stored = store_->stored_content(hash);
+    ASSERT_TRUE(stored) << stored.error().message;
+    EXPECT_EQ(stored->coding, coding);
+    EXPECT_EQ(stored->size, bytes.size());
+    if (coding == Coding::raw) {
+      EXPECT_EQ(stored->bytes, bytes);
+    } else {
+      EXPECT_LT(stored->bytes.size(), bytes.size() * 6 / 10);
+    }
+    EXPECT_EQ(coder.decode(stored->coding, stored->bytes, stored->size).value(), bytes);
+  }
+}
+
 TEST_P(MapStoreContract, CloudsComeBackToTheByteCanonicalOrNot) {
   Random random(14);
   clouds::Cloud cloud;
@@ -213,6 +247,10 @@ TEST_P(MapStoreContract, UnknownContentIsNotFound) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::not_found);
   EXPECT_NE(read.error().message.find(to_string(unknown)), std::string::npos);
+  const auto stored = store_->stored_content(unknown);
+  ASSERT_FALSE(stored);
+  EXPECT_EQ(stored.error().code, ErrorCode::not_found);
+  EXPECT_NE(stored.error().message.find(to_string(unknown)), std::string::npos);
 }
 
 TEST_P(MapStoreContract, StoreOpenedEarlierIsStale) {

@@ -97,6 +97,7 @@ TEST(HostileCloud, DamageThatIsVouchedForIsRefusedOrSaysSomething) {
     }
     ++accepted;
     EXPECT_LE(expanded->size(), kLargestContent);
+    EXPECT_EQ(expanded_size(hostile).value(), expanded->size());
     const auto decoded = decode_cloud(*expanded);
     EXPECT_TRUE(decoded || !decoded.error().message.empty());
   }
@@ -115,6 +116,7 @@ TEST(HostileCloud, EveryTruncationIsRefused) {
     Bytes hostile(compressed.begin(), compressed.begin() + static_cast<std::ptrdiff_t>(size));
     vouch(hostile);
     EXPECT_FALSE(expand_cloud(hostile));
+    EXPECT_EQ(expanded_size(hostile).has_value(), size >= kPayloadAt + 21) << "the head is all that it reads";
   }
 }
 
