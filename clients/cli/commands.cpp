@@ -1,6 +1,7 @@
 #include "clients/cli/commands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace weft::cli {
@@ -9,35 +10,58 @@ using namespace std::chrono_literals;
 using Command = Invocation::Command;
 
 constexpr Duration kReach = 10s;  ///< discovery across vendors takes seconds on a busy machine
+constexpr Duration kSoon = 15s;
+constexpr Duration kAMinute = 60s;
+
+/// What the server is asked: who asks it, and how long an answer may take when nobody says.
+struct Asking {
+  Command command;
+  Exit (*run)(Session&, const Invocation&, const Output&);
+  Duration patience;
+};
+constexpr std::array kAskings{
+    Asking{Command::robots, run_robots, kSoon},
+    Asking{Command::teach_start, run_operator, 40s},
+    Asking{Command::teach_stop, run_operator, 40s},
+    Asking{Command::localise, run_operator, 120s},  // the robot waits for its map and searches it
+    Asking{Command::stop, run_operator, kSoon},
+    Asking{Command::resume, run_operator, kSoon},
+    Asking{Command::robot_clear, run_operator, kSoon},
+    Asking{Command::map_label, run_operator, 40s},
+    Asking{Command::map_info, run_map, kSoon},
+    Asking{Command::map_draw, run_map, kAMinute},
+    Asking{Command::map_export, run_map, kAMinute},
+    Asking{Command::map_log, run_history, kSoon},
+    Asking{Command::map_diff, run_history, kAMinute},
+    Asking{Command::map_rollback, run_map_work, kAMinute},
+    Asking{Command::map_undo, run_map_work, kAMinute},
+    Asking{Command::map_quarantine, run_map_work, kAMinute},
+    Asking{Command::map_replace, run_map_work, kAMinute},
+    Asking{Command::map_prune, run_map_work, kAMinute},
+    Asking{Command::map_compact, run_map_work, kAMinute},
+    Asking{Command::map_snapshot, run_map_work, kAMinute},
+    Asking{Command::map_check, run_map_work, kAMinute},
+    Asking{Command::map_stats, run_map_work, kAMinute},
+    Asking{Command::map_import, run_import, kAMinute},
+    Asking{Command::goal_send, run_goals, kSoon},
+    Asking{Command::goal_list, run_goals, kSoon},
+    Asking{Command::goal_show, run_goals, kSoon},
+    Asking{Command::goal_watch, run_goals, 24h},
+    Asking{Command::goal_cancel, run_goals, kSoon},
+    Asking{Command::goal_why, run_goals, kSoon},
+};
+
+const Asking* asking_for(Command command) {
+  const auto* const found = std::ranges::find(kAskings, command, &Asking::command);
+  return found == kAskings.end() ? nullptr : found;
+}
+
 }  // namespace
 
 Duration patience(const Invocation& invocation) {
   if (invocation.timeout_s.has_value()) return from_seconds(*invocation.timeout_s);
-  switch (invocation.command) {
-    case Command::localise:
-      return 120s;  // the robot waits for its map and searches it
-    case Command::teach_start:
-    case Command::teach_stop:
-    case Command::map_label:
-      return 40s;
-    case Command::map_draw:
-    case Command::map_export:
-    case Command::map_import:
-    case Command::map_rollback:
-    case Command::map_undo:
-    case Command::map_quarantine:
-    case Command::map_replace:
-    case Command::map_prune:
-    case Command::map_compact:
-    case Command::map_snapshot:
-    case Command::map_check:
-    case Command::map_stats:
-      return 60s;
-    case Command::goal_watch:
-      return 24h;
-    default:
-      return 15s;
-  }
+  const Asking* const asking = asking_for(invocation.command);
+  return asking == nullptr ? kSoon : asking->patience;
 }
 
 Exit report(const Error& error, bool json, const Output& output) {
@@ -98,50 +122,8 @@ Exit run(Session& session, const Invocation& invocation, const Output& output) {
   if (!needs_server(invocation.command)) return run_offline(invocation, output);
   const Result<msg::Hello> server = session.connect(std::min(patience(invocation), kReach));
   if (!server) return report(server.error(), invocation.json, output);
-  switch (invocation.command) {
-    case Command::robots:
-      return run_robots(session, invocation, output);
-    case Command::teach_start:
-    case Command::teach_stop:
-    case Command::localise:
-    case Command::stop:
-    case Command::resume:
-    case Command::robot_clear:
-    case Command::map_label:
-      return run_operator(session, invocation, output);
-    case Command::map_info:
-    case Command::map_draw:
-    case Command::map_export:
-      return run_map(session, invocation, output);
-    case Command::map_log:
-    case Command::map_diff:
-      return run_history(session, invocation, output);
-    case Command::map_rollback:
-    case Command::map_undo:
-    case Command::map_quarantine:
-    case Command::map_replace:
-    case Command::map_prune:
-    case Command::map_compact:
-    case Command::map_snapshot:
-    case Command::map_check:
-    case Command::map_stats:
-      return run_map_work(session, invocation, output);
-    case Command::map_import:
-      return run_import(session, invocation, output);
-    case Command::goal_send:
-    case Command::goal_list:
-    case Command::goal_show:
-    case Command::goal_watch:
-    case Command::goal_cancel:
-    case Command::goal_why:
-      return run_goals(session, invocation, output);
-    case Command::doctor:
-      return run_doctor(session, *server, invocation, output);
-    case Command::file_info:
-    case Command::file_convert:
-    case Command::map_restore:
-      break;  // done above
-  }
+  if (invocation.command == Command::doctor) return run_doctor(session, *server, invocation, output);
+  if (const Asking* const asking = asking_for(invocation.command)) return asking->run(session, invocation, output);
   return report({ErrorCode::internal, "no such command"}, invocation.json, output);
 }
 

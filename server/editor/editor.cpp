@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/outcome.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -46,9 +48,7 @@ msg::OperatorReply Editor::on_request(const msg::OperatorRequest& request, const
   const Result<Edit> edit = edit_for(request);
   msg::OperatorReply reply;
   if (!edit) {
-    const ErrorCode code = edit.error().code;
-    const bool is_the_stores = code == ErrorCode::corrupt || code == ErrorCode::internal;
-    reply.outcome = is_the_stores ? msg::Outcome::failed : msg::Outcome::refused;
+    reply.outcome = outcome_of(edit.error());
     reply.message = edit.error().message;
     return reply;
   }

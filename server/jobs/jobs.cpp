@@ -68,8 +68,8 @@ Result<Jobs::Running> Jobs::make(const msg::OperatorRequest& request) const {
   }
   if (request.kind == Kind::snapshot && !request.work.file.starts_with('/')) {
     return fail(ErrorCode::invalid, "'" + request.work.file +
-                                        "' is no absolute path: the file is written where the " +
-                                        "server runs, name it from / on");
+                                        "' is no absolute path; the file is written where the server runs: name it "
+                                        "from / on");
   }
   if (request.kind == Kind::compact && editor_.holds_what_is_out()) {
     return fail(ErrorCode::refused,
