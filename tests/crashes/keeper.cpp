@@ -144,8 +144,10 @@ Stored open_patiently(MapStore& store) {
 }  // namespace
 
 void keep(const KeeperPlan& plan, const std::array<int, kProducers>& producers, int watcher) {
-  auto store = open_sqlite(plan.directory, {plan.vfs});
-  while (!store && store.error().code == ErrorCode::exhausted) store = open_sqlite(plan.directory, {plan.vfs});
+  // As the server has it; the file layer that takes the power away draws its faults for one thread.
+  const SqliteOptions options{.vfs = plan.vfs, .empties_log_aside = plan.vfs.empty()};
+  auto store = open_sqlite(plan.directory, options);
+  while (!store && store.error().code == ErrorCode::exhausted) store = open_sqlite(plan.directory, options);
   if (!store) give_up(store.error());
   Keeper keeper(plan, **store, open_patiently(**store), watcher);
   std::array<pollfd, kProducers> ends{};
