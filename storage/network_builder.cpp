@@ -255,7 +255,7 @@ Snapshot NetworkBuilder::build(Revision revision, const Snapshot& rest) {
   for (auto& [id, experience] : experiences) {
     shared[id] = std::make_shared<const Experience>(std::move(experience));
   }
-  Snapshot network(revision, std::move(shared), rest.shared_labels());
+  const Snapshot network(revision, std::move(shared), rest.shared_labels());
   return {revision, network.experiences(), labels_of(network)};
 }
 
