@@ -77,15 +77,31 @@ Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, con
   }
   std::map<ContentHash, std::uint64_t> needs = contents_needed(batch);
   if (const Result<void> room = make_room(needs); !room) return room;
-  for (const auto& [content, size] : needs) {
-    const auto [at, is_new] = incoming_.try_emplace(content, Incoming{.size = size, .assembly = Assembly(size)});
-    ++at->second.wanted_by;
-    if (is_new) bytes_ += size;
-  }
+  for (const auto& [content, size] : needs) expect(content, size);
   line.waiting.emplace(
       batch.sequence,
       Waiting{.batch = batch, .hash = hash, .needs = std::move(needs), .incarnation = message.header.incarnation});
   return {};
+}
+
+void Intake::expect(const ContentHash& content, std::uint64_t size) {
+  const auto [at, is_new] = incoming_.try_emplace(content, Incoming{.size = size, .assembly = Assembly(size)});
+  ++at->second.wanted_by;
+  if (is_new) bytes_ += size;
+}
+
+/// What was stored when the batch came can be gone when it joins: a compaction deletes what nothing names, a check
+/// sets damaged contents aside. True: something is to be asked for again.
+bool Intake::expect_what_went(Waiting& waiting) {
+  bool any = false;
+  for (const Place& place : waiting.batch.places) {
+    const ContentRef& content = place.content;
+    if (waiting.needs.contains(content.hash) || context_.store.has_content(content.hash)) continue;
+    waiting.needs.emplace(content.hash, content.size);
+    expect(content.hash, content.size);
+    any = true;
+  }
+  return any;
 }
 
 std::map<ContentHash, std::uint64_t> Intake::contents_needed(const Batch& batch) const {
@@ -185,6 +201,10 @@ std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
       next->second.is_checked = true;
     }
     if (!ready) return joined;
+    if (expect_what_went(next->second)) {
+      answer(experience, line);
+      return joined;
+    }
     if (const Result<void> done = commit(line, next->second, now); !done) {
       const bool never_fits = done.error().code == ErrorCode::conflict || done.error().code == ErrorCode::invalid;
       if (never_fits) {

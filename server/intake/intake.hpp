@@ -62,6 +62,8 @@ class Intake {
   Result<void> accept(Line& line, const msg::ExperienceBatch& message, const ContentHash& hash);
   Result<void> make_room(const std::map<ContentHash, std::uint64_t>& needs);
   std::map<ContentHash, std::uint64_t> contents_needed(const Batch& batch) const;
+  void expect(const ContentHash& content, std::uint64_t size);
+  bool expect_what_went(Waiting& waiting);
   bool is_ready(const Waiting& waiting) const;
   std::vector<Batch> advance(ExperienceId experience, Now now);
   Result<void> commit(Line& line, const Waiting& waiting, Now now);

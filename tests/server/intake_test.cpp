@@ -40,6 +40,24 @@ TEST_F(Intake, BatchIsDurableOnlyWithItsContents) {
   EXPECT_EQ(site.disk->contents.size(), 2U);
 }
 
+TEST_F(Intake, ContentThatWasStoredAndWentMeanwhileIsAskedForAgain) {
+  const Handed before = run.next(1);
+  site.hand_in(r1, before);
+  TaughtRun other(r1, 11);
+  Handed handed = other.next(2);
+  handed.batch.places[0].content = before.batch.places[0].content;
+  site.send_batch(r1, handed.batch);
+  EXPECT_THAT(ack().missing, ElementsAre(handed.batch.places[1].content.hash));
+  site.disk->contents.erase(before.batch.places[0].content.hash);
+  site.send_content(r1, handed.contents[1]);
+  EXPECT_EQ(stored(other), nullptr);
+  EXPECT_THAT(ack().missing, ElementsAre(before.batch.places[0].content.hash));
+  EXPECT_EQ(ack().refused_sequence, 0U);
+  site.send_content(r1, before.contents[0]);
+  EXPECT_EQ(ack().durable_through, 1U);
+  EXPECT_EQ(stored(other)->places.size(), 2U);
+}
+
 TEST_F(Intake, RepeatIsHarmlessAndAnsweredAlike) {
   const Handed handed = run.next(2);
   site.hand_in(r1, handed);
