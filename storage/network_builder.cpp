@@ -72,6 +72,12 @@ void NetworkBuilder::add_damage(std::string what) {
   damage_.push_back(std::move(what));
 }
 
+void NetworkBuilder::add_damaged(const PlaceId& place, const std::string& why) {
+  add_absent(place);
+  damaged_places_.insert(place);
+  add_damage("place " + to_string(place) + ": " + why);
+}
+
 void NetworkBuilder::add_absent(const PlaceId& place) {
   rows_[place.experience].absent_places.push_back(place.index);
 }
@@ -193,6 +199,13 @@ bool NetworkBuilder::is_out(const PlaceId& place) const {
   return experience != out_.end() && place.index < experience->second.size() && experience->second[place.index];
 }
 
+bool NetworkBuilder::is_left_behind(const PlaceId& place) const {
+  const auto rows = rows_.find(place.experience);
+  if (rows == rows_.end() || damaged_places_.contains(place)) return false;
+  const std::vector<std::uint32_t>& absent = rows->second.absent_places;
+  return std::ranges::find(absent, place.index) != absent.end();
+}
+
 bool NetworkBuilder::is_out(const EdgeId& stitch, Revision since) const {
   const auto taken = stitches_out_.find(stitch);
   return (taken != stitches_out_.end() && since <= taken->second) || is_out(stitch.a) || is_out(stitch.b);
@@ -264,7 +277,7 @@ std::shared_ptr<const Snapshot::Labels> NetworkBuilder::labels_of(const Snapshot
   for (const auto& [label, place] : labels_) {
     if (network.place(place) != nullptr) {
       labels->emplace(label, place);
-    } else if (!is_out(place)) {
+    } else if (!is_out(place) && !is_left_behind(place)) {
       damage_.push_back("label " + label + ": its place " + to_string(place) + " is not served");
     }
   }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,9 @@ class NetworkBuilder {
   /// In any order. An edge that is added again replaces the earlier one.
   void add(Place place);
   void add(Edge edge, Revision since = {});
-  /// A row that is none of this map: a rollback left it behind, or it is damaged and named so.
+  /// A row that is there and cannot be read; named, and so is what hangs on it.
+  void add_damaged(const PlaceId& place, const std::string& why);
+  /// A row that is none of this map: a rollback left it behind, or, of an edge, it is damaged and named so.
   void add_absent(const PlaceId& place);
   void add_absent(const EdgeId& edge);
   /// In no map any more, and no damage; what the rows say does not count.
@@ -71,6 +74,7 @@ class NetworkBuilder {
   void thin(Rows& rows, std::uint32_t extent);
   void name_missing(const Rows& rows, const std::vector<bool>& out, const std::vector<bool>& there);
   bool is_out(const PlaceId& place) const;
+  bool is_left_behind(const PlaceId& place) const;
   bool is_out(const EdgeId& stitch, Revision since) const;
   void borrow_neighbours(const Snapshot& rest, std::map<ExperienceId, Experience>& experiences) const;
   void join_stitches(std::map<ExperienceId, Experience>& experiences);
@@ -81,6 +85,7 @@ class NetworkBuilder {
   std::vector<Stitch> stitches_;
   std::map<EdgeId, Revision> stitches_out_;
   Snapshot::Labels labels_;
+  std::set<PlaceId> damaged_places_;
   std::vector<std::string> damage_;
 };
 

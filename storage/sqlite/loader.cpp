@@ -46,9 +46,7 @@ Result<void> load_places(const Database& database, const Scope& scope, const Lin
                            if (place && place->id == id) {
                              builder.add(std::move(*place));
                            } else {
-                             builder.add_absent(id);
-                             builder.add_damage("place " + to_string(id) + ": " +
-                                                (place ? "the row of another place" : place.error().message));
+                             builder.add_damaged(id, place ? "the row of another place" : place.error().message);
                            }
                          });
 }

@@ -123,6 +123,18 @@ TEST_P(MapHistory, ChangesOfARevisionAreWhatUndoesIt) {
   EXPECT_EQ(at(7).labels().at("dock"), (PlaceId{run.experience(), 1}));
 }
 
+/// As one whose place was taken out: it waits for the place.
+TEST_P(MapHistory, ALabelOfAPlaceThatARollbackLeftBehindIsNoDamage) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(2)));
+  commit(sample::transaction(run.next(2)));
+  commit({{RollBack{{1}}}});
+  commit({{PutLabel{"dock", {run.experience(), 3}}}});
+  restart();
+  EXPECT_TRUE(stored_.snapshot.labels().empty());
+  EXPECT_EQ(stored_.snapshot.place_count(), 2U);
+}
+
 TEST_P(MapHistory, WhatCannotBeIsRefused) {
   sample::Run run(0x11, 1);
   commit(sample::transaction(run.next(3)));
