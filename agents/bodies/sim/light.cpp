@@ -47,7 +47,7 @@ float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, c
 }  // namespace
 
 Light::Light(const Site& site, double gloss_grey, Random random)
-    : ambient_(static_cast<float>(site.ambient)), gloss_(static_cast<float>(gloss_grey)) {
+    : ambient_(static_cast<float>(site.ambient)), gloss_(static_cast<float>(site.change.light * gloss_grey)) {
   for (const Lamp& lamp : site.lamps) {
     const double change = 1.0 + site.disturbances.light_change * random.uniform(-1.0, 1.0);
     lamps_.push_back({static_cast<float>(lamp.x), static_cast<float>(lamp.y), static_cast<float>(lamp.height_m),
@@ -68,7 +68,7 @@ Light::Light(const Site& site, double gloss_grey, Random random)
       ++count;
     }
   }
-  per_mean_ = static_cast<float>(count / std::max(1e-6, sum));
+  per_mean_ = static_cast<float>(site.change.light * count / std::max(1e-6, sum));
 }
 
 void Light::look_around(double x, double y) {

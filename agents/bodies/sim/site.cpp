@@ -215,6 +215,12 @@ Disturbances disturbances_in(const Table& table) {
   return d;
 }
 
+Change change_in(const Table& table) {
+  Change c;
+  c.light = 0.01 * table.number("light_percent", 100 * c.light, 5.0, 400.0);
+  return c;
+}
+
 }  // namespace
 
 Result<Site> parse_site(std::string_view text, const std::string& file_name) {
@@ -227,6 +233,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.base = base_in(root.table("base"));
   site.hand = hand_in(root.table("hand"));
   site.disturbances = disturbances_in(root.table("disturbances"));
+  site.change = change_in(root.table("change"));
   add_racks(root, site);
   add_walls(root, site);
   add_pillars(root, site);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/bodies/sim/change.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
 
@@ -110,6 +111,7 @@ struct Site {
   BaseSetup base;
   HandSetup hand;
   Disturbances disturbances;
+  Change change;
 };
 
 /// Text of a site file. invalid: names file, line, key and bound.
