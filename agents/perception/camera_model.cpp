@@ -20,4 +20,30 @@ Pose3 downward_mount(double forward_m, double left_m, double height_m, double pi
   return mount;
 }
 
+CameraModel camera_model_from(const CameraCalibration& calibration, const std::string& id, const Pose3& otherwise) {
+  return {.id = id,
+          .width = calibration.width,
+          .height = calibration.height,
+          .fx = calibration.fx,
+          .fy = calibration.fy,
+          .cx = calibration.cx,
+          .cy = calibration.cy,
+          .lens = calibration.lens,
+          .distortion = calibration.distortion,
+          .robot_from_camera = calibration.body_from_camera.value_or(otherwise)};
+}
+
+CameraCalibration calibration_from(const CameraModel& camera) {
+  return {.width = camera.width,
+          .height = camera.height,
+          .fx = camera.fx,
+          .fy = camera.fy,
+          .cx = camera.cx,
+          .cy = camera.cy,
+          .lens = camera.lens,
+          .distortion = camera.distortion,
+          .body_from_camera = camera.robot_from_camera,
+          .sigma = {}};
+}
+
 }  // namespace weft::agents

@@ -2,18 +2,20 @@
 #include <array>
 #include <string>
 
+#include "core/camera/camera_file.hpp"
 #include "core/geometry/pose3.hpp"
 
 namespace weft::agents {
 
-/// Pinhole with radial-tangential distortion (OpenCV order k1 k2 p1 p2 k3); pixels. Camera frame: OpenCV's
+/// Pinhole with a lens that bends as its model says; pixels. Camera frame: OpenCV's
 /// (x right, y down, z along the axis). `robot_from_camera` is the mount; the floor is z = 0 of the robot frame.
 struct CameraModel {
   std::string id;
   int width = 752;
   int height = 480;
   double fx = 460.0, fy = 460.0, cx = 375.5, cy = 239.5;
-  std::array<double, 5> distortion{};
+  LensModel lens = LensModel::radtan;
+  std::array<double, 5> distortion{};  ///< in the model's order
   Pose3 robot_from_camera;
 };
 
@@ -21,5 +23,9 @@ struct CameraModel {
 /// down by `pitch_rad` (beta in Gadd & Newman, Table I), turned by `roll_rad` about its axis and `yaw_rad` about z.
 Pose3 downward_mount(double forward_m, double left_m, double height_m, double pitch_rad, double roll_rad,
                      double yaw_rad);
+
+/// What a camera's file says; where it has no mount, `otherwise`.
+CameraModel camera_model_from(const CameraCalibration& calibration, const std::string& id, const Pose3& otherwise);
+CameraCalibration calibration_from(const CameraModel& camera);
 
 }  // namespace weft::agents

@@ -5,6 +5,7 @@
 namespace weft::agents {
 namespace {
 
+/// Brown's model.
 Eigen::Vector2d distort(const CameraModel& camera, const Eigen::Vector2d& n) {
   const auto& [k1, k2, p1, p2, k3] = camera.distortion;
   const double r2 = n.squaredNorm();
@@ -14,6 +15,39 @@ Eigen::Vector2d distort(const CameraModel& camera, const Eigen::Vector2d& n) {
           n.y() * radial + p1 * (r2 + 2.0 * n.y() * n.y()) + 2.0 * p2 * xy};
 }
 
+/// Kannala & Brandt 2006, eq. 6 with k1 = 1: how far from the axis a ray at this angle lands, in focal lengths; and
+/// its derivative.
+struct Radius {
+  double value;
+  double slope;
+};
+Radius radius_at(const CameraModel& camera, double angle) {
+  const auto& [k1, k2, k3, k4, none] = camera.distortion;
+  const double a2 = angle * angle;
+  return {angle * (1.0 + a2 * (k1 + a2 * (k2 + a2 * (k3 + a2 * k4)))),
+          1.0 + a2 * (3.0 * k1 + a2 * (5.0 * k2 + a2 * (7.0 * k3 + a2 * 9.0 * k4)))};
+}
+
+Eigen::Vector2d bend(const CameraModel& camera, const Eigen::Vector2d& n) {
+  const double off_axis = n.norm();
+  if (off_axis < 1e-12) return n;
+  return n * (radius_at(camera, std::atan(off_axis)).value / off_axis);
+}
+
+Eigen::Vector2d unbend(const CameraModel& camera, const Eigen::Vector2d& target) {
+  constexpr double widest = 1.5;  // rad; at a right angle to the axis there is no normalised point
+  const double radius = target.norm();
+  if (radius < 1e-12) return target;
+  double angle = std::min(radius, widest);
+  for (int i = 0; i < 30; ++i) {
+    const Radius at = radius_at(camera, angle);
+    const double step = (radius - at.value) / std::max(at.slope, 0.1);
+    angle = std::clamp(angle + step, 0.0, widest);
+    if (std::abs(step) < 1e-13) break;
+  }
+  return target * (std::tan(angle) / radius);
+}
+
 bool bounded(double value, double low, double high) {
   return std::isfinite(value) && value >= low && value <= high;
 }
@@ -21,12 +55,14 @@ bool bounded(double value, double low, double high) {
 }  // namespace
 
 Eigen::Vector2d pixel_from_normalised(const CameraModel& camera, const Eigen::Vector2d& normalised) {
-  const Eigen::Vector2d d = distort(camera, normalised);
+  const Eigen::Vector2d d =
+      camera.lens == LensModel::equidistant ? bend(camera, normalised) : distort(camera, normalised);
   return {camera.fx * d.x() + camera.cx, camera.fy * d.y() + camera.cy};
 }
 
 Eigen::Vector2d normalised_from_pixel(const CameraModel& camera, const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d target((pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy);
+  if (camera.lens == LensModel::equidistant) return unbend(camera, target);
   Eigen::Vector2d n = target;
   for (int i = 0; i < 30; ++i) {
     const Eigen::Vector2d error = target - distort(camera, n);

@@ -17,10 +17,8 @@ namespace {
 /// Every method that an agent can run; chosen here and nowhere else.
 using AnyMethod = std::variant<Floor>;
 
-Result<AnyMethod> make_method(const Options& options, const Body& body) {
-  const std::vector<CameraModel> cameras = body.cameras();
-  if (cameras.empty()) return fail(ErrorCode::invalid, "method floor: the body has no camera");
-  Result<Floor> floor = Floor::make(options.floor, cameras.front());
+Result<AnyMethod> make_method(const Options& options, const CameraModel& camera) {
+  Result<Floor> floor = Floor::make(options.floor, camera);
   if (!floor) return fail(floor.error());
   return AnyMethod(std::move(*floor));
 }
@@ -42,6 +40,13 @@ Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::functi
   return sim::make_sim_body(config);
 }
 
+Result<CameraFile> read_camera_file(const std::string& file, const std::string& camera) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(ErrorCode::not_found, file + ": no such camera file; `weft calibrate camera` writes one");
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return parse_camera_file(text, file, camera);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn) {
@@ -50,13 +55,37 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
   config.folder = options.recording;
   config.camera = options.camera;
   config.warn = warn;
+  if (options.calibration.has_value()) {
+    const Result<CameraFile> file = read_camera_file(*options.calibration, options.camera);
+    if (!file) return fail(file.error());
+    config.robot_from_camera = file->camera.body_from_camera;
+  }
   return replay::make_replay_body(config);
 }
 
-Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const Body& body) {
+Result<CameraModel> make_camera(const Options& options, const Body& body,
+                                const std::function<void(const std::string&)>& warn) {
+  const std::vector<CameraModel> cameras = body.cameras();
+  if (cameras.empty()) return fail(ErrorCode::invalid, "the body has no camera");
+  const CameraModel& told = cameras.front();
+  if (!options.calibration.has_value()) return told;
+  const std::string& name = *options.calibration;
+  const Result<CameraFile> file = read_camera_file(name, options.camera);
+  if (!file) return fail(file.error());
+  for (const std::string& part : file->not_understood) warn(part + " is not understood and not used");
+  if (file->camera.width != told.width || file->camera.height != told.height) {
+    const auto size = [](int width, int height) { return std::to_string(width) + " x " + std::to_string(height); };
+    return fail(ErrorCode::invalid, name + ": is of a camera with " + size(file->camera.width, file->camera.height) +
+                                        " pixels, the body's has " + size(told.width, told.height) +
+                                        "; calibrate at the size that is driven with");
+  }
+  return camera_model_from(file->camera, told.id, told.robot_from_camera);
+}
+
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera) {
   const NavigationConfig& config = options.navigation;
   if (const std::vector<Error> wrong = check(config); !wrong.empty()) return fail(wrong.front());
-  Result<AnyMethod> method = make_method(options, body);
+  Result<AnyMethod> method = make_method(options, camera);
   if (!method) return fail(method.error());
   return std::visit(
       [&](auto&& chosen) -> Result<std::unique_ptr<Navigator>> {

@@ -13,8 +13,13 @@ namespace weft::agents {
 /// The body that the options name. Errors are the body's own: no such file, site, recording or robot in it.
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
 
-/// The navigator of the method that the options name, for the body's cameras.
+/// What is known of the body's camera: the calibration file of the options, where there is one; its mount is the
+/// body's when the file has none. not_found, invalid: of the file; its images would be of another size.
+Result<CameraModel> make_camera(const Options& options, const Body& body,
+                                const std::function<void(const std::string&)>& warn);
+
+/// The navigator of the method that the options name, for that camera.
 /// invalid: the calibration or a setting of the method breaks its bound.
-Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const Body& body);
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera);
 
 }  // namespace weft::agents

@@ -39,7 +39,9 @@ constexpr std::array kFlags = {
     Flag{"floors", Kind::text, "sim: folder of photographs to make the floor of"},
     Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended"},
     Flag{"recording", Kind::text, "replay: folder in EuRoC layout"},
-    Flag{"camera", Kind::text, "replay: which camera of it [cam0]"},
+    Flag{"camera", Kind::text, "Which camera of a recording, or of a --calibration that has several [cam0]"},
+    Flag{"calibration", Kind::text,
+         "Camera file, as `weft calibrate` writes it, EuRoC's, Kalibr's or ROS's; replaces the body's"},
     Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},
     Flag{"pace", Kind::number, "Simulated seconds a second at most; 0: as fast as it can [1]"},
 };
@@ -146,6 +148,7 @@ Options read(const Sources& from) {
   options.truth = from.maybe("truth");
   options.recording = from.text("recording", "");
   options.camera = from.text("camera", "cam0");
+  options.calibration = from.maybe("calibration");
   options.records = from.maybe("records");
   options.pace = from.number("pace", 1.0, 0.0, 1000.0);
   options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, 5.0);

@@ -31,7 +31,8 @@ struct Options {
   std::optional<std::string> floors;
   std::optional<std::string> truth;
   std::string recording;
-  std::string camera;  ///< of the recording
+  std::string camera;                      ///< of the recording, and of a camera file that has several
+  std::optional<std::string> calibration;  ///< camera file that replaces what the body says of its camera
 
   std::optional<std::string> records;
   double pace = 1.0;  ///< simulated seconds a second at most; 0: no bound

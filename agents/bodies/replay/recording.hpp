@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "agents/perception/camera_model.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 
@@ -16,9 +15,5 @@ struct RecordedImage {
 
 /// Rows "nanoseconds,file" under a # header; times must increase. invalid: file, line and what is wrong.
 Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, const std::string& file_name);
-
-/// A sensor.yaml of EuRoC: resolution, pinhole intrinsics, radial-tangential distortion, T_BS. invalid: names the
-/// key.
-Result<CameraModel> parse_sensor(const std::string& text, const std::string& file_name);
 
 }  // namespace weft::agents::replay

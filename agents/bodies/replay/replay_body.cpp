@@ -121,16 +121,24 @@ Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config) {
   if (!sensor_text) {
     return fail(sensor_text.error());
   }
-  auto camera = parse_sensor(*sensor_text, sensor.string());
-  if (!camera) {
-    return fail(camera.error());
+  const auto described = parse_camera_file(*sensor_text, sensor.string(), config.camera);
+  if (!described) {
+    return fail(described.error());
   }
-  camera->id = fs::path(config.folder).filename().string() + "/" + config.camera;
+  if (config.warn) {
+    for (const std::string& part : described->not_understood) config.warn(part + " is not understood and not used");
+  }
+  CameraModel camera =
+      camera_model_from(described->camera, fs::path(config.folder).filename().string() + "/" + config.camera, {});
   if (config.robot_from_camera) {
-    camera->robot_from_camera = *config.robot_from_camera;
+    camera.robot_from_camera = *config.robot_from_camera;
+  } else if (!described->camera.body_from_camera) {
+    return fail(ErrorCode::invalid, sensor.string() +
+                                        ": T_BS, how the camera is mounted, is missing; add it, or give "
+                                        "a camera file that has it");
   }
   return std::unique_ptr<Body>(
-      std::make_unique<ReplayBody>(config, folder / "data", std::move(*images), std::move(*camera)));
+      std::make_unique<ReplayBody>(config, folder / "data", std::move(*images), std::move(camera)));
 }
 
 }  // namespace weft::agents::replay

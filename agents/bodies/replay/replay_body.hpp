@@ -9,7 +9,7 @@
 namespace weft::agents::replay {
 
 struct ReplayBodyConfig {
-  std::string folder;                            ///< EuRoC layout: mav0/CAMERA/data.csv, data/*.png, sensor.yaml
+  std::string folder;  ///< EuRoC layout: mav0/CAMERA/data.csv, data/*.png, sensor.yaml (docs/formats/camera.md)
   std::string camera = "cam0";                   ///< which of its cameras
   std::optional<Pose3> robot_from_camera;        ///< the mount; without one the recording's own T_BS
   std::function<void(const std::string&)> warn;  ///< optional; frames that were dropped, by file

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t magic = 0x52464C57U;  // "WLFR", little-endian
 constexpr std::size_t longest_camera_id = 64;
+constexpr std::uint16_t equidistant_bit = 0x8000U;  // of the width
 constexpr double grain_m = 1e-4;
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
@@ -82,7 +83,8 @@ void write_camera(Writer& out, const CameraModel& camera) {
   const std::size_t length = std::min(camera.id.size(), longest_camera_id);
   out.number(static_cast<std::uint8_t>(length));
   out.raw({reinterpret_cast<const std::uint8_t*>(camera.id.data()), length});
-  out.number(static_cast<std::uint16_t>(camera.width));
+  const bool equidistant = camera.lens == LensModel::equidistant;
+  out.number(static_cast<std::uint16_t>(camera.width | (equidistant ? equidistant_bit : 0)));
   out.number(static_cast<std::uint16_t>(camera.height));
   for (const double v : {camera.fx, camera.fy, camera.cx, camera.cy}) out.number(v);
   for (const double v : camera.distortion) out.number(v);
@@ -97,7 +99,9 @@ CameraModel read_camera(Reader& in) {
   if (length > longest_camera_id) in.fault("camera.id length", "exceeds 64");
   const ByteView id = in.raw("camera.id", length);
   camera.id.assign(id.begin(), id.end());
-  camera.width = in.number<std::uint16_t>("camera.width");
+  const auto width = in.number<std::uint16_t>("camera.width");
+  camera.lens = (width & equidistant_bit) != 0 ? LensModel::equidistant : LensModel::radtan;
+  camera.width = width & ~equidistant_bit;
   camera.height = in.number<std::uint16_t>("camera.height");
   for (double* v : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *v = in.real("camera.intrinsics", 0.0, 1e5);
   for (double& v : camera.distortion) v = in.real("camera.distortion", -1.0, 1.0);

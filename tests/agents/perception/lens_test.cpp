@@ -21,6 +21,34 @@ TEST(Lens, PixelAndRayUndoEachOther) {
     }
 }
 
+CameraModel fisheye() {
+  CameraModel camera = test::paper_camera();
+  camera.lens = LensModel::equidistant;
+  camera.fx = camera.fy = 320.0;
+  camera.distortion = {-0.01, 0.004, -0.003, 0.0005, 0.0};
+  return camera;
+}
+
+TEST(Lens, PixelAndRayUndoEachOtherOfAFisheye) {
+  for (double u = 0.0; u <= 751.0; u += 93.875)
+    for (double v = 0.0; v <= 479.0; v += 59.875) {
+      const Eigen::Vector2d pixel(u, v);
+      const Eigen::Vector2d ray = normalised_from_pixel(fisheye(), pixel);
+      EXPECT_LT((pixel_from_normalised(fisheye(), ray) - pixel).norm(), 1e-6) << u << " " << v;
+    }
+}
+
+TEST(Lens, AnEquidistantLensPutsEqualAnglesAtEqualDistances) {
+  CameraModel camera = fisheye();
+  camera.distortion = {};
+  for (const double angle : {0.1, 0.5, 1.0, 1.3}) {
+    const Eigen::Vector2d pixel = pixel_from_normalised(camera, {std::tan(angle), 0.0});
+    EXPECT_NEAR(pixel.x() - camera.cx, 320.0 * angle, 1e-9);
+    EXPECT_NEAR(pixel.y(), camera.cy, 1e-12);
+  }
+  EXPECT_EQ(normalised_from_pixel(camera, {camera.cx, camera.cy}), Eigen::Vector2d::Zero());
+}
+
 TEST(Lens, DistortionMatters) {
   CameraModel straight = test::paper_camera();
   straight.distortion = {};

@@ -3,6 +3,7 @@
 #include "agents/agent/process/equip.hpp"
 #include "agents/agent/process/identity.hpp"
 #include "agents/agent/process/run.hpp"
+#include "core/camera/camera_file.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 
 namespace weft::agents::test {
@@ -54,6 +55,40 @@ TEST(AgentStart, TwoAgentsInOneStateDirectoryAreRefused) {
   const auto state = StateDirectory::open(folder.file("state"));
   ASSERT_TRUE(state.has_value());
   expect_refused(options_in(folder), "another agent");
+}
+
+TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
+  const Folder folder;
+  Options options = options_in(folder);
+  std::string warnings;
+  const auto warn = [&](const std::string& text) { warnings += text; };
+  const auto body = make_body(options, warn);
+  ASSERT_TRUE(body.has_value());
+  const CameraModel told = (*body)->cameras().front();
+  CameraCalibration other = calibration_from(told);
+  other.fx = 455.0;
+  other.body_from_camera.reset();
+  options.calibration = folder.write("cam.yaml", camera_file_text(other, {}) + "timeshift_cam_imu: 0\n");
+  const auto camera = make_camera(options, **body, warn);
+  ASSERT_TRUE(camera.has_value()) << camera.error().message;
+  EXPECT_EQ(camera->fx, 455.0);
+  EXPECT_EQ(camera->robot_from_camera.translation, told.robot_from_camera.translation);  // the file has no mount
+  EXPECT_NE(warnings.find("timeshift_cam_imu is not understood"), std::string::npos) << warnings;
+}
+
+TEST(AgentStart, WrongCameraFilesAreNamed) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.calibration = folder.file("none.yaml");
+  expect_refused(options, "none.yaml: no such camera file");
+  options.calibration = folder.write("bad.yaml", "intrinsics: [1]\n");
+  expect_refused(options, "bad.yaml:1: ");
+  CameraCalibration small;
+  small.width = 320;
+  small.height = 240;
+  small.fx = small.fy = 200.0;
+  options.calibration = folder.write("small.yaml", camera_file_text(small, {}));
+  expect_refused(options, "320 x 240 pixels, the body's has 752 x 480");
 }
 
 TEST(AgentStart, MissingAndWrongSitesAreNamed) {

@@ -152,14 +152,20 @@ TEST(ImageList, NamesTheLineThatIsWrong) {
   EXPECT_FALSE(parse_image_list("# nothing\n", "data.csv"));
 }
 
-TEST(Sensor, NamesTheKeyThatIsWrong) {
+TEST_F(Recording, WhatIsWrongWithItsSensorIsNamed) {
   std::string text = kSensor;
-  text.replace(text.find("radial-tangential"), 17, "equidistant");
-  EXPECT_THAT(parse_sensor(text, "sensor.yaml").error().message, HasSubstr("distortion_model"));
-  text = kSensor;
   text.replace(text.find("[20.5, 21, 15.5, 11.5]"), 22, "[20.5]");
-  EXPECT_THAT(parse_sensor(text, "sensor.yaml").error().message, HasSubstr("intrinsics"));
-  EXPECT_FALSE(parse_sensor("{[", "sensor.yaml"));
+  write("sensor.yaml", text);
+  EXPECT_THAT(open().error().message, HasSubstr("sensor.yaml:4: intrinsics"));
+  text = kSensor;
+  write("sensor.yaml", text.substr(0, text.find("T_BS")));
+  EXPECT_THAT(open().error().message, HasSubstr("T_BS"));
+}
+
+TEST_F(Recording, WhatIsNotUnderstoodOfItsSensorIsNamed) {
+  write("sensor.yaml", std::string(kSensor) + "timeshift_cam_imu: 0.01\n");
+  ASSERT_TRUE(open());
+  EXPECT_THAT(warnings_, HasSubstr("sensor.yaml:14: timeshift_cam_imu is not understood"));
 }
 
 }  // namespace

@@ -43,6 +43,15 @@ TEST(FloorContentBytes, RoundTrip) {
   EXPECT_EQ(after->patch.pixels, before.patch.pixels);
 }
 
+TEST(FloorContentBytes, AnEquidistantLensComesBack) {
+  FloorContent before = example(3);
+  before.camera.lens = LensModel::equidistant;
+  const auto after = decode_floor_content(encode_floor_content(before));
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_EQ(after->camera.lens, LensModel::equidistant);
+  EXPECT_EQ(after->camera.width, before.camera.width);
+}
+
 TEST(FloorContentBytes, LayoutIsTheDocumented) {
   const Bytes bytes = encode_floor_content(example(2));
   EXPECT_EQ((Bytes(bytes.begin(), bytes.begin() + 8)), (Bytes{'W', 'L', 'F', 'R', 1, 0, 0, 0}));

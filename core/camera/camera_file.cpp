@@ -1,0 +1,241 @@
+#include "core/camera/camera_file.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/camera/camera_keys.hpp"
+
+namespace weft {
+namespace {
+
+constexpr std::size_t kLongestFile = 64U << 10U;
+constexpr double kWidest = 16384.0;
+constexpr double kLongestFocal = 1e5;
+constexpr double kFarthest = 100.0;
+
+using Matrix = std::vector<double>;  // row by row
+
+void read_size(CameraKeys& keys, const YAML::Node& width, const YAML::Node& height, std::string_view key,
+               CameraCalibration& camera) {
+  const double w = keys.number(width, key, 1.0, kWidest);
+  const double h = keys.number(height, key, 1.0, kWidest);
+  if (w != std::floor(w) || h != std::floor(h)) keys.wrong(width, std::string(key) + " must be whole pixels");
+  camera.width = static_cast<int>(w);
+  camera.height = static_cast<int>(h);
+}
+
+void set_intrinsics(CameraKeys& keys, const YAML::Node& node, std::string_view key,
+                    const std::array<double, 4>& values, CameraCalibration& camera) {
+  const auto [fx, fy, cx, cy] = values;
+  if (fx <= 0.0 || fy <= 0.0 || fx > kLongestFocal || fy > kLongestFocal)
+    keys.wrong(node, std::string(key) + ": focal lengths must be in (0, 100000] pixels");
+  if (cx < 0.0 || cy < 0.0 || cx > camera.width || cy > camera.height)
+    keys.wrong(node, std::string(key) + ": the optical centre lies outside the image");
+  camera.fx = fx;
+  camera.fy = fy;
+  camera.cx = cx;
+  camera.cy = cy;
+}
+
+/// Names as EuRoC, Kalibr, ROS and ROS 2 write them. `coefficients` is a list of numbers.
+void read_lens(CameraKeys& keys, const std::string& model, const YAML::Node& coefficients, std::string_view key,
+               CameraCalibration& camera) {
+  constexpr std::size_t kRational = 8;
+  std::size_t most = 5;
+  if (model == "none") {
+    most = 0;
+  } else if (model == "equidistant" || model == "fisheye") {
+    camera.lens = LensModel::equidistant;
+    most = 4;
+  } else if (model == "rational_polynomial") {
+    most = kRational;
+  } else if (model != "radial-tangential" && model != "radtan" && model != "plumb_bob") {
+    keys.wrong(coefficients, "distortion_model '" + model.substr(0, 40) +
+                                 "' is unknown here; radtan (radial-tangential, plumb_bob) and equidistant (fisheye) "
+                                 "are understood");
+    return;
+  }
+  if (most == 0) return;
+  const std::vector<double> values = keys.numbers(coefficients, key, 4, most, -1.0, 1.0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i < camera.distortion.size()) {
+      camera.distortion[i] = values[i];
+    } else if (values[i] != 0.0) {
+      keys.wrong(coefficients, std::string(key) +
+                                   ": k4, k5, k6 of rational_polynomial must be 0 here; calibrate with "
+                                   "five coefficients (plumb_bob)");
+    }
+  }
+}
+
+/// A matrix as EuRoC and ROS write it: rows, cols, data.
+Matrix read_matrix(CameraKeys& keys, const YAML::Node& node, std::string_view key, std::size_t rows,
+                   std::size_t columns, double most) {
+  const std::string name(key);
+  const std::size_t size = rows * columns;
+  CameraKeys parts(node, keys.file());
+  const std::optional<YAML::Node> data = parts.need("data");
+  Matrix values(size, 0.0);
+  if (data.has_value()) values = parts.numbers(*data, name + ".data", size, size, -most, most);
+  for (const auto& [side, expected] : {std::pair{"rows", rows}, {"cols", columns}}) {
+    if (const std::optional<YAML::Node> stated = parts.take(side)) {
+      const auto wanted = static_cast<double>(expected);
+      parts.number(*stated, name + "." + side, wanted, wanted);
+    }
+  }
+  keys.adopt(parts);
+  return values;
+}
+
+std::optional<Pose3> read_mount(CameraKeys& keys, const YAML::Node& node, std::string_view key) {
+  const Matrix m = read_matrix(keys, node, key, 4, 4, kFarthest);
+  Pose3 pose;
+  Eigen::Matrix3d rotation;
+  for (int row = 0; row < 3; ++row) {
+    const auto at = static_cast<std::size_t>(row) * 4;
+    rotation.row(row) << m[at], m[at + 1], m[at + 2];
+    pose.translation[row] = m[at + 3];
+  }
+  constexpr double kOff = 1e-3;
+  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kOff || rotation.determinant() < 0.0)
+    keys.wrong(node, std::string(key) + ": its first three columns are no rotation");
+  if (m[12] != 0.0 || m[13] != 0.0 || m[14] != 0.0 || m[15] != 1.0)
+    keys.wrong(node, std::string(key) + ": its last row must be 0 0 0 1");
+  if (!keys.ok()) return std::nullopt;
+  pose.rotation = Eigen::Quaterniond(rotation).normalized();
+  return pose;
+}
+
+CalibrationSigma read_sigma(CameraKeys& keys, const YAML::Node& node) {
+  CameraKeys parts(node, keys.file());
+  CalibrationSigma sigma;
+  for (const auto& [key, into] : {std::pair{"focal_share", &sigma.focal_share},
+                                  {"tilt_rad", &sigma.tilt_rad},
+                                  {"yaw_rad", &sigma.yaw_rad},
+                                  {"height_share", &sigma.height_share}}) {
+    if (const std::optional<YAML::Node> value = parts.take(key)) *into = parts.number(*value, key, 1e-7, 1.0);
+  }
+  if (const std::vector<std::string> rest = parts.left_over(); !rest.empty())
+    parts.wrong(node, "weft_sigma has focal_share, tilt_rad, yaw_rad and height_share only");
+  keys.adopt(parts);
+  return sigma;
+}
+
+void read_pinhole(CameraKeys& keys) {
+  const std::optional<YAML::Node> model = keys.need("camera_model");
+  if (model.has_value() && !(model->IsScalar() && model->Scalar() == "pinhole"))
+    keys.wrong(*model, "camera_model must be pinhole; others (omni, ds, eucm) are not understood");
+}
+
+/// What EuRoC's sensor.yaml and a camera of Kalibr's chain share; they differ in one key's name.
+CameraCalibration read_euroc(CameraKeys& keys, const char* coefficients_key) {
+  CameraCalibration camera;
+  read_pinhole(keys);
+  if (const std::optional<YAML::Node> size = keys.need("resolution")) {
+    if (size->IsSequence() && size->size() == 2) {
+      const YAML::Node& list = *size;
+      read_size(keys, list[0], list[1], "resolution", camera);
+    } else {
+      keys.wrong(*size, "resolution must be [width, height]");
+    }
+  }
+  if (const std::optional<YAML::Node> node = keys.need("intrinsics")) {
+    const std::vector<double> v = keys.numbers(*node, "intrinsics", 4, 4, -kLongestFocal, kLongestFocal);
+    set_intrinsics(keys, *node, "intrinsics", {v[0], v[1], v[2], v[3]}, camera);
+  }
+  const std::string model = keys.word("distortion_model");
+  if (const std::optional<YAML::Node> node = keys.need(coefficients_key); node.has_value() && keys.ok())
+    read_lens(keys, model, *node, coefficients_key, camera);
+  if (const std::optional<YAML::Node> node = keys.take("T_BS"))
+    camera.body_from_camera = read_mount(keys, *node, "T_BS");
+  if (const std::optional<YAML::Node> node = keys.take("weft_sigma")) camera.sigma = read_sigma(keys, *node);
+  keys.pass_over({"sensor_type", "comment", "rate_hz", "rostopic", "cam_overlaps"});
+  return camera;
+}
+
+/// sensor_msgs/CameraInfo as ROS's camera_calibration writes it.
+CameraCalibration read_ros(CameraKeys& keys) {
+  CameraCalibration camera;
+  const std::optional<YAML::Node> width = keys.need("image_width");
+  const std::optional<YAML::Node> height = keys.need("image_height");
+  if (width.has_value() && height.has_value()) read_size(keys, *width, *height, "image_width, image_height", camera);
+  if (const std::optional<YAML::Node> node = keys.need("camera_matrix")) {
+    const Matrix k = read_matrix(keys, *node, "camera_matrix", 3, 3, kLongestFocal);
+    if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
+      keys.wrong(*node, "camera_matrix must be fx 0 cx, 0 fy cy, 0 0 1");
+    set_intrinsics(keys, *node, "camera_matrix", {k[0], k[4], k[2], k[5]}, camera);
+  }
+  const std::string model = keys.word("distortion_model");
+  if (const std::optional<YAML::Node> node = keys.need("distortion_coefficients")) {
+    CameraKeys parts(*node, keys.file());
+    if (const std::optional<YAML::Node> data = parts.need("data"))
+      read_lens(parts, model, *data, "distortion_coefficients.data", camera);
+    keys.adopt(parts);
+  }
+  // Of use to those who take rectified images; views here are not.
+  keys.pass_over({"camera_name", "rectification_matrix", "projection_matrix"});
+  return camera;
+}
+
+/// One camera of Kalibr's chain. Its T_cam_imu is of an IMU, not of the robot: it is left over.
+Result<CameraFile> read_chain(CameraKeys& keys, const std::string& which) {
+  const std::optional<YAML::Node> node = keys.take(which);
+  CameraKeys camera_keys(*node, keys.file());
+  CameraFile out;
+  out.camera = read_euroc(camera_keys, "distortion_coeffs");
+  keys.adopt(camera_keys);
+  if (!keys.ok()) return fail(keys.error());
+  out.not_understood = camera_keys.left_over();
+  return out;
+}
+
+bool is_chain_camera(const std::string& key) {
+  return key.size() >= 4 && key.starts_with("cam") && key.find_first_not_of("0123456789", 3) == std::string::npos;
+}
+
+Result<CameraFile> read(const YAML::Node& document, std::string_view file, std::string_view which) {
+  CameraKeys keys(document, file);
+  if (!keys.ok()) return fail(keys.error());
+  std::string chain;
+  for (const auto& entry : document) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
+    if (is_chain_camera(key)) chain += (chain.empty() ? "" : ", ") + key;
+  }
+  if (!chain.empty()) {
+    if (keys.has(which) && is_chain_camera(std::string(which))) return read_chain(keys, std::string(which));
+    return fail(ErrorCode::invalid,
+                std::string(file) + ": has no camera " + std::string(which) + "; it has " + chain);
+  }
+  CameraFile out;
+  if (keys.has("camera_matrix")) {
+    out.camera = read_ros(keys);
+  } else if (keys.has("intrinsics")) {
+    out.camera = read_euroc(keys, "distortion_coefficients");
+  } else {
+    return fail(ErrorCode::invalid, std::string(file) +
+                                        ":1: no camera: neither intrinsics (EuRoC, Kalibr), nor camera_matrix (ROS), "
+                                        "nor cam0 (Kalibr's chain) is there");
+  }
+  if (!keys.ok()) return fail(keys.error());
+  out.not_understood = keys.left_over();
+  return out;
+}
+
+}  // namespace
+
+const char* to_string(LensModel lens) {
+  return lens == LensModel::equidistant ? "equidistant" : "radtan";
+}
+
+Result<CameraFile> parse_camera_file(std::string_view text, std::string_view file, std::string_view camera) try {
+  if (text.size() > kLongestFile)
+    return fail(ErrorCode::invalid, std::string(file) + ": a camera file has at most 64 KiB");
+  std::string yaml(text);
+  if (yaml.starts_with('%')) yaml[0] = '#';  // OpenCV's "%YAML:1.0" is no directive of YAML
+  return read(YAML::Load(yaml), file, camera);
+} catch (const YAML::Exception& problem) {
+  const std::size_t line = problem.mark.is_null() ? 1 : static_cast<std::size_t>(problem.mark.line) + 1;
+  return fail(ErrorCode::invalid, std::string(file) + ":" + std::to_string(line) + ": no YAML: " + problem.msg);
+}
+
+}  // namespace weft

@@ -1,0 +1,56 @@
+#include <span>
+#include <utility>
+
+#include "core/camera/camera_file.hpp"
+#include "core/camera/number_text.hpp"
+
+namespace weft {
+namespace {
+
+std::string list(std::span<const double> values) {
+  std::string out = "[";
+  for (const double value : values) out += (out.size() > 1 ? ", " : "") + number_text(value);
+  return out + "]";
+}
+
+std::string mount_text(const Pose3& body_from_camera) {
+  const Eigen::Matrix3d rotation = body_from_camera.rotation.toRotationMatrix();
+  std::string out =
+      "# takes the camera's points (x right, y down, z ahead) to the robot's (x ahead, y left, z up)\n"
+      "T_BS:\n  rows: 4\n  cols: 4\n  data: [";
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) out += number_text(rotation(row, column)) + ", ";
+    out += number_text(body_from_camera.translation[row]) + ",\n         ";
+  }
+  return out + "0, 0, 0, 1]\n";
+}
+
+std::string sigma_text(const CalibrationSigma& sigma) {
+  std::string out;
+  for (const auto& [key, value] : {std::pair{"focal_share", sigma.focal_share},
+                                   {"tilt_rad", sigma.tilt_rad},
+                                   {"yaw_rad", sigma.yaw_rad},
+                                   {"height_share", sigma.height_share}}) {
+    if (value.has_value()) out += std::string("  ") + key + ": " + number_text(*value) + "\n";
+  }
+  return out.empty() ? out : "# one standard deviation each\nweft_sigma:\n" + out;
+}
+
+}  // namespace
+
+std::string camera_file_text(const CameraCalibration& camera, const std::vector<std::string>& remarks) {
+  std::string out;
+  for (const std::string& remark : remarks) out += "# " + remark + "\n";
+  const bool bent_more = camera.lens == LensModel::radtan && camera.distortion[4] != 0.0;
+  out += "sensor_type: camera\ncamera_model: pinhole\nresolution: [" + std::to_string(camera.width) + ", " +
+         std::to_string(camera.height) +
+         "]\nintrinsics: " + list(std::array{camera.fx, camera.fy, camera.cx, camera.cy}) +
+         "  # fx fy cx cy, pixels\ndistortion_model: " +
+         (camera.lens == LensModel::radtan ? "radial-tangential" : "equidistant") +
+         "\ndistortion_coefficients: " + list(std::span(camera.distortion).first(bent_more ? 5 : 4)) +
+         (camera.lens == LensModel::radtan ? "  # k1 k2 p1 p2" : "  # k1 k2 k3 k4") + (bent_more ? " k3\n" : "\n");
+  if (camera.body_from_camera.has_value()) out += mount_text(*camera.body_from_camera);
+  return out + sigma_text(camera.sigma);
+}
+
+}  // namespace weft
