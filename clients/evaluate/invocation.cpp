@@ -26,6 +26,85 @@ NotRun mistake(const CLI::App& app, const std::string& what) {
   return {2, "weft-evaluate: " + one_line(words) + "; see weft-evaluate --help\n"};
 }
 
+/// How a subcommand's flags are added.
+auto flags_of(CLI::App* sub) {
+  return [sub](const char* flag, auto& into, const char* unit, const char* help) {
+    return sub->add_option(flag, into, help)->type_name(unit);
+  };
+}
+
+CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "disturbances",
+      "What each disturbance of the simulated body costs the method floor in accuracy: one robot is led along a "
+      "line, "
+      "another looks for its places a day later, under the site's disturbances, none, all but one, and one alone.\n"
+      "Writes disturbances.csv, .json and .png. Ctrl-C stops it; the same command goes on where it stopped.");
+  seeds = "1..3";
+  options.site = "deploy/sites/demo.toml";
+  options.out = "out/disturbances";
+  const auto option = flags_of(sub);
+  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another wear, calibration and noise [1..3]");
+  option("--site", options.site, "FILE",
+         "Site file: the floor, the robot (its first one), how large each disturbance is [deploy/sites/demo.toml]");
+  option("--along", options.along, "FILE",
+         "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
+  option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [12]")
+      ->check(CLI::Range(11.0, 1000.0).description(""));
+  option("--out", options.out, "DIR",
+         "Folder for the results; rows that it holds already are kept [out/disturbances]");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, FloorOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "floor",
+      "How well robots navigate by floors (method floor), against what is promised of it: one robot is led along a "
+      "line and taught it, another one repeats it by itself on another day, on every kind of floor and under every "
+      "light and wear.\n"
+      "Writes floor.csv, floor.json and series/. Ctrl-C stops it; the same command goes on where it stopped.");
+  seeds = "1..10";
+  options.site = "deploy/sites/demo.toml";
+  options.out = "out/floor";
+  const auto option = flags_of(sub);
+  option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]");
+  option("--light", options.light, "L", "One light or wear while it is repeated; 'same' is none [all]");
+  option("--floors", options.floors, "DIR", "Photographs of floors (docs/simulation.md) instead of the simulation's");
+  option("--seeds", seeds, "A..B",
+         "Seeds A to B, or one: each is another patch of floor, wear, calibration and noise [1..10]");
+  option("--site", options.site, "FILE",
+         "Site file: where is driven, how large the disturbances are, the robot (its first one) "
+         "[deploy/sites/demo.toml]");
+  option("--along", options.along, "FILE",
+         "Line to be taught, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
+  option("--metres", options.metres, "M", "How much of the line, 5 to 1000 [26]")
+      ->check(CLI::Range(5.0, 1000.0).description(""));
+  option("--out", options.out, "DIR", "Folder for the results; rows that it holds already are kept [out/floor]");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, GenerateOptions& generate) {
+  CLI::App* const sub = app.add_subcommand(
+      "generate-site",
+      "A store with a large site that many robots have driven in, to see how what is built for one bears it.\n"
+      "Prints progress. Ctrl-C stops it; the same command goes on where it stopped.");
+  generate.out = "out/site";
+  const auto option = flags_of(sub);
+  option("--places", generate.plan.places, "N", "How many places, 1 to 10000000 [10000]");
+  option("--seed", generate.plan.seed, "N", "Another seed is another site [1]");
+  option("--content-bytes", generate.plan.content_bytes, "N", "Content of each place, 8 to 1000000 [64]");
+  option("--out", generate.out, "DIR", "The store's directory [out/site]");
+  return sub;
+}
+
+template <class Options>
+Parsed with_seeds(const CLI::App& app, Options options, const std::string& seeds) {
+  const Result<Seeds> range = parse_seeds(seeds);
+  if (!range) return mistake(app, range.error().message);
+  options.seeds = *range;
+  return options;
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -42,46 +121,19 @@ Result<Seeds> parse_seeds(std::string_view text) {
   return seeds;
 }
 
-std::variant<DisturbancesOptions, GenerateOptions, NotRun> parse(int argc, const char* const* argv) {
-  CLI::App app("Studies of how well robots see and drive, each with a table, its data and a picture.",
+Parsed parse(int argc, const char* const* argv) {
+  CLI::App app("Studies of how well robots see and drive, each with a table, its data and pictures.",
                "weft-evaluate");
   app.set_version_flag("--version", "weft-evaluate " WEFT_VERSION);
   app.require_subcommand(1);
-  CLI::App* const sub = app.add_subcommand(
-      "disturbances",
-      "What each disturbance of the simulated body costs the method floor in accuracy: one robot is led along a "
-      "line, "
-      "another looks for its places a day later, under the site's disturbances, none, all but one, and one alone.\n"
-      "Writes disturbances.csv, .json and .png. Ctrl-C stops it; the same command goes on where it stopped.");
-  std::string seeds = "1..3";
-  DisturbancesOptions options;
-  options.site = "deploy/sites/demo.toml";
-  options.out = "out/disturbances";
-  const auto option = [sub](const char* flag, auto& into, const char* unit, const char* help) {
-    return sub->add_option(flag, into, help)->type_name(unit);
-  };
-  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another wear, calibration and noise [1..3]");
-  option("--site", options.site, "FILE",
-         "Site file: the floor, the robot (its first one), how large each disturbance is [deploy/sites/demo.toml]");
-  option("--along", options.along, "FILE",
-         "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
-  option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [12]")
-      ->check(CLI::Range(11.0, 1000.0).description(""));
-  option("--out", options.out, "DIR",
-         "Folder for the results; rows that it holds already are kept [out/disturbances]");
-  CLI::App* const site = app.add_subcommand(
-      "generate-site",
-      "A store with a large site that many robots have driven in, to see how what is built for one bears it.\n"
-      "Prints progress. Ctrl-C stops it; the same command goes on where it stopped.");
+  DisturbancesOptions disturbances;
+  FloorOptions floor;
   GenerateOptions generate;
-  generate.out = "out/site";
-  const auto site_option = [site](const char* flag, auto& into, const char* unit, const char* help) {
-    site->add_option(flag, into, help)->type_name(unit);
-  };
-  site_option("--places", generate.plan.places, "N", "How many places, 1 to 10000000 [10000]");
-  site_option("--seed", generate.plan.seed, "N", "Another seed is another site [1]");
-  site_option("--content-bytes", generate.plan.content_bytes, "N", "Content of each place, 8 to 1000000 [64]");
-  site_option("--out", generate.out, "DIR", "The store's directory [out/site]");
+  std::string disturbances_seeds;
+  std::string floor_seeds;
+  const CLI::App* const disturbances_sub = describe(app, disturbances, disturbances_seeds);
+  const CLI::App* const floor_sub = describe(app, floor, floor_seeds);
+  describe(app, generate);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
@@ -90,14 +142,10 @@ std::variant<DisturbancesOptions, GenerateOptions, NotRun> parse(int argc, const
     if (app.exit(problem, out, err) == 0) return NotRun{0, out.str()};
     return mistake(app, problem.what());
   }
-  if (site->parsed()) {
-    if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
-    return generate;
-  }
-  const Result<Seeds> range = parse_seeds(seeds);
-  if (!range) return mistake(app, range.error().message);
-  options.seeds = *range;
-  return options;
+  if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
+  if (floor_sub->parsed()) return with_seeds(app, floor, floor_seeds);
+  if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
+  return generate;
 }
 
 }  // namespace weft::evaluate

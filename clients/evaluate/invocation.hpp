@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "clients/evaluate/disturbances/study.hpp"
+#include "clients/evaluate/floor/study.hpp"
 #include "core/network/site_generator.hpp"
 #include "core/result.hpp"
 
@@ -21,7 +22,8 @@ struct GenerateOptions {
   std::filesystem::path out;  ///< the store's directory; made if it is not there
 };
 
-std::variant<DisturbancesOptions, GenerateOptions, NotRun> parse(int argc, const char* const* argv);
+using Parsed = std::variant<DisturbancesOptions, FloorOptions, GenerateOptions, NotRun>;
+Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.
 Result<Seeds> parse_seeds(std::string_view text);

@@ -41,29 +41,37 @@ int run(const evaluate::GenerateOptions& options) {
   return 130;
 }
 
-int run(const evaluate::DisturbancesOptions& options) {
-  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  const Result<evaluate::Ended> ended = evaluate::study_disturbances(options, around);
+int finish(const Result<evaluate::Ended>& ended, const std::filesystem::path& out) {
   if (!ended) return failed(ended.error());
   if (*ended == evaluate::Ended::complete) return 0;
-  std::cerr << "weft-evaluate: stopped; what was measured is in " << options.out.string()
+  std::cerr << "weft-evaluate: stopped; what was measured is in " << out.string()
             << ", the same command goes on from there\n";
   return 130;
+}
+
+int run(const evaluate::DisturbancesOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::study_disturbances(options, around), options.out);
+}
+
+int run(const evaluate::FloorOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::floor::study_floor(options, around), options.out);
+}
+
+int run(const evaluate::NotRun& not_run) {
+  (not_run.exit_code == 0 ? std::cout : std::cerr) << not_run.text;
+  return not_run.exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    const auto parsed = evaluate::parse(argc, argv);
-    if (const auto* const not_run = std::get_if<evaluate::NotRun>(&parsed)) {
-      (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
-      return not_run->exit_code;
-    }
+    const evaluate::Parsed parsed = evaluate::parse(argc, argv);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    if (const auto* const site = std::get_if<evaluate::GenerateOptions>(&parsed)) return run(*site);
-    return run(std::get<evaluate::DisturbancesOptions>(parsed));
+    return std::visit([](const auto& options) { return run(options); }, parsed);
   } catch (const std::exception& error) {
     std::cerr << "weft-evaluate: ended by a defect: " << one_line(error.what()) << '\n';
     return 1;

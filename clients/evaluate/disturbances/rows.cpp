@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "clients/evaluate/files.hpp"
+
 namespace weft::evaluate {
 namespace {
 
@@ -21,15 +23,6 @@ json json_of(const Study& study) {
           {"metres", study.metres}};
 }
 
-/// What differs, for the one who has to choose another folder.
-std::string difference(const json& theirs, const json& ours) {
-  std::string keys;
-  for (const auto& [key, value] : ours.items()) {
-    if (!theirs.contains(key) || theirs[key] != value) keys += (keys.empty() ? "" : ", ") + key;
-  }
-  return keys;
-}
-
 Score score_of(const json& row) {
   Score score;
   for (const Column& column : columns()) {
@@ -37,19 +30,6 @@ Score score_of(const json& row) {
     score.*column.value = cell.is_null() ? std::numeric_limits<double>::quiet_NaN() : cell.get<double>();
   }
   return score;
-}
-
-Result<void> write(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path beside = file.string() + ".new";
-  std::ofstream out(beside, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code problem;
-  if (out) std::filesystem::rename(beside, file, problem);
-  if (!out || problem) {
-    return fail(ErrorCode::unavailable, file.string() + ": cannot be written; is the disk full, the folder there?");
-  }
-  return {};
 }
 
 }  // namespace
@@ -99,7 +79,7 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
     for (const Column& column : columns()) row[column.name] = score.*column.value;  // NaN becomes null
     document["rows"].push_back(row);
   }
-  return write(folder / kJson, document.dump(1) + "\n");
+  return write_text(folder / kJson, document.dump(1) + "\n");
 }
 
 Result<void> write_csv(const std::filesystem::path& folder, const std::vector<std::string>& variants,
@@ -119,7 +99,7 @@ Result<void> write_csv(const std::filesystem::path& folder, const std::vector<st
       text << '\n';
     }
   }
-  return write(folder / kCsv, text.str());
+  return write_text(folder / kCsv, text.str());
 }
 
 }  // namespace weft::evaluate

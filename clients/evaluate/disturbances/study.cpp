@@ -1,10 +1,6 @@
 #include "clients/evaluate/disturbances/study.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,23 +9,11 @@
 #include "clients/evaluate/disturbances/picture.hpp"
 #include "clients/evaluate/disturbances/rows.hpp"
 #include "clients/evaluate/disturbances/switches.hpp"
+#include "clients/evaluate/files.hpp"
 #include "clients/evaluate/line.hpp"
-#include "core/network/codec.hpp"
 
 namespace weft::evaluate {
 namespace {
-
-Result<std::string> read_text(const std::filesystem::path& file, const std::string& what) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file)) {
-    return fail(ErrorCode::not_found, file.string() + ": no such " + what);
-  }
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string sha256_of(const std::string& text) {
-  return to_string(hash_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
-}
 
 struct Subject {
   agents::sim::Site site;
@@ -53,31 +37,6 @@ Result<Subject> subject_of(const DisturbancesOptions& options) {
   Study study{WEFT_VERSION, sha256_of(*site_text), sha256_of(*line_text), options.metres};
   return Subject{std::move(*site), std::move(*part), std::move(study)};
 }
-
-/// Rows there are to measure, and how fast it goes.
-class RowsMeasured {
- public:
-  RowsMeasured(std::size_t all, std::size_t kept, const Surroundings& around)
-      : all_(all), kept_(kept), around_(around), began_s_(around.steady_s()) {
-    around_.progress << "weft-evaluate: " << all_ << " rows to measure, " << kept_ << " of them are there already\n"
-                     << std::flush;
-  }
-  void row(const std::string& variant, std::uint64_t seed) {
-    ++measured_;
-    const double each_s = (around_.steady_s() - began_s_) / static_cast<double>(measured_);
-    const double left_s = each_s * static_cast<double>(all_ - kept_ - measured_);
-    std::array<char, 200> words{};
-    std::snprintf(words.data(), words.size(), "%zu of %zu (%s, seed %llu): %.1f s a row, %.0f min left\n",
-                  kept_ + measured_, all_, variant.c_str(), static_cast<unsigned long long>(seed), each_s,
-                  left_s / 60.0);
-    around_.progress << words.data() << std::flush;
-  }
-
- private:
-  std::size_t all_, kept_, measured_ = 0;
-  const Surroundings& around_;
-  double began_s_;
-};
 
 std::size_t kept_of(const Rows& rows, const std::vector<Variant>& variants, Seeds seeds) {
   std::size_t kept = 0;
@@ -106,15 +65,10 @@ Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& opt
       if (!*score) return Ended::stopped;
       rows.insert_or_assign({name_of(variant), seed}, **score);
       if (const Result<void> kept = write_rows(options.out, subject.study, rows); !kept) return fail(kept.error());
-      progress.row(name_of(variant), seed);
+      progress.row(name_of(variant) + ", seed " + std::to_string(seed));
     }
   }
   return Ended::complete;
-}
-
-std::string words_of(Seeds seeds) {
-  if (seeds.first == seeds.last) return "seed " + std::to_string(seeds.first);
-  return "seeds " + std::to_string(seeds.first) + " to " + std::to_string(seeds.last);
 }
 
 Result<void> report(const Subject& subject, const DisturbancesOptions& options, const Rows& rows, std::ostream& out) {

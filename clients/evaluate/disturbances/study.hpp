@@ -1,9 +1,7 @@
 #pragma once
 #include <filesystem>
-#include <functional>
-#include <ostream>
 
-#include "clients/evaluate/disturbances/summary.hpp"
+#include "clients/evaluate/surroundings.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {
@@ -15,15 +13,6 @@ struct DisturbancesOptions {
   std::filesystem::path out;    ///< folder; made if it is not there
   double metres = 12.0;         ///< of the line that are driven
 };
-
-struct Surroundings {
-  std::ostream& out;       ///< the table
-  std::ostream& progress;  ///< a line a row
-  std::function<double()> steady_s;
-  std::function<bool()> asked_to_stop;
-};
-
-enum class Ended { complete, stopped };
 
 /// Measures what is not in the output folder yet, keeps each row as soon as it is there, and at the end prints the
 /// table and writes disturbances.csv, .json and .png. not_found, invalid: site or line; conflict: the folder holds

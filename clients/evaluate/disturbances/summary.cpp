@@ -1,33 +1,11 @@
 #include "clients/evaluate/disturbances/summary.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "clients/evaluate/table.hpp"
+
 namespace weft::evaluate {
-namespace {
-
-std::string cell(double value, int digits) {
-  if (!std::isfinite(value)) return "-";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
-/// The first column is words, the others are numbers.
-std::string line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
-  std::string text = "|";
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string space(widths[i] - cells[i].size(), ' ');
-    text += " " + (i == 0 ? cells[i] + space : space + cells[i]) + " |";
-  }
-  return text + "\n";
-}
-
-}  // namespace
-
 Spread spread_of(const Rows& rows, const std::string& variant, Seeds seeds, double Score::*value) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   Spread spread{0.0, kNothing, kNothing};
@@ -54,15 +32,7 @@ std::string table_of(const Rows& rows, const std::vector<std::string>& variants,
       cells.back().push_back(cell(spread_of(rows, variant, seeds, column.value).mean, column.digits));
     }
   }
-  std::vector<std::size_t> widths(cells.front().size(), 0);
-  for (const auto& row : cells) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text = line(cells.front(), widths) + "|";
-  for (std::size_t i = 0; i < widths.size(); ++i) text += std::string(widths[i] + 1, '-') + (i == 0 ? "-|" : ":|");
-  text += "\n";
-  for (std::size_t i = 1; i < cells.size(); ++i) text += line(cells[i], widths);
-  return text;
+  return markdown_table(cells, 1);
 }
 
 }  // namespace weft::evaluate

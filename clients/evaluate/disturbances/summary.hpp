@@ -1,16 +1,11 @@
 #pragma once
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "clients/evaluate/disturbances/rows.hpp"
+#include "clients/evaluate/surroundings.hpp"
 
 namespace weft::evaluate {
-
-struct Seeds {
-  std::uint64_t first = 1;
-  std::uint64_t last = 1;  ///< included
-};
 
 /// One variant over the seeds; NaN where no seed had anything to measure.
 struct Spread {

@@ -10,7 +10,7 @@
 namespace weft::evaluate {
 namespace {
 
-std::variant<DisturbancesOptions, GenerateOptions, NotRun> parsed(std::vector<const char*> words) {
+Parsed parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "weft-evaluate");
   return parse(static_cast<int>(words.size()), words.data());
 }
@@ -42,6 +42,11 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
       {{"disturbances", "--seeds", "1..99999"}, "10000"},
       {{"disturbances", "--metres", "10"}, "--metres"},
       {{"disturbances", "--out"}, "--out"},
+      {{"floor", "--seeds", "2..1"}, "'2..1'"},
+      {{"floor", "--metres", "4"}, "--metres"},
+      {{"floor", "--metres", "far"}, "--metres"},
+      {{"floor", "--kind"}, "--kind"},
+      {{"floor", "--heavy"}, "--heavy"},
       {{"generate-site", "--places", "0"}, "places is 0"},
       {{"generate-site", "--places", "many"}, "--places"},
       {{"generate-site", "--content-bytes", "2"}, "content bytes"},
@@ -54,6 +59,22 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
     EXPECT_NE(not_run->text.find(word), std::string::npos) << not_run->text;
     EXPECT_EQ(std::count(not_run->text.begin(), not_run->text.end(), '\n'), 1) << not_run->text;
   }
+}
+
+TEST(EvaluateInvocation, FloorsToStudy) {
+  const auto plain = std::get<FloorOptions>(parsed({"floor"}));
+  EXPECT_EQ(plain.seeds.first, 1U);
+  EXPECT_EQ(plain.seeds.last, 10U);
+  EXPECT_EQ(plain.kind, "");
+  EXPECT_EQ(plain.out, "out/floor");
+  const auto given = std::get<FloorOptions>(parsed({"floor", "--kind", "epoxy", "--light", "same", "--seeds", "3",
+                                                    "--floors", "f", "--metres", "9", "--out", "o"}));
+  EXPECT_EQ(given.kind, "epoxy");
+  EXPECT_EQ(given.light, "same");
+  EXPECT_EQ(given.seeds.last, 3U);
+  EXPECT_EQ(given.floors, "f");
+  EXPECT_EQ(given.metres, 9.0);
+  EXPECT_EQ(given.out, "o");
 }
 
 TEST(EvaluateInvocation, SitesToGenerate) {
@@ -72,6 +93,8 @@ TEST(EvaluateInvocation, HelpIsNoMistake) {
   const auto help = parsed({"disturbances", "--help"});
   EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
   EXPECT_NE(std::get<NotRun>(help).text.find("--seeds"), std::string::npos);
+  const auto of_floor = parsed({"floor", "--help"});
+  EXPECT_NE(std::get<NotRun>(of_floor).text.find("--light"), std::string::npos);
 }
 
 TEST(EvaluateLine, WrongRowsAreNamed) {

@@ -1,0 +1,60 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "clients/evaluate/floor/score.hpp"
+#include "clients/evaluate/surroundings.hpp"
+
+namespace weft::evaluate::floor {
+
+/// What is promised of the method: a number of each run, and how large its median and its worst over the seeds may
+/// be.
+struct Bound {
+  enum class Of {
+    mapping,  ///< every kind of floor
+    repeat,   ///< every kind and light
+    easy,     ///< textured floors in the light they were taught in
+    hard      ///< all others
+  };
+  const char* name;
+  const char* unit;
+  const char* paper;  ///< Gadd & Newman's
+  Of of;
+  double Score::*value;
+  double median;
+  double worst;
+  bool of_refusers;  ///< holds for floors too on which a refusal to localise is right
+};
+const std::vector<Bound>& bounds();
+
+/// One bound on one floor and, of a repeat, under one light.
+struct Group {
+  std::string kind;
+  std::string part;
+  std::size_t seeds = 0;
+  double metres = 0.0;  ///< over the seeds, mapping or repeats alone
+  double median = Score::kNothing;
+  double worst = Score::kNothing;
+  bool met = false;  ///< false too where there was nothing to measure
+};
+struct Judged {
+  const Bound* bound = nullptr;
+  std::vector<Group> groups;
+  double median = Score::kNothing;  ///< of the group that is worst
+  double worst = Score::kNothing;
+  bool met = false;  ///< by every group, and there is one
+};
+/// All bounds, over the seeds that are there.
+std::vector<Judged> judge(const Rows& rows, Seeds seeds);
+
+/// Two tables: the bounds, and the medians of every column by floor and light.
+std::string tables_of(const Rows& rows, Seeds seeds);
+
+/// The median and the largest; NaN without values. A value that is none (it could not be measured) is the worst.
+struct MedianWorst {
+  double median;
+  double worst;
+};
+MedianWorst median_worst(std::vector<double> values);
+
+}  // namespace weft::evaluate::floor

@@ -1,0 +1,136 @@
+#include "clients/evaluate/floor/drive.hpp"
+
+#include <string>
+#include <utility>
+
+#include "clients/evaluate/floor/driven_robot.hpp"
+
+namespace weft::evaluate::floor {
+namespace {
+
+using namespace agents;
+
+constexpr ExperienceId kTaught{1};
+constexpr RobotId kTeacher{{1}};
+constexpr int kLookAtMost = 120;      // samples standing, until it is given up as not localised
+constexpr int kStandsAtMost = 120;    // samples on its way without moving on: at rest two a second
+constexpr int kRestsFor = 4;          // samples after arriving, for the base to come to rest
+constexpr int kLastViewAtMost = 10;   // samples for the last place
+constexpr double kLongestS = 1800.0;  // of a repeat, on the simulation's clock
+
+Result<void> take(Taught& taught, const std::vector<Kept>& kept, std::vector<PlaceId>& places) {
+  for (const Kept& one : kept) places.push_back(one.place.id);
+  return taught.map.take(kTaught, kTeacher, "floor", kept);
+}
+
+/// Places are kept at samples, whose truth is known once all has been driven.
+void note_truth(Taught& taught, const std::vector<PlaceId>& places) {
+  std::map<std::uint64_t, const Moment*> by_frame;
+  for (const Moment& moment : taught.trace.moments) by_frame[moment.frame] = &moment;
+  for (const PlaceId& id : places) {
+    const Moment& there = *by_frame.at(taught.map.snapshot().place(id)->frame);
+    taught.site_from_place[id] = there.site_from_robot;
+    taught.start_from_place[id] = there.start_from_robot;
+    taught.last = id;
+  }
+}
+
+/// Until it believes to know where it is. None: stopped; false: it did not find out.
+Result<std::optional<bool>> find_itself(DrivenRobot& robot, const Drive& drive, const Taught& taught) {
+  robot.navigator().seek(std::nullopt);
+  for (int i = 0; i < kLookAtMost; ++i) {
+    if (drive.asked_to_stop()) return std::optional<bool>();
+    const Result<DrivenRobot::Stepped> stepped = robot.step(taught.map.view());
+    if (!stepped) return fail(stepped.error());
+    if (robot.navigator().estimate()) return std::optional(true);
+  }
+  return std::optional(false);
+}
+
+/// False: stopped.
+Result<bool> follow(DrivenRobot& robot, const Drive& drive, const Taught& taught, Repeated& repeated) {
+  int stood = 0;
+  int rested = 0;
+  while (rested < kRestsFor) {
+    if (drive.asked_to_stop()) return false;
+    const Result<DrivenRobot::Stepped> stepped = robot.step(taught.map.view());
+    if (!stepped) return fail(stepped.error());
+    const Navigated& now = stepped->navigated;
+    repeated.arrived = now.following == Following::arrived;
+    if (repeated.arrived) ++rested;
+    stood = now.command == Twist{} ? stood + 1 : 0;
+    repeated.ended = now.lost ? "lost" : std::string(now.reason);
+    const bool gives_up = now.following == Following::failed || stood > kStandsAtMost || robot.now_s() > kLongestS;
+    if (!repeated.arrived && gives_up) break;
+  }
+  if (repeated.arrived) repeated.ended.clear();
+  return true;
+}
+
+}  // namespace
+
+Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoint>& line) {
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  if (!robot) return fail(robot.error());
+  if (const Result<void> begun = robot->body().drive_by_hand(line); !begun) return fail(begun.error());
+  const TaughtMap nothing;
+  for (bool done = false; !done;) {
+    if (drive.asked_to_stop()) return std::optional<Trace>();
+    const Result<DrivenRobot::Stepped> stepped = robot->step(nothing.view());
+    if (!stepped) return fail(stepped.error());
+    done = stepped->hand_done;
+  }
+  Result<Trace> trace = robot->finish();
+  if (!trace) return fail(trace.error());
+  return std::optional(std::move(*trace));
+}
+
+Result<std::optional<Taught>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  if (!robot) return fail(robot.error());
+  if (const Result<void> begun = robot->body().drive_by_hand(line); !begun) return fail(begun.error());
+  Taught taught;
+  std::vector<PlaceId> places;
+  robot->navigator().begin_teach({kTaught, kTeacher});
+  int ending = 0;
+  for (bool done = false; !done;) {
+    if (drive.asked_to_stop()) return std::optional<Taught>();
+    const Result<DrivenRobot::Stepped> stepped = robot->step(taught.map.view());
+    if (!stepped) return fail(stepped.error());
+    if (const Result<void> taken = take(taught, stepped->navigated.kept, places); !taken) return fail(taken.error());
+    if (stepped->hand_done) ++ending;
+    done = (ending > 0 && stepped->has_view) || ending > kLastViewAtMost;
+  }
+  const std::vector<Kept> kept = robot->navigator().end_teach(taught.map.view());
+  if (const Result<void> taken = take(taught, kept, places); !taken) return fail(taken.error());
+  Result<Trace> trace = robot->finish();
+  if (!trace) return fail(trace.error());
+  taught.trace = std::move(*trace);
+  note_truth(taught, places);
+  return std::optional(std::move(taught));
+}
+
+Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught) {
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  if (!robot) return fail(robot.error());
+  Repeated repeated;
+  const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);
+  if (!found) return fail(found.error());
+  if (!*found) return std::optional<Repeated>();
+  repeated.localised = **found;
+  repeated.ended = "did not find itself";
+  if (repeated.localised) {
+    const Result<Route> route = taught.map.route(robot->navigator().estimate()->place, taught.last, "floor");
+    if (!route) return fail(route.error());
+    robot->navigator().follow(*route);
+    const Result<bool> driven = follow(*robot, drive, taught, repeated);
+    if (!driven) return fail(driven.error());
+    if (!*driven) return std::optional<Repeated>();
+  }
+  Result<Trace> trace = robot->finish();
+  if (!trace) return fail(trace.error());
+  repeated.trace = std::move(*trace);
+  return std::optional(std::move(repeated));
+}
+
+}  // namespace weft::evaluate::floor

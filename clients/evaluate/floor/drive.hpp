@@ -1,0 +1,46 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "agents/bodies/sim/sim_body.hpp"
+#include "clients/evaluate/floor/taught_map.hpp"
+#include "clients/evaluate/floor/trace.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// Who drives, in which site, on which day.
+struct Drive {
+  agents::sim::SimBodyConfig body;      ///< its truth_path: a file to be made and removed
+  std::function<bool()> asked_to_stop;  ///< asked at every sample
+};
+
+/// What a robot was taught, and where its places truly are.
+struct Taught {
+  TaughtMap map;
+  std::map<PlaceId, Pose2> site_from_place;
+  std::map<PlaceId, Pose2> start_from_place;  ///< by the odometry of the robot that was taught
+  PlaceId last;
+  Trace trace;
+};
+
+/// A way there by the robot's own control.
+struct Repeated {
+  Trace trace;
+  bool localised = false;  ///< found itself before it drove
+  bool arrived = false;
+  std::string ended;  ///< why it stands, when it has not arrived
+};
+
+/// A hand leads the robot along the line; nothing is taught, its odometry is what counts. None: stopped.
+Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<agents::SitePoint>& line);
+
+/// A hand leads the robot along the line while it is taught. None: stopped.
+Result<std::optional<Taught>> teach(const Drive& drive, const std::vector<agents::SitePoint>& line);
+
+/// The robot, told nothing but the map, finds where it is and drives to the last place taught. None: stopped.
+Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught);
+
+}  // namespace weft::evaluate::floor

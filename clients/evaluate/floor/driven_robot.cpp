@@ -1,0 +1,76 @@
+#include "clients/evaluate/floor/driven_robot.hpp"
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "agents/navigation/navigator_of.hpp"
+#include "clients/evaluate/truth.hpp"
+
+namespace weft::evaluate::floor {
+
+using namespace agents;
+
+Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config) {
+  DrivenRobot robot;
+  robot.truth_ = config.truth_path.value_or("");
+  std::error_code problem;
+  std::filesystem::remove(robot.truth_, problem);
+  if (problem) return fail(ErrorCode::unavailable, robot.truth_.string() + ": " + problem.message());
+  Result<std::unique_ptr<Body>> body = sim::make_sim_body(config);
+  if (!body) return fail(body.error());
+  robot.body_ = std::move(*body);
+  Result<Floor> floor = Floor::make(FloorConfig{}, robot.body_->cameras().front());
+  if (!floor) return fail(floor.error());
+  robot.seen_ = std::make_shared<SeenStep>();
+  robot.navigator_ = make_navigator(WatchedFloor(std::move(*floor), robot.seen_), NavigationConfig{});
+  return robot;
+}
+
+DrivenRobot::~DrivenRobot() {
+  std::error_code ignored;  // a left-over file is removed at the next start
+  if (body_) std::filesystem::remove(truth_, ignored);
+}
+
+Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
+  const Result<Sample> sample = body_->step(command_);
+  if (!sample) return fail(sample.error());
+  Stepped stepped;
+  stepped.has_view = sample->view.has_value();
+  stepped.hand_done = sample->hand_done;
+  stepped.navigated = navigator_->step(sample->view ? &*sample->view : nullptr, sample->frame, sample->time,
+                                       sample->motion, sample->hand, map);
+  command_ = stepped.navigated.command;
+  start_from_robot_ = start_from_robot_ * planar(seen_->step.previous_from_current);
+  Moment moment;
+  moment.frame = sample->frame;
+  moment.sensor_s = now_s_ = seconds(sample->time.time_since_epoch());
+  moment.start_from_robot = start_from_robot_;
+  moment.seen = seen_->step.seen;
+  moment.matches = seen_->matches;
+  moment.lost = stepped.navigated.lost;
+  moment.following = stepped.navigated.following;
+  if (const std::optional<Fix>& fix = stepped.navigated.fix) {
+    moment.fix = FixSeen{fix->place, planar(fix->evidence.a_from_b), planar(fix->place_from_robot)};
+  }
+  trace_.moments.push_back(moment);
+  for (const Refusal& refusal : stepped.navigated.refusals) ++trace_.refusals[std::string(refusal.reason)];
+  return stepped;
+}
+
+Result<Trace> DrivenRobot::finish() {
+  const auto truth = read_truth(truth_);
+  if (!truth) return fail(truth.error());
+  for (Moment& moment : trace_.moments) {
+    const auto found = truth->find(moment.frame);
+    if (found == truth->end()) {
+      return fail(ErrorCode::internal, truth_.string() + ": has no frame " + std::to_string(moment.frame) +
+                                           "; is somebody else using it?");
+    }
+    moment.true_s = found->second.true_s;
+    moment.site_from_robot = found->second.site_from_robot;
+  }
+  return std::move(trace_);
+}
+
+}  // namespace weft::evaluate::floor

@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "agents/bodies/sim/sim_body.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "clients/evaluate/floor/trace.hpp"
+#include "clients/evaluate/floor/watched_floor.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// A simulated body with the navigator that its agent would have, method `floor`, every setting at its default. The
+/// body's command is the navigator's of the sample before, as in the agent's process.
+class DrivenRobot {
+ public:
+  /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
+  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config);
+  DrivenRobot(DrivenRobot&&) = default;
+  DrivenRobot& operator=(DrivenRobot&&) = delete;
+  ~DrivenRobot();
+
+  agents::Body& body() { return *body_; }
+  agents::Navigator& navigator() { return *navigator_; }
+  double now_s() const { return now_s_; }  ///< by the samples' stamps
+
+  struct Stepped {
+    agents::Navigated navigated;
+    bool has_view = false;
+    bool hand_done = false;
+  };
+  /// One sample, noted in the trace.
+  Result<Stepped> step(const agents::MapView& map);
+
+  /// What was driven, with its truth beside it. The robot is not to be used any more.
+  Result<Trace> finish();
+
+ private:
+  DrivenRobot() = default;
+
+  std::filesystem::path truth_;
+  std::unique_ptr<agents::Body> body_;
+  std::unique_ptr<agents::Navigator> navigator_;
+  std::shared_ptr<SeenStep> seen_;
+  agents::Twist command_;
+  Pose2 start_from_robot_;
+  double now_s_ = 0.0;
+  Trace trace_;
+};
+
+}  // namespace weft::evaluate::floor

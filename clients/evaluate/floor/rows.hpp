@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "clients/evaluate/floor/score.hpp"
+#include "clients/evaluate/surroundings.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// What a folder's rows were measured of; rows of another study do not mix with them.
+struct Study {
+  std::string software;
+  std::string site_sha256;    ///< of the site file's bytes
+  std::string line_sha256;    ///< of the line's file
+  std::string floors_sha256;  ///< of the photographs' names and sizes; empty: none
+  double metres = 0.0;
+};
+
+/// DIR/floor.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is none.
+Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study);
+/// The rows, and every bound by name with what came of it over `seeds`. Whole or not at all. unavailable, exhausted:
+/// names the file.
+Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows, Seeds seeds);
+/// DIR/floor.csv, a row a (floor, part, seed).
+Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows);
+
+/// DIR/series/KIND-PART-SEED.csv: a run sample by sample, for pictures and for whoever looks into a row.
+std::filesystem::path series_file(const std::filesystem::path& folder, const RowKey& key);
+
+}  // namespace weft::evaluate::floor

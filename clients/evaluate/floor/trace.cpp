@@ -1,0 +1,17 @@
+#include "clients/evaluate/floor/trace.hpp"
+
+#include <cmath>
+
+namespace weft::evaluate::floor {
+
+std::vector<double> metres_driven(const Trace& trace) {
+  std::vector<double> along(trace.moments.size(), 0.0);
+  for (std::size_t i = 1; i < along.size(); ++i) {
+    const Pose2& a = trace.moments[i - 1].site_from_robot;
+    const Pose2& b = trace.moments[i].site_from_robot;
+    along[i] = along[i - 1] + std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return along;
+}
+
+}  // namespace weft::evaluate::floor

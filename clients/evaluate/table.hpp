@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace weft::evaluate {
+
+/// So many digits after the point; "-" for what is not finite.
+std::string cell(double value, int digits);
+
+/// Markdown with aligned columns: the first row is the heading, the first `words` columns are words, the others
+/// numbers.
+std::string markdown_table(const std::vector<std::vector<std::string>>& rows, std::size_t words);
+
+}  // namespace weft::evaluate
