@@ -45,6 +45,7 @@ Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::sha
       vignette_.push_back(static_cast<float>(1.0 - options_.vignetting * r * r));
     }
   }
+  soil_lens();
 }
 
 Camera::Rays::Rays(const CameraModel& camera) {

@@ -25,12 +25,16 @@ struct Exposure {
   ShadowBody body;
   double gain = 1.0;
   std::uint64_t noise_seed = 0;
+  double time_s = 0.0;  ///< of the body
 };
 
 struct CameraOptions {
   double vignetting = 0.0;  ///< loss in the corners
   double noise_grey = 0.0;
   double shadow = 0.0;
+  int lens_spots = 0;  ///< blurred specks on the lens
+  double lens_depth = 0.0;
+  std::uint64_t lens_seed = 0;
   std::size_t cache_bytes = 160'000'000;
 };
 
@@ -156,6 +160,7 @@ class Camera {
 
   // camera_light.cpp
   void make_noise();
+  void soil_lens();
   void light_grid(const Exposure& exposure);
   CellLight light_in_cell(int u, int v, double exposure_gain) const;
   PixelLight light_at(int u, int v, double exposure_gain) const;

@@ -1,4 +1,7 @@
 // The lamps on a grid over the image, and what the sensor makes of light: vignetting, exposure and noise.
+#include <algorithm>
+#include <cmath>
+
 #include "agents/bodies/sim/camera.hpp"
 #include "core/random.hpp"
 
@@ -17,9 +20,29 @@ void Camera::make_noise() {
   }
 }
 
+/// A speck on the lens is far out of focus: it takes light from a blurred disc of the image, always the same one.
+void Camera::soil_lens() {
+  constexpr double kLeastPx = 14.0;  // of its radius: finer than the grid of nodes none is
+  constexpr double kMostPx = 55.0;
+  Random random(options_.lens_seed ^ 0x6c656e73ULL);
+  for (int spot = 0; spot < options_.lens_spots; ++spot) {
+    const double u = random.uniform(0.0, camera_.width);
+    const double v = random.uniform(0.0, camera_.height);
+    const double radius = random.uniform(kLeastPx, kMostPx);
+    const double depth = options_.lens_depth * random.uniform(0.4, 1.0);
+    for (int j = 0; j < rows_; ++j) {
+      for (int i = 0; i < columns_; ++i) {
+        const double r = std::hypot(i * kShadeCell - u, j * kShadeCell - v) / radius;
+        const double within = std::max(0.0, 1.0 - r * r);
+        vignette_[static_cast<std::size_t>(j * columns_ + i)] *= static_cast<float>(1.0 - depth * within * within);
+      }
+    }
+  }
+}
+
 void Camera::light_grid(const Exposure& exposure) {
   const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
-  light_.look_around(eye.x(), eye.y());
+  light_.look_around(eye.x(), eye.y(), exposure.time_s);
   light_.on_floor(nodes_.x, nodes_.y, eye, exposure.body, options_.shadow, gain_, add_);
   for (std::size_t n = 0; n < gain_.size(); ++n) {
     const float gain = static_cast<float>(exposure.gain) * vignette_[n];

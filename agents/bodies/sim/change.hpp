@@ -1,12 +1,56 @@
 #pragma once
 #include <cstdint>
+#include <vector>
+
+#include "core/geometry/pose2.hpp"
 
 /// What is no longer as it was when the robots were taught: [change] of a site file.
 namespace weft::agents::sim {
 
+/// A dark rectangle on the floor, with soft rims; it may swing to and fro along its length.
+struct CastShadow {
+  Pose2 site_from_shadow;  ///< its middle, of its swing too
+  double length_m = 1.2, width_m = 0.8;
+  double depth = 0.5;   ///< share of all light that it takes
+  double soft_m = 0.1;  ///< over which its rim fades
+  double travel_m = 0.0;
+  double speed_m_s = 0.4;  ///< greatest, in the middle
+  double phase_rad = 0.0;  ///< of the swing when the body's time begins
+
+  bool operator==(const CastShadow&) const = default;
+};
+
+/// Darker floor under a film that mirrors the lamps.
+struct WetArea {
+  double x = 0.0, y = 0.0;
+  double radius_m = 0.6;  ///< mean; its rim is uneven
+
+  bool operator==(const WetArea&) const = default;
+};
+
+struct PaintedLine {
+  double x0 = 0.0, y0 = 0.0, x1 = 1.0, y1 = 0.0;
+  double width_m = 0.1;
+  double grey = 185.0;   ///< under mean light
+  double warmth = 0.35;  ///< yellow
+
+  bool operator==(const PaintedLine&) const = default;
+};
+
 /// Nothing of it by default.
 struct Change {
-  double light = 1.0;  ///< factor on all light; the camera's exposure stays
+  std::uint64_t from_day = 0;  ///< bodies on earlier days see nothing of it
+  std::uint64_t seed = 1;      ///< where dirt lies, and what wet rims and the lens look like
+  double light = 1.0;          ///< factor on all light; the camera's exposure stays
+  double light_warmth = 0.0;   ///< colour of all light: -1 blue, 0 white, 1 red
+  double glare_grey = 0.0;     ///< grey levels in the middle of a lamp's mirror image, for a lamp of brightness 1
+  double glare_size_m = 0.4;   ///< of that image, at the lamp
+  int lens_spots = 0;          ///< blurred specks on the lens
+  double lens_depth = 0.7;     ///< most that one of them takes of the light
+  double dirt_per_m2 = 0.0;    ///< specks on the floor
+  std::vector<CastShadow> shadows;
+  std::vector<WetArea> wet;
+  std::vector<PaintedLine> lines;
 
   bool operator==(const Change&) const = default;
 };

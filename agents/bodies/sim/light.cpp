@@ -5,12 +5,18 @@
 #include <cassert>
 #include <cmath>
 
+#include "agents/bodies/sim/floor/kernels.hpp"
+
 namespace weft::agents::sim {
 namespace {
 
 constexpr float kMirrorBlurM = 0.9F;  // a lamp's own size and the floor's roughness, at the lamp
 constexpr float kLampRadiusM = 0.25F;
 constexpr double kNearM = 9.0;
+constexpr float kWetDarkens = 0.35F;   // of what a soaked floor scatters
+constexpr float kFilmGrey = 110.0F;    // in the middle of a lamp's mirror image in a film
+constexpr float kFilmSizeM = 0.35F;    // of that image, at the lamp
+constexpr float kFilmVeil = 5.0F;      // of the ceiling's mirror image under ambient light 1, grey levels
 constexpr std::size_t kTogether = 64;  // points whose values stay in the nearest cache from lamp to lamp
 
 /// Point lamp over a floor: the cosine to the fourth (two for distance, one for each surface).
@@ -22,6 +28,13 @@ float falloff(float dx, float dy, float height) {
 
 constexpr float between(float x, float low, float high) {
   return x < low ? low : (x > high ? high : x);
+}
+
+/// Schlick 1994: mirrors better at grazing view.
+float fresnel(float away_x, float away_y) {
+  const float cosine = 1.0F / std::sqrt(1.0F + away_x * away_x + away_y * away_y);
+  const float grazing = (1.0F - cosine) * (1.0F - cosine) * (1.0F - cosine);
+  return 0.5F + 2.5F * grazing;
 }
 
 /// Share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis. Behind the
@@ -47,7 +60,13 @@ float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, c
 }  // namespace
 
 Light::Light(const Site& site, double gloss_grey, Random random)
-    : ambient_(static_cast<float>(site.ambient)), gloss_(static_cast<float>(site.change.light * gloss_grey)) {
+    : ambient_(static_cast<float>(site.ambient)),
+      gloss_(static_cast<float>(site.change.light * gloss_grey)),
+      glare_(static_cast<float>(site.change.light * site.change.glare_grey)),
+      glare_size_m_(static_cast<float>(site.change.glare_size_m)),
+      node_rad_(static_cast<float>(kShadeCell / site.camera.focal_px)),
+      change_(static_cast<float>(site.change.light)),
+      shades_(site.change) {
   for (const Lamp& lamp : site.lamps) {
     const double change = 1.0 + site.disturbances.light_change * random.uniform(-1.0, 1.0);
     lamps_.push_back({static_cast<float>(lamp.x), static_cast<float>(lamp.y), static_cast<float>(lamp.height_m),
@@ -71,7 +90,8 @@ Light::Light(const Site& site, double gloss_grey, Random random)
   per_mean_ = static_cast<float>(site.change.light * count / std::max(1e-6, sum));
 }
 
-void Light::look_around(double x, double y) {
+void Light::look_around(double x, double y, double time_s) {
+  shades_.look_around(x, y, time_s);
   near_.clear();
   far_.clear();
   for (const LampNow& lamp : lamps_) {
@@ -100,10 +120,7 @@ void Light::on_floor_part(const float* x, const float* y, std::size_t count, con
   for (std::size_t i = 0; i < count; ++i) {
     away_x[i] = static_cast<float>((static_cast<double>(x[i]) - eye.x()) / eye.z());
     away_y[i] = static_cast<float>((static_cast<double>(y[i]) - eye.y()) / eye.z());
-    // Schlick 1994: mirrors better at grazing view.
-    const float cosine = 1.0F / std::sqrt(1.0F + away_x[i] * away_x[i] + away_y[i] * away_y[i]);
-    const float grazing = (1.0F - cosine) * (1.0F - cosine) * (1.0F - cosine);
-    mirror[i] = gloss_ * (0.5F + 2.5F * grazing);
+    mirror[i] = gloss_ * fresnel(away_x[i], away_y[i]);
     sum[i] = ambient_;
   }
   for (const LampNow& lamp : near_) {
@@ -124,6 +141,59 @@ void Light::on_floor_part(const float* x, const float* y, std::size_t count, con
   for (std::size_t i = 0; i < count; ++i) {
     gain[i] = sum[i] * per_mean_;
     shine[i] = mirrored[i];
+  }
+  if (glare_ > 0.0F || shades_.any_shadow() || shades_.any_wet()) {
+    const Seen seen{
+        {x, count}, {y, count}, {away_x.data(), count}, {away_y.data(), count}, static_cast<float>(eye.z())};
+    add_changes(seen, {gain, count}, {shine, count});
+  }
+}
+
+void Light::add_changes(const Seen& seen, std::span<float> gain, std::span<float> shine) const {
+  std::array<float, kTogether> share{};
+  std::array<float, kTogether> apart_m{};
+  for (std::size_t i = 0; i < gain.size(); ++i) {
+    const float away2 = seen.away_x[i] * seen.away_x[i] + seen.away_y[i] * seen.away_y[i];
+    apart_m[i] = node_rad_ * seen.eye_height_m * (1.0F + away2);
+  }
+  const Shades::Points at{seen.x, seen.y, std::span(apart_m).first(gain.size())};
+  const std::span<float> shares = std::span(share).first(gain.size());
+  if (glare_ > 0.0F) {
+    std::fill(shares.begin(), shares.end(), 1.0F);
+    add_mirrored(seen, glare_, glare_size_m_, shares, shine);
+  }
+  if (shades_.any_wet()) {
+    shades_.wetness(at, shares);
+    add_mirrored(seen, kFilmGrey * change_, kFilmSizeM, shares, shine);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      gain[i] *= 1.0F - kWetDarkens * shares[i];
+      shine[i] += kFilmVeil * change_ * ambient_ * shares[i];
+    }
+  }
+  if (shades_.any_shadow()) {
+    // What keeps a lamp's light from a point keeps its mirror image from there too.
+    shades_.shadows(at, shares);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      gain[i] *= shares[i];
+      shine[i] *= shares[i];
+    }
+  }
+}
+
+/// The lamps near by, mirrored by `share` of the floor with `grey` levels in the middle, as large as `size_m` up
+/// there.
+void Light::add_mirrored(const Seen& seen, float grey, float size_m, std::span<const float> share,
+                         std::span<float> shine) const {
+  for (std::size_t i = 0; i < shine.size(); ++i) {
+    const float ax = seen.away_x[i];
+    const float ay = seen.away_y[i];
+    const float mirror = grey * share[i] * fresnel(ax, ay);
+    for (const LampNow& lamp : near_) {
+      const float u = (seen.x[i] + ax * lamp.height - lamp.x) / size_m;
+      const float v = (seen.y[i] + ay * lamp.height - lamp.y) / size_m;
+      const float lobe = 1.0F / (1.0F + u * u + v * v);
+      shine[i] += lamp.brightness * mirror * lobe * lobe;
+    }
   }
 }
 

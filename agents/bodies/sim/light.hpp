@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "agents/bodies/sim/shades.hpp"
 #include "agents/bodies/sim/site.hpp"
 #include "core/random.hpp"
 
@@ -27,8 +28,8 @@ class Light {
   /// On upright faces at points (x, y, z), without shadow or shine.
   void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                std::span<float> gain) const;
-  /// Lamps further than this from the robot are taken without shadow and shine.
-  void look_around(double x, double y);
+  /// Lamps far from the robot are taken without shadow and shine. `time_s` is what moving shadows move by.
+  void look_around(double x, double y, double time_s);
 
  private:
   void on_floor_part(const float* x, const float* y, std::size_t count, const Eigen::Vector3d& eye,
@@ -36,12 +37,25 @@ class Light {
   struct LampNow {
     float x, y, height, brightness;
   };
+  /// Points of a part of the floor, and by how much the line from the eye goes on sideways a metre of height.
+  struct Seen {
+    std::span<const float> x, y, away_x, away_y;
+    float eye_height_m = 1.0F;
+  };
+  void add_changes(const Seen& seen, std::span<float> gain, std::span<float> shine) const;
+  void add_mirrored(const Seen& seen, float grey, float size_m, std::span<const float> share,
+                    std::span<float> shine) const;
+
   std::vector<LampNow> lamps_;
   std::vector<LampNow> near_;  ///< with shadow and shine
   std::vector<LampNow> far_;
   float ambient_ = 1.0F;
   float per_mean_ = 1.0F;
   float gloss_ = 0.0F;
+  float glare_ = 0.0F, glare_size_m_ = 0.4F;
+  float node_rad_ = 0.017F;  ///< between two nodes of the image's light grid
+  float change_ = 1.0F;      ///< factor on all light
+  Shades shades_;
 };
 
 }  // namespace weft::agents::sim

@@ -6,8 +6,7 @@
 #include "agents/bodies/sim/base.hpp"
 #include "agents/bodies/sim/calibration.hpp"
 #include "agents/bodies/sim/camera.hpp"
-#include "agents/bodies/sim/floor/photographs.hpp"
-#include "agents/bodies/sim/floor/procedural.hpp"
+#include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hand.hpp"
 #include "agents/bodies/sim/truth.hpp"
 #include "agents/bodies/sim/wave.hpp"
@@ -97,8 +96,13 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start, std::shar
       exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
       timing_(random_of(seed_, timing, day_)),
       camera_(true_,
-              CameraOptions{site_.disturbances.vignetting, site_.disturbances.noise_grey, site_.disturbances.shadow,
-                            static_cast<std::size_t>(site_.floor.cache_mb * 1e6)},
+              CameraOptions{.vignetting = site_.disturbances.vignetting,
+                            .noise_grey = site_.disturbances.noise_grey,
+                            .shadow = site_.disturbances.shadow,
+                            .lens_spots = site_.change.lens_spots,
+                            .lens_depth = site_.change.lens_depth,
+                            .lens_seed = site_.change.seed,
+                            .cache_bytes = static_cast<std::size_t>(site_.floor.cache_mb * 1e6)},
               std::move(floor), std::make_shared<const Scene>(site_.boxes), light_now()),
       truth_(std::move(truth)) {}
 
@@ -159,6 +163,7 @@ Exposure SimBody::exposure_now() {
   exposure.body = {base_.site_from_robot().x, base_.site_from_robot().y, site_.base.radius_m,
                    site_.base.body_height_m};
   exposure.gain = 1.0 + exposure_drift_.at(now_s_);
+  exposure.time_s = now_s_;
   exposure.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
   return exposure;
 }
@@ -231,8 +236,9 @@ Result<std::unique_ptr<Body>> make_sim_body(const SimBodyConfig& config) {
   if (!start) {
     return fail(start.error());
   }
-  auto floor = config.floors_dir ? make_photographed_floor(config.site.floor, *config.floors_dir, config.warn)
-                                 : make_procedural_floor(config.site.floor);
+  SimBodyConfig now = config;
+  if (now.day < now.site.change.from_day) now.site.change = {};
+  auto floor = make_site_floor(now.site, now.floors_dir, now.warn);
   if (!floor) {
     return fail(floor.error());
   }
@@ -244,7 +250,7 @@ Result<std::unique_ptr<Body>> make_sim_body(const SimBodyConfig& config) {
     }
     truth = std::move(*opened);
   }
-  return std::unique_ptr<Body>(std::make_unique<SimBody>(config, *start, std::move(*floor), std::move(truth)));
+  return std::unique_ptr<Body>(std::make_unique<SimBody>(now, *start, std::move(*floor), std::move(truth)));
 }
 
 }  // namespace weft::agents::sim

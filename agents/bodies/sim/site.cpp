@@ -5,7 +5,9 @@
 #include <set>
 
 #include "agents/bodies/sim/base.hpp"
-#include "agents/bodies/sim/floor/procedural.hpp"
+#include "agents/bodies/sim/change_keys.hpp"
+#include "agents/bodies/sim/changes.hpp"
+#include "agents/bodies/sim/floor/materials.hpp"
 #include "core/config/config.hpp"
 
 namespace weft::agents::sim {
@@ -215,10 +217,22 @@ Disturbances disturbances_in(const Table& table) {
   return d;
 }
 
-Change change_in(const Table& table) {
-  Change c;
-  c.light = 0.01 * table.number("light_percent", 100 * c.light, 5.0, 400.0);
-  return c;
+/// [change]: what is named comes first, and each key says it otherwise.
+void add_change(const Table& table, Site& site) {
+  const std::string light = table.choice("light", light_names().front(), light_names());
+  const std::string wear = table.choice("wear", wear_names().front(), wear_names());
+  site.change.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, INT64_MAX));
+  if (auto lit = under_light(site, light)) {
+    site = *lit;
+  } else {
+    table.refuse("light", lit.error().message);
+  }
+  if (auto worn = with_wear(site, wear)) {
+    site = *worn;
+  } else {
+    table.refuse("wear", worn.error().message);
+  }
+  site.change = change_in(table, site.change);
 }
 
 }  // namespace
@@ -233,12 +247,12 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.base = base_in(root.table("base"));
   site.hand = hand_in(root.table("hand"));
   site.disturbances = disturbances_in(root.table("disturbances"));
-  site.change = change_in(root.table("change"));
   add_racks(root, site);
   add_walls(root, site);
   add_pillars(root, site);
   add_names_and_lamps(root, site);
   add_robots(root, site);
+  add_change(root.table("change"), site);
   if (auto checked = root.result(); !checked) {
     return fail(checked.error());
   }

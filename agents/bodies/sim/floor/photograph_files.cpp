@@ -110,13 +110,27 @@ Result<std::vector<fs::path>> pictures_in(const std::string& folder) {
   return pictures;
 }
 
-Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel) {
-  cv::Mat grey;
+/// As a grey camera sees it under light of that colour. Empty: no picture.
+cv::Mat read_grey(const fs::path& path, double light_warmth) {
   try {
-    grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+    if (light_warmth == 0.0) return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+    const cv::Mat colours = cv::imread(path.string(), cv::IMREAD_COLOR);
+    if (colours.empty()) return {};
+    // The weights of ITU-R BT.601, as IMREAD_GRAYSCALE has them, under light that is more red or more blue.
+    const double blue = 0.114 * (1.0 - light_warmth);
+    const double green = 0.587;
+    const double red = 0.299 * (1.0 + light_warmth);
+    const double sum = blue + green + red;
+    cv::Mat grey;
+    cv::transform(colours, grey, cv::Matx13d(blue / sum, green / sum, red / sum));
+    return grey;
   } catch (const cv::Exception&) {
-    grey.release();
+    return {};
   }
+}
+
+Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel, double light_warmth) {
+  const cv::Mat grey = read_grey(path, light_warmth);
   if (grey.empty()) {
     return fail(ErrorCode::corrupt, path.string() + ": damaged, or no picture; replace or remove it");
   }
@@ -127,7 +141,7 @@ Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel) {
     return fail(ErrorCode::invalid, path.string() + ": shows less than 0.2 m of floor at " +
                                         std::to_string(mm_per_pixel) + " mm_per_pixel");
   }
-  Photograph photograph{path.stem().string(), {}};
+  Photograph photograph{path.stem().string(), {}, cv::mean(light_warmth == 0.0 ? grey : read_grey(path, 0.0))[0]};
   cv::resize(grey, photograph.grey, {width, height}, 0.0, 0.0, factor < 1.0 ? cv::INTER_AREA : cv::INTER_CUBIC);
   return photograph;
 }
@@ -135,6 +149,7 @@ Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel) {
 }  // namespace
 
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
+                                                 double light_warmth,
                                                  const std::function<void(const std::string&)>& warn) {
   auto pictures = pictures_in(folder);
   if (!pictures) {
@@ -157,9 +172,11 @@ Result<std::vector<Photograph>> read_photographs(const std::string& folder, cons
     if (!*beside && listed == scales->end() && warn) {
       warn(path.string() + ": no mm_per_pixel in floors.toml or " + path.filename().string() + ".toml; 0.7 assumed");
     }
-    auto photograph = read_photograph(path, *beside                   ? **beside
-                                            : listed != scales->end() ? listed->second
-                                                                      : kAssumedMmPerPixel);
+    auto photograph = read_photograph(path,
+                                      *beside                   ? **beside
+                                      : listed != scales->end() ? listed->second
+                                                                : kAssumedMmPerPixel,
+                                      light_warmth);
     if (!photograph) {
       return fail(photograph.error());
     }

@@ -10,12 +10,14 @@ namespace weft::agents::sim {
 
 /// A photograph of floor, grey, at kTexelM a pixel.
 struct Photograph {
-  std::string name;  ///< of the file, without ending
-  cv::Mat grey;      ///< CV_8U
+  std::string name;   ///< of the file, without ending
+  cv::Mat grey;       ///< CV_8U
+  double mean = 0.0;  ///< of its grey under white light
 };
 
 /// Errors and `warn` as make_photographed_floor says; sorted by name.
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
+                                                 double light_warmth,
                                                  const std::function<void(const std::string&)>& warn);
 
 }  // namespace weft::agents::sim

@@ -36,7 +36,7 @@ class PhotographedFloor final : public FloorSource {
   PhotographedFloor(const FloorSetup& setup, std::vector<Photograph> photographs)
       : setup_(setup), photographs_(std::move(photographs)) {
     for (const Photograph& photograph : photographs_) {
-      means_.push_back(static_cast<float>(cv::mean(photograph.grey)[0]));
+      means_.push_back(static_cast<float>(photograph.mean));
     }
     ramp_.resize(kPatchSide);
     const double feather = kFeatherM / kTexelM;
@@ -164,8 +164,9 @@ void PhotographedFloor::fill(TileKey key, std::span<std::uint8_t> texels) const 
 }  // namespace
 
 Result<std::shared_ptr<const FloorSource>> make_photographed_floor(
-    const FloorSetup& setup, const std::string& folder, const std::function<void(const std::string&)>& warn) {
-  auto photographs = read_photographs(folder, setup.photograph, warn);
+    const FloorSetup& setup, const std::string& folder, const std::function<void(const std::string&)>& warn,
+    double light_warmth) {
+  auto photographs = read_photographs(folder, setup.photograph, light_warmth, warn);
   if (!photographs) {
     return fail(photographs.error());
   }

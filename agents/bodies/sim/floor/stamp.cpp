@@ -83,4 +83,29 @@ void stamp(const Stroke& k, const Canvas& canvas) {
   });
 }
 
+void stamp(const Arc& a, const Canvas& canvas) {
+  const double soft = std::max(a.soft_m, canvas.texel_m);
+  const double outer = a.radius_m + a.half_width_m + soft;
+  // The box around its middle and the farthest that an end lies from there.
+  const double reach = 2.0 * outer * std::sin(a.half_angle / 2.0) + a.half_width_m + soft;
+  const double cx = a.x + a.radius_m * std::cos(a.middle);
+  const double cy = a.y + a.radius_m * std::sin(a.middle);
+  const Range xs = range_of(cx - reach, cx + reach, canvas.x0_m, canvas);
+  const Range ys = range_of(cy - reach, cy + reach, canvas.y0_m, canvas);
+  const auto x0 = static_cast<float>(a.x);
+  const auto y0 = static_cast<float>(a.y);
+  const auto c = static_cast<float>(std::cos(a.middle));
+  const auto s = static_cast<float>(std::sin(a.middle));
+  const auto radius = static_cast<float>(a.radius_m);
+  const auto half = static_cast<float>(a.half_width_m);
+  const auto end = static_cast<float>(a.radius_m * a.half_angle);
+  const auto steep = static_cast<float>(soft / a.fade_m);  // depth grows as slowly at an end as that it fades there
+  add_where(canvas, xs, ys, a.grey, soft, [&](float x, float y) {
+    const float u = x - x0;
+    const float v = y - y0;
+    const float along = radius * std::atan2(c * v - s * u, c * u + s * v);
+    return std::min(half - std::abs(std::sqrt(u * u + v * v) - radius), (end - std::abs(along)) * steep);
+  });
+}
+
 }  // namespace weft::agents::sim

@@ -30,4 +30,14 @@ struct Stroke {
 };
 void stamp(const Stroke& stroke, const Canvas& canvas);
 
+/// The same along a bend around (x, y), fading over `fade_m` towards both ends.
+struct Arc {
+  double x = 0.0, y = 0.0, radius_m = 1.0;
+  double middle = 0.0, half_angle = 0.0;  ///< at most 1.4; of the way from its middle to an end
+  double half_width_m = 0.0;
+  double soft_m = 0.0, fade_m = 0.1;
+  double grey = 0.0;
+};
+void stamp(const Arc& arc, const Canvas& canvas);
+
 }  // namespace weft::agents::sim

@@ -1,5 +1,6 @@
 // For people: draws a site with lines from above (site.png), and what a robot sees while it is led along the first
-// one (frame-NNNN.png). Usage: sim-look SITE.toml ROBOT OUT_DIR LINE... [--floors DIR] [--every N]
+// one (frame-NNNN.png); and 2.6 m of the floor from above, about where it starts (floor.png).
+// Usage: sim-look SITE.toml ROBOT OUT_DIR LINE... [--floors DIR] [--every N] [--kind K] [--light L] [--wear W]
 #include <cairo/cairo.h>
 
 #include <cmath>
@@ -9,6 +10,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "agents/bodies/sim/changes.hpp"
+#include "agents/bodies/sim/floor/site_floor.hpp"
+#include "agents/bodies/sim/floor/tile_cache.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
 
 namespace {
@@ -98,8 +102,42 @@ void draw_site(const sim::Site& site, const std::vector<std::vector<SitePoint>>&
   cairo_surface_destroy(surface);
 }
 
-int look(const std::vector<std::string>& words, const std::optional<std::string>& floors, int every) {
-  auto site = sim::parse_site(text_of(words[0]), words[0]);
+/// From above, y up, without lamps; the middle is where the line begins.
+void draw_floor(const sim::FloorSource& floor, const SitePoint& about, const std::string& path) {
+  constexpr int kAcross = 4;
+  constexpr int kShrunk = 2;
+  const auto tile_at = [](double metres) { return static_cast<std::int32_t>(std::floor(metres / sim::kTileM)); };
+  const sim::TileKey first{tile_at(about.x) - kAcross / 2, tile_at(about.y) - kAcross / 2};
+  constexpr int kSide = sim::kTileTexels >> kShrunk;
+  cv::Mat picture(kAcross * kSide, kAcross * kSide, CV_8U);
+  sim::TileCache cache(std::shared_ptr<const sim::FloorSource>(&floor, [](const auto*) {}), 20'000'000);
+  for (int j = 0; j < kAcross; ++j) {
+    for (int i = 0; i < kAcross; ++i) {
+      std::vector<std::uint8_t> texels = cache.tile({first.x + i, first.y + j}).levels[kShrunk];
+      cv::Mat tile(kSide, kSide, CV_8U, texels.data());
+      cv::Mat upright;
+      cv::flip(tile, upright, 0);
+      upright.copyTo(picture(cv::Rect(i * kSide, (kAcross - 1 - j) * kSide, kSide, kSide)));
+    }
+  }
+  cv::imwrite(path, picture);
+}
+
+struct Options {
+  std::optional<std::string> floors, kind, light, wear;
+  int every = 60;
+};
+
+Result<sim::Site> site_from(const std::string& path, const Options& options) {
+  auto site = sim::parse_site(text_of(path), path);
+  if (site && options.kind) site = sim::on_floor(*site, *options.kind);
+  if (site && options.light) site = sim::under_light(*site, *options.light);
+  if (site && options.wear) site = sim::with_wear(*site, *options.wear);
+  return site;
+}
+
+int look(const std::vector<std::string>& words, const Options& options) {
+  auto site = site_from(words[0], options);
   if (!site) {
     std::cerr << site.error().message << '\n';
     return 1;
@@ -112,12 +150,15 @@ int look(const std::vector<std::string>& words, const std::optional<std::string>
   sim::SimBodyConfig config;
   config.site = *site;
   config.robot = words[1];
-  config.floors_dir = floors;
+  config.floors_dir = options.floors;
   config.warn = [](const std::string& text) { std::cerr << text << '\n'; };
   auto body = sim::make_sim_body(config);
   if (!body) {
     std::cerr << body.error().message << '\n';
     return 1;
+  }
+  if (auto floor = sim::make_site_floor(*site, options.floors, {}); floor) {
+    draw_floor(**floor, lines.front().front(), words[2] + "/floor.png");
   }
   if (auto led = (*body)->drive_by_hand(lines.front()); !led) {
     std::cerr << led.error().message << '\n';
@@ -130,7 +171,7 @@ int look(const std::vector<std::string>& words, const std::optional<std::string>
       return 1;
     }
     done = sample->hand_done;
-    if (sample->view && (sample->frame % static_cast<std::uint64_t>(every) == 1 || done)) {
+    if (sample->view && (sample->frame % static_cast<std::uint64_t>(options.every) == 1 || done)) {
       const Image& image = std::get<Image>(sample->view->data);
       char name[40];
       std::snprintf(name, sizeof name, "/frame-%04d.png", static_cast<int>(sample->frame));
@@ -149,23 +190,29 @@ int look(const std::vector<std::string>& words, const std::optional<std::string>
 
 int main(int argc, char** argv) try {
   std::vector<std::string> words;
-  std::optional<std::string> floors;
-  int every = 60;
+  Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--floors" && i + 1 < argc) {
-      floors = argv[++i];
+      options.floors = argv[++i];
     } else if (word == "--every" && i + 1 < argc) {
-      every = std::max(1, std::atoi(argv[++i]));
+      options.every = std::max(1, std::atoi(argv[++i]));
+    } else if (word == "--kind" && i + 1 < argc) {
+      options.kind = argv[++i];
+    } else if (word == "--light" && i + 1 < argc) {
+      options.light = argv[++i];
+    } else if (word == "--wear" && i + 1 < argc) {
+      options.wear = argv[++i];
     } else {
       words.push_back(word);
     }
   }
   if (words.size() < 4) {
-    std::cerr << "usage: sim-look SITE.toml ROBOT OUT_DIR LINE... [--floors DIR] [--every N]\n";
+    std::cerr << "usage: sim-look SITE.toml ROBOT OUT_DIR LINE... [--floors DIR] [--every N] [--kind K] [--light L] "
+                 "[--wear W]\n";
     return 2;
   }
-  return look(words, floors, every);
+  return look(words, options);
 } catch (const std::exception& problem) {
   std::fprintf(stderr, "sim-look: %s\n", problem.what());
   return 1;

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+
+#include "agents/bodies/sim/floor/stamp.hpp"
+
+namespace weft::agents::sim {
+
+/// A floor's look is its grey under white light and, where the light has a colour, its warmth.
+enum class Channel : std::uint8_t { grey, warmth };
+
+/// One of the two, being drawn: each shape is drawn on both at the same place, with its own amount.
+struct Layer {
+  Channel channel = Channel::grey;
+  Canvas canvas;
+
+  template <class Shape>
+  void draw(Shape shape, double warmth) const {
+    if (channel == Channel::warmth) shape.grey = warmth;
+    stamp(shape, canvas);
+  }
+};
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,161 @@
+#include "agents/bodies/sim/floor/planks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "agents/bodies/sim/floor/source.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+constexpr double kWidthM = 0.12;
+constexpr double kPitchM = 1.2;    // mean length
+constexpr double kJitterM = 0.3;   // of each end, both ways together
+constexpr double kNodeM = 0.08;    // along the grain, between two of its cross sections
+constexpr double kMarginM = 0.02;  // that the grain is bent by at most
+constexpr double kGapM = 0.0018;   // that a plank's rim is rounded over
+constexpr int kNodes = 22;
+constexpr int kAcross = static_cast<int>((kWidthM + 2 * kMarginM) / kTexelM) + 2;
+
+struct Knot {
+  double along = 0.0, across = 0.0, size_m = 0.0;
+};
+
+struct Plank {
+  double from = 0.0, to = 0.0;  ///< along x
+  double low = 0.0;             ///< its lower rim
+  double grey = 0.0, warmth = 0.0;
+  double tilt = 0.0, wave_m = 0.0, phase = 0.0;
+  std::vector<Knot> knots;
+  std::vector<float> grain;  ///< kNodes cross sections of kAcross
+};
+
+Random random_of(std::uint64_t seed, std::int64_t row, std::int64_t piece, std::uint64_t stream) {
+  return Random(seed * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(row) * 0xC2B2AE3D27D4EB4FULL ^
+                static_cast<std::uint64_t>(piece) * 0x165667B19E3779F9ULL)
+      .fork(stream);
+}
+
+/// Where piece `piece` of a row begins; rows are shifted against each other.
+double begin_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
+  const double shift = random_of(seed, row, 0, 1).uniform(0.0, kPitchM);
+  return shift + static_cast<double>(piece) * kPitchM + random_of(seed, row, piece, 2).uniform(0.0, kJitterM);
+}
+
+/// Annual rings seen from the side: layers of a few widths, which last for some decimetres.
+std::vector<float> grain_of(Random random) {
+  constexpr double kWidths[] = {0.0013, 0.003, 0.007, 0.018};
+  constexpr double kGreys[] = {5.0, 6.0, 6.0, 5.0};
+  constexpr double kLasts = 0.85;  // share that goes on from one cross section to the next
+  std::vector<float> grain(static_cast<std::size_t>(kNodes) * kAcross, 0.0F);
+  for (int size = 0; size < 4; ++size) {
+    const double per_texel = kTexelM / kWidths[size];
+    std::vector<double> layers(static_cast<std::size_t>(kAcross * per_texel) + 3);
+    for (double& layer : layers) layer = random.normal();
+    for (int node = 0; node < kNodes; ++node) {
+      for (double& layer : layers) layer = kLasts * layer + std::sqrt(1.0 - kLasts * kLasts) * random.normal();
+      for (int i = 0; i < kAcross; ++i) {
+        const double at = i * per_texel;
+        const auto below = static_cast<std::size_t>(at);
+        const double share = at - static_cast<double>(below);
+        grain[static_cast<std::size_t>(node * kAcross + i)] +=
+            static_cast<float>(kGreys[size] * ((1.0 - share) * layers[below] + share * layers[below + 1]));
+      }
+    }
+  }
+  return grain;
+}
+
+Plank plank_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
+  Plank plank;
+  plank.from = begin_of(seed, row, piece);
+  plank.to = begin_of(seed, row, piece + 1);
+  plank.low = static_cast<double>(row) * kWidthM;
+  Random random = random_of(seed, row, piece, 3);
+  plank.grey = random.normal(0.0, 13.0);
+  plank.warmth = random.normal(0.0, 0.06);
+  plank.tilt = random.normal(0.0, 0.004);
+  plank.wave_m = random.uniform(0.0, 0.004);
+  plank.phase = random.uniform(0.0, 6.28);
+  for (auto knots = random.below(3); knots > 0; --knots) {
+    plank.knots.push_back({random.uniform(0.05, kPitchM - kJitterM), random.uniform(0.02, kWidthM - 0.02),
+                           random.uniform(0.003, 0.009)});
+  }
+  plank.grain = grain_of(random.fork(4));
+  return plank;
+}
+
+/// The grain's own coordinate: it runs at a slant, in waves, and around knots.
+struct Bend {
+  double across = 0.0;
+  double dark = 0.0;  ///< of knots
+};
+Bend bent(const Plank& plank, double along, double across, double drift) {
+  Bend bend{across + drift, 0.0};
+  for (const Knot& knot : plank.knots) {
+    const double u = (along - knot.along) / (5.0 * knot.size_m);
+    const double v = (across - knot.across) / knot.size_m;
+    const double r2 = u * u + 0.25 * v * v;
+    if (r2 > 6.0) continue;
+    // Layers that would pass through the knot are pushed aside.
+    bend.across -= (v > 0.0 ? 1.0 : -1.0) * knot.size_m * std::exp(-r2) * std::min(1.0, std::abs(v));
+    const double within = std::hypot(0.7 * (along - knot.along), across - knot.across) / knot.size_m;
+    bend.dark += 48.0 * std::clamp(1.4 - within, 0.0, 1.0) * (0.8 + 0.2 * std::sin(9.0 * within));
+  }
+  return bend;
+}
+
+float grain_at(const Plank& plank, int node, float share, double across) {
+  const double at = std::clamp((across + kMarginM) / kTexelM, 0.0, kAcross - 2.0);
+  const auto below = static_cast<int>(at);
+  const auto between = static_cast<float>(at - below);
+  const float* const near = plank.grain.data() + static_cast<std::ptrdiff_t>(node) * kAcross + below;
+  const float* const far = near + kAcross;
+  return (1.0F - share) * (near[0] + between * (near[1] - near[0])) + share * (far[0] + between * (far[1] - far[0]));
+}
+
+void add_row(const Plank& plank, const Layer& layer, int j) {
+  const Canvas& canvas = layer.canvas;
+  const double across = canvas.y0_m + (j + 0.5) * canvas.texel_m - plank.low;
+  const auto column = [&](double x) {
+    return std::clamp(static_cast<int>(std::ceil((x - canvas.x0_m) / canvas.texel_m - 0.5)), 0, canvas.side);
+  };
+  float* const to = canvas.values.data() + static_cast<std::ptrdiff_t>(j) * canvas.side;
+  for (int i = column(plank.from), end = column(plank.to); i < end; ++i) {
+    const double along = canvas.x0_m + (i + 0.5) * canvas.texel_m - plank.from;
+    const double node = std::min(along / kNodeM, kNodes - 1.001);
+    const auto before = static_cast<int>(node);
+    const auto u = static_cast<float>(node - before);
+    const double drift = plank.tilt * along + plank.wave_m * std::sin(7.0 * along + plank.phase);
+    const Bend bend = bent(plank, along, across, drift);
+    const double grain = static_cast<double>(grain_at(plank, before, u * u * (3.0F - 2.0F * u), bend.across));
+    const double rim = std::min(std::min(across, kWidthM - across), std::min(along, plank.to - plank.from - along));
+    const double gap = std::clamp(1.0 - rim / kGapM, 0.0, 1.0);
+    const double grey = plank.grey + grain - bend.dark - 70.0 * gap;
+    const double warmth = plank.warmth - 0.003 * grain + 0.002 * bend.dark;
+    to[i] += static_cast<float>(layer.channel == Channel::grey ? grey : warmth);
+  }
+}
+
+}  // namespace
+
+void add_planks(std::uint64_t seed, const Layer& layer) {
+  const Canvas& canvas = layer.canvas;
+  const double x_end = canvas.x0_m + canvas.side * canvas.texel_m;
+  const double y_end = canvas.y0_m + canvas.side * canvas.texel_m;
+  const auto row_at = [](double y) { return static_cast<std::int64_t>(std::floor(y / kWidthM)); };
+  for (std::int64_t row = row_at(canvas.y0_m); row <= row_at(y_end); ++row) {
+    const auto first = static_cast<std::int64_t>(std::floor(canvas.x0_m / kPitchM)) - 3;
+    for (std::int64_t piece = first; begin_of(seed, row, piece) < x_end; ++piece) {
+      if (begin_of(seed, row, piece + 1) <= canvas.x0_m) continue;
+      const Plank plank = plank_of(seed, row, piece);
+      for (int j = 0; j < canvas.side; ++j) {
+        if (row_at(canvas.y0_m + (j + 0.5) * canvas.texel_m) == row) add_row(plank, layer, j);
+      }
+    }
+  }
+}
+
+}  // namespace weft::agents::sim
