@@ -72,6 +72,7 @@ class FleetMapServer final : public Service {
     subscriptions_.tick(now.steady);
     shelf_.tick(now);
     desk_.tick(now);
+    answers_.tick(now.steady);
     routes_.tick(now);
     settle(now);
     return out_.take();
@@ -80,7 +81,7 @@ class FleetMapServer final : public Service {
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due : {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(),
-                                                 dispatcher_.next(), desk_.next(), routes_.next()}) {
+                                                 dispatcher_.next(), desk_.next(), answers_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;

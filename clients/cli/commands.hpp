@@ -37,8 +37,9 @@ Exit run_operator(Session& session, const Invocation& invocation, const Output& 
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
 /// The log of revisions, and what two of them differ in.
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);
-/// The whole network as it was at that revision; 0: as it is. refused: there is no such revision yet.
-Result<Window> network_at(Session& session, const Invocation& invocation, Revision revision);
+/// The network that is wanted, page by page; says how far it is. refused: there is no such revision.
+Result<Window> network_at(Session& session, const Invocation& invocation, Session::Wanted wanted,
+                          const Output& output);
 /// Edits of the map and upkeep of the store; long ones show how far they are.
 Exit run_map_work(Session& session, const Invocation& invocation, const Output& output);
 /// What is to be done to the map. invalid: what the command line names is nothing that could be meant.

@@ -7,6 +7,21 @@ bool is_stitch(const Edge& edge) {
   return edge.origin == Origin::stitch;
 }
 
+/// Where both have a key, the value of `to`. Linear: nothing is put into the middle.
+template <class Map>
+Map united(const Map& from, const Map& to) {
+  Map both;
+  both.reserve(from.size() + to.size());
+  auto old = from.begin();
+  for (const auto& [id, value] : to) {
+    for (; old != from.end() && old->first < id; ++old) both.emplace(old->first, old->second);
+    both.emplace(id, value);
+    if (old != from.end() && old->first == id) ++old;
+  }
+  for (; old != from.end(); ++old) both.emplace(old->first, old->second);
+  return both;
+}
+
 }  // namespace
 
 bool NetworkDifference::empty() const {
@@ -45,9 +60,11 @@ NetworkDifference compare(const Window& from, const Window& to) {
 }
 
 Window united(const Window& from, const Window& to) {
-  Window both = to;
-  for (const auto& [id, place] : from.places) both.places.emplace(id, place);
-  for (const auto& [id, edge] : from.edges) both.edges.emplace(id, edge);
+  Window both;
+  both.revision = to.revision;
+  both.places = united(from.places, to.places);
+  both.edges = united(from.edges, to.edges);
+  both.labels = to.labels;
   both.labels.insert(from.labels.begin(), from.labels.end());
   index_edges(both);
   return both;

@@ -17,7 +17,7 @@ std::string revision(const Window& network) {
 
 }  // namespace
 
-Result<void> draw_difference(const Window& from, const Window& to, const std::string& file) {
+Result<void> draw_difference(const Window& from, const Window& to, const std::string& note, const std::string& file) {
   const Window both = united(from, to);
   const Layout layout = lay_out(both);
   std::vector<Pose2> poses;
@@ -32,7 +32,7 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
                 std::to_string(difference.places_added.size()) + " places came, " +
                     std::to_string(difference.places_removed.size()) + " went; " +
                     std::to_string(difference.stitches_added.size()) + " stitches came, " +
-                    std::to_string(difference.stitches_removed.size()) + " went");
+                    std::to_string(difference.stitches_removed.size()) + " went" + note);
   // What changed lies upon what did not.
   for (const bool changed : {false, true}) {
     for (const auto& [id, edge] : both.edges) {
@@ -48,6 +48,7 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
     }
   }
   for (const auto& [label, place] : both.labels) {
+    if (both.place(place) == nullptr) continue;
     const auto before = from.labels.find(label);
     const auto now = to.labels.find(label);
     const bool was = before != from.labels.end() && before->second == place;

@@ -3,6 +3,7 @@
 #include "clients/cli/commands.hpp"
 #include "clients/cli/difference.hpp"
 #include "clients/cli/draw_difference.hpp"
+#include "clients/cli/progress.hpp"
 #include "clients/cli/table.hpp"
 
 /// The map's past: what each revision did, and what two of them differ in.
@@ -10,6 +11,8 @@ namespace weft::cli {
 namespace {
 
 using Command = Invocation::Command;
+
+constexpr std::uint64_t kMostDrawnWhole = 20'000;  ///< places
 
 /// Who asked, by name where it is one of the fleet's robots.
 std::string asker(const std::string& who, const Names& names) {
@@ -95,14 +98,28 @@ void print(const NetworkDifference& found, const Output& output) {
   if (found.empty()) output.out << "the same map\n";
 }
 
+/// Whether there is room in a picture for what two revisions share.
+Result<bool> is_drawn_whole(Session& session, const Invocation& invocation) {
+  if (invocation.file.empty()) return false;
+  msg::Query query;
+  query.kind = msg::Query::Kind::info;
+  const Result<msg::QueryReply> now = session.query(query, patience(invocation));
+  if (!now) return fail(now.error());
+  return now->info.places <= kMostDrawnWhole;
+}
+
 Exit diff(Session& session, const Invocation& invocation, const Output& output) {
-  const Result<Window> from = network_at(session, invocation, invocation.from);
-  if (!from) return report(from.error(), invocation.json, output);
-  const Result<Window> to = network_at(session, invocation, invocation.to);
+  const Result<bool> is_whole = is_drawn_whole(session, invocation);
+  if (!is_whole) return report(is_whole.error(), invocation.json, output);
+  const auto apart_from = [&](Revision other) { return *is_whole ? Revision{} : other; };
+  const Result<Window> to = network_at(session, invocation, {invocation.to, apart_from(invocation.from)}, output);
   if (!to) return report(to.error(), invocation.json, output);
+  const Result<Window> from = network_at(session, invocation, {invocation.from, apart_from(to->revision)}, output);
+  if (!from) return report(from.error(), invocation.json, output);
   const NetworkDifference found = compare(*from, *to);
   if (!invocation.file.empty()) {
-    if (const Result<void> drawn = draw_difference(*from, *to, invocation.file); !drawn)
+    const std::string only = *is_whole ? "" : "; only runs that differ";
+    if (const Result<void> drawn = draw_difference(*from, *to, only, invocation.file); !drawn)
       return report(drawn.error(), invocation.json, output);
   }
   if (invocation.json) {
@@ -124,20 +141,16 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
 
 }  // namespace
 
-Result<Window> network_at(Session& session, const Invocation& invocation, Revision revision) {
-  if (revision.value != 0) {
-    msg::Query query;
-    query.kind = msg::Query::Kind::info;
-    const Result<msg::QueryReply> now = session.query(query, patience(invocation));
-    if (!now) return fail(now.error());
-    if (revision > now->info.revision) {
-      return fail(ErrorCode::refused, "the map has no revision " + std::to_string(revision.value) +
-                                          "; its newest is " + std::to_string(now->info.revision.value) +
-                                          ": see `weft map log`");
-    }
-    if (revision == now->info.revision) revision = {};
-  }
-  return session.network(patience(invocation), revision);
+Result<Window> network_at(Session& session, const Invocation& invocation, Session::Wanted wanted,
+                          const Output& output) {
+  ProgressLine line(output.err, session.world().now);
+  return session.network(wanted, patience(invocation), [&](const PagedNetwork& so_far) {
+    msg::OperatorReply read;
+    read.done = so_far.done();
+    read.total = so_far.total();
+    read.unit = "places read";
+    line.show(read);
+  });
 }
 
 Exit run_history(Session& session, const Invocation& invocation, const Output& output) {

@@ -98,7 +98,7 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
     return report(checked.error(), invocation.json, output);
   const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
   if (!robots) return report(robots.error(), invocation.json, output);
-  Result<Window> network = network_at(session, invocation, invocation.at);
+  Result<Window> network = network_at(session, invocation, {invocation.at, {}}, output);
   if (!network) return report(network.error(), invocation.json, output);
   const Result<Laid> laid = lay(*std::move(network), invocation);
   if (!laid) return report(laid.error(), invocation.json, output);

@@ -34,7 +34,6 @@ class Pieces {
     return pieces_.size() == parts_;
   }
   const std::map<std::uint32_t, T>& all() const { return pieces_; }
-  void clear() { pieces_.clear(); }
 
  private:
   std::uint32_t parts_ = 0;
@@ -49,18 +48,11 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.routes, part->second.routes);
     append(all.events, part->second.events);
     append(all.log, part->second.log);
+    append(all.network.places, part->second.network.places);
+    append(all.network.edges, part->second.network.edges);
+    all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
   }
   all.parts = 1;
-  return all;
-}
-
-Patch join(const std::map<std::uint32_t, Patch>& parts) {
-  Patch all = parts.begin()->second;
-  for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
-    append(all.added, part->second.added);
-    append(all.edges, part->second.edges);
-    all.labels.insert(part->second.labels.begin(), part->second.labels.end());
-  }
   return all;
 }
 
@@ -179,37 +171,27 @@ Result<msg::QueryReply> Session::query(msg::Query query, Duration at_most) {
                                           std::to_string(std::lround(seconds(at_most))) +
                                           " s: try again, or give a longer --timeout");
   }
-  return join(pieces.all());
+  msg::QueryReply whole = join(pieces.all());
+  if (whole.outcome == msg::Outcome::refused) return fail(ErrorCode::refused, std::move(whole.message));
+  if (whole.outcome == msg::Outcome::failed) return fail(ErrorCode::internal, std::move(whole.message));
+  return whole;
 }
 
-Result<Window> Session::network(Duration at_most, Revision at) {
-  msg::WindowRequest request;
-  request.header = header();
-  request.definition_id = random_.next() | 1U;
-  request.definition.cap = 1'000'000;
-  request.at = at;
-  Pieces<Patch> pieces;
-  Digest of;
-  std::optional<Window> network;
-  const Result<void> heard = converse(request, at_most, [&](const msg::Message& message) {
-    const auto* const part = std::get_if<msg::WindowPatch>(&message);
-    if (part == nullptr || part->to != self_ || part->definition_id != request.definition_id) return false;
-    if (part->patch.base != Revision{}) return false;
-    if (part->patch.digest != of) pieces.clear();
-    of = part->patch.digest;
-    if (!pieces.add(part->part, part->parts, part->patch)) return false;
-    Result<Window> applied = apply(Window{}, join(pieces.all()));
-    pieces.clear();
-    if (!applied) return false;
-    network = std::move(*applied);
-    return true;
-  });
-  if (!heard) {
-    return fail(ErrorCode::timed_out, "the network did not arrive whole in " +
-                                          std::to_string(std::lround(seconds(at_most))) +
-                                          " s: give a longer --timeout");
+Result<Window> Session::network(Wanted wanted, Duration at_most, const PageProgress& under_way) {
+  msg::Query query;
+  query.kind = msg::Query::Kind::network;
+  query.at = wanted.at;
+  query.apart_from = wanted.apart_from;
+  PagedNetwork network;
+  while (!network.is_whole()) {
+    Result<msg::QueryReply> reply = this->query(query, at_most);
+    if (!reply) return fail(reply.error());
+    if (const Result<void> added = network.add(std::move(reply->network)); !added) return fail(added.error());
+    query.at = network.revision();
+    query.after = network.after();
+    if (under_way) under_way(network);
   }
-  return std::move(*network);
+  return network.take();
 }
 
 Result<void> Session::hand_in(HandIn& hand_in, Duration quiet) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clients/cli/hand_in.hpp"
-#include "core/network/window.hpp"
+#include "core/network/page.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
 #include "core/result.hpp"
@@ -35,10 +35,15 @@ class Session {
   /// timed_out: no answer within `at_most`, and of long work no word for so long. What the request asked for may
   /// still happen.
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
-  /// All parts joined into one.
+  /// All parts joined into one. refused, internal: in the server's words, why it has no answer.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
-  /// The whole network as it is now, or (`at` not 0) as it was at that revision.
-  Result<Window> network(Duration at_most, Revision at = {});
+  struct Wanted {
+    Revision at = {};          ///< 0: as it is
+    Revision apart_from = {};  ///< only runs that differ from those of that revision; 0: all
+  };
+  using PageProgress = std::function<void(const PagedNetwork&)>;
+  /// The whole network, page by page, none of which may take longer than `at_most`.
+  Result<Window> network(Wanted wanted, Duration at_most, const PageProgress& under_way = {});
 
   /// Until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused: in the
   /// server's words. What was acknowledged stays.

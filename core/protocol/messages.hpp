@@ -7,6 +7,7 @@
 #include "core/bytes.hpp"
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
+#include "core/network/page.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/window.hpp"
 
@@ -143,9 +144,6 @@ struct WindowRequest {
   WindowDefinition definition;
   Revision held;  ///< 0: nothing
   Digest held_digest;
-  /// 0: as it is, and as it changes. Else as it was then: answered once, with a fresh window, or not at all when
-  /// there was no such revision.
-  Revision at{};
 };
 
 /// A patch, or one of its parts: all parts of one patch share base, target and digest.
@@ -279,14 +277,17 @@ struct OperatorReply {
 
 /// Client to server: read only.
 struct Query {
-  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4, log = 5 };
+  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4, log = 5, network = 6 };
   Header header;
   std::uint64_t request = 0;
   Kind kind = Kind::robots;
-  GoalId goal;           ///< goals, events: only this one; none: all
-  std::string robot;     ///< events: only this one
-  Revision newest;       ///< log: from here back; 0: from the latest
-  std::uint32_t most{};  ///< log: how many at most, up to 1000
+  GoalId goal;            ///< goals, events: only this one; none: all
+  std::string robot;      ///< events: only this one
+  Revision newest;        ///< log: from here back; 0: from the latest
+  std::uint32_t most{};   ///< log: how many at most, up to 1000
+  Revision at{};          ///< network: as it was then; 0: as it is
+  Revision apart_from{};  ///< network: only experiences that differ from those of that revision; 0: all
+  PlaceId after{};        ///< network: the page behind that place; none: the first
 };
 
 struct Event {
@@ -343,7 +344,10 @@ struct QueryReply {
   std::vector<Route> routes;  ///< the latest route of each goal above
   std::vector<Event> events;
   MapInfo info;
-  std::vector<RevisionNote> log;  ///< newest first
+  std::vector<RevisionNote> log;    ///< newest first
+  NetworkPage network;              ///< a piece of one page in each part
+  Outcome outcome = Outcome::done;  ///< else nothing but `message` counts: why there is no answer, and what to do
+  std::string message;
 };
 
 /// Something happened; for logs and watchers. Lost ones can be asked for again by Query.

@@ -170,6 +170,30 @@ static msg::MapInfo from_idl(const idl::MapInfo& wire, Reading reading) {
   return value;
 }
 
+static idl::NetworkPage page_to_idl(const NetworkPage& page) {
+  idl::NetworkPage wire;
+  wire.revision(page.revision.value);
+  wire.places(list_to_idl<idl::Place>(page.places));
+  wire.edges(list_to_idl<idl::Edge>(page.edges));
+  wire.labels(labels_to_idl(page.labels));
+  wire.total(page.total);
+  wire.is_last(page.is_last);
+  return wire;
+}
+
+static NetworkPage from_idl(const idl::NetworkPage& wire, Reading reading) {
+  NetworkPage value;
+  value.revision = Revision{wire.revision()};
+  reading.require(wire.places().size() + wire.edges().size() + wire.labels().size() <= msg::kPatchEntities,
+                  "places, edges and labels", "must be at most " + std::to_string(msg::kPatchEntities) + " together");
+  value.places = list_from_idl<Place>(wire.places(), reading, "places", msg::kPatchEntities);
+  value.edges = list_from_idl<Edge>(wire.edges(), reading, "edges", msg::kPatchEntities);
+  value.labels = labels_from_idl(reading.list("labels", wire.labels(), msg::kPatchEntities), reading.in("labels"));
+  value.total = wire.total();
+  value.is_last = wire.is_last();
+  return value;
+}
+
 idl::QueryReply to_idl(const msg::QueryReply& message) {
   idl::QueryReply wire;
   wire.header(to_idl(message.header));
@@ -183,6 +207,9 @@ idl::QueryReply to_idl(const msg::QueryReply& message) {
   for (const msg::Event& event : message.events) wire.events().push_back(event_to_idl(event));
   wire.info(info_to_idl(message.info));
   for (const msg::RevisionNote& note : message.log) wire.log().push_back(note_to_idl(note));
+  wire.network(page_to_idl(message.network));
+  wire.outcome(static_cast<std::uint8_t>(message.outcome));
+  wire.message(message.message);
   return wire;
 }
 
@@ -202,6 +229,9 @@ Result<msg::QueryReply> from_idl(const idl::QueryReply& wire) {
   value.events = list_from_idl<msg::Event>(wire.events(), reading, "events", kEvents);
   value.info = from_idl(wire.info(), reading.in("info"));
   value.log = list_from_idl<msg::RevisionNote>(wire.log(), reading, "log", kRows);
+  value.network = from_idl(wire.network(), reading.in("network"));
+  value.outcome = reading.choice("outcome", wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
+  value.message = reading.text("message", wire.message(), kTextLength);
   return reading.finish(std::move(value));
 }
 

@@ -276,4 +276,26 @@ std::vector<PlaceId> places_from_idl(const std::vector<idl::PlaceId>& ids, Readi
   return list;
 }
 
+std::vector<idl::Label> labels_to_idl(const std::map<std::string, PlaceId>& labels) {
+  std::vector<idl::Label> wire;
+  wire.reserve(labels.size());
+  for (const auto& [name, place] : labels) {
+    idl::Label label;
+    label.name(name);
+    label.place(to_idl(place));
+    wire.push_back(std::move(label));
+  }
+  return wire;
+}
+
+std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wire, Reading reading) {
+  std::map<std::string, PlaceId> labels;
+  for (const idl::Label& label : wire) {
+    const PlaceId place = reading.some("place", from_idl(label.place()));
+    const bool is_new = labels.emplace(reading.text("name", label.name(), kNameLength), place).second;
+    reading.require(is_new, "name", "must not stand twice");
+  }
+  return labels;
+}
+
 }  // namespace weft::convert

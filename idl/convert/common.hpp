@@ -54,6 +54,9 @@ std::vector<T> list_from_idl(const std::vector<Wire>& values, Reading& reading, 
   }
   return list;
 }
+std::vector<idl::Label> labels_to_idl(const std::map<std::string, PlaceId>& labels);
+std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wire, Reading reading);
+
 /// Numbers with names for people.
 using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 std::vector<idl::NamedCount> counts_to_idl(const Counts& counts);

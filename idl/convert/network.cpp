@@ -3,31 +3,6 @@
 #include "idl/convert/messages.hpp"
 
 namespace weft::convert {
-namespace {
-
-std::vector<idl::Label> labels_to_idl(const std::map<std::string, PlaceId>& labels) {
-  std::vector<idl::Label> wire;
-  wire.reserve(labels.size());
-  for (const auto& [name, place] : labels) {
-    idl::Label label;
-    label.name(name);
-    label.place(to_idl(place));
-    wire.push_back(std::move(label));
-  }
-  return wire;
-}
-
-std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wire, Reading reading) {
-  std::map<std::string, PlaceId> labels;
-  for (const idl::Label& label : wire) {
-    const PlaceId place = reading.some("place", from_idl(label.place()));
-    const bool is_new = labels.emplace(reading.text("name", label.name(), kNameLength), place).second;
-    reading.require(is_new, "name", "must not stand twice");
-  }
-  return labels;
-}
-
-}  // namespace
 
 idl::ExperienceBatch to_idl(const msg::ExperienceBatch& message) {
   const Batch& batch = message.batch;
@@ -162,7 +137,6 @@ idl::WindowRequest to_idl(const msg::WindowRequest& message) {
   wire.route(list_to_idl<idl::PlaceId>(definition.route));
   wire.held_revision(message.held.value);
   wire.held_digest(message.held_digest.bytes);
-  wire.at_revision(message.at.value);
   return wire;
 }
 
@@ -181,7 +155,6 @@ Result<msg::WindowRequest> from_idl(const idl::WindowRequest& wire) {
   definition.route = places_from_idl(wire.route(), reading, "route", kRoutePlaces);
   value.held = Revision{wire.held_revision()};
   value.held_digest = id_from<Digest>(wire.held_digest());
-  value.at = Revision{wire.at_revision()};
   return reading.finish(std::move(value));
 }
 

@@ -126,6 +126,9 @@ idl::Query to_idl(const msg::Query& message) {
   wire.robot(message.robot);
   wire.newest(message.newest.value);
   wire.most(message.most);
+  wire.at_revision(message.at.value);
+  wire.apart_from(message.apart_from.value);
+  wire.after(to_idl(message.after));
   return wire;
 }
 
@@ -135,11 +138,14 @@ Result<msg::Query> from_idl(const idl::Query& wire) {
   msg::Query value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::log);
+  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::network);
   value.goal = id_from<GoalId>(wire.goal());
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.newest = Revision{wire.newest()};
   value.most = wire.most();
+  value.at = Revision{wire.at_revision()};
+  value.apart_from = Revision{wire.apart_from()};
+  value.after = from_idl(wire.after());
   return reading.finish(std::move(value));
 }
 

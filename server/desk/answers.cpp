@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/network/page.hpp"
+#include "server/outcome.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -14,28 +17,39 @@ constexpr std::size_t kRevisionsInPart = 100;
 constexpr std::size_t kMostRevisions = 1000;
 /// Places of routes and events of goals that go into one part, about.
 constexpr std::size_t kGoalWeightOfPart = 600;
+/// Made, sent and read within a few milliseconds.
+constexpr std::size_t kEntitiesOfPage = 4 * msg::kPatchEntities;
 
 }  // namespace
 
-void Answers::on_query(const msg::Query& query, SteadyTime now) const {
-  std::vector<msg::QueryReply> parts;
+Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) {
   switch (query.kind) {
     case msg::Query::Kind::robots:
-      parts = robots(now);
-      break;
+      return robots(now);
     case msg::Query::Kind::goals:
-      parts = goals(query);
-      break;
+      return goals(query);
     case msg::Query::Kind::events:
-      parts = events(query);
-      break;
+      return events(query);
     case msg::Query::Kind::log:
-      parts = log(query);
-      break;
+      return log(query);
+    case msg::Query::Kind::network:
+      return network(query, now);
     case msg::Query::Kind::info:
       break;
   }
+  Parts one(1);
+  one.front().info = info();
+  return one;
+}
+
+void Answers::on_query(const msg::Query& query, SteadyTime now) {
+  Result<Parts> answered = answer(query, now);
+  Parts parts = answered ? *std::move(answered) : Parts{};
   if (parts.empty()) parts.emplace_back();
+  if (!answered) {
+    parts.front().outcome = outcome_of(answered.error());
+    parts.front().message = clipped(answered.error().message);
+  }
   const auto count = static_cast<std::uint32_t>(parts.size());
   for (std::uint32_t part = 0; part < count; ++part) {
     msg::QueryReply& reply = parts[part];
@@ -43,7 +57,6 @@ void Answers::on_query(const msg::Query& query, SteadyTime now) const {
     reply.request = query.request;
     reply.part = part;
     reply.parts = count;
-    if (query.kind == msg::Query::Kind::info) reply.info = info();
     context_.out.send(std::move(reply));
   }
 }
@@ -55,8 +68,8 @@ std::string Answers::occupies(const RobotId& robot) const {
   return held->from == held->to ? from : from + " to " + to_string(held->held.places[held->to]);
 }
 
-std::vector<msg::QueryReply> Answers::robots(SteadyTime now) const {
-  std::vector<msg::QueryReply> parts;
+Answers::Parts Answers::robots(SteadyTime now) const {
+  Parts parts;
   for (const auto& [id, robot] : fleet_.robots()) {
     if (parts.empty() || parts.back().robots.size() == kRobotsInPart) parts.emplace_back();
     msg::RobotRow row;
@@ -76,14 +89,14 @@ std::vector<msg::QueryReply> Answers::robots(SteadyTime now) const {
   return parts;
 }
 
-std::vector<msg::QueryReply> Answers::goals(const msg::Query& query) const {
+Answers::Parts Answers::goals(const msg::Query& query) const {
   std::vector<const Goal*> wanted;
   for (const auto& [id, goal] : book_.goals()) {
     if (!query.goal || query.goal == id) wanted.push_back(&goal);
   }
   std::sort(wanted.begin(), wanted.end(), [](const Goal* a, const Goal* b) { return a->number < b->number; });
   if (wanted.size() > kMostGoals) wanted.erase(wanted.begin(), wanted.end() - kMostGoals);
-  std::vector<msg::QueryReply> parts;
+  Parts parts;
   std::size_t weight = 0;
   for (const Goal* const goal : wanted) {
     const Route* const route = book_.route(goal->id);
@@ -99,16 +112,16 @@ std::vector<msg::QueryReply> Answers::goals(const msg::Query& query) const {
   return parts;
 }
 
-std::vector<msg::QueryReply> Answers::events(const msg::Query& query) const {
+Result<Answers::Parts> Answers::events(const msg::Query& query) const {
   RobotId robot;
   if (!query.robot.empty()) {
     const Result<RobotId> id = fleet_.by_name(query.robot);
-    if (!id) return {};
+    if (!id) return fail(id.error());
     robot = *id;
   }
   const Result<std::vector<msg::Event>> events = context_.store.events(query.goal, robot, kMostEvents);
-  std::vector<msg::QueryReply> parts;
-  if (!events) return parts;
+  if (!events) return fail(events.error());
+  Parts parts;
   for (const msg::Event& event : *events) {
     if (parts.empty() || parts.back().events.size() == kEventsInPart) parts.emplace_back();
     parts.back().events.push_back(event);
@@ -116,15 +129,33 @@ std::vector<msg::QueryReply> Answers::events(const msg::Query& query) const {
   return parts;
 }
 
-std::vector<msg::QueryReply> Answers::log(const msg::Query& query) const {
-  std::vector<msg::QueryReply> parts;
+Result<Answers::Parts> Answers::log(const msg::Query& query) const {
   Result<std::vector<msg::RevisionNote>> notes =
       context_.store.log(query.newest, std::min<std::size_t>(query.most, kMostRevisions));
-  if (!notes) return parts;
+  if (!notes) return fail(notes.error());
+  Parts parts;
   for (msg::RevisionNote& note : *notes) {
     if (parts.empty() || parts.back().log.size() == kRevisionsInPart) parts.emplace_back();
     note.cause = clipped(std::move(note.cause));
     parts.back().log.push_back(std::move(note));
+  }
+  return parts;
+}
+
+Result<Answers::Parts> Answers::network(const msg::Query& query, SteadyTime now) {
+  const Result<std::shared_ptr<const Snapshot>> network = past_.at(query.at, now);
+  if (!network) return fail(network.error());
+  std::shared_ptr<const Snapshot> other;
+  if (query.apart_from != Revision{}) {
+    const Result<std::shared_ptr<const Snapshot>> found = past_.at(query.apart_from, now);
+    if (!found) return fail(found.error());
+    other = *found;
+  }
+  const NetworkPage page = page_of(**network, other.get(), query.after, kEntitiesOfPage);
+  Parts parts;
+  for (NetworkPage& piece : pieces_of(page, msg::kPatchEntities)) {
+    parts.emplace_back();
+    parts.back().network = std::move(piece);
   }
   return parts;
 }

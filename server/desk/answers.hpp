@@ -8,32 +8,39 @@
 #include "server/dispatcher/goal_book.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
+#include "server/keeper/past.hpp"
 #include "server/traffic/traffic.hpp"
 
 namespace weft::server {
 
-/// Answers what clients ask to see, in parts of bounded size. Changes nothing.
+/// Answers what clients ask to see, in parts of bounded size. Changes nothing of what it shows.
 class Answers {
  public:
-  Answers(const Context& context, const Fleet& fleet, const Traffic& traffic, const GoalBook& book,
-          const Intake& intake)
-      : context_(context), fleet_(fleet), traffic_(traffic), book_(book), intake_(intake) {}
+  Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const GoalBook& book, const Intake& intake)
+      : context_(context), fleet_(fleet), traffic_(traffic), book_(book), intake_(intake), past_(context) {}
 
-  void on_query(const msg::Query& query, SteadyTime now) const;
+  void on_query(const msg::Query& query, SteadyTime now);
+  void tick(SteadyTime now) { past_.tick(now); }
+  std::optional<SteadyTime> next() const { return past_.next(); }
 
  private:
-  std::vector<msg::QueryReply> robots(SteadyTime now) const;
-  std::vector<msg::QueryReply> goals(const msg::Query& query) const;
-  std::vector<msg::QueryReply> events(const msg::Query& query) const;
-  std::vector<msg::QueryReply> log(const msg::Query& query) const;
+  using Parts = std::vector<msg::QueryReply>;
+
+  Result<Parts> answer(const msg::Query& query, SteadyTime now);
+  Parts robots(SteadyTime now) const;
+  Parts goals(const msg::Query& query) const;
+  Result<Parts> events(const msg::Query& query) const;
+  Result<Parts> log(const msg::Query& query) const;
+  Result<Parts> network(const msg::Query& query, SteadyTime now);
   msg::MapInfo info() const;
   std::string occupies(const RobotId& robot) const;
 
-  const Context& context_;
+  Context& context_;
   const Fleet& fleet_;
   const Traffic& traffic_;
   const GoalBook& book_;
   const Intake& intake_;
+  Past past_;
 };
 
 }  // namespace weft::server

@@ -22,7 +22,6 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
     ++context_.counters["keeper: too many askers"];
     return;
   }
-  if (request.at.value != 0) return show_past(request);
   Asker& asker = askers_[peer];
   asker.definition_id = request.definition_id;
   asker.definition = request.definition;
@@ -36,21 +35,6 @@ void Subscriptions::on_request(const msg::WindowRequest& request, SteadyTime now
   asker.behind = true;
   asker.asked = true;
   if (asker.next_patch <= now) serve(peer, asker, now);
-}
-
-void Subscriptions::show_past(const msg::WindowRequest& request) {
-  std::shared_ptr<const Snapshot> then = context_.snapshots.at(request.at);
-  if (!then && past_ && past_->revision() == request.at) then = past_;
-  if (!then) {
-    Result<Snapshot> stored = context_.store.snapshot_at(request.at, context_.snapshots.current());
-    if (!stored) {
-      ++context_.counters["keeper: no such revision"];
-      return;
-    }
-    then = past_ = std::make_shared<const Snapshot>(*std::move(stored));
-  }
-  const Window window = make_window(*then, request.definition);
-  send(request.header.sender, request.definition_id, difference(Window{}, window, digest(window)));
 }
 
 void Subscriptions::send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch) {

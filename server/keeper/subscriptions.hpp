@@ -40,15 +40,12 @@ class Subscriptions {
   std::pair<std::shared_ptr<const Window>, Digest> window_now(const WindowDefinition& definition) const;
   /// True when that took making a window, much longer than seeing that it is right.
   bool serve(const PeerId& peer, Asker& asker, SteadyTime now);
-  /// Subscribes to nothing.
-  void show_past(const msg::WindowRequest& request);
   void send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch);
   /// Takes what the asker holds for the window with this digest; for nothing, when we cannot tell what it is.
   void believe(Asker& asker, Revision revision, const Digest& held_digest) const;
 
   Context& context_;
   std::map<PeerId, Asker> askers_;
-  std::shared_ptr<const Snapshot> past_;  ///< shown last, for who asks again
 };
 
 }  // namespace weft::server

@@ -154,7 +154,15 @@ msg::QueryReply query_reply() {
       {Revision{9}, Revision{4}, WallTime(std::chrono::seconds(1'700'000'000)), "rollback", "anna", "to revision 4"}};
   made.info = {Revision{99}, Epoch{7},  2,        400,         12,
                380,          9'000'000, 55,       1,           1ULL << 40U,
-               "weft 0.1.0", "fastdds", "sqlite", "disk full", {{"weft/1/query: Query.kind must be from 1 to 5", 2}}};
+               "weft 0.1.0", "fastdds", "sqlite", "disk full", {{"weft/1/query: Query.kind must be from 1 to 6", 2}}};
+  made.network.revision = Revision{88};
+  made.network.places = {place(1), place(2)};
+  made.network.edges = {edge(metric2(), Origin::stitch)};
+  made.network.labels = {{"dock", place_id(2, 1)}};
+  made.network.total = 400;
+  made.network.is_last = true;
+  made.outcome = msg::Outcome::refused;
+  made.message = "the map has no revision 900";
   return made;
 }
 
@@ -207,8 +215,7 @@ void add_network(std::vector<Example>& all) {
                                     77,
                                     {place_id(0xabcdef, 17), 25, 2000, {place_id(1, 5), place_id(1, 6)}},
                                     Revision{90},
-                                    id_of<Digest>(0x80),
-                                    Revision{88}}});
+                                    id_of<Digest>(0x80)}});
   all.push_back({"window_patch", Role::server, patch()});
 }
 
@@ -263,7 +270,8 @@ void add_operating(std::vector<Example>& all) {
                                     {"content 12ab: checksum differs"},
                                     {{"places", 400}}}});
   all.push_back({"query", Role::client,
-                 msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20}});
+                 msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20,
+                            Revision{90}, Revision{88}, place_id(1, 5)}});
   all.push_back({"query_reply", Role::server, query_reply()});
   all.push_back({"event_note", Role::server, msg::EventNote{header(), event()}});
 }

@@ -43,7 +43,7 @@ TEST(MapDiff, ARevisionThatIsNotThereIsRefusedNamingTheNewest) {
   Fleet fleet;
   const Said said = fleet.weft({"map", "diff", "900", "901"});
   EXPECT_EQ(said.exit, Exit::refused);
-  EXPECT_NE(said.err.find("no revision 900; its newest is"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("no revision 901; its newest is"), std::string::npos) << said.err;
   EXPECT_EQ(fleet.weft({"map", "diff", "0", "1"}).exit, Exit::usage);
 }
 
@@ -85,10 +85,10 @@ TEST(DrawDifference, MakesAPicture) {
   const Window to = at(batches, batches.size());
   from.labels["dock"] = from.places.begin()->first;
   const std::filesystem::path file = folder() / "difference.png";
-  const Result<void> drawn = draw_difference(from, to, file.string());
+  const Result<void> drawn = draw_difference(from, to, "", file.string());
   ASSERT_TRUE(drawn) << drawn.error().message;
   EXPECT_GT(std::filesystem::file_size(file), 5000U);
-  EXPECT_EQ(draw_difference(from, to, (folder() / "difference.txt").string()).error().code, ErrorCode::invalid);
+  EXPECT_EQ(draw_difference(from, to, "", (folder() / "difference.txt").string()).error().code, ErrorCode::invalid);
 }
 
 }  // namespace

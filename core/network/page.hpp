@@ -1,0 +1,52 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/network/window.hpp"
+
+namespace weft {
+
+/// A piece of the network at one revision, for whoever wants all of it: neither side has to send, or wait for, more
+/// than this at once.
+struct NetworkPage {
+  Revision revision;
+  std::vector<Place> places;              ///< in the order of their ids
+  std::vector<Edge> edges;                ///< those whose second end is one of `places`
+  std::map<std::string, PlaceId> labels;  ///< all of the network's, with the last page
+  std::uint64_t total = 0;                ///< places on all pages, with the first one
+  bool is_last = false;
+};
+
+/// The page that follows `after` (the first one: no place), with as many whole places and their edges as make up to
+/// `entities`, and at least one place. With `other`, only experiences whose places or edges differ in the two:
+/// that is the same set from either side.
+NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities);
+
+/// Cut so that each piece has at most `entities` places, edges and labels; at least one piece.
+std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities);
+
+/// Pages put together again, in their order.
+class PagedNetwork {
+ public:
+  /// stale: of another revision than the first one; invalid: a place that does not come after the last one.
+  Result<void> add(NetworkPage page);
+  bool is_whole() const { return is_whole_; }
+  /// After which the next page begins.
+  PlaceId after() const { return window_.places.empty() ? PlaceId{} : window_.places.key_at(window_.places.size() - 1); }
+  Revision revision() const { return window_.revision; }
+  std::uint64_t done() const { return window_.places.size(); }
+  std::uint64_t total() const { return total_; }
+  /// When it is whole. Edges that lead to places on no page are left out; labels are not.
+  Window take();
+
+ private:
+  Window window_;
+  std::vector<Edge> edges_;
+  std::uint64_t total_ = 0;
+  bool is_whole_ = false;
+};
+
+}  // namespace weft
