@@ -62,7 +62,8 @@ CLI::App* describe(CLI::App& app, FloorOptions& options, std::string& seeds) {
       "How well robots navigate by floors (method floor), against what is promised of it: one robot is led along a "
       "line and taught it, another one repeats it by itself on another day, on every kind of floor and under every "
       "light and wear.\n"
-      "Writes floor.csv, floor.json and series/. Ctrl-C stops it; the same command goes on where it stopped.");
+      "Writes floor.csv, floor.json, ten pictures and series/ (docs/floor-study.md). Ctrl-C stops it; the same "
+      "command goes on where it stopped.");
   seeds = "1..10";
   options.site = "deploy/sites/demo.toml";
   options.out = "out/floor";

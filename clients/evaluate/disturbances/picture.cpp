@@ -1,13 +1,11 @@
 #include "clients/evaluate/disturbances/picture.hpp"
 
-#include <cairo.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <numbers>
+
+#include "clients/evaluate/canvas.hpp"
 
 namespace weft::evaluate {
 namespace {
@@ -19,15 +17,8 @@ constexpr double kTop = 150.0;
 constexpr double kRow = 30.0;
 constexpr double kBottom = 70.0;
 
-struct Colour {
-  double r, g, b;
-};
-/// Told apart by people who see colours differently (Okabe & Ito).
-constexpr Colour kInk = {0.13, 0.15, 0.18};
-constexpr Colour kQuiet = {0.50, 0.53, 0.57};
-constexpr Colour kGrid = {0.88, 0.89, 0.91};
-constexpr Colour kWithout = {0.00, 0.45, 0.70};
-constexpr Colour kOnly = {0.84, 0.37, 0.00};
+constexpr Colour kWithout = kBlue;
+constexpr Colour kOnly = kVermilion;
 
 struct Panel {
   const char* title;
@@ -53,12 +44,8 @@ std::pair<double, double> axis(double value) {
 
 class Drawing {
  public:
-  Drawing(cairo_t* pen, const Rows& rows, const std::vector<std::string>& names, Seeds seeds)
-      : pen_(pen), rows_(rows), names_(names), seeds_(seeds) {
-    cairo_set_source_rgb(pen_, 1.0, 1.0, 1.0);
-    cairo_paint(pen_);
-    cairo_select_font_face(pen_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  }
+  Drawing(double wide, double tall, const Rows& rows, const std::vector<std::string>& names, Seeds seeds)
+      : canvas_(wide, tall), rows_(rows), names_(names), seeds_(seeds) {}
 
   void title(const std::string& about) {
     text(24.0, 36.0, "What each disturbance of the simulated body costs", 20.0, kInk);
@@ -102,6 +89,8 @@ class Drawing {
     }
   }
 
+  Result<void> write(const std::filesystem::path& file) const { return canvas_.write(file); }
+
  private:
   static double row(std::size_t i) { return kTop + kRow * (static_cast<double>(i) + 0.5); }
 
@@ -131,53 +120,17 @@ class Drawing {
     return x + 14.0 + width(words, 12.0) + 30.0;
   }
 
-  void colour(const Colour& ink) { cairo_set_source_rgb(pen_, ink.r, ink.g, ink.b); }
-
-  void mark(double x, double y, const Colour& ink, bool full) {
-    cairo_new_path(pen_);  // a text before it has left a point behind
-    cairo_arc(pen_, x, y, 4.0, 0.0, 2.0 * std::numbers::pi);
-    full ? colour(ink) : cairo_set_source_rgb(pen_, 1.0, 1.0, 1.0);
-    cairo_fill_preserve(pen_);
-    colour(ink);
-    cairo_set_line_width(pen_, 1.6);
-    cairo_stroke(pen_);
-  }
-
-  void bar(double from, double to, double y, const Colour& ink) {
-    colour(ink);
-    cairo_set_line_width(pen_, 1.2);
-    cairo_move_to(pen_, from, y);
-    cairo_line_to(pen_, to, y);
-    cairo_stroke(pen_);
-  }
-
+  void mark(double x, double y, const Colour& ink, bool full) { canvas_.mark({x, y}, 4.0, ink, full); }
+  void bar(double from, double to, double y, const Colour& ink) { canvas_.line({from, y}, {to, y}, ink, 1.2); }
   void upright(double x, double from, double to, const Colour& ink, bool dashed) {
-    if (!std::isfinite(x)) return;
-    const std::array<double, 2> dashes = {4.0, 4.0};
-    colour(ink);
-    cairo_set_dash(pen_, dashes.data(), dashed ? 2 : 0, 0.0);
-    cairo_set_line_width(pen_, dashed ? 1.4 : 1.0);
-    cairo_move_to(pen_, x, from);
-    cairo_line_to(pen_, x, to);
-    cairo_stroke(pen_);
-    cairo_set_dash(pen_, nullptr, 0, 0.0);
+    if (std::isfinite(x)) canvas_.line({x, from}, {x, to}, ink, dashed ? 1.4 : 1.0, dashed);
   }
-
   void text(double x, double y, const std::string& words, double size, const Colour& ink) {
-    colour(ink);
-    cairo_set_font_size(pen_, size);
-    cairo_move_to(pen_, x, y);
-    cairo_show_text(pen_, words.c_str());
+    canvas_.text(x, y, words, size, ink);
   }
+  double width(const std::string& words, double size) { return canvas_.width(words, size); }
 
-  double width(const std::string& words, double size) {
-    cairo_text_extents_t extents{};
-    cairo_set_font_size(pen_, size);
-    cairo_text_extents(pen_, words.c_str(), &extents);
-    return extents.x_advance;
-  }
-
-  cairo_t* pen_;
+  Canvas canvas_;
   const Rows& rows_;
   const std::vector<std::string>& names_;
   Seeds seeds_;
@@ -189,18 +142,11 @@ Result<void> draw_disturbances(const Rows& rows, const std::vector<std::string>&
                                const std::string& about, const std::filesystem::path& file) {
   const double wide = kNames + static_cast<double>(kPanels.size()) * (kPanel + kGap);
   const double tall = kTop + kRow * static_cast<double>(disturbances.size()) + kBottom;
-  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(wide), static_cast<int>(tall)),
-      cairo_surface_destroy);
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(surface.get()), cairo_destroy);
-  Drawing drawing(pen.get(), rows, disturbances, seeds);
+  Drawing drawing(wide, tall, rows, disturbances, seeds);
   drawing.title(about);
   drawing.names();
   for (std::size_t i = 0; i < kPanels.size(); ++i) drawing.panel(i);
-  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
-  if (status == CAIRO_STATUS_SUCCESS) return {};
-  return fail(ErrorCode::unavailable,
-              file.string() + ": " + cairo_status_to_string(status) + "; is the folder there?");
+  return drawing.write(file);
 }
 
 }  // namespace weft::evaluate

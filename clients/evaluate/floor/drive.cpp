@@ -10,30 +10,11 @@ namespace {
 
 using namespace agents;
 
-constexpr ExperienceId kTaught{1};
-constexpr RobotId kTeacher{{1}};
 constexpr int kLookAtMost = 120;      // samples standing, until it is given up as not localised
 constexpr int kStandsAtMost = 120;    // samples on its way without moving on: at rest two a second
 constexpr int kRestsFor = 4;          // samples after arriving, for the base to come to rest
 constexpr int kLastViewAtMost = 10;   // samples for the last place
 constexpr double kLongestS = 1800.0;  // of a repeat, on the simulation's clock
-
-Result<void> take(Taught& taught, const std::vector<Kept>& kept, std::vector<PlaceId>& places) {
-  for (const Kept& one : kept) places.push_back(one.place.id);
-  return taught.map.take(kTaught, kTeacher, "floor", kept);
-}
-
-/// Places are kept at samples, whose truth is known once all has been driven.
-void note_truth(Taught& taught, const std::vector<PlaceId>& places) {
-  std::map<std::uint64_t, const Moment*> by_frame;
-  for (const Moment& moment : taught.trace.moments) by_frame[moment.frame] = &moment;
-  for (const PlaceId& id : places) {
-    const Moment& there = *by_frame.at(taught.map.snapshot().place(id)->frame);
-    taught.site_from_place[id] = there.site_from_robot;
-    taught.start_from_place[id] = there.start_from_robot;
-    taught.last = id;
-  }
-}
 
 /// Until it believes to know where it is. None: stopped; false: it did not find out.
 Result<std::optional<bool>> find_itself(DrivenRobot& robot, const Drive& drive, const Taught& taught) {
@@ -85,29 +66,42 @@ Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoin
   return std::optional(std::move(*trace));
 }
 
-Result<std::optional<Taught>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
+Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taught& taught) {
+  const ExperienceId experience{taught.traces.size() + 1};
+  const RobotId teacher{{static_cast<std::uint8_t>(experience.value)}};
   Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
   if (!robot) return fail(robot.error());
+  if (!taught.traces.empty()) {
+    const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);
+    if (!found) return fail(found.error());
+    if (!*found) return false;
+    if (!**found) return fail(ErrorCode::refused, "a robot that is to be taught more does not find where it is");
+  }
   if (const Result<void> begun = robot->body().drive_by_hand(line); !begun) return fail(begun.error());
-  Taught taught;
-  std::vector<PlaceId> places;
-  robot->navigator().begin_teach({kTaught, kTeacher});
+  robot->navigator().begin_teach({experience, teacher});
+  const auto take = [&](const std::vector<Kept>& kept) {
+    if (!kept.empty()) taught.last = kept.back().place.id;
+    return taught.map.take(experience, teacher, "floor", kept);
+  };
   int ending = 0;
   for (bool done = false; !done;) {
-    if (drive.asked_to_stop()) return std::optional<Taught>();
+    if (drive.asked_to_stop()) return false;
     const Result<DrivenRobot::Stepped> stepped = robot->step(taught.map.view());
     if (!stepped) return fail(stepped.error());
-    if (const Result<void> taken = take(taught, stepped->navigated.kept, places); !taken) return fail(taken.error());
+    if (const Result<void> taken = take(stepped->navigated.kept); !taken) return fail(taken.error());
     if (stepped->hand_done) ++ending;
     done = (ending > 0 && stepped->has_view) || ending > kLastViewAtMost;
   }
   const std::vector<Kept> kept = robot->navigator().end_teach(taught.map.view());
-  if (const Result<void> taken = take(taught, kept, places); !taken) return fail(taken.error());
+  robot->note_last(kept);
+  if (const Result<void> taken = take(kept); !taken) return fail(taken.error());
   Result<Trace> trace = robot->finish();
   if (!trace) return fail(trace.error());
-  taught.trace = std::move(*trace);
-  note_truth(taught, places);
-  return std::optional(std::move(taught));
+  const PlaceSet places = places_of(*trace);
+  taught.places.site_from_place.insert(places.site_from_place.begin(), places.site_from_place.end());
+  taught.places.start_from_place.insert(places.start_from_place.begin(), places.start_from_place.end());
+  taught.traces.push_back(std::move(*trace));
+  return true;
 }
 
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught) {

@@ -17,13 +17,12 @@ struct Drive {
   std::function<bool()> asked_to_stop;  ///< asked at every sample
 };
 
-/// What a robot was taught, and where its places truly are.
+/// What robots were taught, one experience after the other, and where its places truly are.
 struct Taught {
   TaughtMap map;
-  std::map<PlaceId, Pose2> site_from_place;
-  std::map<PlaceId, Pose2> start_from_place;  ///< by the odometry of the robot that was taught
+  std::vector<Trace> traces;
+  PlaceSet places;
   PlaceId last;
-  Trace trace;
 };
 
 /// A way there by the robot's own control.
@@ -37,8 +36,9 @@ struct Repeated {
 /// A hand leads the robot along the line; nothing is taught, its odometry is what counts. None: stopped.
 Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<agents::SitePoint>& line);
 
-/// A hand leads the robot along the line while it is taught. None: stopped.
-Result<std::optional<Taught>> teach(const Drive& drive, const std::vector<agents::SitePoint>& line);
+/// A hand leads the robot along the line while it is taught; when something has been taught before, it looks where it
+/// is first. False: stopped. refused: it did not find out.
+Result<bool> teach(const Drive& drive, const std::vector<agents::SitePoint>& line, Taught& taught);
 
 /// The robot, told nothing but the map, finds where it is and drives to the last place taught. None: stopped.
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught);

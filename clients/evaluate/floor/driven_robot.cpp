@@ -53,9 +53,14 @@ Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
   if (const std::optional<Fix>& fix = stepped.navigated.fix) {
     moment.fix = FixSeen{fix->place, planar(fix->evidence.a_from_b), planar(fix->place_from_robot)};
   }
+  if (!stepped.navigated.kept.empty()) moment.kept = stepped.navigated.kept.back().place.id;
   trace_.moments.push_back(moment);
   for (const Refusal& refusal : stepped.navigated.refusals) ++trace_.refusals[std::string(refusal.reason)];
   return stepped;
+}
+
+void DrivenRobot::note_last(const std::vector<Kept>& kept) {
+  if (!kept.empty()) trace_.moments.back().kept = kept.back().place.id;
 }
 
 Result<Trace> DrivenRobot::finish() {

@@ -33,6 +33,9 @@ class DrivenRobot {
   /// One sample, noted in the trace.
   Result<Stepped> step(const agents::MapView& map);
 
+  /// What the end of teaching kept, of the newest sample.
+  void note_last(const std::vector<agents::Kept>& kept);
+
   /// What was driven, with its truth beside it. The robot is not to be used any more.
   Result<Trace> finish();
 

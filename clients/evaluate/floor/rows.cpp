@@ -106,8 +106,8 @@ Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
   return write_text(folder / kCsv, text.str());
 }
 
-std::filesystem::path series_file(const std::filesystem::path& folder, const RowKey& key) {
-  return folder / "series" / (key.kind + "-" + key.part + "-" + std::to_string(key.seed) + ".csv");
+std::string stamp_of(const Study& study) {
+  return sha256_of(json_of(study).dump()).substr(0, 16);
 }
 
 }  // namespace weft::evaluate::floor

@@ -25,7 +25,7 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
 /// DIR/floor.csv, a row a (floor, part, seed).
 Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows);
 
-/// DIR/series/KIND-PART-SEED.csv: a run sample by sample, for pictures and for whoever looks into a row.
-std::filesystem::path series_file(const std::filesystem::path& folder, const RowKey& key);
+/// One word that says of which study something is.
+std::string stamp_of(const Study& study);
 
 }  // namespace weft::evaluate::floor

@@ -128,6 +128,46 @@ Result<Drive> Scenario::second(const std::string& light) const {
   return drive_in(std::move(*site), 1);
 }
 
+Drive Scenario::other_on_second_part() const {
+  sim::Site site = stage_.site;
+  sim::RobotStart& start = site.robots.front();
+  const std::vector<SitePoint> part = second_part();
+  start.name = "other";
+  start.seed += 2 * kOtherRobot;
+  start.site_from_robot = {part[0].x, part[0].y, heading_of(part[0], part[1])};
+  return drive_in(std::move(site), 2);
+}
+
+std::vector<SitePoint> Scenario::line_beginning(double metres) const {
+  return stretch(stage_.line, 0.0, metres);
+}
+std::vector<SitePoint> Scenario::first_part() const {
+  return stretch(stage_.line, 0.0, 0.60 * length_of(stage_.line));
+}
+std::vector<SitePoint> Scenario::second_part() const {
+  return stretch(stage_.line, 0.45 * length_of(stage_.line), length_of(stage_.line));
+}
+
+std::vector<SitePoint> stretch(const std::vector<SitePoint>& line, double from_m, double to_m) {
+  std::vector<SitePoint> part;
+  double along = 0.0;
+  for (std::size_t i = 1; i < line.size() && along < to_m; ++i) {
+    const SitePoint& a = line[i - 1];
+    const SitePoint& b = line[i];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const auto at = [&](double metres) {
+      const double share = (metres - along) / length;
+      return SitePoint{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    };
+    if (length > 0.0 && along + length > from_m) {
+      if (part.empty()) part.push_back(at(std::max(from_m, along)));
+      part.push_back(along + length > to_m ? at(to_m) : b);
+    }
+    along += length;
+  }
+  return part;
+}
+
 std::vector<SitePoint> longest_straight(const std::vector<SitePoint>& line) {
   constexpr double kStraight = 5.0 * kDegree;
   std::vector<SitePoint> best;

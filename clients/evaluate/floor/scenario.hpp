@@ -49,7 +49,15 @@ class Scenario {
   /// invalid: no such light.
   Result<Drive> second(const std::string& light) const;
 
+  /// A third robot, where the second part of the line begins; on a third day.
+  Drive other_on_second_part() const;
+
   const std::vector<agents::SitePoint>& line() const { return stage_.line; }
+  /// At most so much of it.
+  std::vector<agents::SitePoint> line_beginning(double metres) const;
+  /// Its first 60 and its last 55 percent.
+  std::vector<agents::SitePoint> first_part() const;
+  std::vector<agents::SitePoint> second_part() const;
   double camera_height_m() const { return stage_.site.camera.height_m; }
 
  private:
@@ -59,6 +67,9 @@ class Scenario {
   Stage stage_;
   std::uint64_t seed_;
 };
+
+/// From so many metres on to so many.
+std::vector<agents::SitePoint> stretch(const std::vector<agents::SitePoint>& line, double from_m, double to_m);
 
 /// The longest straight part of a line: pieces that turn by less than 5 degrees against its beginning.
 std::vector<agents::SitePoint> longest_straight(const std::vector<agents::SitePoint>& line);

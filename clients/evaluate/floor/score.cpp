@@ -55,19 +55,19 @@ Score score_of_repeat(const Taught& taught, const Repeated& repeated) {
   const Trace& trace = repeated.trace;
   score.metres = driven_m(trace);
   score.arrived = repeated.arrived ? 1.0 : 0.0;
-  score.consistency_percent = consistency_percent(fixed_stretches(trace, taught.start_from_place));
-  score.blind_distances_m = blind_distances(trace, taught.site_from_place);
+  score.consistency_percent = consistency_percent(fixed_stretches(trace, taught.places.start_from_place));
+  score.blind_distances_m = blind_distances(trace, taught.places.site_from_place);
   score.blind_m = *std::max_element(score.blind_distances_m.begin(), score.blind_distances_m.end());
-  const PathErrors path = path_errors(off_path(trace, TaughtPath(taught.trace)));
+  const PathErrors path = path_errors(off_path(trace, TaughtPath(taught.traces.front())));
   score.lateral_rmse_mm = 1e3 * path.lateral_rmse_m;
   score.lateral_worst_mm = 1e3 * path.lateral_worst_m;
   score.heading_rms_deg = kDegrees * path.heading_rms_rad;
   const Pose2 goal_from_robot =
-      taught.site_from_place.at(taught.last).inverse() * trace.moments.back().site_from_robot;
+      taught.places.site_from_place.at(taught.last).inverse() * trace.moments.back().site_from_robot;
   score.goal_mm = 1e3 * std::hypot(goal_from_robot.x, goal_from_robot.y);
   score.goal_deg = kDegrees * std::abs(goal_from_robot.heading);
   score.fixes = fixes(trace);
-  score.wrong_fixes = wrong_fixes(trace, taught.site_from_place);
+  score.wrong_fixes = wrong_fixes(trace, taught.places.site_from_place);
   return score;
 }
 

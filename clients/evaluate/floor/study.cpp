@@ -1,6 +1,7 @@
 #include "clients/evaluate/floor/study.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "agents/bodies/sim/changes.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
+#include "clients/evaluate/floor/figure_runs.hpp"
+#include "clients/evaluate/floor/figures.hpp"
+#include "clients/evaluate/floor/measurement.hpp"
 #include "clients/evaluate/floor/rows.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "clients/evaluate/line.hpp"
@@ -87,100 +91,72 @@ Result<Subject> subject_of(const FloorOptions& options, const Surroundings& arou
   return subject;
 }
 
-/// Rows of one floor and one seed: taught once, then repeated under each light. Each is handed on as soon as it is
-/// there.
-class Measurement {
- public:
-  using Keep = std::function<Result<void>(const RowKey&, const Score&)>;
-
-  Measurement(const Scenario& scenario, std::string kind, std::uint64_t seed, const Surroundings& around, Keep keep)
-      : scenario_(scenario), kind_(std::move(kind)), seed_(seed), around_(around), keep_(std::move(keep)) {}
-
-  Result<Ended> mapping() {
-    const double began_s = around_.steady_s();
-    if (const Result<Ended> ended = teach_once(); !ended || *ended == Ended::stopped) return ended;
-    const Result<std::optional<Trace>> wrong_mount = lead(scenario_.with_wrong_mount(), scenario_.line());
-    if (!wrong_mount) return fail(wrong_mount.error());
-    if (!*wrong_mount) return Ended::stopped;
-    const Result<std::optional<Trace>> fast = lead(scenario_.fast(), scenario_.fast_line());
-    if (!fast) return fail(fast.error());
-    if (!*fast) return Ended::stopped;
-    return keep(kMapping, score_of_mapping(taught_->trace, **wrong_mount, **fast), began_s);
-  }
-
-  Result<Ended> repeat_under(const std::string& light) {
-    const double began_s = around_.steady_s();
-    if (const Result<Ended> ended = teach_once(); !ended || *ended == Ended::stopped) return ended;
-    const Result<Drive> drive = scenario_.second(light);
-    if (!drive) return fail(drive.error());
-    const Result<std::optional<Repeated>> repeated = repeat(*drive, *taught_);
-    if (!repeated) return fail(repeated.error());
-    if (!*repeated) return Ended::stopped;
-    return keep(light, score_of_repeat(*taught_, **repeated), began_s);
-  }
-
- private:
-  Result<Ended> teach_once() {
-    if (taught_) return Ended::complete;
-    Result<std::optional<Taught>> taught = teach(scenario_.first(), scenario_.line());
-    if (!taught) return fail(taught.error());
-    if (!*taught) return Ended::stopped;
-    taught_ = std::move(*taught);
-    return Ended::complete;
-  }
-
-  Result<Ended> keep(const std::string& part, Score score, double began_s) {
-    score.seconds = around_.steady_s() - began_s;
-    if (const Result<void> kept = keep_({kind_, part, seed_}, score); !kept) return fail(kept.error());
-    return Ended::complete;
-  }
-
-  const Scenario& scenario_;
-  std::string kind_;
-  std::uint64_t seed_;
-  const Surroundings& around_;
-  Keep keep_;
-  std::optional<Taught> taught_;
-};
-
 std::vector<std::string> parts_of(const Subject& subject) {
   std::vector<std::string> parts = {kMapping};
   parts.insert(parts.end(), subject.lights.begin(), subject.lights.end());
   return parts;
 }
 
-std::size_t kept_of(const Rows& rows, const Subject& subject, Seeds seeds) {
+Shelf shelf_of(const Subject& subject, const FloorOptions& options, const std::string& kind, std::uint64_t seed) {
+  return {options.out / "series", stamp_of(subject.study), kind, seed};
+}
+
+/// Rows and, of the first seed, the runs that pictures show.
+std::size_t kept_of(const Rows& rows, const Subject& subject, const FloorOptions& options) {
   std::size_t kept = 0;
   for (const std::string& kind : subject.kinds) {
-    for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
       for (const std::string& part : parts_of(subject)) kept += rows.count({kind, part, seed});
     }
+    const Shelf shelf = shelf_of(subject, options, kind, options.seeds.first);
+    kept += has_shown(subject.lights.front(), shelf) ? 1 : 0;
   }
   return kept;
 }
 
 /// Seed by seed, so that what an interruption leaves is whole comparisons of the floors.
-Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, Rows& rows,
+Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, Rows& rows, RowsMeasured& progress,
                           const Surroundings& around) {
-  const std::vector<std::string> parts = parts_of(subject);
-  const std::size_t all = subject.kinds.size() * parts.size() * (options.seeds.last - options.seeds.first + 1);
-  RowsMeasured progress(all, kept_of(rows, subject, options.seeds), around);
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
     for (const std::string& kind : subject.kinds) {
       const Result<Scenario> scenario = Scenario::make(subject.stage, kind, seed);
       if (!scenario) return fail(scenario.error());
-      Measurement measurement(*scenario, kind, seed, around, [&](const RowKey& key, const Score& score) {
+      const auto keep = [&](const RowKey& key, const Score& score) {
         rows.insert_or_assign(key, score);
         progress.row(key.kind + ", " + key.part + ", seed " + std::to_string(key.seed));
         return write_rows(options.out, subject.study, rows, options.seeds);
-      });
-      for (const std::string& part : parts) {
+      };
+      const bool is_shown = seed == options.seeds.first;
+      Measurement measurement(*scenario, shelf_of(subject, options, kind, seed), is_shown, around, keep);
+      for (const std::string& part : parts_of(subject)) {
         if (rows.contains({kind, part, seed})) continue;
         const Result<Ended> ended = part == kMapping ? measurement.mapping() : measurement.repeat_under(part);
         if (!ended || *ended == Ended::stopped) return ended;
       }
     }
   }
+  return Ended::complete;
+}
+
+/// What pictures show, of the first seed.
+Result<Ended> show_all(const Subject& subject, const FloorOptions& options, Pictured& pictured,
+                       RowsMeasured& progress) {
+  const std::uint64_t seed = options.seeds.first;
+  for (const std::string& kind : subject.kinds) {
+    const Result<Scenario> scenario = Scenario::make(subject.stage, kind, seed);
+    if (!scenario) return fail(scenario.error());
+    const Shelf shelf = shelf_of(subject, options, kind, seed);
+    const bool was_there = has_shown(subject.lights.front(), shelf);
+    Result<std::optional<Shown>> shown = shown_of(*scenario, subject.lights.front(), shelf);
+    if (!shown) return fail(shown.error());
+    if (!*shown) return Ended::stopped;
+    if (!was_there) progress.row(kind + ", for the pictures");
+    pictured.kinds.push_back(std::move(**shown));
+  }
+  pictured.camera_height_m = subject.stage.site.camera.height_m;
+  pictured.about = "site " + subject.stage.site.name + ", method floor, " +
+                   std::to_string(std::lround(options.metres)) + " m, seed " + std::to_string(seed) +
+                   ", repeated under: " + subject.lights.front();
   return Ended::complete;
 }
 
@@ -197,6 +173,21 @@ Rows asked_for(const Rows& rows, const Subject& subject, Seeds seeds) {
   return some;
 }
 
+Result<Ended> report(const Subject& subject, const FloorOptions& options, const Rows& rows, const Pictured& pictured,
+                     const Surroundings& around) {
+  if (const Result<void> csv = write_csv(options.out, rows); !csv) return fail(csv.error());
+  if (const Result<void> json = write_rows(options.out, subject.study, rows, options.seeds); !json) {
+    return fail(json.error());
+  }
+  const Rows asked = asked_for(rows, subject, options.seeds);
+  const Result<std::vector<std::string>> drawn = draw_figures(pictured, asked, options.seeds, options.out);
+  if (!drawn) return fail(drawn.error());
+  around.out << tables_of(asked, options.seeds) << std::flush;
+  around.progress << "weft-evaluate: floor.csv, floor.json and " << drawn->size() << " pictures are in "
+                  << options.out.string() << '\n';
+  return Ended::complete;
+}
+
 }  // namespace
 
 Result<Ended> study_floor(const FloorOptions& options, const Surroundings& around) {
@@ -207,15 +198,15 @@ Result<Ended> study_floor(const FloorOptions& options, const Surroundings& aroun
   if (problem) return fail(ErrorCode::unavailable, options.out.string() + ": " + problem.message());
   Result<Rows> rows = read_rows(options.out, subject->study);
   if (!rows) return fail(rows.error());
-  const Result<Ended> ended = measure_all(*subject, options, *rows, around);
-  if (!ended || *ended == Ended::stopped) return ended;
-  if (const Result<void> csv = write_csv(options.out, *rows); !csv) return fail(csv.error());
-  if (const Result<void> json = write_rows(options.out, subject->study, *rows, options.seeds); !json) {
-    return fail(json.error());
-  }
-  around.out << tables_of(asked_for(*rows, *subject, options.seeds), options.seeds) << std::flush;
-  around.progress << "weft-evaluate: floor.csv and floor.json are in " << options.out.string() << '\n';
-  return Ended::complete;
+  const std::size_t seeds = options.seeds.last - options.seeds.first + 1;
+  const std::size_t all = subject->kinds.size() * (parts_of(*subject).size() * seeds + 1);
+  RowsMeasured progress(all, kept_of(*rows, *subject, options), around);
+  const Result<Ended> measured = measure_all(*subject, options, *rows, progress, around);
+  if (!measured || *measured == Ended::stopped) return measured;
+  Pictured pictured;
+  const Result<Ended> shown = show_all(*subject, options, pictured, progress);
+  if (!shown || *shown == Ended::stopped) return shown;
+  return report(*subject, options, *rows, pictured, around);
 }
 
 }  // namespace weft::evaluate::floor

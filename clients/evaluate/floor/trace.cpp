@@ -14,4 +14,14 @@ std::vector<double> metres_driven(const Trace& trace) {
   return along;
 }
 
+PlaceSet places_of(const Trace& taught) {
+  PlaceSet places;
+  for (const Moment& moment : taught.moments) {
+    if (!moment.kept) continue;
+    places.site_from_place[*moment.kept] = moment.site_from_robot;
+    places.start_from_place[*moment.kept] = moment.start_from_robot;
+  }
+  return places;
+}
+
 }  // namespace weft::evaluate::floor

@@ -26,6 +26,7 @@ struct Moment {
   bool seen = false;        ///< vision took part; otherwise wheels or commands were integrated
   std::size_t matches = 0;  ///< inliers of the motion
   std::optional<FixSeen> fix;
+  std::optional<PlaceId> kept;  ///< the place that was kept here
   bool lost = false;
   agents::Following following = agents::Following::none;
 
@@ -40,6 +41,13 @@ struct Trace {
   std::map<std::string, std::uint64_t> refusals;  ///< by name, of localisation and odometry
   double wall_s = 0.0;                            ///< that the whole took to compute, the simulation included
 };
+
+/// Where places are that robots have kept.
+struct PlaceSet {
+  std::map<PlaceId, Pose2> site_from_place;   ///< truly
+  std::map<PlaceId, Pose2> start_from_place;  ///< by the odometry of the robot that kept it
+};
+PlaceSet places_of(const Trace& taught);
 
 /// Metres truly driven up to each moment.
 std::vector<double> metres_driven(const Trace& trace);

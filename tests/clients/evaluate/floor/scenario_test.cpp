@@ -21,6 +21,24 @@ TEST(FloorScenario, TheLongestStraightPart) {
   EXPECT_TRUE(longest_straight({{0, 0}}).empty());
 }
 
+TEST(FloorScenario, StretchesOfALine) {
+  const std::vector<SitePoint> line = {{0, 0}, {4, 0}, {4, 6}};
+  EXPECT_EQ(stretch(line, 0.0, 10.0), line);
+  EXPECT_EQ(stretch(line, 1.0, 6.0), (std::vector<SitePoint>{{1, 0}, {4, 0}, {4, 2}}));
+  EXPECT_EQ(stretch(line, 5.0, 6.0), (std::vector<SitePoint>{{4, 1}, {4, 2}}));
+  EXPECT_EQ(stretch(line, 0.0, 99.0), line);
+}
+
+TEST(FloorScenario, TheTwoPartsOfTheLineOverlap) {
+  const auto scenario = Scenario::make(stage(), "epoxy", 1);
+  EXPECT_EQ(scenario->first_part().front(), (SitePoint{1.0, 2.0}));
+  EXPECT_EQ(scenario->second_part().back(), (SitePoint{3.0, 9.0}));
+  EXPECT_GT(scenario->first_part().back().y, scenario->second_part().front().y + 1.0);
+  const Drive other = scenario->other_on_second_part();
+  EXPECT_NEAR(other.body.site.robots.front().site_from_robot.y, scenario->second_part().front().y, 1e-9);
+  EXPECT_NE(other.body.day, scenario->first().body.day);
+}
+
 TEST(FloorScenario, TheSecondRobotIsAnotherOneOnAnotherDay) {
   const auto scenario = Scenario::make(stage(), "epoxy", 3);
   ASSERT_TRUE(scenario.has_value()) << scenario.error().message;

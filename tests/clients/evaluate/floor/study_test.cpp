@@ -8,16 +8,38 @@
 #include <sstream>
 
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/floor/figure_runs.hpp"
 #include "clients/evaluate/floor/rows.hpp"
+#include "tests/clients/evaluate/floor/driven_trace.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
+const std::vector<const char*> kRates = {"600-in-10s", "300-in-10s", "150-in-10s", "75-in-10s"};
+
+/// The demo's hall without its racks, seen by a small camera: quicker.
+constexpr const char* kSmallSite = R"(
+[floor]
+x_min = 0.0
+y_min = 0.0
+x_max = 20.0
+y_max = 12.8
+[camera]
+width_px = 376
+height_px = 240
+focal_px = 230
+[[robot]]
+name = "r1"
+x = 2.0
+y = 6.4
+)";
+
 class StudyOfFloors : public testing::Test {
  protected:
   StudyOfFloors() {
     options.site = WEFT_SITES "/demo.toml";
+    options.along = WEFT_SITES "/demo/r1.line";
     options.out = folder.path() / "out";
     options.kind = "epoxy";
     options.light = "same";
@@ -30,9 +52,24 @@ class StudyOfFloors : public testing::Test {
     const Result<Ended> ended = run();
     return ended ? "not refused" : ended.error().message;
   }
+  /// With runs that nobody drove.
+  void fill_shelf(const std::vector<const char*>& runs) const {
+    const Shelf shelf{options.out / "series", stamp_of(study()), options.kind, options.seeds.first};
+    for (const char* const run : runs) {
+      ASSERT_TRUE(shelf.keep(run, straight_trace(0.5, 2.0)).has_value());
+    }
+  }
   Study study() const {
-    return {WEFT_VERSION, sha256_of(read_text(WEFT_SITES "/demo.toml", "").value()),
-            sha256_of(read_text(WEFT_SITES "/demo/r1.line", "").value()), "", options.metres};
+    return {WEFT_VERSION, sha256_of(read_text(options.site, "").value()),
+            sha256_of(read_text(options.along, "").value()), "", options.metres};
+  }
+
+  int pictures() const {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
+      count += entry.path().extension() == ".png" && entry.file_size() > 3'000 ? 1 : 0;
+    }
+    return count;
   }
 
   storage::TemporaryDirectory folder;
@@ -46,7 +83,7 @@ TEST_F(StudyOfFloors, StopsWhenAskedAndLeavesNoTruthBehind) {
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::stopped);
-  EXPECT_NE(progress.str().find("2 rows to measure, 0 of them"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("3 rows to measure, 0 of them"), std::string::npos) << progress.str();
   EXPECT_TRUE(std::filesystem::is_empty(options.out));
 }
 
@@ -56,31 +93,49 @@ TEST_F(StudyOfFloors, RowsThatAreThereAreNotMeasuredAgain) {
   rows[{"epoxy", kMapping, 5}].speed_percent = 0.4;
   rows[{"epoxy", "same", 5}].goal_mm = 7.0;
   ASSERT_TRUE(write_rows(options.out, study(), rows, options.seeds).has_value());
+  fill_shelf({"taught", "same", "both-taught-1", "both-taught-2", "both-repeated"});
+  fill_shelf(kRates);
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::complete);
-  EXPECT_NE(progress.str().find("2 of them are there already"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("3 of them are there already"), std::string::npos) << progress.str();
   EXPECT_NE(out.str().find("| epoxy | same, median"), std::string::npos) << out.str();
   EXPECT_TRUE(std::filesystem::exists(options.out / "floor.csv"));
+  EXPECT_EQ(pictures(), 10);
 }
 
 TEST_F(StudyOfFloors, AShortWayIsTaughtAndRepeated) {
+  options.site = folder.path() / "small.toml";
+  options.along = folder.path() / "small.line";
+  std::ofstream(options.site) << kSmallSite;
+  std::ofstream(options.along) << "2 6.4\n4 6.4\n5 6.5\n9 6.5\n";
+  options.kind = "asphalt";
   options.metres = 5.0;
   samples = std::numeric_limits<int>::max();
+  fill_shelf(kRates);
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   const auto rows = read_rows(options.out, study());
   ASSERT_TRUE(rows.has_value()) << rows.error().message;
-  const Score& mapping = rows->at({"epoxy", kMapping, 5});
-  EXPECT_GT(mapping.metres, 10.0);
+  const Score& mapping = rows->at({"asphalt", kMapping, 5});
+  EXPECT_GT(mapping.metres, 9.0);
   EXPECT_LT(mapping.speed_percent, 5.0);
   EXPECT_LT(mapping.speed_fast_percent, 10.0);
-  const Score& repeated = rows->at({"epoxy", "same", 5});
+  const Score& repeated = rows->at({"asphalt", "same", 5});
   EXPECT_EQ(repeated.arrived, 1.0);
   EXPECT_GT(repeated.metres, 4.0);
   EXPECT_LT(repeated.goal_mm, 60.0);
   EXPECT_LT(repeated.lateral_worst_mm, 100.0);
   EXPECT_EQ(repeated.wrong_fixes, 0.0);
+  EXPECT_EQ(pictures(), 10);
+
+  // The same again drives nothing.
+  samples = 0;
+  progress.str("");
+  const Result<Ended> again = run();
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_EQ(*again, Ended::complete);
+  EXPECT_NE(progress.str().find("3 of them are there already"), std::string::npos) << progress.str();
 }
 
 TEST_F(StudyOfFloors, WhatIsMissingOrWrongIsNamed) {

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "clients/evaluate/floor/figures.hpp"
+#include "clients/evaluate/floor/scenario.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// Where the runs of one floor are kept, as files of traces.
+struct Shelf {
+  std::filesystem::path folder;
+  std::string stamp;  ///< of the study: runs of another one are not taken for its own
+  std::string kind;
+  std::uint64_t seed = 1;
+
+  std::filesystem::path file(const std::string& what) const;
+  std::optional<Trace> find(const std::string& what) const;
+  Result<void> keep(const std::string& what, const Trace& trace) const;
+};
+
+inline constexpr const char* kTaughtRun = "taught";
+
+/// All runs that pictures show: from the shelf where they are there, else driven and put there. None: stopped.
+/// Errors of the drives and of the shelf.
+Result<std::optional<Shown>> shown_of(const Scenario& scenario, const std::string& light, const Shelf& shelf);
+
+/// Whether all of them are there.
+bool has_shown(const std::string& light, const Shelf& shelf);
+
+}  // namespace weft::evaluate::floor
