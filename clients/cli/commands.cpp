@@ -111,10 +111,12 @@ Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const O
 }
 
 bool needs_server(Command command) {
-  return command != Command::file_info && command != Command::file_convert && command != Command::map_restore;
+  return command != Command::file_info && command != Command::file_convert && command != Command::map_restore &&
+         command != Command::calibrate;
 }
 
 Exit run_offline(const Invocation& invocation, const Output& output) {
+  if (invocation.command == Command::calibrate) return run_calibrate(invocation, output);
   return invocation.command == Command::map_restore ? run_restore(invocation, output) : run_file(invocation, output);
 }
 

@@ -25,6 +25,9 @@ PeerId identity(const Invocation& invocation, const PeerId& otherwise);
 Exit run_offline(const Invocation& invocation, const Output& output);
 /// Makes a snapshot the map of a store's directory.
 Exit run_restore(const Invocation& invocation, const Output& output);
+/// Becomes `weft-agent calibrate`, which knows of cameras; returns only if there is no such program, beside this one
+/// or on the PATH.
+Exit run_calibrate(const Invocation& invocation, const Output& output);
 /// Reads and writes files of open formats.
 Exit run_file(const Invocation& invocation, const Output& output);
 

@@ -21,6 +21,9 @@ class Grammar {
     map();
     goals();
     files();
+    add(app_, "calibrate",
+        "Find out a robot's camera, or how it is mounted: `weft calibrate --help`; needs no server but weft-agent",
+        Command::calibrate);
     add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
     // Last, because commands inherit the footer that is there when they are added.
     app_.footer(
@@ -332,6 +335,11 @@ std::string mistake(const CLI::App& app, const CLI::ParseError& problem) {
 
 std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const Environment& environment) {
   Invocation invocation;
+  if (argc > 1 && std::string_view(argv[1]) == "calibrate") {  // its words are the other program's to understand
+    invocation.command = Command::calibrate;
+    invocation.passed.assign(argv + 2, argv + argc);
+    return invocation;
+  }
   invocation.vendor = environment.vendor.empty() ? "cyclonedds" : environment.vendor;
   invocation.servers = split(environment.server, ',');
   invocation.listen = "127.0.0.1";

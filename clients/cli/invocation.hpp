@@ -46,7 +46,8 @@ struct Invocation {
     robot_clear,
     doctor,
     file_info,
-    file_convert
+    file_convert,
+    calibrate
   };
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all
@@ -68,7 +69,8 @@ struct Invocation {
   bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;
-  bool as_text = false;  ///< file convert: clouds as text
+  bool as_text = false;             ///< file convert: clouds as text
+  std::vector<std::string> passed;  ///< calibrate: as it stands, for `weft-agent calibrate`
   bool json = false;
 
   std::vector<std::string> servers;

@@ -121,7 +121,7 @@ class Recordings(WithFolder):
 
     def test_a_calibration_without_focal_length_is_refused(self):
         recording(self.folder, focal=0)
-        self.refused(1, ['weft-agent: ', 'recording/cam0', 'focal length 0'], *self.replay())
+        self.refused(1, ['weft-agent: ', 'sensor.yaml:', 'focal lengths must be'], *self.replay())
 
 
 class Photographs(WithFolder):

@@ -60,14 +60,16 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
     if (!file) return fail(file.error());
     config.robot_from_camera = file->camera.body_from_camera;
   }
+  if (options.mount.has_value()) config.robot_from_camera = options.mount;
   return replay::make_replay_body(config);
 }
 
 Result<CameraModel> make_camera(const Options& options, const Body& body,
-                                const std::function<void(const std::string&)>& warn) {
+                                const std::function<void(const std::string&)>& warn, CalibrationSigma* known) {
   const std::vector<CameraModel> cameras = body.cameras();
   if (cameras.empty()) return fail(ErrorCode::invalid, "the body has no camera");
-  const CameraModel& told = cameras.front();
+  CameraModel told = cameras.front();
+  if (options.mount.has_value()) told.robot_from_camera = *options.mount;
   if (!options.calibration.has_value()) return told;
   const std::string& name = *options.calibration;
   const Result<CameraFile> file = read_camera_file(name, options.camera);
@@ -79,7 +81,10 @@ Result<CameraModel> make_camera(const Options& options, const Body& body,
                                         " pixels, the body's has " + size(told.width, told.height) +
                                         "; calibrate at the size that is driven with");
   }
-  return camera_model_from(file->camera, told.id, told.robot_from_camera);
+  if (known != nullptr) *known = file->camera.sigma;
+  CameraModel camera = camera_model_from(file->camera, told.id, told.robot_from_camera);
+  if (options.mount.has_value()) camera.robot_from_camera = *options.mount;
+  return camera;
 }
 
 Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera) {

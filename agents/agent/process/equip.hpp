@@ -14,9 +14,11 @@ namespace weft::agents {
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
 
 /// What is known of the body's camera: the calibration file of the options, where there is one; its mount is the
-/// body's when the file has none. not_found, invalid: of the file; its images would be of another size.
+/// body's when the file has none. not_found, invalid: of the file; its images would be of another size. `known`, if
+/// not null: how well, as the file says.
 Result<CameraModel> make_camera(const Options& options, const Body& body,
-                                const std::function<void(const std::string&)>& warn);
+                                const std::function<void(const std::string&)>& warn,
+                                CalibrationSigma* known = nullptr);
 
 /// The navigator of the method that the options name, for that camera.
 /// invalid: the calibration or a setting of the method breaks its bound.

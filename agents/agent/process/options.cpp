@@ -187,6 +187,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   app.footer(
       "Runs until SIGINT or SIGTERM; logs to standard error. Example, a simulated robot:\n"
       "  weft-agent --name r1 --state state/r1 --site deploy/sites/demo.toml\n"
+      "`weft-agent calibrate --help`: camera and mount are found out, nothing is driven.\n"
       "Exit codes: 0 stopped by a signal, 1 cannot work (one line says why), 2 wrong usage");
   std::string file;
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");

@@ -33,6 +33,7 @@ struct Options {
   std::string recording;
   std::string camera;                      ///< of the recording, and of a camera file that has several
   std::optional<std::string> calibration;  ///< camera file that replaces what the body says of its camera
+  std::optional<Pose3> mount;              ///< what is believed of it while it is being calibrated; no flag
 
   std::optional<std::string> records;
   double pace = 1.0;  ///< simulated seconds a second at most; 0: no bound

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "agents/perception/motion.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 
@@ -15,5 +17,18 @@ struct RecordedImage {
 
 /// Rows "nanoseconds,file" under a # header; times must increase. invalid: file, line and what is wrong.
 Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, const std::string& file_name);
+
+/// How far the wheels had rolled and turned the base by a time, since any beginning.
+struct RecordedWheels {
+  SensorTime time{};
+  double distance_m = 0.0;
+  double heading_rad = 0.0;  ///< not wrapped
+};
+
+/// Rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line and what is wrong.
+Result<std::vector<RecordedWheels>> parse_wheels(const std::string& text, const std::string& file_name);
+
+/// Between the rows around each time; none outside of them.
+std::optional<WheelStep> wheels_between(const std::vector<RecordedWheels>& rows, SensorTime from, SensorTime to);
 
 }  // namespace weft::agents::replay

@@ -16,8 +16,12 @@ namespace fs = std::filesystem;
 class ReplayBody final : public Body {
  public:
   ReplayBody(const ReplayBodyConfig& config, fs::path images_dir, std::vector<RecordedImage> images,
-             CameraModel camera)
-      : config_(config), images_dir_(std::move(images_dir)), images_(std::move(images)), camera_(std::move(camera)) {}
+             std::vector<RecordedWheels> wheels, CameraModel camera)
+      : config_(config),
+        images_dir_(std::move(images_dir)),
+        images_(std::move(images)),
+        wheels_(std::move(wheels)),
+        camera_(std::move(camera)) {}
 
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
@@ -32,6 +36,7 @@ class ReplayBody final : public Body {
   ReplayBodyConfig config_;
   fs::path images_dir_;
   std::vector<RecordedImage> images_;
+  std::vector<RecordedWheels> wheels_;
   CameraModel camera_;
   std::size_t next_ = 0;
   std::size_t dropped_ = 0;
@@ -73,6 +78,7 @@ Result<Sample> ReplayBody::step(const Twist& /*command*/) {
   Sample sample;
   sample.time = recorded.time;
   sample.motion.elapsed = next_ == 0 ? Duration{} : recorded.time - images_[next_ - 1].time;
+  if (next_ > 0) sample.motion.wheels = wheels_between(wheels_, images_[next_ - 1].time, recorded.time);
   sample.frame = ++next_;
   if (auto image = read(images_dir_ / recorded.file)) {
     View view;
@@ -117,6 +123,14 @@ Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config) {
   if (!images) {
     return fail(images.error());
   }
+  std::vector<RecordedWheels> wheels;
+  if (const fs::path file = fs::path(config.folder) / "mav0" / "wheels0" / "data.csv"; fs::exists(file)) {
+    const auto text = read_text(file);
+    if (!text) return fail(text.error());
+    auto rows = parse_wheels(*text, file.string());
+    if (!rows) return fail(rows.error());
+    wheels = std::move(*rows);
+  }
   const auto sensor_text = read_text(sensor);
   if (!sensor_text) {
     return fail(sensor_text.error());
@@ -137,8 +151,8 @@ Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config) {
                                         ": T_BS, how the camera is mounted, is missing; add it, or give "
                                         "a camera file that has it");
   }
-  return std::unique_ptr<Body>(
-      std::make_unique<ReplayBody>(config, folder / "data", std::move(*images), std::move(camera)));
+  return std::unique_ptr<Body>(std::make_unique<ReplayBody>(config, folder / "data", std::move(*images),
+                                                            std::move(wheels), std::move(camera)));
 }
 
 }  // namespace weft::agents::replay

@@ -15,7 +15,8 @@ struct ReplayBodyConfig {
   std::function<void(const std::string&)> warn;  ///< optional; frames that were dropped, by file
 };
 
-/// A recording as a body: kind() is "replay". It has no wheels and obeys no command; `step` brings the next image, a
+/// A recording as a body: kind() is "replay". It has wheels where there is a mav0/wheels0/data.csv (rows
+/// "nanoseconds,metres,radians" since any beginning), and obeys no command; `step` brings the next image, a
 /// damaged one as a dropped frame with a warning, and after the last "recording is over" (unavailable).
 /// not_found: folder, data.csv or sensor.yaml missing; invalid: their text, by file and line.
 Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config);

@@ -9,6 +9,7 @@
 #include "agents/methods/method.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/corner_tracks.hpp"
+#include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
 #include "core/result.hpp"
 
@@ -38,8 +39,10 @@ class Floor {
     Eigen::Matrix3d keyframe_sway_covariance = Eigen::Matrix3d::Identity();
     Sway sway;  ///< at the newest view
     Eigen::Matrix3d sway_covariance = Eigen::Matrix3d::Identity();
-    std::uint64_t frame = 0;  ///< of the newest view
-    std::size_t inliers = 0;  ///< of the newest view's motion
+    std::uint64_t frame = 0;                ///< of the newest view
+    std::size_t inliers = 0;                ///< of the newest view's motion
+    std::optional<Pose2> wheels = Pose2{};  ///< since the keyframe; none: not reported all the way
+    std::optional<FloorViews> ended;        ///< the keyframe that ended with the newest view, and that view
   };
   using Content = FloorContent;
 

@@ -20,6 +20,7 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, Floor::Odom
   s.keyframe_sway = s.sway;
   s.keyframe_sway_covariance = s.sway_covariance;
   s.keyframe_from_robot = Pose2{};
+  s.wheels = Pose2{};
   s.tracks.clear();
   CornerConfig corners;
   corners.count = c.corners;
@@ -64,6 +65,20 @@ SwayPrior sway_prior(const FloorConfig& c, const Floor::Odometry& s) {
   pull.head<3>() = keyframe * s.keyframe_sway.vector();
   prior.mean = prior.information.ldlt().solve(pull);
   return prior;
+}
+
+/// What the keyframe and the newest view show of the mount.
+FloorViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor::Odometry& s) {
+  FloorViews views{{}, s.keyframe_from_robot, s.wheels};
+  for (const Floor::Tracked& t : s.tracks)
+    views.points.push_back({t.in_keyframe, normalised_from_pixel(camera, t.pixel), c.track_sigma_px});
+  return views;
+}
+
+void roll(const Motion& motion, std::optional<Pose2>& wheels) {
+  if (!motion.wheels.has_value()) wheels.reset();
+  if (wheels.has_value())
+    wheels = *wheels * exp2(Eigen::Vector3d(motion.wheels->distance_m, 0.0, motion.wheels->heading_rad));
 }
 
 struct Followed {
@@ -153,6 +168,8 @@ Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fit
 Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Step reckoned = dead_reckon(config_.blind, motion, {});
   const Pose2 moved = planar(reckoned.previous_from_current);
+  s.ended.reset();
+  roll(motion, s.wheels);
   if (view == nullptr) return blind(s, reckoned, "dropped_frame");
   const auto* image = std::get_if<Image>(&view->data);
   if (image == nullptr) return blind(s, reckoned, "not_an_image");
@@ -200,8 +217,10 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const bool worn =
       static_cast<double>(s.tracks.size()) < config_.keyframe_share * static_cast<double>(s.keyframe_tracks);
   if (worn || s.keyframe_from_robot.translation().norm() > config_.keyframe_m ||
-      std::abs(s.keyframe_from_robot.heading) > config_.keyframe_rad)
+      std::abs(s.keyframe_from_robot.heading) > config_.keyframe_rad) {
+    s.ended = views_of(config_, camera_, s);
     begin_keyframe(config_, camera_, s);
+  }
   return step;
 }
 

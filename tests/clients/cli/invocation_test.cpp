@@ -21,6 +21,11 @@ Invocation good(const std::vector<std::string>& arguments, const Environment& en
 
 using Command = Invocation::Command;
 
+TEST(Invocation, WhatIsCalibratedIsPassedOnAsItStands) {
+  const Invocation invocation = good({"calibrate", "camera", "DIR", "--json", "--square-mm", "25"});
+  EXPECT_EQ(invocation.passed, (std::vector<std::string>{"camera", "DIR", "--json", "--square-mm", "25"}));
+}
+
 TEST(Invocation, EachCommandIsUnderstood) {
   const std::vector<std::pair<std::vector<std::string>, Command>> all = {
       {{"robots"}, Command::robots},
@@ -43,6 +48,7 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"resume", "--all"}, Command::resume},
       {{"robot", "clear", "r1"}, Command::robot_clear},
       {{"doctor"}, Command::doctor},
+      {{"calibrate", "camera", "--help"}, Command::calibrate},
   };
   for (const auto& [arguments, command] : all) EXPECT_EQ(good(arguments).command, command) << arguments.front();
 }

@@ -143,6 +143,23 @@ TEST_F(Recording, HasNoHand) {
   EXPECT_EQ(led.error().code, ErrorCode::refused);
 }
 
+TEST_F(Recording, HasTheWheelsThatWereRecorded) {
+  fs::create_directories(folder_ / "mav0" / "wheels0");
+  std::ofstream(folder_ / "mav0" / "wheels0" / "data.csv")
+      << "#time,metres,radians\n1025000000,2.0,0.1\n1075000000,2.1,0.3\n"
+         "1125000000,2.3,0.3\n";
+  auto body = open();
+  ASSERT_TRUE(body) << body.error().message;
+  EXPECT_FALSE((*body)->step({})->motion.wheels);
+  EXPECT_FALSE((*body)->step({})->motion.wheels) << "the wheels began between the first two images";
+  const auto sample = (*body)->step({});
+  ASSERT_TRUE(sample->motion.wheels);
+  EXPECT_NEAR(sample->motion.wheels->distance_m, 2.2 - 2.05, 1e-12);
+  EXPECT_NEAR(sample->motion.wheels->heading_rad, 0.1, 1e-12);
+  std::ofstream(folder_ / "mav0" / "wheels0" / "data.csv") << "1,2.0,0.1\n2,2.1\n";
+  EXPECT_THAT(open().error().message, HasSubstr("data.csv:2: expected"));
+}
+
 TEST(ImageList, NamesTheLineThatIsWrong) {
   for (const char* text : {"1,a.png\nx,b.png\n", "1,a.png\n1,b.png\n", "1,a.png\n2\n", "1,a.png\n2,../b.png\n"}) {
     const auto images = parse_image_list(text, "data.csv");

@@ -1,0 +1,189 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "agents/agent/process/calibrate/jobs.hpp"
+#include "agents/agent/process/equip.hpp"
+#include "agents/methods/floor/mount_drive.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 512> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+Result<std::vector<SitePoint>> read_line(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) return fail(ErrorCode::not_found, file + ": no such file; --along wants points 'x y' a row");
+  std::vector<SitePoint> points;
+  int number = 0;
+  for (std::string row; std::getline(in, row);) {
+    ++number;
+    std::istringstream fields(row.substr(0, row.find('#')));
+    if ((fields >> std::ws).eof()) continue;
+    SitePoint point;
+    if (!(fields >> point.x >> point.y))
+      return fail(ErrorCode::invalid, file + ":" + std::to_string(number) + ": no point; write 'x y' in metres");
+    points.push_back(point);
+  }
+  return points;
+}
+
+Options options_of(const MountJob& job) {
+  Options options;
+  options.name = job.robot;
+  options.body = job.site.empty() ? "replay" : "sim";
+  options.site = job.site;
+  options.seed = job.seed;
+  options.recording = job.recording;
+  options.camera = job.camera;
+  options.calibration = job.calibration;
+  if (job.guess.has_value())
+    options.mount =
+        downward_mount(job.guess->forward_m, job.guess->left_m, job.guess->height_m, job.guess->pitch_rad, 0.0, 0.0);
+  return options;
+}
+
+using Warn = std::function<void(const std::string&)>;
+
+/// One time through the drive, whatever it is of.
+Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const Warn& warn,
+                  const std::function<void(const View*, const Motion&)>& take) {
+  Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
+  if (!body) return fail(body.error());
+  if (!line.empty()) {
+    if (const Result<void> led = (*body)->drive_by_hand(line); !led) return led;
+  }
+  for (;;) {
+    const Result<Sample> sample = (*body)->step({});
+    if (!sample) return {};  // the recording is over; images that could not be read were warned of, and are blind
+    take(sample->view.has_value() ? &*sample->view : nullptr, sample->motion);
+    if (sample->hand_done) return {};
+  }
+}
+
+nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job) {
+  const auto maybe = [](const std::optional<double>& value) {
+    return value.has_value() ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  static constexpr std::array kFrom = {"nothing", "distance", "wheels"};
+  return {{"pitch_change_rad", found.pitch_rad},
+          {"roll_change_rad", found.roll_rad},
+          {"tilt_sigma_rad", maybe(found.sigma.tilt_rad)},
+          {"yaw_seen", found.yaw_seen},
+          {"yaw_change_rad", found.lever.yaw_rad},
+          {"yaw_sigma_rad", maybe(found.sigma.yaw_rad)},
+          {"forward_seen", found.forward_seen},
+          {"forward_change_m", found.lever.forward_m},
+          {"height_from", kFrom.at(static_cast<std::size_t>(found.height_from))},
+          {"height_m", found.camera.robot_from_camera.translation.z()},
+          {"height_change_share", found.height_share},
+          {"height_sigma_share", maybe(found.sigma.height_share)},
+          {"images", found.samples},
+          {"blind", found.blind},
+          {"driven_m", found.path_m},
+          {"camera_file", job.out}};
+}
+
+std::string height_words(const MountDrive& found) {
+  const double height_m = found.camera.robot_from_camera.translation.z();
+  if (found.height_from == HeightFrom::nothing)
+    return text(
+        "height  %8.4f m  as given: not observable from the drive alone; give --distance-m, or --wheels-percent",
+        height_m);
+  return text("height  %8.4f m  %+.2f %%, one sigma %.2f %%, by %s", height_m, 100.0 * found.height_share,
+              100.0 * *found.sigma.height_share,
+              found.height_from == HeightFrom::distance ? "the measured distance" : "the wheels");
+}
+
+void print(const MountDrive& found, std::ostream& out) {
+  const double tilt_sigma = *found.sigma.tilt_rad / kDegree;
+  out << "        found less given\n";
+  out << text("pitch   %+8.3f degrees, one sigma %.3f\n", found.pitch_rad / kDegree, tilt_sigma);
+  out << text("roll    %+8.3f degrees, one sigma %.3f\n", found.roll_rad / kDegree, tilt_sigma);
+  if (found.yaw_seen) {
+    out << text("yaw     %+8.3f degrees, one sigma %.3f\n", found.lever.yaw_rad / kDegree,
+                found.lever.yaw_sigma_rad / kDegree);
+  } else {
+    out << "yaw     as given: not observable, the drive has too little that is straight\n";
+  }
+  if (found.forward_seen) {
+    out << text("forward %+8.1f mm, one sigma %.1f\n", 1e3 * found.lever.forward_m,
+                1e3 * found.lever.forward_sigma_m);
+  } else {
+    out << "forward as given: not observable, the drive has too few bends\n";
+  }
+  out << height_words(found) << '\n';
+  out << text("%zu images, %zu of them blind, %.2f m driven\n", found.samples, found.blind, found.path_m);
+}
+
+}  // namespace
+
+Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
+  std::vector<SitePoint> line;
+  if (!job.site.empty()) {
+    Result<std::vector<SitePoint>> read = read_line(job.along);
+    if (!read) return fail(read.error());
+    line = std::move(*read);
+  }
+  bool warned = false;
+  const Warn warn = [&](const std::string& words) {
+    if (!warned) output.err << words << '\n';
+  };
+  const Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
+  if (!body) return fail(body.error());
+  CalibrationSigma known;
+  const Result<CameraModel> given = make_camera(options_of(job), **body, warn, &known);
+  if (!given) return fail(given.error());
+
+  MountDriveConfig config;
+  config.prior.focal_share = known.focal_share.value_or(config.prior.focal_share);
+  config.distance_m = job.distance_m;
+  config.distance_sigma_m = job.distance_sigma_m;
+  config.wheels_sigma = job.wheels_sigma;
+  constexpr double kBetweenLines = 2.0;
+  double said_s = output.now_s();
+  int pass = 0;
+  const PlayDrive again = [&](const std::function<void(const View*, const Motion&)>& take) -> Result<void> {
+    ++pass;
+    std::size_t images = 0;
+    Result<void> played = play(job, line, warn, [&](const View* view, const Motion& motion) {
+      take(view, motion);
+      ++images;
+      if (output.now_s() - said_s < kBetweenLines) return;
+      said_s = output.now_s();
+      output.err << "time " << pass << " of 3 through the drive, " << images << " images" << std::endl;
+    });
+    warned = true;
+    return played;
+  };
+  const Result<MountDrive> found = calibrate_mount(*given, again, config);
+  if (!found) return fail(found.error());
+
+  CameraCalibration camera = calibration_from(found->camera);
+  camera.sigma = found->sigma;
+  std::ofstream file(job.out, std::ios::trunc);
+  file << camera_file_text(
+      camera, {text("mount by weft calibrate mount: %.2f m driven, %zu images", found->path_m, found->samples)});
+  file.close();
+  if (!file) return fail(ErrorCode::exhausted, job.out + ": cannot be written; is the folder there?");
+  if (job.json) {
+    output.out << document_of(*found, job).dump(2) << '\n';
+    return {};
+  }
+  print(*found, output.out);
+  output.out << job.out << " holds camera and mount: weft-agent --calibration " << job.out << '\n';
+  return {};
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "agents/perception/calibration/board.hpp"
+#include "agents/perception/camera_model.hpp"
+
+namespace weft::agents {
+
+/// Share of the image's area that lies within the board's points of any image, [0, 1].
+double cover_of(const std::vector<Sighting>& sightings, int width, int height);
+
+/// The largest angle between the board's normals of two images, rad.
+double widest_tilt(const std::vector<Pose3>& camera_from_board);
+
+/// One standard deviation of the mean focal length as a share of it: the covariance of least squares over intrinsics
+/// and all poses, scaled by the residuals. Infinite when the images leave something undetermined.
+double focal_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_from_board,
+                   const std::vector<Sighting>& sightings);
+
+}  // namespace weft::agents

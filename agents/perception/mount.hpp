@@ -1,0 +1,77 @@
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/planar_motion.hpp"
+#include "core/geometry/pose2.hpp"
+
+namespace weft::agents {
+
+/// Two views of one drive on the same floor, a tenth of a metre or more apart.
+struct FloorViews {
+  std::vector<FloorPair> points;
+  Pose2 a_from_b;               ///< of the robot, as it was estimated with the mount that was believed then
+  std::optional<Pose2> wheels;  ///< the same by wheel odometry; none: there is none, or not all the way
+};
+
+struct MountPrior {
+  double tilt_rad = 0.1;               ///< 1 sigma of pitch and roll before anything was seen
+  double focal_share = 0.003;          ///< 1 sigma of the given focal length
+  double vibration_tilt_rad = 0.0009;  ///< RMS of each view's own pitch and roll
+  double vibration_height_m = 0.001;
+};
+
+/// How a mount is turned against the given one, about the camera's centre: nose down by pitch, left side up by roll.
+struct MountTilt {
+  double pitch_rad = 0.0;
+  double roll_rad = 0.0;
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< what the focal length's sigma does to them included
+  double sigma_rad() const { return std::sqrt(covariance.diagonal().maxCoeff()); }
+};
+
+/// The same camera with its mount turned by pitch and roll about its own centre. The focal share is not applied.
+CameraModel tilted(const CameraModel& camera, double pitch_rad, double roll_rad);
+
+/// A mount's tilt against `camera`, gathered from views: an information filter, whose unknowns of each pair of views
+/// (motion, and both views' vibration) are eliminated. One camera over a plane sees its tilt in the perspective of
+/// every motion (the normal of Gadd & Newman, eq. 2); its height it cannot see. The focal length could be seen where
+/// the robot turns, but tracking's own bias makes that 0.5 % wrong (simulated;
+/// docs/decisions/021-mount-from-a-drive.md): it is held as given, and its sigma is counted. A value: copying is
+/// cheap.
+class MountFilter {
+ public:
+  MountFilter(const CameraModel& camera, const MountPrior& prior);
+
+  /// False: the views do not fit one plane, and nothing is learnt of them.
+  bool add(const FloorViews& views);
+
+  MountTilt tilt() const;
+  std::size_t pairs() const { return pairs_; }
+
+ private:
+  CameraModel camera_;
+  MountPrior prior_;
+  Eigen::Matrix3d information_;                         ///< of pitch, roll, focal share
+  Eigen::Vector2d weighted_ = Eigen::Vector2d::Zero();  ///< tilt's information times its mean, focal length as given
+  std::size_t pairs_ = 0;
+};
+
+/// Where the camera is on its robot as seen from above, from motions of a base that does not slide sideways (u_y = 0
+/// in the middle of each arc): straight drives show the yaw, turns how far ahead it sits.
+struct MountLever {
+  double yaw_rad = 0.0;    ///< to be added to the mount's
+  double forward_m = 0.0;  ///< likewise
+  double yaw_sigma_rad = 0.0;
+  double forward_sigma_m = 0.0;
+};
+/// None when there are fewer than 5 motions. `before`: 1 sigma of both corrections, which what is not seen keeps.
+std::optional<MountLever> lever_from(const std::vector<Pose2>& a_from_b, double yaw_before_rad,
+                                     double forward_before_m);
+
+/// The same camera with that yaw and place.
+CameraModel shifted(const CameraModel& camera, const MountLever& lever);
+
+}  // namespace weft::agents

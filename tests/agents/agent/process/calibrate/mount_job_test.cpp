@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "agents/agent/process/calibrate/jobs.hpp"
+#include "tests/agents/agent/process/folder.hpp"
+
+namespace weft::agents::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::variant<CameraJob, MountJob, Leave> parsed(const std::vector<std::string>& words) {
+  std::vector<const char*> argv = {"calibrate"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  return parse_calibrate(static_cast<int>(argv.size()), argv.data());
+}
+
+/// An empty hall, a camera whose mount is 0.5 degrees and 8 mm off, wheels that are right.
+constexpr const char* kSite = R"([floor]
+x_min = 0.0
+y_min = 0.0
+x_max = 10.0
+y_max = 6.0
+[[robot]]
+name = "r1"
+x = 2.0
+y = 3.0
+[disturbances]
+focal_error_percent = 0.0
+mount_error_mm = 8.0
+mount_error_deg = 0.5
+wheel_scale_percent = 0.0
+wheel_asymmetry_percent = 0.0
+)";
+
+MountJob job_in(const Folder& folder) {
+  MountJob job;
+  job.site = folder.write("site.toml", kSite);
+  job.robot = "r1";
+  job.along = folder.write("drive.line", "2.0 3.0\n2.8 3.2\n3.6 3.0\n4.4 2.8\n5.2 3.0\n");
+  job.out = folder.file("mount.yaml");
+  job.json = true;
+  return job;
+}
+
+nlohmann::json done(const MountJob& job) {
+  std::ostringstream out;
+  std::ostringstream err;
+  double now = 0.0;
+  const Result<void> ran = calibrate_mount(job, {out, err, [&] { return now += 0.1; }});
+  EXPECT_TRUE(ran) << ran.error().message;
+  EXPECT_THAT(err.str(), HasSubstr("time 3 of 3 through the drive"));
+  return nlohmann::json::parse(out.str(), nullptr, false);
+}
+
+TEST(CalibrateMount, TheWheelsShowTheHeightAndTheFileIsTaken) {
+  const Folder folder;
+  MountJob job = job_in(folder);
+  job.wheels_sigma = 0.005;
+  const nlohmann::json found = done(job);
+  EXPECT_EQ(found["height_from"], "wheels");
+  EXPECT_LT(found["height_sigma_share"], 0.01);
+  EXPECT_TRUE(found["yaw_seen"]);
+  const double turned = std::hypot(found["pitch_change_rad"].get<double>(), found["roll_change_rad"].get<double>(),
+                                   found["yaw_change_rad"].get<double>());
+  EXPECT_NEAR(turned, 0.0087, 0.0025);  // the half degree that the mount is off
+  const auto file = parse_camera_file(folder.read("mount.yaml"), "mount.yaml", "cam0");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_TRUE(file->camera.body_from_camera);
+  EXPECT_TRUE(file->camera.sigma.tilt_rad);
+
+  // Calibrated once more from there, nothing is left to be found.
+  job.calibration = job.out;
+  job.out = folder.file("again.yaml");
+  const nlohmann::json again = done(job);
+  EXPECT_LT(std::abs(again["pitch_change_rad"].get<double>()), 0.0005);
+  EXPECT_LT(std::abs(again["height_change_share"].get<double>()), 0.001);
+}
+
+TEST(CalibrateMount, WithoutDistanceAndWheelsTheHeightIsSaidToBeUnknown) {
+  const Folder folder;
+  MountJob job = job_in(folder);
+  job.json = false;
+  std::ostringstream out;
+  std::ostringstream err;
+  ASSERT_TRUE(calibrate_mount(job, {out, err, [] { return 0.0; }}));
+  EXPECT_THAT(out.str(), HasSubstr("height    0.6000 m  as given: not observable"));
+  EXPECT_THAT(folder.read("mount.yaml"), testing::Not(HasSubstr("height_share")));
+}
+
+TEST(CalibrateMount, AShortDriveIsRefusedWithTheBound) {
+  const Folder folder;
+  MountJob job = job_in(folder);
+  job.along = folder.write("short.line", "2.0 3.0\n2.5 3.0\n");
+  std::ostringstream out;
+  std::ostringstream err;
+  const Result<void> ran = calibrate_mount(job, {out, err, [] { return 0.0; }});
+  ASSERT_FALSE(ran);
+  EXPECT_THAT(ran.error().message, HasSubstr("at least 2.000 m"));
+  job.along = folder.file("none.line");
+  EXPECT_THAT(calibrate_mount(job, {out, err, [] { return 0.0; }}).error().message, HasSubstr("none.line"));
+}
+
+TEST(CalibrateMountCommandLine, IsUnderstood) {
+  const auto result = parsed({"mount", "REC", "--distance-m", "6.02", "--height-m", "0.6", "--pitch-deg", "42"});
+  const auto* job = std::get_if<MountJob>(&result);
+  ASSERT_NE(job, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(job->recording, "REC");
+  EXPECT_EQ(job->distance_m, 6.02);
+  EXPECT_NEAR(job->guess->pitch_rad, 0.733, 1e-3);
+  EXPECT_FALSE(job->wheels_sigma);
+  for (const auto& [words, part] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"mount"}, "which drive"},
+           {{"mount", "--site", "S"}, "--along"},
+           {{"mount", "REC", "--height-m", "0.6"}, "go together"},
+           {{"mount", "REC", "--distance-m", "-1"}, "distance-m"},
+           {{"mount", "REC", "--site", "S", "--name", "r", "--along", "L"}, "excludes"}}) {
+    const auto wrong = parsed(words);
+    const auto* const leave = std::get_if<Leave>(&wrong);
+    ASSERT_NE(leave, nullptr) << part;
+    EXPECT_EQ(leave->exit_code, 2);
+    EXPECT_THAT(leave->text, HasSubstr(part));
+  }
+}
+
+}  // namespace
+}  // namespace weft::agents::test
