@@ -35,7 +35,9 @@ class PagedNetwork {
   Result<void> add(NetworkPage page);
   bool is_whole() const { return is_whole_; }
   /// After which the next page begins.
-  PlaceId after() const { return window_.places.empty() ? PlaceId{} : window_.places.key_at(window_.places.size() - 1); }
+  PlaceId after() const {
+    return window_.places.empty() ? PlaceId{} : window_.places.key_at(window_.places.size() - 1);
+  }
   Revision revision() const { return window_.revision; }
   std::uint64_t done() const { return window_.places.size(); }
   std::uint64_t total() const { return total_; }

@@ -26,7 +26,8 @@ void expect_same(const Window& read, const Window& whole) {
   EXPECT_EQ(read.first_end, whole.first_end);
 }
 
-PagedNetwork read(const Snapshot& network, const Snapshot* other, std::size_t entities, std::size_t* pages = nullptr) {
+PagedNetwork read(const Snapshot& network, const Snapshot* other, std::size_t entities,
+                  std::size_t* pages = nullptr) {
   PagedNetwork paged;
   std::uint64_t total = 0;
   while (!paged.is_whole()) {

@@ -13,10 +13,11 @@ struct Drive {
   double turn_rad_s = 0.0;
   double duration_s = 5.0;
   double frames_per_second = 30.0;
-  double vibration = 1.0;   ///< times 0.05 degrees and 1 mm
-  bool wheels = true;       ///< 3 % long, 2 % too much turn
-  bool blur = false;        ///< 5 ms of open shutter; renders three times as much
-  double drop_share = 0.0;  ///< of the frames
+  double vibration = 1.0;      ///< times 0.05 degrees and 1 mm
+  double rocks_about_m = 0.0;  ///< above the floor
+  bool wheels = true;          ///< 3 % long, 2 % too much turn
+  bool blur = false;           ///< 5 ms of open shutter; renders three times as much
+  double drop_share = 0.0;     ///< of the frames
   Pose2 start{1.2, 2.0, 0.0};
   Shot shot;  ///< seed and blur are set for each frame
   std::uint64_t seed = 1;
@@ -27,7 +28,8 @@ struct Driven {
   Pose2 seen_motion;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double length_m = 0.0;
-  int blind = 0;  ///< without the first view
+  int blind = 0;            ///< without the first view
+  double step_off_m = 0.0;  ///< RMS over steps, from the 60th on
   std::map<std::string, int, std::less<>> reasons;
   agents::Floor::Odometry odometry;
 
@@ -48,6 +50,7 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
   Relation start_from_robot = Metric2{};
   Pose2 floor_from_robot = how.start;
   const int frames = static_cast<int>(how.duration_s * how.frames_per_second);
+  double squares = 0.0;
   for (int i = 0; i <= frames; ++i) {
     agents::Motion motion;
     if (i > 0) {
@@ -65,14 +68,20 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
     agents::View view;
     view.frame = static_cast<std::uint64_t>(i);
     const bool dropped = i > 0 && i < frames && random.chance(how.drop_share);
-    if (!dropped) view.data = eye.render(floor, floor_from_robot, vibration.at(i * dt), shot);
+    const agents::Sway sway = vibration.at(i * dt);
+    // The camera goes where one that rocks about the floor would have gone from here.
+    const Pose2 as_if_from_floor =
+        floor_from_robot * Pose2{-how.rocks_about_m * sway.pitch_rad, how.rocks_about_m * sway.roll_rad, 0.0};
+    if (!dropped) view.data = eye.render(floor, as_if_from_floor, sway, shot);
     const agents::Step seen = method.observe(out.odometry, dropped ? nullptr : &view, motion);
     if (i > 0 && !seen.seen) {
       ++out.blind;
       ++out.reasons[std::string(seen.blind_reason)];
     }
     start_from_robot = compose(start_from_robot, seen.previous_from_current);
+    if (i >= 60) squares += (step.inverse() * planar(seen.previous_from_current)).translation().squaredNorm();
   }
+  out.step_off_m = std::sqrt(squares / std::max(1, frames - 59));
   out.true_motion = how.start.inverse() * floor_from_robot;
   out.seen_motion = planar(start_from_robot);
   out.covariance = planar_covariance(start_from_robot);

@@ -11,6 +11,7 @@
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
+#include "agents/perception/rocking.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -34,7 +35,7 @@ class Floor {
     TrackingImage newest;  ///< none: nothing has been seen since vision went blind
     std::vector<Tracked> tracks;
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
-    Pose2 keyframe_from_robot;        ///< at the newest sample
+    Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Sway keyframe_sway;
     Eigen::Matrix3d keyframe_sway_covariance = Eigen::Matrix3d::Identity();
     Sway sway;  ///< at the newest view
@@ -43,6 +44,7 @@ class Floor {
     std::size_t inliers = 0;                ///< of the newest view's motion
     std::optional<Pose2> wheels = Pose2{};  ///< since the keyframe; none: not reported all the way
     std::optional<FloorViews> ended;        ///< the keyframe that ended with the newest view, and that view
+    std::optional<Rocking> rocking;         ///< none before the first view
   };
   using Content = FloorContent;
 

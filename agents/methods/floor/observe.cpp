@@ -179,6 +179,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const TrackingImage now = prepare_tracking(*image, config_.window_px, config_.pyramid_levels);
   const bool first = !s.newest;
   if (first) forget_sway(config_, s);
+  if (!s.rocking) s.rocking.emplace(camera_.robot_from_camera.translation.z());
   PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_sway, s.sway};
   Followed followed;
   PlanarFit fit;
@@ -206,7 +207,11 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     return step;
   }
 
-  const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
+  const Sway change = Sway::from(fit.state.sway_b.vector() - s.sway.vector());
+  const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
+  const bool follows_a_view = s.inliers > 0;
+  if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
+  const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
   Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen)}, true, {}};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;

@@ -37,6 +37,16 @@ TEST_F(FloorOdometry, StraightWithVibration) {
   EXPECT_LT(run.heading_error_deg_per_m(), kHeadingDegPerM);
 }
 
+TEST_F(FloorOdometry, IsTheRobotsWhateverItRocksAbout) {
+  for (const double height : {0.0, 0.3, 0.6}) {
+    test::Drive how;
+    how.rocks_about_m = height;
+    const test::Driven run = test::drive(make(test::paper_camera()), *eye_, *floor_, how);
+    EXPECT_NEAR(run.odometry.rocking->height_m(), height, 0.1);
+    EXPECT_LT(run.step_off_m, 0.0003) << "a camera that rocks about itself would seem to go 0.7 mm more or less";
+  }
+}
+
 TEST_F(FloorOdometry, OneMetreASecondBlurredWithoutWheels) {
   test::Drive how;
   how.speed_m_s = 1.0;
