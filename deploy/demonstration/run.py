@@ -16,7 +16,7 @@ import scenario  # noqa: E402
 from fleet import Fleet  # noqa: E402
 
 RECORDS = ('truth.jsonl', 'fixes.jsonl', 'drives.jsonl', 'acks.jsonl', 'goals.jsonl', 'processes.jsonl', 'experiences.jsonl', 'network.json',
-           'network.png', 'map.svg', 'summary.json', 'site.toml', 'versions')
+           'network.png', 'map.svg', 'summary.json', 'site.toml', 'floor.pgm', 'versions')
 
 
 ABOUT = """Weft's main job on this machine, from nothing: installs the Debian packages that are missing, builds, starts a fleet map
@@ -97,6 +97,8 @@ def gather(fleet, out, site_file):
     write_lines(out / 'processes.jsonl', rows)
     write_lines(out / 'experiences.jsonl', [dict(experience=id, name=name) for id, name in fleet.experiences.items()])
     shutil.copy(site_file, out / 'site.toml')
+    photographs = ['--floors', fleet.options.floors] if fleet.options.floors else []
+    subprocess.run([fleet.bin / 'sim-floor', site_file, out / 'floor.pgm', *photographs], check=True)
     programs = ('weft', 'weft-server', 'weft-agent')
     (out / 'versions').write_text(''.join(
         subprocess.run([fleet.bin / program, '--version'], capture_output=True, text=True).stdout for program in programs))

@@ -10,7 +10,8 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-from judging import geometry, metrics, records, verdict  # noqa: E402
+import numpy  # noqa: E402
+from judging import geometry, metrics, records, repeats, verdict  # noqa: E402
 
 R1, R2 = 'aa' * 16, 'bb' * 16
 A, B = 'a' * 16, 'b' * 16
@@ -43,7 +44,26 @@ def made():
     }
 
 
+def floor(width=640, height=320, seed=1):
+    """Grains of some centimetres: no floor in particular, and nowhere twice."""
+    grains = numpy.random.default_rng(seed).normal(size=(height + 2, width + 2))
+    return 125 + 30 * sum(grains[j:j + height, i:i + width] for j in range(3) for i in range(3)) / 3
+
+
+def tiled(period_x, period_y, width=640, height=320):
+    """One photograph laid again and again, with dirt of its own on it."""
+    photograph = floor(period_x, period_y)
+    laid = numpy.tile(photograph, (height // period_y + 1, width // period_x + 1))[:height, :width]
+    return laid + numpy.random.default_rng(2).normal(0, 8, laid.shape)
+
+
+def write_floor(path, grey):
+    rows, columns = grey.shape
+    path.write_bytes(b'P5\n%d %d\n255\n' % (columns, rows) + numpy.clip(grey, 0, 255).astype(numpy.uint8).tobytes())
+
+
 def written(folder, content):
+    write_floor(pathlib.Path(folder) / 'floor.pgm', floor())
     for name, rows in content.items():
         text = json.dumps(rows) if name.endswith('.json') else ''.join(json.dumps(row) + '\n' for row in rows)
         (pathlib.Path(folder) / name).write_text(text)
@@ -140,6 +160,50 @@ class Misplaced(unittest.TestCase):
     def test_another_vendor_than_the_one_asked_for_is_seen(self):
         self.assertIn('r1 speaks cyclonedds, fastdds was asked for',
                       self.found(lambda content: content['processes.jsonl'][1].update(asked='fastdds')))
+
+
+class Repeats(unittest.TestCase):
+    """Whether a floor repeats is seen in the floor."""
+
+    def test_a_floor_without_a_pattern_does_not(self):
+        self.assertLess(repeats.most_alike(floor())[0], 0.4)
+
+    def test_a_photograph_laid_again_and_again_does(self):
+        for periods in ((30, 30), (73, 51), (100, 140), (250, 200)):
+            score, here, there = repeats.most_alike(tiled(*periods))
+            self.assertGreater(score, repeats.ALIKE, periods)
+            for axis in (0, 1):
+                apart = (there[axis] - here[axis]) / repeats.METRES_PER_PIXEL
+                self.assertAlmostEqual(apart / periods[axis], round(apart / periods[axis]), places=6, msg=periods)
+
+    def test_pieces_of_one_photograph_turned_by_quarters_do(self):
+        piece = floor(80, 80)
+        random = numpy.random.default_rng(3)
+        laid = numpy.block([[numpy.rot90(piece, random.integers(4)) for _ in range(8)] for _ in range(4)])
+        self.assertGreater(repeats.most_alike(laid)[0], repeats.ALIKE)
+
+    def test_straight_grain_alone_does_not(self):
+        grain = numpy.repeat(floor(13, 320), 50, axis=1)
+        self.assertLess(repeats.most_alike(grain + floor(650, 320, seed=4) / 3)[0], repeats.ALIKE)
+
+    def verdict_on(self, grey, site):
+        with tempfile.TemporaryDirectory() as folder:
+            written(folder, made())
+            if grey is not None:
+                write_floor(pathlib.Path(folder) / 'floor.pgm', grey)
+            else:
+                (pathlib.Path(folder) / 'floor.pgm').unlink()
+            (pathlib.Path(folder) / 'site.toml').write_text(f'[floor]\nmaterial = "{site}"\n')
+            return ' | '.join(verdict.repeating(records.read(folder)))
+
+    def test_the_verdict_names_where_and_lets_tiles_be(self):
+        self.assertEqual(self.verdict_on(floor(), 'concrete'), '')
+        self.assertIn('the floor repeats', self.verdict_on(tiled(73, 51), 'concrete'))
+        self.assertEqual(self.verdict_on(tiled(73, 51), 'tiles'), '')
+
+    def test_a_floor_that_nobody_can_judge_is_a_fault(self):
+        self.assertIn('not known', self.verdict_on(None, 'concrete'))
+        self.assertIn('too few', self.verdict_on(floor(200, 90), 'concrete'))
 
 
 class Command(unittest.TestCase):

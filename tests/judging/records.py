@@ -38,6 +38,7 @@ class Records:
     network: dict = field(default_factory=dict)
     places: dict = field(default_factory=dict)       # id -> row, robot by name
     site: pathlib.Path = None
+    floor: pathlib.Path = None                       # a picture of it
 
     def true_pose(self, robot, frame):
         try:
@@ -54,7 +55,7 @@ class Records:
 
 def read(folder):
     folder = pathlib.Path(folder)
-    records = Records(site=folder / 'site.toml')
+    records = Records(site=folder / 'site.toml', floor=folder / 'floor.pgm')
     for row in lines(folder / 'truth.jsonl'):
         records.truth.setdefault(row['robot'], {})[row['frame']] = pose(row)
     records.fixes = lines(folder / 'fixes.jsonl')

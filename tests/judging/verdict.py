@@ -1,4 +1,7 @@
 """The bounds that a demo must keep, and the table that says so."""
+import re
+
+from judging import repeats
 
 BOUNDS = (('final_error_m', 0.05), ('final_heading_error_deg', 3.0), ('lateral_rmse_m', 0.05))
 
@@ -26,6 +29,14 @@ def faults(summary, wanted_goals=2):
     if not summary['acknowledged'] or summary['lost_acknowledged']:
         broken.append(f"{summary['lost_acknowledged']} lost of {summary['acknowledged']} acknowledged batches")
     return broken
+
+
+def repeating(records):
+    """Where robots tell places by the floor it must not repeat; tiles do, and say so in the site file."""
+    if records.site.exists() and re.search(r'^\s*material\s*=\s*"tiles"', records.site.read_text(), re.MULTILINE):
+        return []
+    found = repeats.fault(records.floor)
+    return [found] if found else []
 
 
 def misplaced(records):

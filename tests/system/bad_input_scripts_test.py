@@ -20,6 +20,7 @@ class Flags(Case):
         self.refused(2, ['judge: ', '--colour', '--help'], ROOT / 'tests/judge', '--colour')
         self.refused(2, ['judge: '], ROOT / 'tests/judge')
         self.refused(1, ['judge: ', '/nowhere'], ROOT / 'tests/judge', '/nowhere')
+        self.refused(2, ['floor-textures: '], ROOT / 'tests/floor-textures')
         self.refused(2, ['simulate: ', '--colour', '--help'], SIMULATE, '--colour')
         self.refused(2, ['simulate: ', '--seeds', '3..1'], SIMULATE, '--seeds', '3..1')
         self.refused(2, ['simulate: ', '--robots', '9'], SIMULATE, '--robots', '9')

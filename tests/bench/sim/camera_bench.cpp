@@ -6,6 +6,8 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/bodies/sim/changes.hpp"
+#include "agents/bodies/sim/floor/procedural.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
 
 namespace weft::agents::sim {
@@ -29,11 +31,8 @@ Site site_with(Scenery scenery) {
   return site;
 }
 
-/// Drives there and back, so that the floor is sometimes new and sometimes known.
-void simulated_camera(benchmark::State& state) {
-  SimBodyConfig config;
-  config.site = site_with(static_cast<Scenery>(state.range(0)));
-  config.robot = "r1";
+/// There and back, so that the floor is sometimes new and sometimes known.
+void drive(benchmark::State& state, const SimBodyConfig& config) {
   auto body = make_sim_body(config);
   if (!body) {
     state.SkipWithError(body.error().message.c_str());
@@ -47,12 +46,51 @@ void simulated_camera(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations());
 }
+
+void simulated_camera(benchmark::State& state) {
+  SimBodyConfig config;
+  config.site = site_with(static_cast<Scenery>(state.range(0)));
+  config.robot = "r1";
+  drive(state, config);
+}
 BENCHMARK(simulated_camera)
     ->Arg(static_cast<int>(Scenery::open))
     ->Arg(static_cast<int>(Scenery::aisle))
     ->ArgName("racks")
     ->Unit(benchmark::kMillisecond)
     ->MinTime(5.0);
+
+/// With every light and wear at once, but for the colour, which costs only when floor is made.
+void changed_camera(benchmark::State& state) {
+  SimBodyConfig config;
+  config.site = site_with(Scenery::open);
+  for (const char* light : {"halved", "moving-shadow", "glare", "lens-dirt"}) {
+    config.site = *under_light(config.site, light);
+  }
+  for (const char* wear : {"dirt", "wet", "line", "pallet"}) config.site = *with_wear(config.site, wear);
+  config.robot = "r1";
+  drive(state, config);
+}
+BENCHMARK(changed_camera)->Unit(benchmark::kMillisecond)->MinTime(5.0);
+
+/// One tile of new floor, 0.64 m squared, white light and coloured.
+void new_floor(benchmark::State& state) {
+  FloorSetup setup;
+  setup.material = floor_kinds()[static_cast<std::size_t>(state.range(0))];
+  state.SetLabel(setup.material);
+  const auto floor = make_procedural_floor(setup, state.range(1) == 0 ? 0.0 : 0.6);
+  std::vector<std::uint8_t> texels(static_cast<std::size_t>(kTileTexels) * kTileTexels);
+  TileKey key;
+  for (auto _ : state) {
+    (*floor)->fill(key, texels);
+    ++key.x;
+    benchmark::DoNotOptimize(texels.data());
+  }
+}
+BENCHMARK(new_floor)
+    ->ArgsProduct({{0, 1, 2, 3, 4, 5}, {0, 1}})
+    ->ArgNames({"kind", "coloured"})
+    ->Unit(benchmark::kMillisecond);
 
 void warp_perspective(benchmark::State& state) {
   cv::Mat floor(4096, 4096, CV_8U);

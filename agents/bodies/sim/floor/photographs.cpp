@@ -12,7 +12,7 @@
 namespace weft::agents::sim {
 namespace {
 
-constexpr double kPatchM = 0.4;     // spacing of patches
+constexpr double kPatchM = 0.2;     // spacing of patches
 constexpr double kFeatherM = 0.05;  // over which two patches fade into each other
 constexpr double kRegionM = 4.0;    // of one photograph, with several
 constexpr double kGloss = 12.0;

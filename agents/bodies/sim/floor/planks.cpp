@@ -10,22 +10,23 @@
 namespace weft::agents::sim {
 namespace {
 
-constexpr double kWidthM = 0.12;
-constexpr double kPitchM = 1.2;    // mean length
-constexpr double kJitterM = 0.3;   // of each end, both ways together
-constexpr double kNodeM = 0.08;    // along the grain, between two of its cross sections
-constexpr double kMarginM = 0.02;  // that the grain is bent by at most
-constexpr double kGapM = 0.0018;   // that a plank's rim is rounded over
+constexpr double kWidthM = 0.12;         // mean
+constexpr double kWidthJitterM = 0.018;  // of each rim, both ways: rows of one width would repeat
+constexpr double kPitchM = 1.2;          // mean length
+constexpr double kJitterM = 0.3;         // of each end, both ways together
+constexpr double kNodeM = 0.08;          // along the grain, between two of its cross sections
+constexpr double kMarginM = 0.02;        // that the grain is bent by at most
+constexpr double kGapM = 0.0018;         // that a plank's rim is rounded over
 constexpr int kNodes = 22;
-constexpr int kAcross = static_cast<int>((kWidthM + 2 * kMarginM) / kTexelM) + 2;
+constexpr int kAcross = static_cast<int>((kWidthM + 2 * kWidthJitterM + 2 * kMarginM) / kTexelM) + 2;
 
 struct Knot {
   double along = 0.0, across = 0.0, size_m = 0.0;
 };
 
 struct Plank {
-  double from = 0.0, to = 0.0;  ///< along x
-  double low = 0.0;             ///< its lower rim
+  double from = 0.0, to = 0.0;    ///< along x
+  double low = 0.0, width = 0.0;  ///< across: its lower rim, and from there
   double grey = 0.0, warmth = 0.0;
   double tilt = 0.0, wave_m = 0.0, phase = 0.0;
   std::vector<Knot> knots;
@@ -44,11 +45,15 @@ double begin_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
   return shift + static_cast<double>(piece) * kPitchM + random_of(seed, row, piece, 2).uniform(0.0, kJitterM);
 }
 
+double low_of(std::uint64_t seed, std::int64_t row) {
+  return static_cast<double>(row) * kWidthM + random_of(seed, row, 0, 5).uniform(-kWidthJitterM, kWidthJitterM);
+}
+
 /// Annual rings seen from the side: layers of a few widths, which last for some decimetres.
 std::vector<float> grain_of(Random random) {
   constexpr double kWidths[] = {0.0013, 0.003, 0.007, 0.018};
-  constexpr double kGreys[] = {5.0, 6.0, 6.0, 5.0};
-  constexpr double kLasts = 0.85;  // share that goes on from one cross section to the next
+  constexpr double kGreys[] = {5.0, 6.0, 8.0, 7.0};
+  constexpr double kLasts = 0.8;  // share that goes on from one cross section to the next
   std::vector<float> grain(static_cast<std::size_t>(kNodes) * kAcross, 0.0F);
   for (int size = 0; size < 4; ++size) {
     const double per_texel = kTexelM / kWidths[size];
@@ -72,7 +77,8 @@ Plank plank_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
   Plank plank;
   plank.from = begin_of(seed, row, piece);
   plank.to = begin_of(seed, row, piece + 1);
-  plank.low = static_cast<double>(row) * kWidthM;
+  plank.low = low_of(seed, row);
+  plank.width = low_of(seed, row + 1) - plank.low;
   Random random = random_of(seed, row, piece, 3);
   plank.grey = random.normal(0.0, 13.0);
   plank.warmth = random.normal(0.0, 0.06);
@@ -80,7 +86,7 @@ Plank plank_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
   plank.wave_m = random.uniform(0.0, 0.004);
   plank.phase = random.uniform(0.0, 6.28);
   for (auto knots = random.below(3); knots > 0; --knots) {
-    plank.knots.push_back({random.uniform(0.05, kPitchM - kJitterM), random.uniform(0.02, kWidthM - 0.02),
+    plank.knots.push_back({random.uniform(0.05, kPitchM - kJitterM), random.uniform(0.02, plank.width - 0.02),
                            random.uniform(0.003, 0.009)});
   }
   plank.grain = grain_of(random.fork(4));
@@ -131,9 +137,10 @@ void add_row(const Plank& plank, const Layer& layer, int j) {
     const double drift = plank.tilt * along + plank.wave_m * std::sin(7.0 * along + plank.phase);
     const Bend bend = bent(plank, along, across, drift);
     const double grain = static_cast<double>(grain_at(plank, before, u * u * (3.0F - 2.0F * u), bend.across));
-    const double rim = std::min(std::min(across, kWidthM - across), std::min(along, plank.to - plank.from - along));
+    const double rim =
+        std::min(std::min(across, plank.width - across), std::min(along, plank.to - plank.from - along));
     const double gap = std::clamp(1.0 - rim / kGapM, 0.0, 1.0);
-    const double grey = plank.grey + grain - bend.dark - 70.0 * gap;
+    const double grey = plank.grey + grain - bend.dark - 45.0 * gap;
     const double warmth = plank.warmth - 0.003 * grain + 0.002 * bend.dark;
     to[i] += static_cast<float>(layer.channel == Channel::grey ? grey : warmth);
   }
@@ -145,14 +152,19 @@ void add_planks(std::uint64_t seed, const Layer& layer) {
   const Canvas& canvas = layer.canvas;
   const double x_end = canvas.x0_m + canvas.side * canvas.texel_m;
   const double y_end = canvas.y0_m + canvas.side * canvas.texel_m;
-  const auto row_at = [](double y) { return static_cast<std::int64_t>(std::floor(y / kWidthM)); };
+  const auto row_at = [seed](double y) {
+    const auto row = static_cast<std::int64_t>(std::floor(y / kWidthM));
+    if (y < low_of(seed, row)) return row - 1;
+    return y < low_of(seed, row + 1) ? row : row + 1;
+  };
   for (std::int64_t row = row_at(canvas.y0_m); row <= row_at(y_end); ++row) {
     const auto first = static_cast<std::int64_t>(std::floor(canvas.x0_m / kPitchM)) - 3;
     for (std::int64_t piece = first; begin_of(seed, row, piece) < x_end; ++piece) {
       if (begin_of(seed, row, piece + 1) <= canvas.x0_m) continue;
       const Plank plank = plank_of(seed, row, piece);
       for (int j = 0; j < canvas.side; ++j) {
-        if (row_at(canvas.y0_m + (j + 0.5) * canvas.texel_m) == row) add_row(plank, layer, j);
+        const double across = canvas.y0_m + (j + 0.5) * canvas.texel_m - plank.low;
+        if (across >= 0.0 && across < plank.width) add_row(plank, layer, j);
       }
     }
   }

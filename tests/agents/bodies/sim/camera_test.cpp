@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "agents/bodies/sim/calibration.hpp"
@@ -268,6 +269,27 @@ TEST_F(CameraSees, CornersAreDarkerByTheVignetting) {
   EXPECT_NEAR(at(image, 376, 240), 200, 2);
   EXPECT_NEAR(at(image, 0, 0), 160, 2);
   EXPECT_NEAR(at(image, 751, 479), 160, 2);
+}
+
+TEST_F(CameraSees, DirtOnTheLensAtTheSamePlaceOfEveryImage) {
+  class Flat final : public FloorSource {
+   public:
+    void fill(TileKey, std::span<std::uint8_t> texels) const override {
+      std::fill(texels.begin(), texels.end(), 200);
+    }
+    double gloss() const override { return 0.0; }
+  };
+  CameraOptions options;
+  options.lens_spots = 10;
+  options.lens_depth = 0.8;
+  Camera subject = camera(std::make_shared<Flat>(), options);
+  const Bytes image = subject.render(still({3.0, 6.0, 0.0}));
+  EXPECT_EQ(image, subject.render(still({9.0, 2.0, 1.0})));
+  const auto dark = std::count_if(image.begin(), image.end(), [](int grey) { return grey < 150; });
+  EXPECT_GT(dark, 500);
+  EXPECT_LT(dark, static_cast<std::ptrdiff_t>(image.size() / 5));
+  options.lens_seed = 7;
+  EXPECT_NE(image, camera(std::make_shared<Flat>(), options).render(still({3.0, 6.0, 0.0})));
 }
 
 TEST_F(CameraSees, NoiseOfTheStatedSize) {

@@ -1,33 +1,17 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "agents/bodies/sim/floor/floor_window.hpp"
-#include "agents/bodies/sim/floor/photographs.hpp"
 #include "agents/bodies/sim/floor/procedural.hpp"
 #include "agents/bodies/sim/floor/tile_print.hpp"
+#include "tiles.hpp"
 
 namespace weft::agents::sim {
 namespace {
 
 using testing::HasSubstr;
-namespace fs = std::filesystem;
-
-using Tile = std::vector<std::uint8_t>;
-
-Tile tile_of(const FloorSource& floor, TileKey key) {
-  Tile tile(static_cast<std::size_t>(kTileTexels) * kTileTexels);
-  floor.fill(key, tile);
-  return tile;
-}
-
-cv::Mat picture_of(Tile& tile) {
-  return cv::Mat(kTileTexels, kTileTexels, CV_8U, tile.data());
-}
 
 FloorSetup setup_of(const std::string& material) {
   FloorSetup setup;
@@ -39,16 +23,6 @@ std::shared_ptr<const FloorSource> floor_of(const FloorSetup& setup) {
   auto floor = make_procedural_floor(setup);
   EXPECT_TRUE(floor) << floor.error().message;
   return *floor;
-}
-
-/// Best correlation of a patch of one tile anywhere in another.
-double best_match(Tile& of, Tile& in) {
-  cv::Mat scores;
-  const cv::Mat patch = picture_of(of)(cv::Rect(400, 400, 160, 160));
-  cv::matchTemplate(picture_of(in), patch, scores, cv::TM_CCOEFF_NORMED);
-  double best = 0.0;
-  cv::minMaxLoc(scores, nullptr, &best);
-  return best;
 }
 
 class EveryMaterial : public testing::TestWithParam<std::string> {};
@@ -351,104 +325,6 @@ TEST(Kernels, BothBuildsPaintFacesAlike) {
     const auto [least, most] = std::minmax_element(together.begin(), together.end());
     EXPECT_GE(*most - *least, 5.0F);
   }
-}
-
-class Photographs : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("weft-photographs-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void add_picture(const std::string& name, int side, std::uint64_t seed) const {
-    cv::Mat picture(side, side, CV_8U);
-    cv::theRNG().state = seed;
-    cv::randu(picture, 0, 255);
-    cv::GaussianBlur(picture, picture, {5, 5}, 1.5);
-    cv::imwrite((folder_ / name).string(), picture);
-  }
-  void add_text(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  Result<std::shared_ptr<const FloorSource>> make(const std::string& photograph = "") {
-    FloorSetup setup;
-    setup.photograph = photograph;
-    return make_photographed_floor(setup, folder_.string(), [this](const std::string& text) { warnings_ += text; });
-  }
-
-  fs::path folder_;
-  std::string warnings_;
-};
-
-TEST_F(Photographs, AreQuiltedWithoutRepetition) {
-  add_picture("stone.png", 1500, 3);
-  add_text("floors.toml", "[stone]\nfile = \"stone.png\"\nmm_per_pixel = 0.9\n");
-  auto floor = make();
-  ASSERT_TRUE(floor) << floor.error().message;
-  EXPECT_EQ(warnings_, "");
-  Tile here = tile_of(**floor, {0, 0});
-  for (const TileKey other : {TileKey{1, 0}, {0, 1}, {5, 7}}) {
-    Tile there = tile_of(**floor, other);
-    EXPECT_LT(best_match(here, there), 0.65);
-  }
-}
-
-TEST_F(Photographs, WithoutAScaleOneIsAssumedAndSaid) {
-  add_picture("stone.png", 600, 3);
-  ASSERT_TRUE(make());
-  EXPECT_THAT(warnings_, HasSubstr("stone.png"));
-  EXPECT_THAT(warnings_, HasSubstr("0.7 assumed"));
-}
-
-TEST_F(Photographs, ASidecarBesideOnePictureIsRead) {
-  add_picture("stone.png", 600, 3);
-  add_text("stone.png.toml", "mm_per_pixel = 0.5\n");
-  ASSERT_TRUE(make());
-  EXPECT_EQ(warnings_, "");
-}
-
-TEST_F(Photographs, AScaleOutOfBoundsIsRefused) {
-  add_picture("stone.png", 600, 3);
-  add_text("stone.png.toml", "mm_per_pixel = 50\n");
-  const auto floor = make();
-  ASSERT_FALSE(floor);
-  EXPECT_THAT(floor.error().message, HasSubstr("stone.png.toml:1"));
-  EXPECT_THAT(floor.error().message, HasSubstr("mm_per_pixel"));
-}
-
-TEST_F(Photographs, ADamagedPictureIsNamed) {
-  add_text("stone.png", "not a picture");
-  const auto floor = make();
-  ASSERT_FALSE(floor);
-  EXPECT_EQ(floor.error().code, ErrorCode::corrupt);
-  EXPECT_THAT(floor.error().message, HasSubstr("stone.png"));
-}
-
-TEST_F(Photographs, AListedPictureThatIsMissingIsNamed) {
-  add_picture("stone.png", 600, 3);
-  add_text("floors.toml",
-           "[stone]\nfile = \"stone.png\"\nmm_per_pixel = 0.9\n[moss]\nfile = \"moss.png\"\nmm_per_pixel = 0.9\n");
-  const auto floor = make();
-  ASSERT_FALSE(floor);
-  EXPECT_THAT(floor.error().message, HasSubstr("moss"));
-}
-
-TEST_F(Photographs, AFolderWithoutPicturesIsRefused) {
-  EXPECT_FALSE(make());
-  folder_ /= "nowhere";
-  const auto floor = make();
-  ASSERT_FALSE(floor);
-  EXPECT_EQ(floor.error().code, ErrorCode::not_found);
-}
-
-TEST_F(Photographs, OneOfSeveralCanBeChosen) {
-  add_picture("stone.png", 600, 3);
-  add_picture("moss.png", 600, 4);
-  EXPECT_TRUE(make("moss"));
-  const auto floor = make("sand");
-  ASSERT_FALSE(floor);
-  EXPECT_THAT(floor.error().message, HasSubstr("sand"));
 }
 
 }  // namespace

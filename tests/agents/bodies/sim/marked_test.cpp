@@ -2,21 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "sites.hpp"
+#include "tiles.hpp"
 
 namespace weft::agents::sim {
 namespace {
-
-using Tile = std::vector<std::uint8_t>;
-
-Tile tile_of(const FloorSource& floor, TileKey key) {
-  Tile tile(static_cast<std::size_t>(kTileTexels) * kTileTexels);
-  floor.fill(key, tile);
-  return tile;
-}
 
 /// Grey at a place of the tile that begins at the site's origin.
 int grey_at(const Tile& tile, double x, double y) {

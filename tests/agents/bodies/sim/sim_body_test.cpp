@@ -135,6 +135,17 @@ TEST(SimBody, TheLightChangesBetweenTeachAndRepeat) {
   EXPECT_NE(mean_of(pixels_of(last)), mean_of(pixels_of(after)));
 }
 
+TEST(SimBody, AChangeBeginsOnItsDay) {
+  SimBodyConfig config = config_of(quick_site());
+  config.site.disturbances = no_disturbances();
+  const double before = mean_of(pixels_of(run(*body_of(config), 2, {0.3, 0.0}).back()));
+  config.site.change.light = 0.5;
+  config.site.change.from_day = 1;
+  EXPECT_NEAR(mean_of(pixels_of(run(*body_of(config), 2, {0.3, 0.0}).back())), before, 1e-9);
+  config.day = 1;
+  EXPECT_NEAR(mean_of(pixels_of(run(*body_of(config), 2, {0.3, 0.0}).back())), before / 2, 0.03 * before);
+}
+
 TEST(SimBody, FramesComeSlowlyAtRestAndFastInMotion) {
   Site site = quick_site();
   site.disturbances.time_jitter_s = 0.0;

@@ -133,6 +133,64 @@ TEST(Site, EveryMistakeIsReportedAtOnce) {
   EXPECT_THAT(site.error().message, HasSubstr("robot"));
 }
 
+TEST(Site, NothingHasChangedUnlessItIsSaid) {
+  const auto site = parse_site(kSmall, "small.toml");
+  ASSERT_TRUE(site);
+  Change change = site->change;
+  EXPECT_NEAR(change.lens_depth, Change{}.lens_depth, 1e-12);
+  change.lens_depth = Change{}.lens_depth;
+  EXPECT_TRUE(change == Change{});
+}
+
+TEST(Site, WhatHasChangedIsSaidByNameAndByKey) {
+  const auto site = parse_site(std::string(kSmall) + R"(
+[[lamp]]
+x = 1
+y = 1
+[change]
+from_day = 1
+light = "glare"
+wear = "dirt"
+glare_grey = 90
+light_percent = 50
+[[change.shadow]]
+x = 2
+y = 3
+heading_deg = 90
+travel_m = 3
+[[change.wet]]
+x = 1
+y = 2
+[[change.line]]
+from = [0, 1]
+to = [4, 1]
+warmth = 0
+)",
+                               "f.toml");
+  ASSERT_TRUE(site) << site.error().message;
+  const Change& change = site->change;
+  EXPECT_EQ(change.from_day, 1U);
+  EXPECT_EQ(change.glare_grey, 90.0);
+  EXPECT_EQ(change.light, 0.5);
+  EXPECT_GT(change.dirt_per_m2, 0.0);
+  ASSERT_EQ(change.shadows.size(), 1U);
+  EXPECT_NEAR(change.shadows[0].site_from_shadow.heading, M_PI / 2, 1e-12);
+  EXPECT_EQ(change.wet.size(), 1U);
+  ASSERT_EQ(change.lines.size(), 1U);
+  EXPECT_EQ(change.lines[0].x1, 4.0);
+}
+
+TEST(Site, AChangeOutOfBoundsIsNamed) {
+  const auto site =
+      parse_site(std::string(kSmall) +
+                     "[change]\nlight = \"glare\"\nlight_warmth = 2\n[[change.line]]\nfrom = [0, 0]\nto = [0, 0]\n",
+                 "f.toml");
+  ASSERT_FALSE(site);
+  EXPECT_THAT(site.error().message, HasSubstr("light_warmth"));
+  EXPECT_THAT(site.error().message, HasSubstr("no [[lamp]]"));
+  EXPECT_THAT(site.error().message, HasSubstr("0.1 m from `from`"));
+}
+
 TEST(Site, ARobotInARackIsRefused) {
   const auto site =
       parse_site(std::string(kSmall) + "[[rack]]\nname = \"A\"\nx = 1\ny = 2\nlength_m = 2\n", "small.toml");
