@@ -9,36 +9,36 @@ namespace {
 using config::required;
 using config::Table;
 
-constexpr double kFar = 1000.0;  // metres: no warehouse reaches further
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSiteReachM = 1000.0;  // metres: no warehouse reaches further
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 CastShadow shadow_in(const Table& table) {
   CastShadow s;
-  s.site_from_shadow.x = table.number("x", required, -kFar, kFar);
-  s.site_from_shadow.y = table.number("y", required, -kFar, kFar);
-  s.site_from_shadow.heading = kDegree * table.number("heading_deg", 0.0, -360.0, 360.0);
+  s.site_from_shadow.x = table.number("x", required, -kSiteReachM, kSiteReachM);
+  s.site_from_shadow.y = table.number("y", required, -kSiteReachM, kSiteReachM);
+  s.site_from_shadow.heading = kRadPerDegree * table.number("heading_deg", 0.0, -360.0, 360.0);
   s.length_m = table.number("length_m", s.length_m, 0.05, 50.0);
   s.width_m = table.number("width_m", s.width_m, 0.05, 50.0);
   s.depth = 0.01 * table.number("depth_percent", 100 * s.depth, 0.0, 100.0);
   s.soft_m = table.number("soft_m", s.soft_m, 0.05, 2.0);
   s.travel_m = table.number("travel_m", s.travel_m, 0.0, 100.0);
   s.speed_m_s = table.number("speed_m_s", s.speed_m_s, 0.0, 5.0);
-  s.phase_rad = kDegree * table.number("phase_deg", 0.0, -360.0, 360.0);
+  s.phase_rad = kRadPerDegree * table.number("phase_deg", 0.0, -360.0, 360.0);
   return s;
 }
 
 WetArea wet_in(const Table& table) {
   WetArea w;
-  w.x = table.number("x", required, -kFar, kFar);
-  w.y = table.number("y", required, -kFar, kFar);
+  w.x = table.number("x", required, -kSiteReachM, kSiteReachM);
+  w.y = table.number("y", required, -kSiteReachM, kSiteReachM);
   w.radius_m = table.number("radius_m", w.radius_m, 0.1, 10.0);
   return w;
 }
 
 PaintedLine line_in(const Table& table) {
   PaintedLine l;
-  const std::vector<double> from = table.numbers("from", required, 2, 2, -kFar, kFar);
-  const std::vector<double> to = table.numbers("to", required, 2, 2, -kFar, kFar);
+  const std::vector<double> from = table.numbers("from", required, 2, 2, -kSiteReachM, kSiteReachM);
+  const std::vector<double> to = table.numbers("to", required, 2, 2, -kSiteReachM, kSiteReachM);
   if (from.size() == 2 && to.size() == 2) {
     l.x0 = from[0];
     l.y0 = from[1];

@@ -15,10 +15,10 @@ constexpr double kWidthJitterM = 0.018;  // of each rim, both ways: rows of one 
 constexpr double kPitchM = 1.2;          // mean length
 constexpr double kJitterM = 0.3;         // of each end, both ways together
 constexpr double kNodeM = 0.08;          // along the grain, between two of its cross sections
-constexpr double kMarginM = 0.02;        // that the grain is bent by at most
+constexpr double kBendM = 0.02;          // that the grain is bent by at most
 constexpr double kGapM = 0.0018;         // that a plank's rim is rounded over
 constexpr int kNodes = 22;
-constexpr int kAcross = static_cast<int>((kWidthM + 2 * kWidthJitterM + 2 * kMarginM) / kTexelM) + 2;
+constexpr int kAcross = static_cast<int>((kWidthM + 2 * kWidthJitterM + 2 * kBendM) / kTexelM) + 2;
 
 struct Knot {
   double along = 0.0, across = 0.0, size_m = 0.0;
@@ -103,8 +103,8 @@ Bend bent(const Plank& plank, double along, double across, double drift) {
   for (const Knot& knot : plank.knots) {
     const double u = (along - knot.along) / (5.0 * knot.size_m);
     const double v = (across - knot.across) / knot.size_m;
+    if (std::abs(u) > 2.5 || std::abs(v) > 5.0) continue;  // nothing is left of it there
     const double r2 = u * u + 0.25 * v * v;
-    if (r2 > 6.0) continue;
     // Layers that would pass through the knot are pushed aside.
     bend.across -= (v > 0.0 ? 1.0 : -1.0) * knot.size_m * std::exp(-r2) * std::min(1.0, std::abs(v));
     const double within = std::hypot(0.7 * (along - knot.along), across - knot.across) / knot.size_m;
@@ -114,7 +114,7 @@ Bend bent(const Plank& plank, double along, double across, double drift) {
 }
 
 float grain_at(const Plank& plank, int node, float share, double across) {
-  const double at = std::clamp((across + kMarginM) / kTexelM, 0.0, kAcross - 2.0);
+  const double at = std::clamp((across + kBendM) / kTexelM, 0.0, kAcross - 2.0);
   const auto below = static_cast<int>(at);
   const auto between = static_cast<float>(at - below);
   const float* const near = plank.grain.data() + static_cast<std::ptrdiff_t>(node) * kAcross + below;
@@ -122,27 +122,45 @@ float grain_at(const Plank& plank, int node, float share, double across) {
   return (1.0F - share) * (near[0] + between * (near[1] - near[0])) + share * (far[0] + between * (far[1] - far[0]));
 }
 
-void add_row(const Plank& plank, const Layer& layer, int j) {
-  const Canvas& canvas = layer.canvas;
-  const double across = canvas.y0_m + (j + 0.5) * canvas.texel_m - plank.low;
+/// What is the same for all rows of a canvas, for each column on a plank.
+struct Columns {
+  int first = 0;
+  std::vector<double> along, drift;  ///< from the plank's begin; of the grain
+  std::vector<int> node;
+  std::vector<float> share;  ///< of the node after it
+};
+Columns columns_of(const Plank& plank, const Canvas& canvas) {
   const auto column = [&](double x) {
     return std::clamp(static_cast<int>(std::ceil((x - canvas.x0_m) / canvas.texel_m - 0.5)), 0, canvas.side);
   };
-  float* const to = canvas.values.data() + static_cast<std::ptrdiff_t>(j) * canvas.side;
-  for (int i = column(plank.from), end = column(plank.to); i < end; ++i) {
+  Columns columns;
+  columns.first = column(plank.from);
+  for (int i = columns.first, end = column(plank.to); i < end; ++i) {
     const double along = canvas.x0_m + (i + 0.5) * canvas.texel_m - plank.from;
     const double node = std::min(along / kNodeM, kNodes - 1.001);
     const auto before = static_cast<int>(node);
     const auto u = static_cast<float>(node - before);
-    const double drift = plank.tilt * along + plank.wave_m * std::sin(7.0 * along + plank.phase);
-    const Bend bend = bent(plank, along, across, drift);
-    const double grain = static_cast<double>(grain_at(plank, before, u * u * (3.0F - 2.0F * u), bend.across));
-    const double rim =
-        std::min(std::min(across, plank.width - across), std::min(along, plank.to - plank.from - along));
-    const double gap = std::clamp(1.0 - rim / kGapM, 0.0, 1.0);
-    const double grey = plank.grey + grain - bend.dark - 45.0 * gap;
-    const double warmth = plank.warmth - 0.003 * grain + 0.002 * bend.dark;
-    to[i] += static_cast<float>(layer.channel == Channel::grey ? grey : warmth);
+    columns.along.push_back(along);
+    columns.drift.push_back(plank.tilt * along + plank.wave_m * std::sin(7.0 * along + plank.phase));
+    columns.node.push_back(before);
+    columns.share.push_back(u * u * (3.0F - 2.0F * u));
+  }
+  return columns;
+}
+
+void add_row(const Plank& plank, const Columns& columns, const Layer& layer, int j) {
+  const Canvas& canvas = layer.canvas;
+  const double across = canvas.y0_m + (j + 0.5) * canvas.texel_m - plank.low;
+  const double rim_across = std::min(across, plank.width - across);
+  float* const to = canvas.values.data() + static_cast<std::ptrdiff_t>(j) * canvas.side + columns.first;
+  for (std::size_t i = 0; i < columns.along.size(); ++i) {
+    const double along = columns.along[i];
+    const Bend bend = bent(plank, along, across, columns.drift[i]);
+    const auto grain = static_cast<double>(grain_at(plank, columns.node[i], columns.share[i], bend.across));
+    const double rim = std::min(rim_across, std::min(along, plank.to - plank.from - along));
+    const double gap = std::max(1.0 - rim / kGapM, 0.0);
+    to[i] += static_cast<float>(layer.channel == Channel::grey ? plank.grey + grain - bend.dark - 45.0 * gap
+                                                               : plank.warmth - 0.003 * grain + 0.002 * bend.dark);
   }
 }
 
@@ -162,9 +180,10 @@ void add_planks(std::uint64_t seed, const Layer& layer) {
     for (std::int64_t piece = first; begin_of(seed, row, piece) < x_end; ++piece) {
       if (begin_of(seed, row, piece + 1) <= canvas.x0_m) continue;
       const Plank plank = plank_of(seed, row, piece);
+      const Columns columns = columns_of(plank, canvas);
       for (int j = 0; j < canvas.side; ++j) {
         const double across = canvas.y0_m + (j + 0.5) * canvas.texel_m - plank.low;
-        if (across >= 0.0 && across < plank.width) add_row(plank, layer, j);
+        if (across >= 0.0 && across < plank.width) add_row(plank, columns, layer, j);
       }
     }
   }
