@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "core/text.hpp"
 
@@ -56,31 +58,61 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
   return sub;
 }
 
-CLI::App* describe(CLI::App& app, FloorOptions& options, std::string& seeds) {
+/// The study in simulation, or a recording replayed.
+struct FloorWords {
+  FloorOptions study;
+  std::string seeds = "1..10";
+  ReplayOptions replay;
+  std::vector<double> mount;
+  std::filesystem::path out = "out/floor";
+};
+
+/// What only one of the two understands is refused with the other.
+CLI::App* describe(CLI::App& app, FloorWords& words) {
   CLI::App* const sub = app.add_subcommand(
       "floor",
       "How well robots navigate by floors (method floor), against what is promised of it: one robot is led along a "
       "line and taught it, another one repeats it by itself on another day, on every kind of floor and under every "
       "light and wear.\n"
       "Writes floor.csv, floor.json, ten pictures and series/ (docs/floor-study.md). Ctrl-C stops it; the same "
-      "command goes on where it stopped.");
-  seeds = "1..10";
+      "command "
+      "goes on where it stopped.\n"
+      "With --replay: odometry, mapping and localisation on a recording instead. Writes replay.json and replay.png.");
+  FloorOptions& options = words.study;
   options.site = "deploy/sites/demo.toml";
-  options.out = "out/floor";
   const auto option = flags_of(sub);
-  option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]");
-  option("--light", options.light, "L", "One light or wear while it is repeated; 'same' is none [all]");
-  option("--floors", options.floors, "DIR", "Photographs of floors (docs/simulation.md) instead of the simulation's");
-  option("--seeds", seeds, "A..B",
-         "Seeds A to B, or one: each is another patch of floor, wear, calibration and noise [1..10]");
-  option("--site", options.site, "FILE",
-         "Site file: where is driven, how large the disturbances are, the robot (its first one) "
-         "[deploy/sites/demo.toml]");
-  option("--along", options.along, "FILE",
-         "Line to be taught, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
-  option("--metres", options.metres, "M", "How much of the line, 5 to 1000 [26]")
-      ->check(CLI::Range(5.0, 1000.0).description(""));
-  option("--out", options.out, "DIR", "Folder for the results; rows that it holds already are kept [out/floor]");
+  std::vector<CLI::Option*> of_study = {
+      option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]"),
+      option("--light", options.light, "L", "One light or wear while it is repeated; 'same' is none [all]"),
+      option("--floors", options.floors, "DIR",
+             "Photographs of floors (docs/simulation.md) instead of the simulation's"),
+      option("--seeds", words.seeds, "A..B",
+             "Seeds A to B, or one: each is another patch of floor, wear, calibration and noise [1..10]"),
+      option("--site", options.site, "FILE",
+             "Site file: where is driven, how large the disturbances are, the robot (its first one) "
+             "[deploy/sites/demo.toml]"),
+      option("--along", options.along, "FILE",
+             "Line to be taught, 'x y' a row in metres [r1.line in the folder named like the site, beside it]"),
+      option("--metres", options.metres, "M", "How much of the line, 5 to 1000 [26]")
+          ->check(CLI::Range(5.0, 1000.0).description(""))};
+  CLI::Option* const replay =
+      option("--replay", words.replay.recording, "DIR", "A recording in EuRoC layout (mav0/cam0), floor in view");
+  for (CLI::Option* const flag : of_study) flag->excludes(replay);
+  option("--query", words.replay.query, "DIR", "Replay: a recording to localise in the first [the first once more]")
+      ->needs(replay);
+  option("--truth", words.replay.truth, "FILE",
+         "Replay: trajectory, TUM or (.csv) EuRoC [groundtruth_tum.txt, groundtruth.txt or "
+         "mav0/state_groundtruth_estimate0/data.csv of the recording]")
+      ->needs(replay);
+  option("--camera", words.replay.camera, "NAME", "Replay: which camera [cam0]")->needs(replay);
+  option(
+      "--mount", words.mount, "X,Y,Z,DEG",
+      "Replay: camera so far in front of and left of the robot's middle and above the floor, metres, looking so far "
+      "down from level [the recording's own]")
+      ->delimiter(',')
+      ->expected(4)
+      ->needs(replay);
+  option("--out", words.out, "DIR", "Folder for the results; rows that it holds already are kept [out/floor]");
   return sub;
 }
 
@@ -106,6 +138,15 @@ Parsed with_seeds(const CLI::App& app, Options options, const std::string& seeds
   return options;
 }
 
+Parsed parsed_floor(const CLI::App& app, FloorWords words) {
+  words.study.out = words.replay.out = words.out;
+  if (words.replay.recording.empty()) return with_seeds(app, std::move(words.study), words.seeds);
+  if (!words.mount.empty()) {
+    words.replay.mount = ReplayMount{words.mount[0], words.mount[1], words.mount[2], words.mount[3]};
+  }
+  return words.replay;
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -128,12 +169,11 @@ Parsed parse(int argc, const char* const* argv) {
   app.set_version_flag("--version", "weft-evaluate " WEFT_VERSION);
   app.require_subcommand(1);
   DisturbancesOptions disturbances;
-  FloorOptions floor;
+  FloorWords floor;
   GenerateOptions generate;
   std::string disturbances_seeds;
-  std::string floor_seeds;
   const CLI::App* const disturbances_sub = describe(app, disturbances, disturbances_seeds);
-  const CLI::App* const floor_sub = describe(app, floor, floor_seeds);
+  const CLI::App* const floor_sub = describe(app, floor);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -144,7 +184,7 @@ Parsed parse(int argc, const char* const* argv) {
     return mistake(app, problem.what());
   }
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
-  if (floor_sub->parsed()) return with_seeds(app, floor, floor_seeds);
+  if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
   return generate;
 }

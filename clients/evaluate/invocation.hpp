@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "clients/evaluate/disturbances/study.hpp"
+#include "clients/evaluate/floor/replay.hpp"
 #include "clients/evaluate/floor/study.hpp"
 #include "core/network/site_generator.hpp"
 #include "core/result.hpp"
@@ -22,7 +23,7 @@ struct GenerateOptions {
   std::filesystem::path out;  ///< the store's directory; made if it is not there
 };
 
-using Parsed = std::variant<DisturbancesOptions, FloorOptions, GenerateOptions, NotRun>;
+using Parsed = std::variant<DisturbancesOptions, FloorOptions, ReplayOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

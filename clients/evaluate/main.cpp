@@ -59,6 +59,15 @@ int run(const evaluate::FloorOptions& options) {
   return finish(evaluate::floor::study_floor(options, around), options.out);
 }
 
+int run(const evaluate::ReplayOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  const Result<evaluate::Ended> ended = evaluate::floor::replay_floor(options, around);
+  if (!ended) return failed(ended.error());
+  if (*ended == evaluate::Ended::complete) return 0;
+  std::cerr << "weft-evaluate: stopped; nothing was written\n";
+  return 130;
+}
+
 int run(const evaluate::NotRun& not_run) {
   (not_run.exit_code == 0 ? std::cout : std::cerr) << not_run.text;
   return not_run.exit_code;

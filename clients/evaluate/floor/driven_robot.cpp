@@ -12,16 +12,22 @@ namespace weft::evaluate::floor {
 using namespace agents;
 
 Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config) {
-  DrivenRobot robot;
-  robot.truth_ = config.truth_path.value_or("");
+  const std::filesystem::path truth = config.truth_path.value_or("");
   std::error_code problem;
-  std::filesystem::remove(robot.truth_, problem);
-  if (problem) return fail(ErrorCode::unavailable, robot.truth_.string() + ": " + problem.message());
+  std::filesystem::remove(truth, problem);
+  if (problem) return fail(ErrorCode::unavailable, truth.string() + ": " + problem.message());
   Result<std::unique_ptr<Body>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  robot.body_ = std::move(*body);
-  Result<Floor> floor = Floor::make(FloorConfig{}, robot.body_->cameras().front());
+  Result<DrivenRobot> robot = of(std::move(*body));
+  if (robot) robot->truth_ = truth;
+  return robot;
+}
+
+Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body) {
+  Result<Floor> floor = Floor::make(FloorConfig{}, body->cameras().front());
   if (!floor) return fail(floor.error());
+  DrivenRobot robot;
+  robot.body_ = std::move(body);
   robot.seen_ = std::make_shared<SeenStep>();
   robot.navigator_ = make_navigator(WatchedFloor(std::move(*floor), robot.seen_), NavigationConfig{});
   return robot;
@@ -29,16 +35,16 @@ Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config) {
 
 DrivenRobot::~DrivenRobot() {
   std::error_code ignored;  // a left-over file is removed at the next start
-  if (body_) std::filesystem::remove(truth_, ignored);
+  if (body_ && !truth_.empty()) std::filesystem::remove(truth_, ignored);
 }
 
 Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
   const Result<Sample> sample = body_->step(command_);
   if (!sample) return fail(sample.error());
   Stepped stepped;
-  stepped.has_view = sample->view.has_value();
+  stepped.has_view = sample->view && !left_out_.contains(sample->frame);
   stepped.hand_done = sample->hand_done;
-  stepped.navigated = navigator_->step(sample->view ? &*sample->view : nullptr, sample->frame, sample->time,
+  stepped.navigated = navigator_->step(stepped.has_view ? &*sample->view : nullptr, sample->frame, sample->time,
                                        sample->motion, sample->hand, map);
   command_ = stepped.navigated.command;
   start_from_robot_ = start_from_robot_ * planar(seen_->step.previous_from_current);
@@ -64,6 +70,7 @@ void DrivenRobot::note_last(const std::vector<Kept>& kept) {
 }
 
 Result<Trace> DrivenRobot::finish() {
+  if (truth_.empty()) return std::move(trace_);
   const auto truth = read_truth(truth_);
   if (!truth) return fail(truth.error());
   for (Moment& moment : trace_.moments) {

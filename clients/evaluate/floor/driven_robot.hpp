@@ -1,6 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "agents/bodies/sim/sim_body.hpp"
@@ -11,18 +14,22 @@
 
 namespace weft::evaluate::floor {
 
-/// A simulated body with the navigator that its agent would have, method `floor`, every setting at its default. The
-/// body's command is the navigator's of the sample before, as in the agent's process.
+/// A body, mostly a simulated one, with the navigator that its agent would have, method `floor`, every setting at its
+/// default. The body's command is the navigator's of the sample before, as in the agent's process.
 class DrivenRobot {
  public:
   /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
   static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config);
+  /// Any other body; what it drives has no truth. Errors of the method.
+  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body);
   DrivenRobot(DrivenRobot&&) = default;
   DrivenRobot& operator=(DrivenRobot&&) = delete;
   ~DrivenRobot();
 
   agents::Body& body() { return *body_; }
   agents::Navigator& navigator() { return *navigator_; }
+  /// Views of these frames are not shown to the navigator.
+  void leave_out(std::set<std::uint64_t> frames) { left_out_ = std::move(frames); }
   double now_s() const { return now_s_; }  ///< by the samples' stamps
 
   struct Stepped {
@@ -42,7 +49,8 @@ class DrivenRobot {
  private:
   DrivenRobot() = default;
 
-  std::filesystem::path truth_;
+  std::filesystem::path truth_;  // empty: none
+  std::set<std::uint64_t> left_out_;
   std::unique_ptr<agents::Body> body_;
   std::unique_ptr<agents::Navigator> navigator_;
   std::shared_ptr<SeenStep> seen_;

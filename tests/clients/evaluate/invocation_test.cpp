@@ -47,6 +47,12 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
       {{"floor", "--metres", "far"}, "--metres"},
       {{"floor", "--kind"}, "--kind"},
       {{"floor", "--heavy"}, "--heavy"},
+      {{"floor", "--replay"}, "--replay"},
+      {{"floor", "--replay", "r", "--kind", "epoxy"}, "--kind"},
+      {{"floor", "--query", "q"}, "--replay"},
+      {{"floor", "--mount", "0,0,0.6,45"}, "--replay"},
+      {{"floor", "--replay", "r", "--mount", "0,0,0.6"}, "--mount"},
+      {{"floor", "--replay", "r", "--mount", "0,0,high,45"}, "--mount"},
       {{"generate-site", "--places", "0"}, "places is 0"},
       {{"generate-site", "--places", "many"}, "--places"},
       {{"generate-site", "--content-bytes", "2"}, "content bytes"},
@@ -74,6 +80,24 @@ TEST(EvaluateInvocation, FloorsToStudy) {
   EXPECT_EQ(given.seeds.last, 3U);
   EXPECT_EQ(given.floors, "f");
   EXPECT_EQ(given.metres, 9.0);
+  EXPECT_EQ(given.out, "o");
+}
+
+TEST(EvaluateInvocation, RecordingsToReplay) {
+  const auto plain = std::get<ReplayOptions>(parsed({"floor", "--replay", "r"}));
+  EXPECT_EQ(plain.recording, "r");
+  EXPECT_EQ(plain.camera, "cam0");
+  EXPECT_FALSE(plain.mount.has_value());
+  EXPECT_EQ(plain.out, "out/floor");
+  const auto given =
+      std::get<ReplayOptions>(parsed({"floor", "--replay", "r", "--query", "q", "--truth", "t.txt", "--camera",
+                                      "cam1", "--mount", "0.2,-0.1,0.6,42", "--out", "o"}));
+  EXPECT_EQ(given.query, "q");
+  EXPECT_EQ(given.truth, "t.txt");
+  EXPECT_EQ(given.camera, "cam1");
+  ASSERT_TRUE(given.mount.has_value());
+  EXPECT_EQ(given.mount->left_m, -0.1);
+  EXPECT_EQ(given.mount->pitch_deg, 42.0);
   EXPECT_EQ(given.out, "o");
 }
 
