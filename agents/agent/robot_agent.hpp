@@ -9,6 +9,7 @@
 #include "agents/agent/budget.hpp"
 #include "agents/agent/commands.hpp"
 #include "agents/agent/content_cache.hpp"
+#include "agents/agent/lift_watch.hpp"
 #include "agents/agent/replica.hpp"
 #include "agents/agent/route_task.hpp"
 #include "agents/agent/session.hpp"
@@ -82,6 +83,7 @@ class RobotAgent final : public Agent {
   std::optional<Route> route() const override { return task_.route(); }
   std::optional<Estimate> estimate() const override { return navigator_->estimate(); }
   Counters counters() const override;
+  std::string mount() const override;
 
  private:
   // Messages (robot_agent_messages.cpp).
@@ -126,6 +128,7 @@ class RobotAgent final : public Agent {
   void prepare_localising(SteadyTime now);
   void start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed, SteadyTime now);
   void note_fix(const Fix& fix);
+  void note_lift(double lift_m);
   void search_when_of_use(SteadyTime now);
   void try_follow(SteadyTime now);
   void note_following(const Navigated& navigated, SteadyTime now);
@@ -177,6 +180,7 @@ class RobotAgent final : public Agent {
   std::string stands_for_;  ///< the navigator's reason at the last sample
   Twist command_;
   std::uint64_t frame_ = 0;
+  LiftWatch lift_;
   Counters seen_;  ///< fixes, and refusals of the navigator by their reason
   double speed_m_s_ = 0.0;
 

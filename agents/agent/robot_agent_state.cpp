@@ -42,11 +42,16 @@ std::string RobotAgent::reason() const {
       return task_.route()->reason.empty() ? stands_for_ : task_.route()->reason;
     case msg::RobotMode::idle:
       if (!teaching_failed_.empty()) return teaching_failed_;
-      return localising_.has_value() ? "looks for itself" : std::string{};
+      return localising_.has_value() ? "looks for itself" : lift_.notice();
     case msg::RobotMode::driving:
       break;
   }
-  return {};
+  return lift_.notice();
+}
+
+std::string RobotAgent::mount() const {
+  const std::optional<MountReport> report = navigator_->mount();
+  return report.has_value() ? words_of(*report, lift_.lift_m()) : std::string{};
 }
 
 msg::RobotDescription RobotAgent::description() {

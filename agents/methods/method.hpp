@@ -44,6 +44,8 @@ struct Related {
   std::uint32_t inliers = 0;
   double overlap = 0.0;   ///< share of b's view seen in a
   double residual = 0.0;  ///< the method's distance (h_distance for floor); smaller is better
+  /// How much higher above its calibration b's camera stood than a's above its own, metres; none: not to be told.
+  std::optional<double> lift_m = {};
 };
 
 using Signature = std::vector<float>;

@@ -8,6 +8,7 @@
 
 #include "agents/methods/method.hpp"
 #include "agents/navigation/map_view.hpp"
+#include "agents/perception/mount.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
 
@@ -78,6 +79,8 @@ class Navigator {
   /// this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
   virtual std::optional<Estimate> estimate() const = 0;
+  /// What driving has shown of the camera's mount; none: too little yet, or the method does not look.
+  virtual std::optional<MountReport> mount() const { return std::nullopt; }
 
   /// A new route or a new version of it; the robot never passes `route.released`.
   virtual void follow(const Route& route) = 0;

@@ -140,6 +140,11 @@ class NavigatorOf final : public Navigator {
     }
   }
 
+  std::optional<MountReport> mount() const override {
+    if constexpr (requires { method_.mount(odometry_); }) return method_.mount(odometry_);
+    return std::nullopt;
+  }
+
   void follow(const Route& route) override { follower_.follow(route); }
   void stop() override { follower_.stop(); }
 

@@ -66,6 +66,11 @@ MountTilt MountFilter::tilt() const {
   return {mean.x(), mean.y(), alone + by_focal * by_focal.transpose()};
 }
 
+void MountFilter::fade(double share) {
+  information_ *= share;
+  weighted_ *= share;
+}
+
 bool MountFilter::add(const FloorViews& views) {
   constexpr double most_scale = 10.0;  // residuals so many times their sigma: another plane, or none
   const MountTilt believed = tilt();
@@ -110,6 +115,23 @@ bool MountFilter::add(const FloorViews& views) {
   weighted_ += (told * at + pull).head<2>();
   ++pairs_;
   return true;
+}
+
+void MountWatch::add(const FloorViews& views) {
+  constexpr double kept = 1.0 - 1.0 / 150.0;  // pairs are 0.2 m long
+  filter_.fade(kept);
+  if (!filter_.add(views) || !views.wheels.has_value()) return;
+  wheels_m_ = kept * wheels_m_ + views.wheels->translation().norm();
+  seen_m_ = kept * seen_m_ + views.a_from_b.translation().norm();
+}
+
+std::optional<MountReport> MountWatch::report() const {
+  constexpr std::size_t fewest = 10;
+  constexpr double least_m = 1.0;
+  if (filter_.pairs() < fewest) return std::nullopt;
+  MountReport report{filter_.tilt(), filter_.pairs(), {}};
+  if (seen_m_ >= least_m) report.height_by_wheels = wheels_m_ / seen_m_ - 1.0;
+  return report;
 }
 
 std::optional<MountLever> lever_from(const std::vector<Pose2>& a_from_b, double yaw_before_rad,

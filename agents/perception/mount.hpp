@@ -48,6 +48,9 @@ class MountFilter {
   /// False: the views do not fit one plane, and nothing is learnt of them.
   bool add(const FloorViews& views);
 
+  /// Forgets: keeps this share of what is known.
+  void fade(double share);
+
   MountTilt tilt() const;
   std::size_t pairs() const { return pairs_; }
 
@@ -57,6 +60,29 @@ class MountFilter {
   Eigen::Matrix3d information_;                         ///< of pitch, roll, focal share
   Eigen::Vector2d weighted_ = Eigen::Vector2d::Zero();  ///< tilt's information times its mean, focal length as given
   std::size_t pairs_ = 0;
+};
+
+/// What a robot finds out about its mount while it drives.
+struct MountReport {
+  MountTilt tilt;  ///< against the calibration
+  std::size_t pairs = 0;
+  /// Height by the wheels over the calibration's, less one: as good as the wheels' scale. None: there are none.
+  std::optional<double> height_by_wheels;
+};
+
+/// The same filter for as long as a robot runs: what is older than about 30 m of driving fades, as mounts get
+/// knocked.
+class MountWatch {
+ public:
+  MountWatch(const CameraModel& camera, const MountPrior& prior) : filter_(camera, prior) {}
+  void add(const FloorViews& views);
+  /// None before 10 pairs of views.
+  std::optional<MountReport> report() const;
+
+ private:
+  MountFilter filter_;
+  double wheels_m_ = 0.0;
+  double seen_m_ = 0.0;
 };
 
 /// Where the camera is on its robot as seen from above, from motions of a base that does not slide sideways (u_y = 0

@@ -60,6 +60,8 @@ std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& serve
                        (close ? "" : ": run an NTP client there; records will not line up")});
   const bool able = row.state.mode != msg::RobotMode::faulted && row.state.mode != msg::RobotMode::lost;
   if (!able) found.push_back({name, false, row.state.reason + ": see `weft goal why " + row.description.name + "`"});
+  // What an agent notices of its mount stands as the reason of one that goes on.
+  if (able && row.state.reason.starts_with("its camera")) found.push_back({name, false, row.state.reason});
   return found;
 }
 

@@ -118,6 +118,9 @@ void Loop::log_counters() {
     told = times;
   }
   if (!line.empty()) parts_.log.info("counted: {}", line);
+  std::string mount = parts_.agent.mount();
+  if (mount != mount_) parts_.log.info("mount: {}", mount);
+  mount_ = std::move(mount);
 }
 
 void Loop::log_silence() {

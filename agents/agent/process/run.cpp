@@ -101,9 +101,12 @@ Result<void> run(const Options& options) {
   const auto warn = [&log](const std::string& text) { log.warn("{}", text); };
   Result<std::unique_ptr<Body>> body = make_body(options, warn);
   if (!body) return fail(body.error());
-  const Result<CameraModel> camera = make_camera(options, **body, warn);
+  CalibrationSigma known;
+  const Result<CameraModel> camera = make_camera(options, **body, warn, &known);
   if (!camera) return fail(camera.error());
-  Result<std::unique_ptr<Navigator>> navigator = make_navigator(options, *camera);
+  Options told = options;
+  told.floor = informed(options.floor, known);
+  Result<std::unique_ptr<Navigator>> navigator = make_navigator(told, *camera);
   if (!navigator) return fail(navigator.error());
   Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
   if (!opened) return fail(opened.error());

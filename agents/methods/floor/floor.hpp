@@ -45,6 +45,7 @@ class Floor {
     std::optional<Pose2> wheels = Pose2{};  ///< since the keyframe; none: not reported all the way
     std::optional<FloorViews> ended;        ///< the keyframe that ended with the newest view, and that view
     std::optional<Rocking> rocking;         ///< none before the first view
+    std::optional<MountWatch> mount;        ///< what all of them said; none: there was none yet
   };
   using Content = FloorContent;
 
@@ -54,6 +55,9 @@ class Floor {
   /// Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast, few_tracks,
   /// homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
+
+  /// What driving has shown of the mount; none: not driven far enough.
+  std::optional<MountReport> mount(const Odometry& odometry) const;
 
   /// Refusals: not_an_image, wrong_size, too_blank (features found).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;

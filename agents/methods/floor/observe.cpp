@@ -75,6 +75,14 @@ FloorViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor
   return views;
 }
 
+MountPrior mount_prior(const FloorConfig& c) {
+  MountPrior prior;
+  prior.tilt_rad = 3.0 * c.mount_tilt_rad;  // mounts get knocked
+  prior.vibration_tilt_rad = c.vibration_tilt_rad;
+  prior.vibration_height_m = c.vibration_height_m;
+  return prior;
+}
+
 void roll(const Motion& motion, std::optional<Pose2>& wheels) {
   if (!motion.wheels.has_value()) wheels.reset();
   if (wheels.has_value())
@@ -165,6 +173,10 @@ Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fit
 
 }  // namespace
 
+std::optional<MountReport> Floor::mount(const Odometry& odometry) const {
+  return odometry.mount.has_value() ? odometry.mount->report() : std::nullopt;
+}
+
 Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Step reckoned = dead_reckon(config_.blind, motion, {});
   const Pose2 moved = planar(reckoned.previous_from_current);
@@ -224,6 +236,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   if (worn || s.keyframe_from_robot.translation().norm() > config_.keyframe_m ||
       std::abs(s.keyframe_from_robot.heading) > config_.keyframe_rad) {
     s.ended = views_of(config_, camera_, s);
+    if (!s.mount.has_value()) s.mount.emplace(camera_, mount_prior(config_));
+    s.mount->add(*s.ended);
     begin_keyframe(config_, camera_, s);
   }
   return step;

@@ -253,6 +253,14 @@ Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const
   return 0.5 * (covariance + covariance.transpose());
 }
 
+/// The two views' scales against each other; none when the fit tells it worse than 2 mm.
+std::optional<double> lift_of(const PlanarFit& fit) {
+  constexpr double worst_sigma_m = 0.002;
+  const Matrix9d& c = fit.covariance;  // heights of a and b stand at 5 and 8
+  if (c(5, 5) + c(8, 8) - 2.0 * c(5, 8) > worst_sigma_m * worst_sigma_m) return std::nullopt;
+  return fit.state.sway_b.height_m - fit.state.sway_a.height_m;
+}
+
 bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
   for (std::size_t i = 0; i < anticlockwise.size(); ++i) {
     const Eigen::Vector2d& from = anticlockwise[i];
@@ -342,7 +350,7 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
       return refuse("disagrees_with_guess", std::abs(off.heading), gate->heading_rad);
   }
   return Related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)}, static_cast<std::uint32_t>(inliers),
-                 overlap, residual};
+                 overlap, residual, lift_of(refined.fit)};
 }
 
 }  // namespace weft::agents

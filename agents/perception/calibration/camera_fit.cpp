@@ -67,9 +67,15 @@ Result<Solved> solve(const std::vector<const BoardImage*>& images, int width, in
   std::vector<cv::Mat> shifts;
   try {
     if (lens == LensModel::equidistant) {
-      const int flags = cv::fisheye::CALIB_RECOMPUTE_EXTRINSIC | cv::fisheye::CALIB_FIX_SKEW;
-      cv::fisheye::calibrate(points.on_board, points.pixels, size, k, d, turns, shifts, flags,
-                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-9});
+      const auto calibrate = [&](int more) {
+        cv::fisheye::calibrate(points.on_board, points.pixels, size, k, d, turns, shifts,
+                               cv::fisheye::CALIB_RECOMPUTE_EXTRINSIC | cv::fisheye::CALIB_FIX_SKEW | more,
+                               {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-9});
+      };
+      calibrate(cv::fisheye::CALIB_FIX_K3 | cv::fisheye::CALIB_FIX_K4);
+      // Near the axis nothing tells the higher powers of the angle: they would take absurd values.
+      constexpr double wide_rad = 1.0;
+      if (std::hypot(width, height) / 2.0 > wide_rad * k.at<double>(0, 0)) calibrate(0);
     } else {
       cv::calibrateCamera(points.on_board, points.pixels, size, k, d, turns, shifts, cv::CALIB_FIX_K3,
                           {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-10});
@@ -181,6 +187,12 @@ Result<void> check_spread(const CameraFit& fit, const CameraFitConfig& config) {
     return fail(ErrorCode::refused, "the reprojection error is " + text(fit.rms_px, 2) + " px, at most " +
                                         text(config.most_rms_px, 0) +
                                         " are allowed; is the board as stated and flat, is --model right?");
+  for (const double coefficient : fit.camera.distortion)
+    if (std::abs(coefficient) > 1.0)
+      return fail(ErrorCode::refused,
+                  "a distortion coefficient of " + text(coefficient, 2) +
+                      " came out, lenses have -1..1: the images do not determine it; hold the board "
+                      "into the corners, or try the other --model");
   if (*fit.camera.sigma.focal_share > config.most_focal_share)
     return fail(ErrorCode::refused, "the images do not determine the focal length: one sigma is " +
                                         percent(*fit.camera.sigma.focal_share) + ", at most " +

@@ -237,6 +237,17 @@ TEST(Orders, LocaliseAnswersOnceFound) {
   EXPECT_FALSE(rig.seen.fixes.empty());
 }
 
+TEST(Orders, ARobotThatHasSunkAgainstItsPlacesSaysSoAndGoesOn) {
+  Driving rig;
+  rig.script->answer.fix = Fix{{rig.laid, 5}, Relation{}, {}};
+  rig.script->answer.fix->evidence.lift_m = -0.011;
+  rig.run(5s);
+  const auto state = rig.last<msg::RobotState>();
+  ASSERT_TRUE(state.has_value());
+  EXPECT_NE(state->mode, msg::RobotMode::faulted);
+  EXPECT_NE(state->reason.find("its camera stands 11 mm lower"), std::string::npos) << state->reason;
+}
+
 TEST(Orders, LocaliseInVainSaysWhatToDo) {
   Driving rig;
   rig.script->estimate.reset();

@@ -84,6 +84,40 @@ TEST(MountFilter, LearnsNothingOfWhatIsNoFloor) {
   EXPECT_EQ(filter.pairs(), 0U);
 }
 
+TEST(MountWatch, ReportsTiltAndTheWheelsHeightAndForgets) {
+  const CameraModel given = test::paper_camera();
+  Random random(6);
+  MountWatch watch(given, {.tilt_rad = 0.018, .focal_share = 1e-6});
+  const auto drive = [&](const CameraModel& truth, int pairs) {
+    for (int i = 0; i < pairs; ++i) {
+      FloorViews views = seen(truth, arc(0.2, 0.05 * random.normal()), random);
+      views.wheels = arc(0.202, 0.0);
+      watch.add(views);
+    }
+  };
+  drive(tilted(given, 0.01, 0.0), 5);
+  EXPECT_FALSE(watch.report());
+  drive(tilted(given, 0.01, 0.0), 25);
+  ASSERT_TRUE(watch.report());
+  EXPECT_NEAR(watch.report()->tilt.pitch_rad, 0.01, 0.001);
+  ASSERT_TRUE(watch.report()->height_by_wheels);
+  EXPECT_NEAR(*watch.report()->height_by_wheels, 0.01, 0.002);
+  drive(tilted(given, -0.005, 0.0), 500);
+  EXPECT_NEAR(watch.report()->tilt.pitch_rad, -0.005, 0.002);
+}
+
+TEST(MountWatch, WithoutWheelsTheHeightIsNotObservable) {
+  Random random(6);
+  MountWatch watch(test::paper_camera(), {});
+  for (int i = 0; i < 12; ++i) {
+    FloorViews views = seen(test::paper_camera(), arc(0.2, 0.0), random);
+    views.wheels.reset();
+    watch.add(views);
+  }
+  ASSERT_TRUE(watch.report());
+  EXPECT_FALSE(watch.report()->height_by_wheels);
+}
+
 /// Motions of a robot as it appears through a mount that is off by yaw and ahead.
 std::vector<Pose2> through(double yaw_rad, double ahead_m, double turn_rad, double noise_m, Random& random) {
   const Pose2 believed_from_true{-ahead_m, 0.0, -yaw_rad};

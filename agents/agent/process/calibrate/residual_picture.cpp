@@ -152,23 +152,23 @@ void draw_legend(Sheet& sheet, const Scale& scale, double top) {
               "size of the residual; 5 % are larger, drawn at most twice as long", 12.0, kQuiet);
 }
 
-/// A bar an image; the longest is the image with the largest error.
+/// A bar an image; what is four times as large as usual, or more, fills the width.
 void draw_bars(Sheet& sheet, const CameraFit& fit, double row) {
   double most = fit.rms_px;
   for (const ImageFit& image : fit.images) most = std::max(most, image.rms_px);
-  const double unit = kBarLongest / most;
+  const double unit = kBarLongest / std::min(most, 4.0 * fit.rms_px);
   const double left = kBarsLeft + 110.0;
   sheet.words(kBarsLeft, kPlotTop - 6.0, "RMS of each image, px", 13.0, kInk);
   double y = kPlotTop + 8.0;
   for (const ImageFit& image : fit.images) {
+    const double length = std::min(kBarLongest, unit * image.rms_px);
     const bool is_long = image.name.size() > 15;
     const double size = std::min(12.0, 0.8 * row);
     sheet.words(kBarsLeft, y + 0.72 * row, is_long ? ".." + image.name.substr(image.name.size() - 13) : image.name,
                 size, kInk);
-    sheet.box(left, y + 0.12 * row, std::max(1.0, unit * image.rms_px), 0.7 * row, image.used ? heat(0.45) : kRed,
-              true);
-    const double inside = unit * image.rms_px > kBarLongest - 40.0 ? -34.0 : 6.0;
-    sheet.words(left + unit * image.rms_px + inside, y + 0.72 * row, text("%.2f", image.rms_px), size,
+    sheet.box(left, y + 0.12 * row, std::max(1.0, length), 0.7 * row, image.used ? heat(0.45) : kRed, true);
+    const double inside = length > kBarLongest - 40.0 ? -34.0 : 6.0;
+    sheet.words(left + length + inside, y + 0.72 * row, text("%.2f", image.rms_px), size,
                 inside < 0.0 ? Ink{1.0, 1.0, 1.0} : kInk);
     y += row;
   }

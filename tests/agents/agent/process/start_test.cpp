@@ -76,6 +76,18 @@ TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
   EXPECT_NE(warnings.find("timeshift_cam_imu is not understood"), std::string::npos) << warnings;
 }
 
+TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {
+  FloorConfig config;
+  CalibrationSigma known;
+  EXPECT_EQ(informed(config, known).scale_sigma, config.scale_sigma);
+  known.tilt_rad = 0.002;
+  known.height_share = 0.0015;
+  EXPECT_EQ(informed(config, known).mount_tilt_rad, 0.002);
+  EXPECT_EQ(informed(config, known).scale_sigma, 0.0015);
+  config.scale_sigma = 0.02;
+  EXPECT_EQ(informed(config, known).scale_sigma, 0.02);
+}
+
 TEST(AgentStart, WrongCameraFilesAreNamed) {
   const Folder folder;
   Options options = options_in(folder);

@@ -69,6 +69,23 @@ TEST_F(FloorRelate, OffsetsAndHeadingsWithAndWithoutAGuess) {
   }
 }
 
+TEST_F(FloorRelate, ARobotThatHasSunkIsSeenToStandLower) {
+  const Floor method = make(test::paper_camera());
+  Random random(43);
+  const Pose2 at{3.0, 4.0, 0.7};
+  const FloorContent place = content(method, at, {});
+  for (const double lift_m : {0.0, -0.01, 0.006}) {
+    test::Shot shot;
+    shot.seed += 5;
+    const Pose2 place_from_robot{0.2, 0.03, 0.05};
+    const FloorContent now = content(method, at * place_from_robot, shot, {0.0, 0.0, lift_m});
+    const auto related = method.relate(place, now, about(place_from_robot, random));
+    ASSERT_TRUE(related) << related.error().reason;
+    ASSERT_TRUE(related->lift_m);
+    EXPECT_NEAR(*related->lift_m, lift_m, 0.002);
+  }
+}
+
 TEST_F(FloorRelate, HalfTheLightAShadowEdgeAndBlur) {
   const Floor method = make(test::paper_camera());
   Random random(42);

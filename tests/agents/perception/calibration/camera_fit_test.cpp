@@ -87,6 +87,15 @@ TEST(CameraFit, FindsTheLensOfEitherModel) {
   }
 }
 
+TEST(CameraFit, ANarrowLensDoesNotGetAbsurdCoefficientsFromTheWideModel) {
+  CameraFitConfig config;
+  config.lens = LensModel::equidistant;
+  const auto fit = fit_camera(taken(radtan(), 0.5), 752, 480, config);
+  ASSERT_TRUE(fit) << fit.error().message;
+  for (const double coefficient : fit->camera.distortion) EXPECT_LT(std::abs(coefficient), 1.0);
+  EXPECT_LT(fit->rms_px, 0.3);
+}
+
 TEST(CameraFit, FromRenderedImages) {
   const test::Print print = test::print_of(kBoard);
   CameraModel camera = radtan();
