@@ -68,13 +68,15 @@ Result<Solved> solve(const std::vector<const BoardImage*>& images, int width, in
   try {
     if (lens == LensModel::equidistant) {
       const auto calibrate = [&](int more) {
+        turns.clear();
+        shifts.clear();
         cv::fisheye::calibrate(points.on_board, points.pixels, size, k, d, turns, shifts,
                                cv::fisheye::CALIB_RECOMPUTE_EXTRINSIC | cv::fisheye::CALIB_FIX_SKEW | more,
                                {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-9});
       };
       calibrate(cv::fisheye::CALIB_FIX_K3 | cv::fisheye::CALIB_FIX_K4);
       // Near the axis nothing tells the higher powers of the angle: they would take absurd values.
-      constexpr double wide_rad = 1.0;
+      constexpr double wide_rad = 1.05;
       if (std::hypot(width, height) / 2.0 > wide_rad * k.at<double>(0, 0)) calibrate(0);
     } else {
       cv::calibrateCamera(points.on_board, points.pixels, size, k, d, turns, shifts, cv::CALIB_FIX_K3,
