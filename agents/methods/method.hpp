@@ -49,6 +49,8 @@ struct Related {
 };
 
 using Signature = std::vector<float>;
+/// Squared distance of two signatures of one method.
+double distance2(const Signature& a, const Signature& b);
 
 /// Where the robot is in the network.
 struct Fix {

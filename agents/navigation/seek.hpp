@@ -37,7 +37,4 @@ class Seek {
   std::uint32_t pause_ = 0;
 };
 
-/// Squared distance of two signatures of one method.
-double distance2(const Signature& a, const Signature& b);
-
 }  // namespace weft::agents
