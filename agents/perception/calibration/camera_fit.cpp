@@ -14,7 +14,7 @@ namespace weft::agents {
 namespace {
 
 std::string text(double value, int digits) {
-  std::string all = std::to_string(value);
+  const std::string all = std::to_string(value);
   return all.substr(0, all.find('.') + (digits > 0 ? static_cast<std::size_t>(digits) + 1 : 0));
 }
 std::string percent(double share) {

@@ -1,25 +1,17 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "agents/agent/process/calibrate/images/read_grey.hpp"
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "agents/agent/process/calibrate/words.hpp"
 
 namespace weft::agents {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 512> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
 
 Result<std::vector<fs::path>> images_in(const std::string& folder) {
   std::error_code problem;
@@ -42,7 +34,7 @@ Result<std::vector<fs::path>> images_in(const std::string& folder) {
 /// What the images showed: boards, and why the others are of no use.
 struct Found {
   std::vector<BoardImage> boards;
-  std::vector<cv::Size> sizes;                               ///< of each
+  std::vector<std::pair<int, int>> sizes;                    ///< of each
   std::vector<std::pair<std::string, std::string>> useless;  ///< file, why
   int width = 0;
   int height = 0;
@@ -50,20 +42,14 @@ struct Found {
 
 void look_at(const fs::path& file, const Board& board, Found& found) {
   const std::string name = file.filename().string();
-  cv::Mat grey;
-  try {
-    grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception&) {
-    grey.release();  // said below
-  }
-  if (grey.empty()) {
+  const std::optional<Image> grey = read_grey(file.string());
+  if (!grey.has_value()) {
     found.useless.emplace_back(name, "cannot be read: no image, or damaged");
     return;
   }
-  auto pixels = std::make_shared<Bytes>(grey.datastart, grey.dataend);
-  if (auto sighting = find_board({grey.cols, grey.rows, std::move(pixels)}, board)) {
+  if (auto sighting = find_board(*grey, board)) {
     found.boards.push_back({name, std::move(*sighting)});
-    found.sizes.push_back(grey.size());
+    found.sizes.emplace_back(grey->width, grey->height);
   } else {
     found.useless.emplace_back(name, "no board was found in it");
   }
@@ -71,24 +57,24 @@ void look_at(const fs::path& file, const Board& board, Found& found) {
 
 /// One camera has one size: that of most images with a board.
 void keep_one_size(Found& found) {
-  cv::Size size;
+  std::pair<int, int> size;
   std::ptrdiff_t most = 0;
-  for (const cv::Size& one : found.sizes) {
+  for (const std::pair<int, int>& one : found.sizes) {
     if (const auto count = std::ranges::count(found.sizes, one); count > most) {
       size = one;
       most = count;
     }
   }
-  found.width = size.width;
-  found.height = size.height;
+  found.width = size.first;
+  found.height = size.second;
   std::vector<BoardImage> kept;
   for (std::size_t i = 0; i < found.boards.size(); ++i) {
     if (found.sizes[i] == size) {
       kept.push_back(std::move(found.boards[i]));
     } else {
       found.useless.emplace_back(found.boards[i].name,
-                                 text("is %d x %d pixels, most are %d x %d", found.sizes[i].width,
-                                      found.sizes[i].height, size.width, size.height));
+                                 text("is %d x %d pixels, most are %d x %d", found.sizes[i].first,
+                                      found.sizes[i].second, size.first, size.second));
     }
   }
   found.boards = std::move(kept);

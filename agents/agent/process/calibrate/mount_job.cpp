@@ -1,12 +1,12 @@
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "agents/agent/process/calibrate/words.hpp"
 #include "agents/agent/process/equip.hpp"
 #include "agents/methods/floor/mount_drive.hpp"
 
@@ -14,13 +14,6 @@ namespace weft::agents {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 512> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
 
 Result<std::vector<SitePoint>> read_line(const std::string& file) {
   std::ifstream in(file);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "agents/agent/process/calibrate/words.hpp"
 
 namespace weft::agents {
 namespace {
@@ -24,13 +24,6 @@ constexpr double kPlotTop = 100.0;
 constexpr double kPlotWide = 800.0;
 constexpr double kBarsLeft = kMargin + kPlotWide + 50.0;
 constexpr double kBarLongest = 170.0;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 256> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
 
 /// Dark blue for nothing, over green to yellow for `share` = 1 (close to "viridis", which prints well in grey).
 Ink heat(double share) {
