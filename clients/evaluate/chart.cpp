@@ -158,8 +158,10 @@ Result<void> draw_charts(const std::string& title, const std::string& about, con
   canvas.text(24.0, 32.0, title, 20.0, kInk);
   canvas.text(24.0, 54.0, about, 12.0, kQuiet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    draw_chart(canvas, charts[i], 10.0 + kChartWide * static_cast<double>(i % beside),
-               kHead + kChartTall * static_cast<double>(i / beside));
+    const std::size_t row = i / beside;
+    const std::size_t column = i % beside;
+    draw_chart(canvas, charts[i], 10.0 + kChartWide * static_cast<double>(column),
+               kHead + kChartTall * static_cast<double>(row));
   }
   return canvas.write(file);
 }

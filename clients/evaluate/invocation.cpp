@@ -81,7 +81,7 @@ CLI::App* describe(CLI::App& app, FloorWords& words) {
   FloorOptions& options = words.study;
   options.site = "deploy/sites/demo.toml";
   const auto option = flags_of(sub);
-  std::vector<CLI::Option*> of_study = {
+  const std::vector<CLI::Option*> of_study = {
       option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]"),
       option("--light", options.light, "L", "One light or wear while it is repeated; 'same' is none [all]"),
       option("--floors", options.floors, "DIR",

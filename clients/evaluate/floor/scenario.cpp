@@ -13,7 +13,7 @@ namespace {
 
 using namespace agents;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadADegree = std::numbers::pi / 180.0;
 constexpr std::uint64_t kOtherRobot = 17;  // added to a robot's own seed
 
 double heading_of(const SitePoint& a, const SitePoint& b) {
@@ -91,7 +91,7 @@ Drive Scenario::first() const {
 Drive Scenario::with_wrong_mount() const {
   sim::Site site = stage_.site;
   site.disturbances.mount_error_m = 0.005;
-  site.disturbances.mount_error_rad = 0.5 * kDegree;
+  site.disturbances.mount_error_rad = 0.5 * kRadADegree;
   return drive_in(std::move(site), 0);
 }
 
@@ -169,7 +169,7 @@ std::vector<SitePoint> stretch(const std::vector<SitePoint>& line, double from_m
 }
 
 std::vector<SitePoint> longest_straight(const std::vector<SitePoint>& line) {
-  constexpr double kStraight = 5.0 * kDegree;
+  constexpr double kStraight = 5.0 * kRadADegree;
   std::vector<SitePoint> best;
   for (std::size_t from = 0; from + 1 < line.size(); ++from) {
     const double heading = heading_of(line[from], line[from + 1]);

@@ -9,7 +9,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesARad = 180.0 / std::numbers::pi;
 
 double driven_m(const Trace& trace) {
   return trace.moments.empty() ? 0.0 : metres_driven(trace).back();
@@ -61,11 +61,11 @@ Score score_of_repeat(const Taught& taught, const Repeated& repeated) {
   const PathErrors path = path_errors(off_path(trace, TaughtPath(taught.traces.front())));
   score.lateral_rmse_mm = 1e3 * path.lateral_rmse_m;
   score.lateral_worst_mm = 1e3 * path.lateral_worst_m;
-  score.heading_rms_deg = kDegrees * path.heading_rms_rad;
+  score.heading_rms_deg = kDegreesARad * path.heading_rms_rad;
   const Pose2 goal_from_robot =
       taught.places.site_from_place.at(taught.last).inverse() * trace.moments.back().site_from_robot;
   score.goal_mm = 1e3 * std::hypot(goal_from_robot.x, goal_from_robot.y);
-  score.goal_deg = kDegrees * std::abs(goal_from_robot.heading);
+  score.goal_deg = kDegreesARad * std::abs(goal_from_robot.heading);
   score.fixes = fixes(trace);
   score.wrong_fixes = wrong_fixes(trace, taught.places.site_from_place);
   return score;

@@ -27,9 +27,9 @@ std::string row_of(const Moment& moment) {
   std::array<char, 96> times{};
   std::snprintf(times.data(), times.size(), "%llu,%.6f,%.6f,", static_cast<unsigned long long>(moment.frame),
                 moment.true_s, moment.sensor_s);
-  std::string row = times.data() + text_of(moment.site_from_robot) + "," + text_of(moment.start_from_robot) + "," +
-                    (moment.seen ? "1," : "0,") + std::to_string(moment.matches) + (moment.lost ? ",1," : ",0,") +
-                    (moment.kept ? to_string(*moment.kept) : "") + ",";
+  const std::string row = times.data() + text_of(moment.site_from_robot) + "," + text_of(moment.start_from_robot) +
+                          "," + (moment.seen ? "1," : "0,") + std::to_string(moment.matches) +
+                          (moment.lost ? ",1," : ",0,") + (moment.kept ? to_string(*moment.kept) : "") + ",";
   if (!moment.fix) return row + ",,,,,,";
   return row + to_string(moment.fix->place) + "," + text_of(moment.fix->measured) + "," +
          text_of(moment.fix->believed);
