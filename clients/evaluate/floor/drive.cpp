@@ -51,7 +51,7 @@ Result<bool> follow(DrivenRobot& robot, const Drive& drive, const Taught& taught
 }  // namespace
 
 Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoint>& line) {
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
   if (!robot) return fail(robot.error());
   if (const Result<void> begun = robot->body().drive_by_hand(line); !begun) return fail(begun.error());
   const TaughtMap nothing;
@@ -69,7 +69,7 @@ Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoin
 Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taught& taught) {
   const ExperienceId experience{taught.traces.size() + 1};
   const RobotId teacher{{static_cast<std::uint8_t>(experience.value)}};
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
   if (!robot) return fail(robot.error());
   if (!taught.traces.empty()) {
     const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);
@@ -105,7 +105,7 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
 }
 
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught) {
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
   if (!robot) return fail(robot.error());
   Repeated repeated;
   const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);

@@ -13,8 +13,9 @@ namespace weft::evaluate::floor {
 
 /// Who drives, in which site, on which day.
 struct Drive {
-  agents::sim::SimBodyConfig body;      ///< its truth_path: a file to be made and removed
-  std::function<bool()> asked_to_stop;  ///< asked at every sample
+  agents::sim::SimBodyConfig body;                 ///< its truth_path: a file to be made and removed
+  std::function<bool()> asked_to_stop;             ///< asked at every sample
+  std::optional<agents::CameraModel> camera = {};  ///< as it was calibrated; none: as the site gives it
 };
 
 /// What robots were taught, one experience after the other, and where its places truly are.

@@ -11,20 +11,20 @@ namespace weft::evaluate::floor {
 
 using namespace agents;
 
-Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config) {
+Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const std::optional<CameraModel>& camera) {
   const std::filesystem::path truth = config.truth_path.value_or("");
   std::error_code problem;
   std::filesystem::remove(truth, problem);
   if (problem) return fail(ErrorCode::unavailable, truth.string() + ": " + problem.message());
   Result<std::unique_ptr<Body>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  Result<DrivenRobot> robot = of(std::move(*body));
+  Result<DrivenRobot> robot = of(std::move(*body), camera);
   if (robot) robot->truth_ = truth;
   return robot;
 }
 
-Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body) {
-  Result<Floor> floor = Floor::make(FloorConfig{}, body->cameras().front());
+Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<CameraModel>& camera) {
+  Result<Floor> floor = Floor::make(FloorConfig{}, camera ? *camera : body->cameras().front());
   if (!floor) return fail(floor.error());
   DrivenRobot robot;
   robot.body_ = std::move(body);

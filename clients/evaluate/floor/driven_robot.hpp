@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,9 +20,12 @@ namespace weft::evaluate::floor {
 class DrivenRobot {
  public:
   /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
-  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config);
+  /// `camera`: as it was calibrated; none: as the body says.
+  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config,
+                                  const std::optional<agents::CameraModel>& camera);
   /// Any other body; what it drives has no truth. Errors of the method.
-  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body);
+  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body,
+                                const std::optional<agents::CameraModel>& camera = {});
   DrivenRobot(DrivenRobot&&) = default;
   DrivenRobot& operator=(DrivenRobot&&) = delete;
   ~DrivenRobot();

@@ -1,5 +1,7 @@
 #include "clients/evaluate/floor/measurement.hpp"
 
+#include "clients/evaluate/floor/calibrated.hpp"
+
 namespace weft::evaluate::floor {
 
 Result<Ended> Measurement::mapping() {
@@ -8,7 +10,9 @@ Result<Ended> Measurement::mapping() {
   const Result<std::optional<Trace>> wrong_mount = lead(scenario_.with_wrong_mount(), scenario_.line());
   if (!wrong_mount) return fail(wrong_mount.error());
   if (!*wrong_mount) return Ended::stopped;
-  const Result<std::optional<Trace>> fast = lead(scenario_.fast(), scenario_.fast_line());
+  Drive quick = scenario_.fast();
+  quick.camera = camera_;
+  const Result<std::optional<Trace>> fast = lead(quick, scenario_.fast_line());
   if (!fast) return fail(fast.error());
   if (!*fast) return Ended::stopped;
   return keep(kMapping, score_of_mapping(taught_.traces.front(), **wrong_mount, **fast), began_s);
@@ -26,9 +30,21 @@ Result<Ended> Measurement::repeat_under(const std::string& light) {
   return keep(light, score_of_repeat(taught_, **repeated), began_s);
 }
 
+Result<Ended> Measurement::calibrate_once() {
+  if (camera_) return Ended::complete;
+  Result<std::optional<agents::CameraModel>> found =
+      calibrated(scenario_.for_calibration(), scenario_.calibration_line());
+  if (!found) return fail(found.error());
+  camera_ = std::move(*found);
+  return camera_ ? Ended::complete : Ended::stopped;
+}
+
 Result<Ended> Measurement::teach_once() {
   if (!taught_.traces.empty()) return Ended::complete;
-  const Result<bool> taught = teach(scenario_.first(), scenario_.line(), taught_);
+  if (const Result<Ended> ended = calibrate_once(); !ended || *ended == Ended::stopped) return ended;
+  Drive first = scenario_.first();
+  first.camera = camera_;
+  const Result<bool> taught = teach(first, scenario_.line(), taught_);
   if (!taught) return fail(taught.error());
   if (!*taught) return Ended::stopped;
   if (const Result<void> shelved = shelve(kTaughtRun, taught_.traces.front()); !shelved) {

@@ -28,6 +28,7 @@ class Measurement {
   Result<Ended> repeat_under(const std::string& light);
 
  private:
+  Result<Ended> calibrate_once();
   Result<Ended> teach_once();
   Result<void> shelve(const std::string& what, const Trace& trace) const;
   Result<Ended> keep(const std::string& part, Score score, double began_s);
@@ -37,6 +38,7 @@ class Measurement {
   bool all_runs_;
   const Surroundings& around_;
   Keep keep_;
+  std::optional<agents::CameraModel> camera_;
   Taught taught_;
 };
 

@@ -14,6 +14,7 @@ namespace {
 using namespace agents;
 
 constexpr double kRadADegree = std::numbers::pi / 180.0;
+constexpr double kCalibrationM = 8.0;
 constexpr std::uint64_t kOtherRobot = 17;  // added to a robot's own seed
 
 double heading_of(const SitePoint& a, const SitePoint& b) {
@@ -86,6 +87,17 @@ Drive Scenario::drive_in(sim::Site site, std::uint64_t day) const {
 
 Drive Scenario::first() const {
   return drive_in(stage_.site, 0);
+}
+
+Drive Scenario::for_calibration() const {
+  sim::Site site = stage_.site;
+  const std::vector<SitePoint> line = calibration_line();
+  site.robots.front().site_from_robot = {line[0].x, line[0].y, heading_of(line[0], line[1])};
+  return drive_in(std::move(site), 0);
+}
+
+std::vector<SitePoint> Scenario::calibration_line() const {
+  return stretch(second_part(), 0.0, kCalibrationM);
 }
 
 Drive Scenario::with_wrong_mount() const {

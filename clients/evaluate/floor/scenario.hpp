@@ -38,6 +38,9 @@ class Scenario {
 
   /// The robot that is taught.
   Drive first() const;
+  /// The same one where its mount is calibrated before: on another part of the floor; and what it is led along.
+  Drive for_calibration() const;
+  std::vector<agents::SitePoint> calibration_line() const;
   /// The same one with its mount off by 5 mm and 0.5 degrees.
   Drive with_wrong_mount() const;
   /// A fast one: 1.5 m/s, 15 images a second, 10 ms of exposure; and what it is led along.
