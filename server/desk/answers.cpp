@@ -44,12 +44,15 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
 
 void Answers::on_query(const msg::Query& query, SteadyTime now) {
   Result<Parts> answered = answer(query, now);
-  Parts parts = answered ? *std::move(answered) : Parts{};
-  if (parts.empty()) parts.emplace_back();
-  if (!answered) {
+  Parts parts;
+  if (answered) {
+    parts = *std::move(answered);
+  } else {
+    parts.emplace_back();
     parts.front().outcome = outcome_of(answered.error());
     parts.front().message = clipped(answered.error().message);
   }
+  if (parts.empty()) parts.emplace_back();
   const auto count = static_cast<std::uint32_t>(parts.size());
   for (std::uint32_t part = 0; part < count; ++part) {
     msg::QueryReply& reply = parts[part];

@@ -73,8 +73,8 @@ inline Image view_of(const Print& print, const CameraModel& camera, const Pose3&
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
       double sum = 0.0;
-      for (int sample = 0; sample < 4; ++sample) {
-        const Eigen::Vector2d at(u + 0.5 * (sample % 2) - 0.25, v + 0.5 * (sample / 2) - 0.25);
+      for (const auto& [right, down] : {std::pair{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {0.25, 0.25}}) {
+        const Eigen::Vector2d at(u + right, v + down);
         const Eigen::Vector3d ray = board_from_camera.rotation * normalised_from_pixel(camera, at).homogeneous();
         const Eigen::Vector3d hit = eye - eye.z() / ray.z() * ray;
         const Eigen::Vector2d on_print = print.origin_px + print.pixels_per_m * hit.head<2>();

@@ -13,7 +13,7 @@ constexpr double kForwardBefore = 0.02;  // m: measured with a ruler
 constexpr int kPasses = 3;               // the first two find the mount, the last one says what it makes of the drive
 
 std::string text(double value) {
-  std::string all = std::to_string(value);
+  const std::string all = std::to_string(value);
   return all.substr(0, all.find('.') + 4);
 }
 

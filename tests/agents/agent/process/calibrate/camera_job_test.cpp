@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "core/camera/camera_file.hpp"
+#include "tests/agents/agent/process/calibrate/images/board_images.hpp"
+#include "tests/agents/agent/process/calibrate/invoked.hpp"
 #include "tests/agents/agent/process/folder.hpp"
-#include "tests/support/board_view.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 using testing::HasSubstr;
 
 const ChessBoard kBoard{6, 5, 0.04};
-
-std::variant<CameraJob, MountJob, Leave> parsed(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"calibrate"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  return parse_calibrate(static_cast<int>(argv.size()), argv.data());
-}
 
 CameraModel camera() {
   CameraModel camera;
@@ -31,23 +26,7 @@ CameraModel camera() {
   return camera;
 }
 
-/// `count` images of a board, one that shows none, one of another size, one that is none.
-void take_images(const Folder& folder, int count, double tilt_rad) {
-  const Print print = print_of(kBoard);
-  Random random(3);
-  for (int i = 0; i < count; ++i) {
-    const double around = 2.4 * i;
-    const Pose3 pose = held(print, camera(), {160.0 + 60.0 * std::cos(around), 120.0 + 40.0 * std::sin(around)}, 0.4,
-                            tilt_rad * std::cos(1.7 * around), tilt_rad * std::sin(1.7 * around), 0.05 * i);
-    const Image image = view_of(print, camera(), pose, random);
-    cv::imwrite(folder.file("view" + std::to_string(i) + ".png"),
-                cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels->data())));
-  }
-  cv::imwrite(folder.file("blank.png"), cv::Mat(240, 320, CV_8U, cv::Scalar(90)));
-  folder.write("broken.jpg", "no picture");
-}
-
-CameraJob job_in(const Folder& folder) {
+CameraJob board_job_in(const Folder& folder) {
   CameraJob job;
   job.folder = folder.file("");
   job.board = kBoard;
@@ -58,11 +37,11 @@ CameraJob job_in(const Folder& folder) {
 
 TEST(CalibrateCamera, WritesACameraThatCanBeReadAndAPicture) {
   const Folder folder;
-  take_images(folder, 10, 0.5);
+  take_images(folder, kBoard, camera(), 10, 0.5);
   std::ostringstream out;
   std::ostringstream err;
   double now = 0.0;
-  const CameraJob job = job_in(folder);
+  const CameraJob job = board_job_in(folder);
   const Result<void> done = calibrate_camera(job, {out, err, [&] { return now += 1.5; }});
   ASSERT_TRUE(done) << done.error().message;
   EXPECT_THAT(out.str(), HasSubstr("blank.png"));
@@ -76,8 +55,7 @@ TEST(CalibrateCamera, WritesACameraThatCanBeReadAndAPicture) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_NEAR(read->camera.fx / 210.0, 1.0, 0.01);
   EXPECT_EQ(read->camera.width, 320);
-  const cv::Mat picture = cv::imread(job.picture);
-  EXPECT_GT(picture.cols, 1000);
+  EXPECT_GT(width_of(job.picture), 1000);
 }
 
 TEST(CalibrateCamera, WhatCannotBeDoneIsSaid) {
@@ -85,12 +63,12 @@ TEST(CalibrateCamera, WhatCannotBeDoneIsSaid) {
   std::ostringstream out;
   std::ostringstream err;
   const JobOutput output{out, err, [] { return 0.0; }};
-  CameraJob job = job_in(folder);
+  CameraJob job = board_job_in(folder);
   job.folder = folder.file("none");
   EXPECT_THAT(calibrate_camera(job, output).error().message, HasSubstr("none"));
   job.folder = folder.file("");
   EXPECT_THAT(calibrate_camera(job, output).error().message, HasSubstr("no .png"));
-  take_images(folder, 3, 0.5);
+  take_images(folder, kBoard, camera(), 3, 0.5);
   EXPECT_THAT(calibrate_camera(job, output).error().message, HasSubstr("at least 6"));
   EXPECT_THAT(err.str(), HasSubstr("blank.png: no board was found"));
 }

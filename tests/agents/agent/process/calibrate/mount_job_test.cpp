@@ -4,18 +4,13 @@
 #include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "tests/agents/agent/process/calibrate/invoked.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 
 namespace weft::agents::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::variant<CameraJob, MountJob, Leave> parsed(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"calibrate"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  return parse_calibrate(static_cast<int>(argv.size()), argv.data());
-}
 
 /// An empty hall, a camera whose mount is 0.5 degrees and 8 mm off, wheels that are right.
 constexpr const char* kSite = R"([floor]
@@ -35,7 +30,7 @@ wheel_scale_percent = 0.0
 wheel_asymmetry_percent = 0.0
 )";
 
-MountJob job_in(const Folder& folder) {
+MountJob drive_job_in(const Folder& folder) {
   MountJob job;
   job.site = folder.write("site.toml", kSite);
   job.robot = "r1";
@@ -57,7 +52,7 @@ nlohmann::json done(const MountJob& job) {
 
 TEST(CalibrateMount, TheWheelsShowTheHeightAndTheFileIsTaken) {
   const Folder folder;
-  MountJob job = job_in(folder);
+  MountJob job = drive_job_in(folder);
   job.wheels_sigma = 0.005;
   const nlohmann::json found = done(job);
   EXPECT_EQ(found["height_from"], "wheels");
@@ -81,7 +76,7 @@ TEST(CalibrateMount, TheWheelsShowTheHeightAndTheFileIsTaken) {
 
 TEST(CalibrateMount, WithoutDistanceAndWheelsTheHeightIsSaidToBeUnknown) {
   const Folder folder;
-  MountJob job = job_in(folder);
+  MountJob job = drive_job_in(folder);
   job.json = false;
   std::ostringstream out;
   std::ostringstream err;
@@ -92,7 +87,7 @@ TEST(CalibrateMount, WithoutDistanceAndWheelsTheHeightIsSaidToBeUnknown) {
 
 TEST(CalibrateMount, AShortDriveIsRefusedWithTheBound) {
   const Folder folder;
-  MountJob job = job_in(folder);
+  MountJob job = drive_job_in(folder);
   job.along = folder.write("short.line", "2.0 3.0\n2.5 3.0\n");
   std::ostringstream out;
   std::ostringstream err;
