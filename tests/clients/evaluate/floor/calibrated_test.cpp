@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "clients/evaluate/floor/scenario.hpp"
 
@@ -11,18 +12,19 @@
 namespace weft::evaluate::floor {
 namespace {
 
-Stage stage() {
+Stage stage_with_a_wrong_lens() {
   Stage stage;
   stage.site.robots.push_back({"r1", {2.0, 2.0, 0.0}, 5});
   stage.site.disturbances.focal_error = 0.02;
   stage.line = {{2.0, 2.0}, {6.0, 2.0}, {6.0, 7.0}};
-  stage.scratch = std::filesystem::temp_directory_path() / "weft-calibrated-test.truth";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  stage.scratch = std::filesystem::path(testing::TempDir()) / ("weft-" + test + ".truth");  // tests run side by side
   stage.asked_to_stop = [] { return false; };
   return stage;
 }
 
 TEST(FloorCalibrated, FindsTheSpeedAndLeavesNoTruthBehind) {
-  const Stage here = stage();
+  const Stage here = stage_with_a_wrong_lens();
   const auto scenario = Scenario::make(here, "polished-concrete", 2);
   ASSERT_TRUE(scenario) << scenario.error().message;
   const auto camera = calibrated(scenario->for_calibration(), scenario->calibration_line());
@@ -46,7 +48,7 @@ TEST(FloorCalibrated, FindsTheSpeedAndLeavesNoTruthBehind) {
 }
 
 TEST(FloorCalibrated, StopsWhenAskedAndLeavesNoTruthBehind) {
-  const Stage here = stage();
+  const Stage here = stage_with_a_wrong_lens();
   const auto scenario = Scenario::make(here, "polished-concrete", 2);
   Drive drive = scenario->for_calibration();
   int samples = 0;
