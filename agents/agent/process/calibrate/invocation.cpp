@@ -8,7 +8,7 @@
 namespace weft::agents {
 namespace {
 
-constexpr int kUsage = 2;
+constexpr int kBadWords = 2;
 
 struct Grid {
   int columns = 0;
@@ -125,7 +125,7 @@ void finish(MountJob& job, const MountWords& words) {
 }
 
 Leave mistake(const std::string& what) {
-  return {.exit_code = kUsage, .text = "weft-agent: " + one_line(what) + "; see weft calibrate --help\n"};
+  return {.exit_code = kBadWords, .text = "weft-agent: " + one_line(what) + "; see weft calibrate --help\n"};
 }
 
 }  // namespace
