@@ -142,6 +142,8 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
       return resume(key, now);
     case msg::AgentCommand::Kind::keep_place:
       return keep_place(command, key, now);
+    case msg::AgentCommand::Kind::teach_report:
+      return refuse(key, config_.name + " makes no reports on what it was taught");
   }
   refuse(key, "this agent does not know the command");
 }

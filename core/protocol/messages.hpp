@@ -19,6 +19,10 @@ inline constexpr std::uint16_t kProtocolVersion = 1;
 inline constexpr std::size_t kChunkBytes = 65'536;            ///< most data in one chunk
 inline constexpr std::uint64_t kContentBytes = 64ULL << 20U;  ///< largest content or cloud
 inline constexpr std::size_t kPatchEntities = 500;            ///< most places + edges + removals in one patch part
+inline constexpr std::size_t kSignatureNumbers = 1024;        ///< longest signature of what a robot sees
+inline constexpr std::size_t kRecognisedPlaces = 200;         ///< most places that are proposed for one signature
+inline constexpr std::size_t kRecognisedRank = 10'000;        ///< no place behind so many likelier ones is proposed
+inline constexpr std::size_t kReportRows = 1000;              ///< most stretches in a report on what was taught
 
 /// On every message that claims authority.
 struct Header {
@@ -30,6 +34,9 @@ struct Header {
 };
 
 enum class Role : std::uint8_t { server = 1, agent = 2, client = 3 };
+
+/// under_way: long work has come so far; another reply follows.
+enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4, under_way = 5 };
 
 /// Frozen for ever: every version can read it. Late joiners get the last one of each peer.
 struct Hello {
@@ -156,6 +163,30 @@ struct WindowPatch {
   Patch patch;
 };
 
+/// A robot that does not know where it is has signed what it sees: which places of the whole network look like that?
+struct Recognise {
+  Header header;
+  std::uint64_t request = 0;  ///< the asker's number for it; the answer carries it back
+  std::string method;         ///< that signed, and the format of the contents that it signs
+  std::uint32_t content_format = 0;
+  std::vector<float> seen;  ///< as Method::sign gives it; finite, at least one number
+  std::uint32_t most = 0;   ///< places wanted, at least 1
+  std::uint32_t after = 0;  ///< the so many likeliest are known already: the ones behind them
+};
+
+/// Places to look at, the likeliest first and no two close together. Only those that are signed have been compared:
+/// a server that has just started, or just been given contents, has not signed all of them yet.
+struct Recognised {
+  Header header;
+  RobotId to;
+  std::uint64_t request = 0;
+  Outcome outcome = Outcome::done;  ///< done or refused
+  std::string message;              ///< why it is refused
+  std::vector<PlaceId> places;
+  std::uint64_t signed_places = 0;    ///< of the network, with the asker's method and format
+  std::uint64_t unsigned_places = 0;  ///< the same, still to be signed
+};
+
 struct RouteOrder {
   Header header;
   RobotId to;
@@ -186,7 +217,8 @@ struct AgentCommand {
     localise = 3,
     stop = 4,
     resume = 5,
-    keep_place = 6
+    keep_place = 6,
+    teach_report = 7
   };
   struct Point {
     double x = 0.0;
@@ -196,9 +228,24 @@ struct AgentCommand {
   RobotId to;
   std::uint64_t command = 0;
   Kind kind = Kind::stop;
-  std::string name;             ///< teach: the experience's label; keep_place: the label to be
+  /// teach: the experience's label; keep_place: the label to be; teach_report: of which experience, empty: the last
+  std::string name;
   std::optional<PlaceId> seed;  ///< localise, teach: where the robot stands, roughly
   std::vector<Point> along;     ///< teach on a simulated body: the hand's polyline, metres, site frame
+};
+
+/// What a robot predicts of a stretch that it was taught: how well it will find itself there.
+struct TaughtStretch {
+  double from_m = 0.0;  ///< along the experience
+  double to_m = 0.0;
+  std::uint32_t places = 0;  ///< kept on it
+  PlaceId first;
+  double as_is = 0.0;       ///< share of its places that are found again as they are, [0, 1]
+  double half_light = 0.0;  ///< the same with half the light
+  double worn = 0.0;        ///< the same with a worn floor
+  double sigma_m = 0.0;     ///< predicted of a position found there, metres
+  std::string reason;       ///< the most frequent refusal; empty: none
+  bool operator==(const TaughtStretch&) const = default;
 };
 
 struct AgentReply {
@@ -207,7 +254,8 @@ struct AgentReply {
   bool done = false;  ///< false: refused, reason says why
   std::string reason;
   PlaceId place;            ///< keep_place: the new place
-  ExperienceId experience;  ///< teach: which
+  ExperienceId experience;  ///< teach, teach_report: which
+  std::vector<TaughtStretch> report;
 };
 
 /// What is to be done to the map; which fields count depends on the request's kind.
@@ -233,31 +281,29 @@ struct OperatorRequest {
     label = 8,
     label_here = 9,
     clear = 10,
-    rollback = 11,    ///< the map as it was at a revision, as a new one
-    undo = 12,        ///< a stitch, an experience, or what a revision changed
-    quarantine = 13,  ///< places out of the map until that is undone
-    replace = 14,     ///< an experience takes the place of what it covers
-    prune = 15,       ///< places that others cover go
-    compact = 16,     ///< delete for good what no revision from there on has
-    snapshot = 17,    ///< a copy of the store into a file
-    check = 18,       ///< every checksum and reference
-    stats = 19        ///< what takes space
+    rollback = 11,     ///< the map as it was at a revision, as a new one
+    undo = 12,         ///< a stitch, an experience, or what a revision changed
+    quarantine = 13,   ///< places out of the map until that is undone
+    replace = 14,      ///< an experience takes the place of what it covers
+    prune = 15,        ///< places that others cover go
+    compact = 16,      ///< delete for good what no revision from there on has
+    snapshot = 17,     ///< a copy of the store into a file
+    check = 18,        ///< every checksum and reference
+    stats = 19,        ///< what takes space
+    teach_report = 20  ///< how well a robot will find itself where it was taught
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
   Kind kind = Kind::goal_send;
   std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
-  /// goal_send: where to; label: its name; localise: a seed; teach: its name; undo, quarantine, replace: an
-  /// experience's name or hex id
+  /// goal_send: where to; label: its name; localise: a seed; teach: its name; undo, quarantine, replace,
+  /// teach_report: an experience's name or hex id
   std::string label;
   PlaceId place;  ///< label, localise: which place, when not by label
   GoalId goal;    ///< goal_cancel; goal_send: the id to be, drawn by the client
   std::vector<AgentCommand::Point> along;
   MapWork work;
 };
-
-/// under_way: long work has come so far; another reply follows.
-enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4, under_way = 5 };
 
 struct OperatorReply {
   Header header;
@@ -273,6 +319,7 @@ struct OperatorReply {
   std::string unit;                   ///< of `done` and `total`, for people
   std::vector<std::string> findings;  ///< new since the last reply
   std::vector<std::pair<std::string, std::uint64_t>> counts;
+  std::vector<TaughtStretch> report;  ///< teach_report: the robot's
 };
 
 /// Client to server: read only.
@@ -370,8 +417,9 @@ struct ClockReply {
   WallTime replied{};
 };
 
-using Message = std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest,
-                             WindowRequest, WindowPatch, RouteOrder, RouteProgress, AgentCommand, AgentReply,
-                             OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply>;
+using Message =
+    std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest, WindowRequest,
+                 WindowPatch, Recognise, Recognised, RouteOrder, RouteProgress, AgentCommand, AgentReply,
+                 OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply>;
 
 }  // namespace weft::msg

@@ -61,6 +61,8 @@ struct Route {
   }
   TopicId operator()(const msg::WindowRequest&) const { return TopicId::window_request; }
   TopicId operator()(const msg::WindowPatch&) const { return TopicId::window_patch; }
+  TopicId operator()(const msg::Recognise&) const { return TopicId::recognise; }
+  TopicId operator()(const msg::Recognised&) const { return TopicId::recognised; }
   TopicId operator()(const msg::RouteOrder&) const { return TopicId::route_order; }
   TopicId operator()(const msg::RouteProgress&) const { return TopicId::route_progress; }
   TopicId operator()(const msg::AgentCommand&) const { return TopicId::agent_command; }
@@ -120,6 +122,10 @@ Result<msg::Message> decode(TopicId id, ByteView cdr) {
       return decoded<idl::WindowRequest>(from, cdr);
     case TopicId::window_patch:
       return decoded<idl::WindowPatch>(from, cdr);
+    case TopicId::recognise:
+      return decoded<idl::Recognise>(from, cdr);
+    case TopicId::recognised:
+      return decoded<idl::Recognised>(from, cdr);
     case TopicId::route_order:
       return decoded<idl::RouteOrder>(from, cdr);
     case TopicId::route_progress:

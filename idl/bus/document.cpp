@@ -94,6 +94,10 @@ std::string bounds() {
          bound("places, edges and removals in one part of a patch", msg::kPatchEntities) +
          bound("labels in one part of a patch", kLabels) + bound("places in a batch", kBatchPlaces) +
          bound("edges in a batch", kBatchEdges) + bound("hashes in an acknowledgement or a request", kHashes) +
+         bound("numbers of a signature of what is seen", msg::kSignatureNumbers) +
+         bound("places proposed for a signature", msg::kRecognisedPlaces) +
+         bound("places known already when others are asked for", msg::kRecognisedRank) +
+         bound("stretches in a report on what was taught", msg::kReportRows) +
          bound("places of a route", kRoutePlaces) + bound("points of a line to teach along", kLinePoints) +
          bound("hops of a window", kHops) + bound("places of a window", kWindowCap) +
          bound("parts of a patch or an answer", kParts) +
@@ -102,7 +106,8 @@ std::string bounds() {
          bound("counters in an answer", kCounters) + bound("methods of a robot", kMethods) +
          bound("cameras of a robot", kCameras) + bound("names and labels, bytes", kNameLength) +
          bound("reasons and other sentences, bytes", kTextLength) +
-         bound("a camera's calibration, bytes", kCalibrationLength) + bound("a signature, bytes", kSignatureBytes);
+         bound("a camera's calibration, bytes", kCalibrationLength) +
+         bound("a header's signature, bytes", kSignatureBytes);
 }
 
 }  // namespace

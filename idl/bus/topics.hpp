@@ -23,6 +23,8 @@ enum class TopicId : std::uint8_t {
   content_request_down,
   window_request,
   window_patch,
+  recognise,
+  recognised,
   route_order,
   route_progress,
   agent_command,
@@ -35,7 +37,7 @@ enum class TopicId : std::uint8_t {
   clock_probe,
   clock_reply,
 };
-inline constexpr std::size_t kTopics = 22;
+inline constexpr std::size_t kTopics = 24;
 
 /// Which processes: a set of msg::Role.
 class Roles {

@@ -298,4 +298,37 @@ std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wi
   return labels;
 }
 
+idl::TaughtStretch to_idl(const msg::TaughtStretch& stretch) {
+  idl::TaughtStretch wire;
+  wire.from_m(stretch.from_m);
+  wire.to_m(stretch.to_m);
+  wire.places(stretch.places);
+  wire.first(to_idl(stretch.first));
+  wire.as_is(stretch.as_is);
+  wire.half_light(stretch.half_light);
+  wire.worn(stretch.worn);
+  wire.sigma_m(stretch.sigma_m);
+  wire.reason(stretch.reason);
+  return wire;
+}
+
+msg::TaughtStretch from_idl(const idl::TaughtStretch& wire, Reading reading) {
+  const auto share = [&reading](std::string_view field, double value) {
+    reading.require(value >= 0.0 && value <= 1.0, field, "must be from 0 to 1");
+    return value;
+  };
+  msg::TaughtStretch value;
+  value.from_m = reading.not_negative("from_m", wire.from_m());
+  value.to_m = reading.not_negative("to_m", wire.to_m());
+  reading.require(value.from_m <= value.to_m, "to_m", "must not be before from_m");
+  value.places = wire.places();
+  value.first = reading.some("first", from_idl(wire.first()));
+  value.as_is = share("as_is", wire.as_is());
+  value.half_light = share("half_light", wire.half_light());
+  value.worn = share("worn", wire.worn());
+  value.sigma_m = reading.not_negative("sigma_m", wire.sigma_m());
+  value.reason = reading.text("reason", wire.reason(), kNameLength);
+  return value;
+}
+
 }  // namespace weft::convert

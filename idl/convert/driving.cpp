@@ -76,7 +76,7 @@ Result<msg::AgentCommand> from_idl(const idl::AgentCommand& wire) {
   value.header = from_idl(wire.header(), reading.in("header"));
   value.to = reading.some("to", id_from<PeerId>(wire.to()));
   value.command = wire.command();
-  value.kind = reading.choice("kind", wire.kind(), Kind::teach_start, Kind::keep_place);
+  value.kind = reading.choice("kind", wire.kind(), Kind::teach_start, Kind::teach_report);
   value.name = reading.text("name", wire.name(), kNameLength);
   if (wire.has_seed()) value.seed = reading.some("seed", from_idl(wire.seed()));
   value.along = from_idl(wire.along(), reading.in("along"));
@@ -91,6 +91,7 @@ idl::AgentReply to_idl(const msg::AgentReply& message) {
   wire.reason(message.reason);
   wire.place(to_idl(message.place));
   wire.experience(message.experience.value);
+  wire.report(list_to_idl<idl::TaughtStretch>(message.report));
   return wire;
 }
 
@@ -103,6 +104,7 @@ Result<msg::AgentReply> from_idl(const idl::AgentReply& wire) {
   value.reason = reading.text("reason", wire.reason(), kTextLength);
   value.place = from_idl(wire.place());
   value.experience = ExperienceId{wire.experience()};
+  value.report = list_from_idl<msg::TaughtStretch>(wire.report(), reading, "report", msg::kReportRows);
   return reading.finish(std::move(value));
 }
 

@@ -33,6 +33,10 @@ idl::WindowRequest to_idl(const msg::WindowRequest& message);
 Result<msg::WindowRequest> from_idl(const idl::WindowRequest& wire);
 idl::WindowPatch to_idl(const msg::WindowPatch& message);
 Result<msg::WindowPatch> from_idl(const idl::WindowPatch& wire);
+idl::Recognise to_idl(const msg::Recognise& message);
+Result<msg::Recognise> from_idl(const idl::Recognise& wire);
+idl::Recognised to_idl(const msg::Recognised& message);
+Result<msg::Recognised> from_idl(const idl::Recognised& wire);
 
 idl::RouteOrder to_idl(const msg::RouteOrder& message);
 Result<msg::RouteOrder> from_idl(const idl::RouteOrder& wire);

@@ -208,4 +208,62 @@ Result<msg::WindowPatch> from_idl(const idl::WindowPatch& wire) {
   return reading.finish(std::move(value));
 }
 
+idl::Recognise to_idl(const msg::Recognise& message) {
+  idl::Recognise wire;
+  wire.header(to_idl(message.header));
+  wire.request(message.request);
+  wire.method(message.method);
+  wire.content_format(message.content_format);
+  wire.seen(message.seen);
+  wire.most(message.most);
+  wire.after(message.after);
+  return wire;
+}
+
+Result<msg::Recognise> from_idl(const idl::Recognise& wire) {
+  Reading reading("Recognise");
+  msg::Recognise value;
+  value.header = from_idl(wire.header(), reading.in("header"));
+  value.request = wire.request();
+  value.method = reading.text("method", wire.method(), kNameLength);
+  value.content_format = wire.content_format();
+  value.seen = reading.list("seen", wire.seen(), msg::kSignatureNumbers);
+  reading.require(!value.seen.empty(), "seen", "must have at least 1 number");
+  for (const float number : value.seen) reading.finite("seen", number);
+  value.most = wire.most();
+  reading.require(value.most >= 1 && value.most <= msg::kRecognisedPlaces, "most",
+                  "must be from 1 to " + std::to_string(msg::kRecognisedPlaces));
+  value.after = wire.after();
+  reading.require(value.after <= msg::kRecognisedRank, "after",
+                  "must be at most " + std::to_string(msg::kRecognisedRank));
+  return reading.finish(std::move(value));
+}
+
+idl::Recognised to_idl(const msg::Recognised& message) {
+  idl::Recognised wire;
+  wire.header(to_idl(message.header));
+  wire.to(message.to.bytes);
+  wire.request(message.request);
+  wire.outcome(static_cast<std::uint8_t>(message.outcome));
+  wire.message(message.message);
+  wire.places(list_to_idl<idl::PlaceId>(message.places));
+  wire.signed_places(message.signed_places);
+  wire.unsigned_places(message.unsigned_places);
+  return wire;
+}
+
+Result<msg::Recognised> from_idl(const idl::Recognised& wire) {
+  Reading reading("Recognised");
+  msg::Recognised value;
+  value.header = from_idl(wire.header(), reading.in("header"));
+  value.to = reading.some("to", id_from<RobotId>(wire.to()));
+  value.request = wire.request();
+  value.outcome = reading.choice("outcome", wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
+  value.message = reading.text("message", wire.message(), kTextLength);
+  value.places = places_from_idl(wire.places(), reading, "places", msg::kRecognisedPlaces);
+  value.signed_places = wire.signed_places();
+  value.unsigned_places = wire.unsigned_places();
+  return reading.finish(std::move(value));
+}
+
 }  // namespace weft::convert

@@ -64,7 +64,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::stats);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::teach_report);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
   value.place = from_idl(wire.place());
@@ -92,6 +92,7 @@ idl::OperatorReply to_idl(const msg::OperatorReply& message) {
   wire.unit(message.unit);
   wire.findings(message.findings);
   wire.counts(counts_to_idl(message.counts));
+  wire.report(list_to_idl<idl::TaughtStretch>(message.report));
   return wire;
 }
 
@@ -114,6 +115,7 @@ Result<msg::OperatorReply> from_idl(const idl::OperatorReply& wire) {
     value.findings.push_back(reading.text("findings", finding, kTextLength));
   }
   value.counts = counts_from_idl(wire.counts(), reading, "counts");
+  value.report = list_from_idl<msg::TaughtStretch>(wire.report(), reading, "report", msg::kReportRows);
   return reading.finish(std::move(value));
 }
 

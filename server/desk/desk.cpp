@@ -69,6 +69,7 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
       return;
     case Kind::teach_start:
     case Kind::teach_stop:
+    case Kind::teach_report:
     case Kind::localise:
       command_one(key, request, who, now);
       return;
@@ -125,6 +126,11 @@ Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request,
     command.kind = msg::AgentCommand::Kind::teach_stop;
     return command;
   }
+  if (request.kind == Kind::teach_report) {
+    command.kind = msg::AgentCommand::Kind::teach_report;
+    command.name = request.label;
+    return command;
+  }
   if (const Goal* const goal = dispatcher_.goal_of(robot.id)) {
     return fail(ErrorCode::refused, robot.name + " has goal " + to_string(goal->id) + ": cancel it first");
   }
@@ -154,9 +160,10 @@ void Desk::command_one(const Key& key, const msg::OperatorRequest& request, cons
   }
   Result<msg::AgentCommand> command = command_for(request, **robot);
   if (!command) return answer(key, msg::Outcome::refused, command.error().message);
-  const char* const kind = request.kind == Kind::teach_start  ? "robot.teach_asked"
-                           : request.kind == Kind::teach_stop ? "robot.teach_end_asked"
-                                                              : "robot.localise_asked";
+  const char* const kind = request.kind == Kind::teach_start    ? "robot.teach_asked"
+                           : request.kind == Kind::teach_stop   ? "robot.teach_end_asked"
+                           : request.kind == Kind::teach_report ? "robot.report_asked"
+                                                                : "robot.localise_asked";
   context_.record.note(
       {.at = {}, .kind = kind, .robot = (*robot)->id, .goal = {}, .cause = request.label, .who = who}, now);
   send_for(key, *std::move(command), now.steady);

@@ -38,6 +38,7 @@ void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentRepl
   answered.message = done.message.empty() ? robot + " has done it" : done.message;
   answered.place = reply.place;
   answered.experience = reply.experience;
+  answered.report = reply.report;
   answer(key, std::move(answered));
 }
 

@@ -138,6 +138,11 @@ msg::WindowPatch patch() {
   return made;
 }
 
+std::vector<msg::TaughtStretch> report() {
+  return {{0.0, 9.75, 48, place_id(0xabcdef, 0), 1.0, 0.875, 0.75, 0.004, "few_inliers"},
+          {9.75, 20.0, 51, place_id(0xabcdef, 48), 0.5, 0.25, 0.0, 0.02, ""}};
+}
+
 msg::QueryReply query_reply() {
   msg::QueryReply made;
   made.header = header();
@@ -217,6 +222,17 @@ void add_network(std::vector<Example>& all) {
                                     Revision{90},
                                     id_of<Digest>(0x80)}});
   all.push_back({"window_patch", Role::server, patch()});
+  all.push_back(
+      {"recognise", Role::agent, msg::Recognise{header(), 21, "floor", 2, {0.0F, 0.25F, 0.5F, -1.5F}, 64, 128}});
+  all.push_back({"recognised", Role::server,
+                 msg::Recognised{header(),
+                                 example_addressee(),
+                                 21,
+                                 msg::Outcome::refused,
+                                 "this server does not sign for 'floor'",
+                                 {place_id(2, 1), place_id(1, 5)},
+                                 380,
+                                 20}});
 }
 
 void add_driving(std::vector<Example>& all) {
@@ -234,7 +250,7 @@ void add_driving(std::vector<Example>& all) {
                                    place_id(1, 5),
                                    {{0.5, 1.5}, {2.5, -3.5}}}});
   all.push_back({"agent_reply", Role::agent,
-                 msg::AgentReply{header(), 19, true, "teaching", place_id(1, 5), ExperienceId{0xabcdef}}});
+                 msg::AgentReply{header(), 19, true, "teaching", place_id(1, 5), ExperienceId{0xabcdef}, report()}});
 }
 
 void add_operating(std::vector<Example>& all) {
@@ -268,7 +284,8 @@ void add_operating(std::vector<Example>& all) {
                                     4000,
                                     "rows",
                                     {"content 12ab: checksum differs"},
-                                    {{"places", 400}}}});
+                                    {{"places", 400}},
+                                    report()}});
   all.push_back({"query", Role::client,
                  msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20,
                             Revision{90}, Revision{88}, place_id(1, 5)}});

@@ -54,5 +54,35 @@ TEST(Topics, LargestChunkFits) {
   EXPECT_TRUE(encode(chunk, msg::Role::agent));
 }
 
+TEST(Topics, LargestReportFits) {
+  msg::TaughtStretch stretch;
+  stretch.first = {ExperienceId{1}, 0};
+  stretch.reason = std::string(64, 'x');
+  msg::AgentReply reply;
+  reply.header.sender.bytes.fill(1);
+  reply.report.assign(msg::kReportRows, stretch);
+  EXPECT_TRUE(encode(reply, msg::Role::agent));
+  msg::OperatorReply passed_on;
+  passed_on.header = reply.header;
+  passed_on.to.bytes.fill(2);
+  passed_on.message = std::string(2048, 'x');
+  passed_on.report = reply.report;
+  EXPECT_TRUE(encode(passed_on, msg::Role::server));
+}
+
+TEST(Topics, LongestSignatureAndMostProposalsFit) {
+  msg::Recognise asked;
+  asked.header.sender.bytes.fill(1);
+  asked.seen.assign(msg::kSignatureNumbers, 0.5F);
+  asked.method = std::string(64, 'x');
+  EXPECT_TRUE(encode(asked, msg::Role::agent));
+  msg::Recognised answered;
+  answered.header = asked.header;
+  answered.to.bytes.fill(2);
+  answered.message = std::string(2048, 'x');
+  answered.places.assign(msg::kRecognisedPlaces, {ExperienceId{1}, 0});
+  EXPECT_TRUE(encode(answered, msg::Role::server));
+}
+
 }  // namespace
 }  // namespace weft::bus

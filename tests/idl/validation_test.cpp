@@ -121,6 +121,39 @@ TEST(FromIdl, RefusesListsAndNumbersOutOfBounds) {
               HasSubstr("more than 4096 entries"));
 }
 
+TEST(FromIdl, RefusesSignaturesThatAreNone) {
+  EXPECT_EQ(refusal<msg::Recognise>([](auto& m) { m.seen.clear(); }), "Recognise.seen must have at least 1 number");
+  EXPECT_EQ(refusal<msg::Recognise>([](auto& m) { m.seen[3] = std::numeric_limits<float>::infinity(); }),
+            "Recognise.seen must be finite");
+  EXPECT_THAT(refusal<msg::Recognise>([](auto& m) { m.seen.resize(msg::kSignatureNumbers + 1, 0.0F); }),
+              HasSubstr("seen has more than 1024 entries"));
+  EXPECT_THAT(refusal<msg::Recognise>([](auto& m) { m.most = 0; }), HasSubstr("most must be from 1 to 200"));
+  EXPECT_THAT(refusal<msg::Recognise>([](auto& m) { m.most = 201; }), HasSubstr("most must be from 1 to 200"));
+  EXPECT_THAT(refusal<msg::Recognise>([](auto& m) { m.after = 10'001; }), HasSubstr("after must be at most 10000"));
+  EXPECT_THAT(refusal<msg::Recognise>([](auto& m) { m.method = std::string(65, 'x'); }), HasSubstr("method"));
+}
+
+TEST(FromIdl, RefusesProposalsOutOfBounds) {
+  EXPECT_THAT(refusal<msg::Recognised>([](auto& m) { m.places[1] = {}; }), HasSubstr("places must not be none"));
+  EXPECT_THAT(refusal<msg::Recognised>([](auto& m) { m.places.resize(msg::kRecognisedPlaces + 1, m.places[0]); }),
+              HasSubstr("places has more than 200 entries"));
+  EXPECT_THAT(refusal<msg::Recognised>([](auto& m) { m.outcome = msg::Outcome::under_way; }),
+              HasSubstr("outcome must be from 1 to 4"));
+}
+
+TEST(FromIdl, RefusesReportsOutOfBounds) {
+  EXPECT_EQ(refusal<msg::AgentReply>([](auto& m) { m.report[1].worn = 1.01; }),
+            "AgentReply.report[1].worn must be from 0 to 1");
+  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].as_is = kNan; }),
+              HasSubstr("as_is must be from 0 to 1"));
+  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].first = {}; }), HasSubstr("first must not be none"));
+  EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.report[1].to_m = 9.0; }),
+              HasSubstr("to_m must not be before from_m"));
+  EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.report[1].sigma_m = -0.1; }), HasSubstr("sigma_m"));
+  EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.report.resize(1001, m.report[0]); }),
+              HasSubstr("report has more than 1000 entries"));
+}
+
 TEST(Encode, RefusesWhatTheTopicDoesNotTake) {
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.robot = kLong; }),
               HasSubstr("not sent: weft/1/query: a message of"));

@@ -24,7 +24,8 @@ struct Desk : testing::Test {
                              .done = done,
                              .reason = reason,
                              .place = place,
-                             .experience = {}});
+                             .experience = {},
+                             .report = {}});
   }
   std::optional<msg::OperatorReply> reply() { return site.last<msg::OperatorReply>(); }
 
@@ -43,6 +44,21 @@ TEST_F(Desk, CommandGoesToTheRobotAndItsAnswerToTheOperator) {
   EXPECT_EQ(command().name, "loop");
   answer(command(), true);
   EXPECT_EQ(reply()->outcome, msg::Outcome::done);
+}
+
+TEST_F(Desk, ReportIsAskedOfTheRobotAndPassedOn) {
+  msg::OperatorRequest wanted = site.request(Kind::teach_report);
+  wanted.robot = "r1";
+  wanted.label = "loop";
+  site.say(wanted);
+  EXPECT_EQ(command().kind, msg::AgentCommand::Kind::teach_report);
+  EXPECT_EQ(command().name, "loop");
+  msg::AgentReply reported{r1.header(), command().command, true, "", {}, run.id(), {}};
+  reported.report = {{0.0, 9.5, 48, run.place(0), 1.0, 0.75, 0.5, 0.004, "few_inliers"}};
+  site.say(reported);
+  EXPECT_EQ(reply()->outcome, msg::Outcome::done);
+  EXPECT_EQ(reply()->report, reported.report);
+  EXPECT_EQ(reply()->experience, run.id());
 }
 
 TEST_F(Desk, CommandIsRepeatedUntilAnsweredAndTheRequestDoneOnce) {

@@ -206,8 +206,13 @@ TEST_F(GoalLife, StopPausesAndResumeGoesOn) {
   EXPECT_EQ(site.goal(1).state, GoalState::paused);
   const msg::AgentCommand told = site.last<msg::AgentCommand>().value();
   EXPECT_EQ(told.kind, msg::AgentCommand::Kind::stop);
-  site.say(msg::AgentReply{
-      .header = r1.header(), .command = told.command, .done = true, .reason = {}, .place = {}, .experience = {}});
+  site.say(msg::AgentReply{.header = r1.header(),
+                           .command = told.command,
+                           .done = true,
+                           .reason = {},
+                           .place = {},
+                           .experience = {},
+                           .report = {}});
   EXPECT_EQ(site.last<msg::OperatorReply>()->outcome, msg::Outcome::done);
   site.progress(r1, route, msg::RoutePhase::stopped, 3);
   EXPECT_EQ(site.goal(1).state, GoalState::paused);
@@ -307,8 +312,13 @@ TEST_F(GoalLife, StopThatCannotBeStoredStandsAllTheSame) {
   site.say(stop);
   const msg::AgentCommand told = site.last<msg::AgentCommand>().value();
   ASSERT_EQ(told.kind, msg::AgentCommand::Kind::stop);
-  site.say(msg::AgentReply{
-      .header = r1.header(), .command = told.command, .done = true, .reason = {}, .place = {}, .experience = {}});
+  site.say(msg::AgentReply{.header = r1.header(),
+                           .command = told.command,
+                           .done = true,
+                           .reason = {},
+                           .place = {},
+                           .experience = {},
+                           .report = {}});
   site.hush();
   msg::RobotState stopped = driving(route, run.place(3));
   stopped.mode = msg::RobotMode::stopped;

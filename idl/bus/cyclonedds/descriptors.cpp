@@ -11,7 +11,7 @@ extern const dds_topic_descriptor_t weft_idl_Hello_desc, weft_idl_RobotDescripti
     weft_idl_WindowRequest_desc, weft_idl_WindowPatch_desc, weft_idl_RouteOrder_desc, weft_idl_RouteProgress_desc,
     weft_idl_AgentCommand_desc, weft_idl_AgentReply_desc, weft_idl_OperatorRequest_desc, weft_idl_OperatorReply_desc,
     weft_idl_Query_desc, weft_idl_QueryReply_desc, weft_idl_EventNote_desc, weft_idl_ClockProbe_desc,
-    weft_idl_ClockReply_desc;
+    weft_idl_ClockReply_desc, weft_idl_Recognise_desc, weft_idl_Recognised_desc;
 }
 
 namespace weft::bus::cyclonedds {
@@ -24,7 +24,8 @@ const dds_topic_descriptor* descriptor(std::string_view type) {
       &weft_idl_RouteOrder_desc,      &weft_idl_RouteProgress_desc,    &weft_idl_AgentCommand_desc,
       &weft_idl_AgentReply_desc,      &weft_idl_OperatorRequest_desc,  &weft_idl_OperatorReply_desc,
       &weft_idl_Query_desc,           &weft_idl_QueryReply_desc,       &weft_idl_EventNote_desc,
-      &weft_idl_ClockProbe_desc,      &weft_idl_ClockReply_desc};
+      &weft_idl_ClockProbe_desc,      &weft_idl_ClockReply_desc,       &weft_idl_Recognise_desc,
+      &weft_idl_Recognised_desc};
   for (const dds_topic_descriptor_t* const candidate : kAll) {
     if (type == candidate->m_typename) return candidate;
   }

@@ -248,6 +248,17 @@ TEST(Orders, ARobotThatHasSunkAgainstItsPlacesSaysSoAndGoesOn) {
   EXPECT_NE(state->reason.find("its camera stands 11 mm lower"), std::string::npos) << state->reason;
 }
 
+TEST(Orders, AReportThatItCannotMakeIsRefusedInWords) {
+  Driving rig;
+  rig.tell(rig.command(Kind::teach_report, 4));
+  rig.run(1s);
+  const auto reply = rig.last<msg::AgentReply>();
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_EQ(reply->command, 4U);
+  EXPECT_FALSE(reply->done);
+  EXPECT_NE(reply->reason.find("report"), std::string::npos);
+}
+
 TEST(Orders, LocaliseInVainSaysWhatToDo) {
   Driving rig;
   rig.script->estimate.reset();
