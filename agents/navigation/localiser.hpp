@@ -9,6 +9,7 @@
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/charted.hpp"
+#include "agents/navigation/curiosity.hpp"
 #include "agents/navigation/decoded_contents.hpp"
 #include "agents/navigation/seek.hpp"
 
@@ -35,6 +36,8 @@ class Localiser {
   void advance(const Step& step) {
     belief_.advance(step);
     charted_.advance(step);
+    curiosity_.advance(step);
+    if (belief_.proposed()) ++suspected_samples_;
     since_m_ += distance_m(step.previous_from_current);
     since_rad_ += std::abs(heading_rad(step.previous_from_current));
     ++since_samples_;
@@ -44,10 +47,26 @@ class Localiser {
   void seek(const std::optional<PlaceId>& seed) {
     belief_.forget();
     charted_.forget();
+    curiosity_.forget();
     seek_.start(seed);
   }
   /// Looks everywhere, nearest to what was believed last first.
-  void seek_again() { seek_.start(std::nullopt); }
+  void seek_again() {
+    curiosity_.forget();
+    seek_.start(std::nullopt);
+  }
+
+  /// Which places look like what is seen? Null: nothing is to be asked.
+  const Question* question() const { return seek_.active() ? curiosity_.open() : nullptr; }
+  void propose(std::uint64_t question, const std::vector<PlaceId>& places) {
+    if (curiosity_.answered(question, places.size())) seek_.proposed() = places;
+  }
+  /// Of a fix that waits for a second one.
+  std::optional<PlaceId> suspected() const {
+    if (!seek_.active() || !belief_.proposed()) return std::nullopt;
+    return belief_.proposed()->place;
+  }
+
   void set(const Fix& fix) {
     belief_.set(fix);
     charted_.forget();
@@ -154,8 +173,15 @@ class Localiser {
   void search(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
               Outcome& outcome) {
     std::uint32_t tries = config_.locate.seek_tries;
-    if (belief_.proposed() && confirm(seen, map, bytes, decoded, tries, outcome)) return;
+    if (belief_.proposed()) {
+      if (waits_for_neighbours(map, bytes)) return;
+      if (confirm(seen, map, bytes, decoded, tries, outcome)) return;
+    }
     const OrRefusal<void> prepared = seek_.prepare(config_, map, estimate());
+    if (!seek_.seeded() && !seek_.looks_near()) {
+      wonder(seen);
+      if (try_proposed(seen, map, bytes, decoded, tries, outcome) || !seek_.proposed().empty()) return;
+    }
     if (!prepared) {
       outcome.refusals.push_back(prepared.error());
       return;
@@ -166,6 +192,51 @@ class Localiser {
       if (!id) return;
       if (try_place(*id, seen, map, bytes, decoded, tries, outcome)) return;
     }
+  }
+
+  /// Keeps a question open while there is nothing proposed left to try for where the robot stands now.
+  void wonder(const Content& seen) {
+    if (curiosity_.is_stale()) seek_.proposed().clear();
+    const bool has_places = !seek_.proposed().empty();
+    if (curiosity_.is_due(has_places)) {
+      if (std::optional<Signature> here = method_->sign(seen)) curiosity_.ask(*std::move(here), M::content_format);
+    } else if (!has_places && curiosity_.may_go_on()) {
+      curiosity_.ask_on();
+    }
+  }
+
+  /// Those whose content is there; the others stay for later. True when this sample is done.
+  bool try_proposed(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+                    std::uint32_t& tries, Outcome& outcome) {
+    std::vector<PlaceId>& open = seek_.proposed();
+    for (auto at = open.begin(); at != open.end() && tries > 0;) {
+      if (!is_readable(*at, map, bytes)) {
+        ++at;
+        continue;
+      }
+      const PlaceId id = *at;
+      at = open.erase(at);
+      if (try_place(id, seen, map, bytes, decoded, tries, outcome)) return true;
+    }
+    return false;
+  }
+
+  static bool is_readable(const PlaceId& id, const Window& map, const Contents& bytes) {
+    const Place* const place = map.place(id);
+    return place != nullptr && bytes.find(place->content.hash) != nullptr;
+  }
+
+  /// The window of a robot that looks at proposed places has few others: what lies around a suspected one comes a
+  /// little later. Until then the place itself would confirm what it said before.
+  bool waits_for_neighbours(const Window& map, const Contents& bytes) const {
+    constexpr std::uint32_t patience = 60;  // samples; some places have no neighbours
+    if (curiosity_.open() == nullptr && !curiosity_.may_go_on()) return false;
+    if (suspected_samples_ > patience) return false;
+    const PlaceId at = belief_.proposed()->place;
+    bool has_neighbour = false;
+    map.for_each_edge(
+        at, [&](const Edge& edge) { has_neighbour = has_neighbour || is_readable(other_end(edge, at), map, bytes); });
+    return !has_neighbour;
   }
 
   /// Looks for a second fix beside the one proposed: at its neighbours first, as the same two views would make the
@@ -204,6 +275,7 @@ class Localiser {
       return false;
     }
     const std::uint32_t needed = seek_.seeded() ? 1 : config_.belief.unseeded_fixes;
+    suspected_samples_ = 0;
     take(belief_.propose({id, related->a_from_b, *related}, map, needed), outcome);
     return true;
   }
@@ -248,6 +320,8 @@ class Localiser {
   NavigationConfig config_;
   Belief belief_;
   Seek seek_;
+  Curiosity curiosity_;
+  std::uint32_t suspected_samples_ = 0;  // since the last fix that waits for another
   Charted<M> charted_;
   double since_m_ = 0.0;
   double since_rad_ = 0.0;

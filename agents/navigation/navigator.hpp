@@ -42,6 +42,20 @@ struct TeachStart {
   RobotId robot;
 };
 
+/// What a robot that looks for itself without a seed sees, as its method signs it. Whoever has all contents can say
+/// which places of the network look most like that: the server (docs/path-of-a-view.md), or, in memory,
+/// `RecognitionIndex` (agents/methods/recognition):
+///
+///     navigator.step(...);
+///     if (const Question* open = navigator.question())
+///       navigator.propose(open->number, likeliest(index, snapshot, open->seen, {.most = 64, .after = open->after}));
+struct Question {
+  std::uint64_t number = 0;  ///< another question has another
+  Signature seen;
+  std::uint32_t content_format = 0;
+  std::uint32_t after = 0;  ///< so many places were proposed for this signature before, in vain
+};
+
 /// Teach, localise, recover and follow for one robot and one method, written once (agents/navigation). The method's
 /// type ends here: a variant of `NavigatorOf<M>` is behind it. Pure: time and views come in, decisions go out.
 class Navigator {
@@ -79,6 +93,16 @@ class Navigator {
   /// this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
   virtual std::optional<Estimate> estimate() const = 0;
+  /// What it wants to know while it looks for itself without a seed, and no place around where it last was is left to
+  /// try: it stays the same until it is answered, and is another one when the answer was in vain, when the robot has
+  /// been moved by more than 0.25 m, and after ten seconds or so. Null: nothing. Valid until the next call.
+  virtual const Question* question() const { return nullptr; }
+  /// The answer: places, the likeliest first; none: no more are known. They are tried in this order, before the rest
+  /// of the window, as soon as the window has them with their contents. To a question that is not open any more: let
+  /// go.
+  virtual void propose(std::uint64_t /*question*/, const std::vector<PlaceId>& /*places*/) {}
+  /// Where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
+  virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
   /// What driving has shown of the camera's mount; none: too little yet, or the method does not look.
   virtual std::optional<MountReport> mount() const { return std::nullopt; }
 

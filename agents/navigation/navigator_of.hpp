@@ -140,6 +140,12 @@ class NavigatorOf final : public Navigator {
     }
   }
 
+  const Question* question() const override { return looks().question(); }
+  void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {
+    (finder_ ? *finder_ : localiser_).propose(question, places);
+  }
+  std::optional<PlaceId> suspected() const override { return looks().suspected(); }
+
   std::optional<MountReport> mount() const override {
     if constexpr (requires { method_.mount(odometry_); }) return method_.mount(odometry_);
     return std::nullopt;
@@ -149,6 +155,9 @@ class NavigatorOf final : public Navigator {
   void stop() override { follower_.stop(); }
 
  private:
+  /// Who looks for where the robot is.
+  const Localiser<M>& looks() const { return finder_ ? *finder_ : localiser_; }
+
   bool stand_on_what_stays(const Window& before, const Window& after) {
     const auto all = static_cast<std::uint32_t>(before.places.size());
     for (const Reached& reached : breadth_first(before, estimate()->place, all, all)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "agents/navigation/candidates.hpp"
 #include "core/network/search.hpp"
@@ -20,17 +21,18 @@ std::vector<PlaceId> around_seed(const NavigationConfig& config, const Window& w
   return order;
 }
 
-std::vector<PlaceId> everywhere(const NavigationConfig& config, const Window& window,
-                                const std::optional<Estimate>& last) {
+std::vector<PlaceId> around(const NavigationConfig& config, const Window& window, const Estimate& last) {
   constexpr double reach_m = 10.0;
   std::vector<PlaceId> order;
-  std::set<PlaceId> placed;
-  if (last) {
-    for (const Candidate& candidate : candidates(config, window, *last, config.locate.most_hops, reach_m, {})) {
-      order.push_back(candidate.place);
-      placed.insert(candidate.place);
-    }
+  for (const Candidate& candidate : candidates(config, window, last, config.locate.most_hops, reach_m, {})) {
+    order.push_back(candidate.place);
   }
+  return order;
+}
+
+std::vector<PlaceId> everywhere(const Window& window, std::vector<PlaceId> first) {
+  std::vector<PlaceId> order = std::move(first);
+  const std::set<PlaceId> placed(order.begin(), order.end());
   for (const auto& [id, place] : window.places) {
     if (order.size() >= cap) break;
     if (!placed.contains(id)) order.push_back(id);
@@ -55,7 +57,13 @@ OrRefusal<void> Seek::prepare(const NavigationConfig& config, const Window& wind
   if (!order_.empty()) return {};
   if (window.places.empty()) return tl::unexpected(Refusal{"window_empty", 0.0, 1.0});
   ordered_ = seed_.has_value() || last.has_value();
-  order_ = seed_ ? around_seed(config, window, *seed_) : everywhere(config, window, last);
+  if (seed_) {
+    order_ = around_seed(config, window, *seed_);
+  } else {
+    std::vector<PlaceId> near = last ? around(config, window, *last) : std::vector<PlaceId>{};
+    near_left_ = near.size();
+    order_ = everywhere(window, std::move(near));
+  }
   if (order_.empty()) return tl::unexpected(Refusal{"seed_not_in_window", 0.0, 1.0});
   std::reverse(order_.begin(), order_.end());
   return {};
@@ -65,6 +73,7 @@ std::optional<PlaceId> Seek::next() {
   if (order_.empty()) return std::nullopt;
   const PlaceId id = order_.back();
   order_.pop_back();
+  if (near_left_ > 0) --near_left_;
   if (order_.empty()) pause_ = pause_samples;
   return id;
 }

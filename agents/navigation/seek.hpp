@@ -12,8 +12,8 @@ namespace weft::agents {
 /// The order in which places are tried by a robot that does not know where it is. A value, pure.
 class Seek {
  public:
-  /// Around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last believed and then in
-  /// the whole window.
+  /// Around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last believed, then what is
+  /// proposed, then in the whole window.
   void start(const std::optional<PlaceId>& seed);
   void end() { active_ = false; }
   bool active() const { return active_; }
@@ -25,6 +25,10 @@ class Seek {
   /// What is still to be tried in this pass, in order.
   std::vector<PlaceId>& order() { return order_; }
   std::optional<PlaceId> next();
+  /// Places around where the robot was last believed are left to try.
+  bool looks_near() const { return near_left_ > 0; }
+  /// What is proposed and still to be tried, the likeliest first.
+  std::vector<PlaceId>& proposed() { return proposed_; }
   /// Signatures have been used to order this pass.
   bool ordered() const { return ordered_; }
   void set_ordered() { ordered_ = true; }
@@ -33,6 +37,8 @@ class Seek {
   bool active_ = false;
   std::optional<PlaceId> seed_;
   std::vector<PlaceId> order_;  // the next one last
+  std::size_t near_left_ = 0;   // of order_, at its end
+  std::vector<PlaceId> proposed_;
   bool ordered_ = false;
   std::uint32_t pause_ = 0;
 };
