@@ -30,6 +30,13 @@ Result<void> write_text(const std::filesystem::path& file, const std::string& te
   return {};
 }
 
+Result<void> make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) return fail(ErrorCode::unavailable, folder.string() + ": " + problem.message());
+  return {};
+}
+
 std::string sha256_of(const std::string& text) {
   return to_string(hash_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
 }

@@ -14,6 +14,9 @@ Result<std::string> read_text(const std::filesystem::path& file, const std::stri
 /// Whole or not at all: written beside and renamed. unavailable: names the file.
 Result<void> write_text(const std::filesystem::path& file, const std::string& text);
 
+/// With all above it; no harm where it is there. unavailable: names it.
+Result<void> make_folder(const std::filesystem::path& folder);
+
 /// Of the text's bytes, in hex.
 std::string sha256_of(const std::string& text);
 

@@ -30,7 +30,7 @@ NotRun mistake(const CLI::App& app, const std::string& what) {
 
 /// How a subcommand's flags are added.
 auto flags_of(CLI::App* sub) {
-  return [sub](const char* flag, auto& into, const char* unit, const char* help) {
+  return [sub](const char* flag, auto& into, const char* unit, const std::string& help) {
     return sub->add_option(flag, into, help)->type_name(unit);
   };
 }
@@ -58,10 +58,36 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
   return sub;
 }
 
+/// What every study of floors in simulation understands.
+std::vector<CLI::Option*> flags_of_floors(CLI::App* sub, FloorOptions& options, const std::string& kept_seeds,
+                                          std::string& seeds) {
+  options.site = "deploy/sites/demo.toml";
+  seeds = kept_seeds;
+  const auto option = flags_of(sub);
+  return {option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]"),
+          option("--light", options.light, "L", "One light or wear on the other day; 'same' is none [all]"),
+          option("--floors", options.floors, "DIR",
+                 "Photographs of floors (docs/simulation.md) instead of the simulation's"),
+          option("--seeds", seeds, "A..B",
+                 "Seeds A to B, or one: each is another patch of floor, wear, calibration and noise [" + seeds + "]"),
+          option("--site", options.site, "FILE",
+                 "Site file: where is driven, how large the disturbances are, the robot (its first one) "
+                 "[deploy/sites/demo.toml]")};
+}
+
+/// Of those that drive along a line of the site.
+std::vector<CLI::Option*> flags_of_line(CLI::App* sub, FloorOptions& options) {
+  const auto option = flags_of(sub);
+  return {option("--along", options.along, "FILE",
+                 "Line to be taught, 'x y' a row in metres [r1.line in the folder named like the site, beside it]"),
+          option("--metres", options.metres, "M", "How much of the line, 5 to 1000 [26]")
+              ->check(CLI::Range(5.0, 1000.0).description(""))};
+}
+
 /// The study in simulation, or a recording replayed.
 struct FloorWords {
   FloorOptions study;
-  std::string seeds = "1..10";
+  std::string seeds;
   ReplayOptions replay;
   std::vector<double> mount;
   std::filesystem::path out = "out/floor";
@@ -79,22 +105,9 @@ CLI::App* describe(CLI::App& app, FloorWords& words) {
       "goes on where it stopped.\n"
       "With --replay: odometry, mapping and localisation on a recording instead. Writes replay.json and replay.png.");
   FloorOptions& options = words.study;
-  options.site = "deploy/sites/demo.toml";
   const auto option = flags_of(sub);
-  const std::vector<CLI::Option*> of_study = {
-      option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]"),
-      option("--light", options.light, "L", "One light or wear while it is repeated; 'same' is none [all]"),
-      option("--floors", options.floors, "DIR",
-             "Photographs of floors (docs/simulation.md) instead of the simulation's"),
-      option("--seeds", words.seeds, "A..B",
-             "Seeds A to B, or one: each is another patch of floor, wear, calibration and noise [1..10]"),
-      option("--site", options.site, "FILE",
-             "Site file: where is driven, how large the disturbances are, the robot (its first one) "
-             "[deploy/sites/demo.toml]"),
-      option("--along", options.along, "FILE",
-             "Line to be taught, 'x y' a row in metres [r1.line in the folder named like the site, beside it]"),
-      option("--metres", options.metres, "M", "How much of the line, 5 to 1000 [26]")
-          ->check(CLI::Range(5.0, 1000.0).description(""))};
+  std::vector<CLI::Option*> of_study = flags_of_floors(sub, options, "1..10", words.seeds);
+  for (CLI::Option* const flag : flags_of_line(sub, options)) of_study.push_back(flag);
   CLI::Option* const replay =
       option("--replay", words.replay.recording, "DIR", "A recording in EuRoC layout (mav0/cam0), floor in view");
   for (CLI::Option* const flag : of_study) flag->excludes(replay);
@@ -113,6 +126,48 @@ CLI::App* describe(CLI::App& app, FloorWords& words) {
       ->expected(4)
       ->needs(replay);
   option("--out", words.out, "DIR", "Folder for the results; rows that it holds already are kept [out/floor]");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, AttemptsOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "floor-attempts",
+      "How often the method floor gives a wrong place: views of another robot on another day related with taught "
+      "places as such, and as navigation does it. More than half of the attempts have no right answer, or another "
+      "place looks alike. Ends with 1 when one was wrong.\n"
+      "Writes attempts.csv, attempts.json and floor-attempts.png (docs/floor-study.md). Ctrl-C stops it; the same "
+      "command goes on where it stopped.");
+  options.out = "out/floor-attempts";
+  flags_of_floors(sub, options, "1..2", seeds);
+  flags_of_line(sub, options);
+  const auto option = flags_of(sub);
+  option("--attempts", options.attempts, "N", "How many, of all floors, lights and seeds together [100000]")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));
+  option("--out", options.out, "DIR",
+         "Folder for the results; rows that it holds already are kept [out/floor-attempts]");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand("floor-relocalise",
+                                           "How far a robot that knows nothing of where it is has to be pushed until "
+                                           "it knows (method floor): a network is "
+                                           "taught in a hall with room for it, and another robot is put down in it "
+                                           "on another day, headed either way. Ends "
+                                           "with 1 when it ever believed a wrong place.\n"
+                                           "Writes relocalise.csv, relocalise.json and floor-relocalise.png "
+                                           "(docs/floor-study.md). Ctrl-C stops it; the same "
+                                           "command goes on where it stopped.");
+  options.out = "out/floor-relocalise";
+  options.metres = 1000.0;
+  flags_of_floors(sub, options, "1..3", seeds);
+  const auto option = flags_of(sub);
+  option("--metres", options.metres, "M", "How long the network is, 10 to 20000 [1000]")
+      ->check(CLI::Range(10.0, 20000.0).description(""));
+  option("--trials", options.trials, "N", "How many, of each floor, light and seed [1000]")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+  option("--out", options.out, "DIR",
+         "Folder for the results; trials that it holds already are kept [out/floor-relocalise]");
   return sub;
 }
 
@@ -170,10 +225,16 @@ Parsed parse(int argc, const char* const* argv) {
   app.require_subcommand(1);
   DisturbancesOptions disturbances;
   FloorWords floor;
+  AttemptsOptions attempts;
+  std::string attempts_seeds;
+  RelocaliseOptions relocalise;
+  std::string relocalise_seeds;
   GenerateOptions generate;
   std::string disturbances_seeds;
   const CLI::App* const disturbances_sub = describe(app, disturbances, disturbances_seeds);
   const CLI::App* const floor_sub = describe(app, floor);
+  const CLI::App* const attempts_sub = describe(app, attempts, attempts_seeds);
+  const CLI::App* const relocalise_sub = describe(app, relocalise, relocalise_seeds);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -185,6 +246,8 @@ Parsed parse(int argc, const char* const* argv) {
   }
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
   if (floor_sub->parsed()) return parsed_floor(app, floor);
+  if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
+  if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);
   if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
   return generate;
 }

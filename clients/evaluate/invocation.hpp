@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "clients/evaluate/disturbances/study.hpp"
+#include "clients/evaluate/floor/attempts/attempts_study.hpp"
+#include "clients/evaluate/floor/relocalise/relocalise_study.hpp"
 #include "clients/evaluate/floor/replay.hpp"
 #include "clients/evaluate/floor/study.hpp"
 #include "core/network/site_generator.hpp"
@@ -23,7 +25,8 @@ struct GenerateOptions {
   std::filesystem::path out;  ///< the store's directory; made if it is not there
 };
 
-using Parsed = std::variant<DisturbancesOptions, FloorOptions, ReplayOptions, GenerateOptions, NotRun>;
+using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ReplayOptions,
+                            GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

@@ -59,6 +59,16 @@ int run(const evaluate::FloorOptions& options) {
   return finish(evaluate::floor::study_floor(options, around), options.out);
 }
 
+int run(const evaluate::AttemptsOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::floor::study_attempts(options, around), options.out);
+}
+
+int run(const evaluate::RelocaliseOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::floor::study_relocalisation(options, around), options.out);
+}
+
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   const Result<evaluate::Ended> ended = evaluate::floor::replay_floor(options, around);

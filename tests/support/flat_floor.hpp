@@ -92,6 +92,15 @@ class FlatFloor {
     return floor;
   }
 
+  /// One square of a procedural floor again and again.
+  static FlatFloor tiled(std::uint64_t seed, double tile_m, double length_m, double width_m) {
+    const FlatFloor one = procedural(seed, tile_m, tile_m);
+    FlatFloor floor;
+    cv::repeat(one.texture_, static_cast<int>(std::ceil(width_m / tile_m)),
+               static_cast<int>(std::ceil(length_m / tile_m)), floor.texture_);
+    return floor;
+  }
+
   double length_m() const { return texture_.cols * metres_per_texel; }
   double width_m() const { return texture_.rows * metres_per_texel; }
 

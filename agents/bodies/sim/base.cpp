@@ -46,6 +46,15 @@ Base::Base(const BaseSetup& setup, const Disturbances& disturbances, const std::
       site_from_robot_(site_from_robot),
       random_(random) {}
 
+void Base::put(const Pose2& site_from_robot, const Twist& moving) {
+  site_from_robot_ = site_from_robot;
+  waiting_.clear();
+  in_force_ = velocity_ = moving;
+  left_m_s_ = moving.linear_m_s - moving.angular_rad_s * setup_.track_m / 2;
+  right_m_s_ = moving.linear_m_s + moving.angular_rad_s * setup_.track_m / 2;
+  reported_ = {};
+}
+
 void Base::advance(const Twist& command, double duration_s) {
   const int steps = std::max(1, static_cast<int>(std::ceil(duration_s / kStepS - 1e-9)));
   for (int i = 0; i < steps; ++i) {

@@ -22,6 +22,8 @@ class Base {
   Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,
        const WheelErrors& wheels, const Pose2& site_from_robot, Random random);
 
+  /// Stands there from now on, or rolls there with `moving` already, which is in force.
+  void put(const Pose2& site_from_robot, const Twist& moving);
   /// Drives with `command` for `duration_s`, integrated in steps of at most 5 ms.
   void advance(const Twist& command, double duration_s);
 

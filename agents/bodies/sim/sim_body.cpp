@@ -39,7 +39,7 @@ Shake shake_from(const Disturbances& d, Random random) {
   return {wave(d.vibration_rad, 1), wave(d.vibration_rad, 2), wave(d.vibration_m, 3)};
 }
 
-class SimBody final : public Body {
+class SimBody final : public SimulatedBody {
  public:
   SimBody(const SimBodyConfig& config, const RobotStart& start, std::shared_ptr<const FloorSource> floor,
           std::optional<TruthFile> truth);
@@ -47,6 +47,8 @@ class SimBody final : public Body {
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
   void stop_hand() override;
+  void put(const Pose2& site_from_robot, const Twist& moving) override;
+  Pose2 site_from_robot() const override { return base_.site_from_robot(); }
   std::vector<CameraModel> cameras() const override { return {given_}; }
   std::string kind() const override { return "sim"; }
 
@@ -133,6 +135,13 @@ void SimBody::stop_hand() {
     next_run();
   }
   hand_done_ = false;
+}
+
+void SimBody::put(const Pose2& site_from_robot, const Twist& moving) {
+  hand_.reset();
+  hand_done_ = false;
+  base_.put(site_from_robot, moving);
+  next_run();
 }
 
 bool SimBody::at_rest(const Twist& command) const {
@@ -231,7 +240,7 @@ Result<RobotStart> find_robot(const Site& site, const std::string& name) {
 
 }  // namespace
 
-Result<std::unique_ptr<Body>> make_sim_body(const SimBodyConfig& config) {
+Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config) {
   auto start = find_robot(config.site, config.robot);
   if (!start) {
     return fail(start.error());
@@ -250,7 +259,7 @@ Result<std::unique_ptr<Body>> make_sim_body(const SimBodyConfig& config) {
     }
     truth = std::move(*opened);
   }
-  return std::unique_ptr<Body>(std::make_unique<SimBody>(now, *start, std::move(*floor), std::move(truth)));
+  return std::unique_ptr<SimulatedBody>(std::make_unique<SimBody>(now, *start, std::move(*floor), std::move(truth)));
 }
 
 }  // namespace weft::agents::sim

@@ -69,6 +69,7 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"most_lift_m", &FloorConfig::most_lift_m, 1e-6, 0.2},
     {"eta_px", &FloorConfig::eta_px, 0.1, 1000},
     {"most_residual", &FloorConfig::most_residual, 1e-6, 1e4},
+    {"most_repeated", &FloorConfig::most_repeated, 0, 10},
 });
 
 constexpr auto blind_shares = std::to_array<std::pair<std::string_view, double DeadReckoningConfig::*>>({

@@ -70,6 +70,7 @@ struct FloorConfig {
   double most_lift_m = 0.03;           ///< [1e-6, 0.2]
   double eta_px = 100.0;               ///< [0.1, 1000] Huber threshold of h_distance
   double most_residual = 16.0;         ///< [1e-6, 1e4] h_distance
+  double most_repeated = 0.7;          ///< [0, 10] features that meet their like elsewhere, against the inliers
 };
 
 /// Every setting that breaks its bound: name, value, bound. Empty when all is well.

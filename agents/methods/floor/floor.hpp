@@ -67,7 +67,9 @@ class Floor {
 
   /// Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it (III-C); without, every
   /// heading and offset is possible. Refusals: no_overlap, few_matches, no_consensus, few_inliers,
-  /// few_inliers_share, not_rigid, little_overlap, large_residual, disagrees_with_guess.
+  /// few_inliers_share, not_rigid, little_overlap, little_spread, large_residual, disagrees_with_guess; ambiguous:
+  /// the floor that both see looks the same elsewhere in a (moved by any motion, or, with a guess, by less than
+  /// `widest_gate_m`), so that the relation is one of several.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   /// How often each of 512 words occurs among the features, whichever way the robot looked: views of one stretch of

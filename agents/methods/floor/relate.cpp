@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/methods/floor/consensus.hpp"
 #include "agents/methods/floor/floor.hpp"
+#include "agents/methods/floor/repetition.hpp"
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
-#include "core/random.hpp"
 
 namespace weft::agents {
 namespace {
@@ -113,64 +114,6 @@ std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, c
   return match_descriptors(descriptors_of(a), descriptors_of(b), {c.most_bits, c.ratio}, candidates);
 }
 
-/// SE(2) that takes two points of b to two of a.
-Pose2 pose_of_two(const Eigen::Vector2d& a1, const Eigen::Vector2d& a2, const Eigen::Vector2d& b1,
-                  const Eigen::Vector2d& b2) {
-  const Eigen::Vector2d da = a2 - a1;
-  const Eigen::Vector2d db = b2 - b1;
-  Pose2 pose;
-  pose.heading = wrap_angle(std::atan2(da.y(), da.x()) - std::atan2(db.y(), db.x()));
-  const Eigen::Vector2d turned = pose * Eigen::Vector2d(0.5 * (b1 + b2));
-  const Eigen::Vector2d offset = 0.5 * (a1 + a2) - turned;
-  pose.x = offset.x();
-  pose.y = offset.y();
-  return pose;
-}
-
-struct Consensus {
-  Pose2 a_from_b;
-  std::size_t count = 0;
-};
-
-/// The rigid planar motion that most matches agree with: pairs are drawn from a growing set of the best ones (the
-/// order of PROSAC, Chum & Matas 2005). Drawn from a fixed seed: equal contents give equal answers.
-Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches,
-                         const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b) {
-  constexpr double shortest_base_m = 0.15;
-  Random random(0x666C6F6F72ULL);
-  Consensus best;
-  auto hypotheses = static_cast<std::size_t>(c.hypotheses);
-  const std::size_t most_tries = 20 * hypotheses;
-  const std::size_t widening = hypotheses;  // the pool holds every match after as many tries
-  for (std::size_t k = 0, tries = 0; k < hypotheses && tries < most_tries; ++tries) {
-    const std::size_t pool = std::min(matches.size(), 20 + tries * matches.size() / widening);
-    const Match& m = matches[random.below(pool)];
-    const Match& n = matches[random.below(pool)];
-    const double base_a = (at_a[m.a] - at_a[n.a]).norm();
-    const double base_b = (at_b[m.b] - at_b[n.b]).norm();
-    if (base_b < shortest_base_m || std::abs(base_a - base_b) > 1.5 * c.consensus_m) continue;
-    ++k;
-    const Pose2 pose = pose_of_two(at_a[m.a], at_a[n.a], at_b[m.b], at_b[n.b]);
-    const double cosine = std::cos(pose.heading);
-    const double sine = std::sin(pose.heading);
-    std::size_t count = 0;
-    for (const Match& match : matches) {
-      const Eigen::Vector2d& p = at_b[match.b];
-      const double dx = cosine * p.x() - sine * p.y() + pose.x - at_a[match.a].x();
-      const double dy = sine * p.x() + cosine * p.y() + pose.y - at_a[match.a].y();
-      count += dx * dx + dy * dy < c.consensus_m * c.consensus_m ? 1U : 0U;
-    }
-    if (count <= best.count) continue;
-    best = {pose, count};
-    // Enough are drawn once a pair of right ones was missed with probability 1e-4 (Fischler & Bolles 1981); at least
-    // 50, because the first ones come from a small pool.
-    const double share = static_cast<double>(count) / static_cast<double>(matches.size());
-    const double needed = std::log(1e-4) / std::log(1.0 - std::min(share * share, 0.99));
-    hypotheses = std::min(hypotheses, std::max<std::size_t>(50, static_cast<std::size_t>(needed)));
-  }
-  return best;
-}
-
 /// A feature's place in the undistorted image, from its place on the mount's floor plane, and how many pixels one
 /// metre on the floor is there (across the view: the finer direction).
 struct InImage {
@@ -270,17 +213,6 @@ bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
   return !anticlockwise.empty();
 }
 
-/// A measure of the area that points take: the root of the determinant of their scatter.
-double area_of(const std::vector<Eigen::Vector2d>& points) {
-  if (points.size() < 3) return 0.0;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& point : points) mean += point;
-  mean /= static_cast<double>(points.size());
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (const Eigen::Vector2d& point : points) scatter += (point - mean) * (point - mean).transpose();
-  return std::sqrt(std::max(0.0, scatter.determinant())) / static_cast<double>(points.size());
-}
-
 /// How much of the floor that both see the agreeing features cover, [0, about 1]. Where a patch of a floor looks like
 /// one elsewhere, they agree within that patch alone.
 double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& matches, const Pose2& a_from_b,
@@ -294,6 +226,16 @@ double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& match
     if ((a_from_b * at_b[match.b] - at_a[match.a]).norm() < c.consensus_m) agreeing.push_back(at_b[match.b]);
   const double whole = area_of(shared);
   return whole > 0.0 ? area_of(agreeing) / whole : 0.0;
+}
+
+/// a's features on the floor that b sees too.
+std::vector<std::uint32_t> shared_stretch(const std::vector<Eigen::Vector2d>& at_a, const Polygon& seen_by_b,
+                                          const Pose2& a_from_b) {
+  const Pose2 b_from_a = a_from_b.inverse();
+  std::vector<std::uint32_t> stretch;
+  for (std::uint32_t i = 0; i < at_a.size(); ++i)
+    if (contains(seen_by_b, b_from_a * at_a[i])) stretch.push_back(i);
+  return stretch;
 }
 
 }  // namespace
@@ -349,6 +291,13 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
     if (std::abs(off.heading) > gate->heading_rad)
       return refuse("disagrees_with_guess", std::abs(off.heading), gate->heading_rad);
   }
+  // A guess keeps apart what lies farther than any guess may be off; nearer, it would have to be believed blindly.
+  const double reach_m = gate ? std::max(c.widest_gate_m, 2.0 * gate->distance_m) : kAnywhereM;
+  const Repetition again =
+      find_repetition(c, a.features, at_a, shared_stretch(at_a, floor_b.footprint, state.a_from_b), reach_m);
+  const double repeated = static_cast<double>(again.agreeing) / static_cast<double>(inliers);
+  if (repeated > c.most_repeated && again.spread > c.least_spread)
+    return refuse("ambiguous", repeated, c.most_repeated);
   return Related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)}, static_cast<std::uint32_t>(inliers),
                  overlap, residual, lift_of(refined.fit)};
 }

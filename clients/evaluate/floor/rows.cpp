@@ -15,14 +15,6 @@ using nlohmann::json;
 constexpr const char* kJson = "floor.json";
 constexpr const char* kCsv = "floor.csv";
 
-json json_of(const Study& study) {
-  return {{"software", study.software},
-          {"site_sha256", study.site_sha256},
-          {"line_sha256", study.line_sha256},
-          {"floors_sha256", study.floors_sha256},
-          {"metres", study.metres}};
-}
-
 Score score_from(const json& row) {
   Score score;
   for (const Column& column : columns()) {
@@ -104,6 +96,14 @@ Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
     text << '\n';
   }
   return write_text(folder / kCsv, text.str());
+}
+
+json json_of(const Study& study) {
+  return {{"software", study.software},
+          {"site_sha256", study.site_sha256},
+          {"line_sha256", study.line_sha256},
+          {"floors_sha256", study.floors_sha256},
+          {"metres", study.metres}};
 }
 
 std::string stamp_of(const Study& study) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "clients/evaluate/floor/score.hpp"
@@ -25,6 +26,7 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
 /// DIR/floor.csv, a row a (floor, part, seed).
 Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows);
 
+nlohmann::json json_of(const Study& study);
 /// One word that says of which study something is.
 std::string stamp_of(const Study& study);
 

@@ -20,12 +20,6 @@ constexpr std::uint64_t kOtherRobot = 17;  // added to a robot's own seed
 double heading_of(const SitePoint& a, const SitePoint& b) {
   return std::atan2(b.y - a.y, b.x - a.x);
 }
-double length_of(const std::vector<SitePoint>& line) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i)
-    sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
-  return sum;
-}
 
 }  // namespace
 
@@ -158,6 +152,13 @@ std::vector<SitePoint> Scenario::first_part() const {
 }
 std::vector<SitePoint> Scenario::second_part() const {
   return stretch(stage_.line, 0.45 * length_of(stage_.line), length_of(stage_.line));
+}
+
+double length_of(const std::vector<SitePoint>& line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  return sum;
 }
 
 std::vector<SitePoint> stretch(const std::vector<SitePoint>& line, double from_m, double to_m) {

@@ -71,6 +71,8 @@ class Scenario {
   std::uint64_t seed_;
 };
 
+double length_of(const std::vector<agents::SitePoint>& line);
+
 /// From so many metres on to so many.
 std::vector<agents::SitePoint> stretch(const std::vector<agents::SitePoint>& line, double from_m, double to_m);
 

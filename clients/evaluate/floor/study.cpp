@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "agents/bodies/sim/changes.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/floor/figure_runs.hpp"
@@ -14,82 +13,10 @@
 #include "clients/evaluate/floor/measurement.hpp"
 #include "clients/evaluate/floor/rows.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
-#include "clients/evaluate/line.hpp"
+#include "clients/evaluate/floor/subject.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
-
-struct Subject {
-  Stage stage;
-  Study study;
-  std::vector<std::string> kinds;
-  std::vector<std::string> lights;
-};
-
-/// One of the names, or all of them. invalid: names those there are.
-Result<std::vector<std::string>> chosen(const std::vector<std::string>& names, const std::string& one,
-                                        const std::string& flag) {
-  if (one.empty()) return names;
-  if (std::find(names.begin(), names.end(), one) != names.end()) return std::vector{one};
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return fail(ErrorCode::invalid, flag + ": there is no '" + one + "'; there are " + list);
-}
-
-/// What is in a folder of photographs, by name and size.
-std::string print_of(const std::filesystem::path& folder) {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_regular_file())
-      files.push_back(entry.path().filename().string() + " " + std::to_string(entry.file_size()));
-  }
-  std::sort(files.begin(), files.end());
-  std::string all;
-  for (const std::string& file : files) all += file + "\n";
-  return sha256_of(all);
-}
-
-/// The floors to study. invalid: there is no such kind; not_found: no photographs.
-Result<std::vector<std::string>> kinds_of(const FloorOptions& options, Subject& subject) {
-  if (!options.floors.empty()) {
-    const Result<std::vector<std::string>> photographs = photographs_in(options.floors);
-    if (!photographs) return fail(photographs.error());
-    subject.stage.floors_dir = options.floors.string();
-    subject.study.floors_sha256 = print_of(options.floors);
-    return chosen(*photographs, options.kind, "--kind");
-  }
-  if (options.kind.empty()) return agents::sim::floor_kinds();
-  // Any material will do, those too that are no kind of their own.
-  if (const auto laid = agents::sim::on_floor(subject.stage.site, options.kind); !laid) {
-    return fail(laid.error().code, "--kind: " + laid.error().message);
-  }
-  return std::vector{options.kind};
-}
-
-Result<Subject> subject_of(const FloorOptions& options, const Surroundings& around) {
-  const Result<std::string> site_text = read_text(options.site, "site file; deploy/sites has some");
-  if (!site_text) return fail(site_text.error());
-  Result<agents::sim::Site> site = agents::sim::parse_site(*site_text, options.site.string());
-  if (!site) return fail(site.error());
-  const std::filesystem::path along =
-      options.along.empty() ? options.site.parent_path() / options.site.stem() / "r1.line" : options.along;
-  const Result<std::string> line_text = read_text(along, "line to drive along; give one with --along");
-  if (!line_text) return fail(line_text.error());
-  const Result<std::vector<agents::SitePoint>> line = parse_line(*line_text, along.string());
-  if (!line) return fail(line.error());
-  Result<std::vector<agents::SitePoint>> part = first_metres(*line, options.metres, along.string());
-  if (!part) return fail(part.error());
-  Subject subject;
-  subject.stage = {std::move(*site), std::move(*part), std::nullopt, options.out / "truth.now", around.asked_to_stop};
-  subject.study = {WEFT_VERSION, sha256_of(*site_text), sha256_of(*line_text), "", options.metres};
-  Result<std::vector<std::string>> kinds = kinds_of(options, subject);
-  if (!kinds) return fail(kinds.error());
-  Result<std::vector<std::string>> some_lights = chosen(lights(), options.light, "--light");
-  if (!some_lights) return fail(some_lights.error());
-  subject.kinds = std::move(*kinds);
-  subject.lights = std::move(*some_lights);
-  return subject;
-}
 
 std::vector<std::string> parts_of(const Subject& subject) {
   std::vector<std::string> parts = {kMapping};
@@ -191,11 +118,9 @@ Result<Ended> report(const Subject& subject, const FloorOptions& options, const 
 }  // namespace
 
 Result<Ended> study_floor(const FloorOptions& options, const Surroundings& around) {
-  const Result<Subject> subject = subject_of(options, around);
+  const Result<Subject> subject = subject_of(options, around.asked_to_stop);
   if (!subject) return fail(subject.error());
-  std::error_code problem;
-  std::filesystem::create_directories(options.out, problem);
-  if (problem) return fail(ErrorCode::unavailable, options.out.string() + ": " + problem.message());
+  if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
   Result<Rows> rows = read_rows(options.out, subject->study);
   if (!rows) return fail(rows.error());
   const std::size_t seeds = options.seeds.last - options.seeds.first + 1;

@@ -29,6 +29,31 @@ TEST(EvaluateInvocation, FlagsAndDefaults) {
   EXPECT_EQ(given.out, "o");
 }
 
+TEST(EvaluateInvocation, AttemptsTakeTheFlagsOfFloors) {
+  const auto plain = std::get<AttemptsOptions>(parsed({"floor-attempts"}));
+  EXPECT_EQ(plain.attempts, 100'000U);
+  EXPECT_EQ(plain.site, "deploy/sites/demo.toml");
+  EXPECT_EQ(plain.out, "out/floor-attempts");
+  const auto given = std::get<AttemptsOptions>(
+      parsed({"floor-attempts", "--kind", "k", "--light", "l", "--seeds", "3", "--attempts", "50", "--floors", "f"}));
+  EXPECT_EQ(given.kind, "k");
+  EXPECT_EQ(given.light, "l");
+  EXPECT_EQ(given.floors, "f");
+  EXPECT_EQ(given.seeds.last, 3U);
+  EXPECT_EQ(given.attempts, 50U);
+}
+
+TEST(EvaluateInvocation, RelocalisationHasAHallOfItsOwn) {
+  const auto plain = std::get<RelocaliseOptions>(parsed({"floor-relocalise"}));
+  EXPECT_EQ(plain.metres, 1000.0);
+  EXPECT_EQ(plain.trials, 1000U);
+  EXPECT_EQ(plain.seeds.last, 3U);
+  EXPECT_EQ(plain.out, "out/floor-relocalise");
+  const auto given = std::get<RelocaliseOptions>(parsed({"floor-relocalise", "--metres", "50", "--trials", "7"}));
+  EXPECT_EQ(given.metres, 50.0);
+  EXPECT_EQ(given.trials, 7U);
+}
+
 TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> wrong = {
       {{}, "subcommand"},
@@ -53,6 +78,10 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
       {{"floor", "--mount", "0,0,0.6,45"}, "--replay"},
       {{"floor", "--replay", "r", "--mount", "0,0,0.6"}, "--mount"},
       {{"floor", "--replay", "r", "--mount", "0,0,high,45"}, "--mount"},
+      {{"floor-attempts", "--attempts", "0"}, "--attempts"},
+      {{"floor-attempts", "--seeds", "x"}, "'x'"},
+      {{"floor-relocalise", "--metres", "5"}, "--metres"},
+      {{"floor-relocalise", "--along", "l"}, "--along"},
       {{"generate-site", "--places", "0"}, "places is 0"},
       {{"generate-site", "--places", "many"}, "--places"},
       {{"generate-site", "--content-bytes", "2"}, "content bytes"},

@@ -202,6 +202,25 @@ TEST(SimBody, ExposureDriftsByTheStatedShare) {
   EXPECT_NEAR(most / least, 1.1 / 0.9, 0.06);
 }
 
+TEST(SimBody, PutDownElsewhereItRollsOnFromThere) {
+  Site site = quick_site();
+  site.disturbances.slip = 0.0;
+  auto body = make_sim_body(config_of(site));
+  ASSERT_TRUE(body);
+  ASSERT_TRUE((*body)->drive_by_hand({{4.0, 6.0}, {8.0, 6.0}}));
+  run(**body, 10, {});
+  (*body)->put({7.0, 3.0, 1.0}, {0.6, 0.0});
+  const Sample next = run(**body, 1, {0.6, 0.0})[0];
+  EXPECT_FALSE(next.hand);
+  EXPECT_NEAR(seconds(next.motion.elapsed), 1.0 / 30, 0.005) << "it is in motion";
+  EXPECT_NEAR(next.motion.wheels->distance_m, 0.6 / 30, 0.002);
+  const Pose2 off = Pose2{7.0, 3.0, 1.0}.inverse() * (*body)->site_from_robot();
+  EXPECT_NEAR(off.x, 0.6 / 30, 1e-6);
+  EXPECT_NEAR(off.y, 0.0, 1e-6);
+  (*body)->put({2.0, 2.0, 0.0}, {});
+  EXPECT_NEAR(seconds(run(**body, 1, {})[0].motion.elapsed), 0.5, 0.005) << "it stands";
+}
+
 TEST(SimBody, ReportsTheHandsCommandAsItsOwn) {
   auto body = body_of(config_of(quick_site()));
   ASSERT_TRUE(body->drive_by_hand({{4.0, 6.0}, {8.0, 6.0}}));

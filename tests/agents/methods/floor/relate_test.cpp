@@ -173,6 +173,48 @@ TEST_F(FloorRelate, AWrongGuessIsNotBentToFit) {
   EXPECT_EQ(method.relate(a, b, Metric2{{9.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()}).error().reason, "no_overlap");
 }
 
+TEST_F(FloorRelate, AFloorThatRepeatsItselfIsNoPlace) {
+  const Floor method = make(test::paper_camera());
+  constexpr double tile_m = 0.3;
+  const test::FlatFloor tiles = test::FlatFloor::tiled(3, tile_m, 9.0, 6.0);
+  const Pose2 at{3.0, 3.0, 0.3};
+  const auto look = [&](const Pose2& from, std::uint64_t seed) {
+    test::Shot shot;
+    shot.seed = seed;
+    return *test::look(method, *eye_, tiles, from, {}, shot);
+  };
+  const FloorContent place = look(at, 1);
+  const Pose2 place_from_robot{0.12, 0.03, 0.1};
+  const FloorContent near = look(at * place_from_robot, 2);
+  const FloorContent far = look(Pose2{8 * tile_m, 2 * tile_m, 0.0} * at * place_from_robot, 3);
+  const Relation guess = Metric2{place_from_robot, Eigen::Matrix3d::Zero()};
+  for (const FloorContent& view : {near, far}) {
+    EXPECT_FALSE(method.relate(place, view, std::nullopt));
+    EXPECT_FALSE(method.relate(place, view, guess));
+  }
+  // Tiles agree with the guess, and with others beside it.
+  const auto related = method.relate(place, near, guess);
+  EXPECT_EQ(related.error().reason, "ambiguous");
+  EXPECT_GT(related.error().measured, related.error().bound);
+}
+
+TEST_F(FloorRelate, AGuessTellsWideTilesApart) {
+  const Floor method = make(test::paper_camera());
+  const test::FlatFloor tiles = test::FlatFloor::tiled(4, 0.75, 9.0, 6.0);
+  const Pose2 at{3.0, 3.0, 0.0};
+  const Pose2 place_from_robot{0.1, 0.02, 0.05};
+  const auto place = test::look(method, *eye_, tiles, at, {}, {});
+  test::Shot other;
+  other.seed = 2;
+  const auto view = test::look(method, *eye_, tiles, at * place_from_robot, {}, other);
+  ASSERT_TRUE(place && view);
+  expect_right(method.relate(*place, *view, Metric2{place_from_robot, Eigen::Matrix3d::Zero()}), place_from_robot,
+               kOffM, kOffDeg);
+  const auto unguided = method.relate(*place, *view, std::nullopt);
+  ASSERT_FALSE(unguided);
+  EXPECT_EQ(unguided.error().reason, "ambiguous");
+}
+
 TEST_F(FloorRelate, ABlankFloorIsNoPlace) {
   const Floor method = make(test::paper_camera());
   test::Shot quiet;

@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "agents/methods/floor/config.hpp"
+#include "agents/perception/birds_eye.hpp"
+#include "core/geometry/pose2.hpp"
+
+namespace weft::agents {
+
+inline constexpr double kAnywhereM = std::numeric_limits<double>::infinity();
+
+/// How well a stretch of floor fits on other floor of the same view when it is moved rigidly. Where it fits well, as
+/// tiles do, what is seen there has been seen in two places.
+struct Repetition {
+  Pose2 moved;                ///< the best such motion, in the robot's frame
+  std::size_t agreeing = 0;  ///< features of the stretch that meet their like
+  double spread = 0.0;       ///< of these, against that of the stretch, [0, about 1]: all over it, or in one corner
+};
+
+/// `at`: where each feature lies; `stretch`: indices. Moved by at least kNoRepetitionM and at most `reach_m`; with a
+/// finite reach turned hardly at all, else by anything.
+inline constexpr double kNoRepetitionM = 0.08;
+Repetition find_repetition(const FloorConfig& c, const std::vector<FloorFeature>& features,
+                           const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
+                           double reach_m);
+
+}  // namespace weft::agents

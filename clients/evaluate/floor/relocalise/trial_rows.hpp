@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "clients/evaluate/floor/relocalise/trial.hpp"
+#include "clients/evaluate/floor/rows.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// `part` of the key: the light.
+using TrialRows = std::map<RowKey, std::vector<Trial>>;
+
+/// DIR/relocalise.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is none.
+Result<TrialRows> read_trials(const std::filesystem::path& folder, const Study& study);
+/// Whole or not at all. unavailable: names the file.
+Result<void> write_trials(const std::filesystem::path& folder, const Study& study, const TrialRows& rows);
+/// DIR/relocalise.csv, a row a trial.
+Result<void> write_trials_csv(const std::filesystem::path& folder, const TrialRows& rows);
+
+}  // namespace weft::evaluate::floor
