@@ -10,7 +10,7 @@
 namespace weft::agents {
 namespace {
 
-constexpr std::size_t kLikes = 3;    // kept of each feature: on tiles many are alike
+constexpr std::size_t kLikes = 3;   // kept of each feature: on tiles many are alike
 constexpr double kHardlyRad = 0.7;  // two features' own headings against each other
 
 /// Each feature of the stretch with those most like it elsewhere, best first.

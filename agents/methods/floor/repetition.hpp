@@ -16,7 +16,7 @@ inline constexpr double kAnywhereM = std::numeric_limits<double>::infinity();
 /// How well a stretch of floor fits on other floor of the same view when it is moved rigidly. Where it fits well, as
 /// tiles do, what is seen there has been seen in two places.
 struct Repetition {
-  Pose2 moved;                ///< the best such motion, in the robot's frame
+  Pose2 moved;               ///< the best such motion, in the robot's frame
   std::size_t agreeing = 0;  ///< features of the stretch that meet their like
   double spread = 0.0;       ///< of these, against that of the stretch, [0, about 1]: all over it, or in one corner
 };

@@ -22,8 +22,8 @@ class CodeQuery {
  public:
   /// At most `longest_signature` finite numbers.
   explicit CodeQuery(const Signature& seen);
-  /// The likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike. Correlation,
-  /// but for a factor that is the same for all.
+  /// The likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike.
+  /// Correlation, but for a factor that is the same for all.
   void compare(std::span<const std::uint8_t> codes, std::span<std::int32_t> likeness) const;
   std::size_t bytes() const { return bytes_; }
 

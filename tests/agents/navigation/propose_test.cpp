@@ -18,7 +18,8 @@ class Propose : public MarksFleet {
     RecognitionIndex index;
     const MarksMethod method;
     for (const auto& [id, place] : server.window().places) {
-      if (const auto signature = method.sign(*method.decode(*server.find(place.content.hash)))) index.put(id, *signature);
+      if (const auto signature = method.sign(*method.decode(*server.find(place.content.hash))))
+        index.put(id, *signature);
     }
     return index;
   }
@@ -29,7 +30,8 @@ class Propose : public MarksFleet {
       robot.step(server.map());
       const Question* const open = robot.navigator().question();
       if (open == nullptr || index == nullptr) continue;
-      robot.navigator().propose(open->number, likeliest(*index, server.snapshot(), open->seen, {.after = open->after}));
+      robot.navigator().propose(open->number,
+                                likeliest(*index, server.snapshot(), open->seen, {.after = open->after}));
     }
     return samples;
   }
@@ -150,8 +152,10 @@ TEST_F(Propose, ASuspectedPlaceDoesNotConfirmItselfWhileItsNeighboursAreOnTheirW
   teach(first, Course({5, 5, 0}).straight(4.0).poses);
   NavigatedRobot robot = robot_at({6, 5, 0}, 2);
   robot.navigator().seek(std::nullopt);
-  const Window alone = make_window(server.snapshot(), {.centre = PlaceId{first, 5}, .hops = 0, .cap = 1, .route = {}});
-  const Window around = make_window(server.snapshot(), {.centre = PlaceId{first, 5}, .hops = 3, .cap = 50, .route = {}});
+  const Window alone =
+      make_window(server.snapshot(), {.centre = PlaceId{first, 5}, .hops = 0, .cap = 1, .route = {}});
+  const Window around =
+      make_window(server.snapshot(), {.centre = PlaceId{first, 5}, .hops = 3, .cap = 50, .route = {}});
   robot.step({alone, server});
   ASSERT_NE(robot.navigator().question(), nullptr);
   robot.navigator().propose(robot.navigator().question()->number, {{first, 5}});

@@ -55,7 +55,8 @@ std::string table_by_floor(const AttemptRows& rows) {
     groups[{key.kind, key.part}].add(tally);
     all.add(tally);
   }
-  Cells cells = {{"floor", "light", "attempts", "near, %", "near, guided, %", "tracking, %", "stitching, %", "WRONG"}};
+  Cells cells = {
+      {"floor", "light", "attempts", "near, %", "near, guided, %", "tracking, %", "stitching, %", "WRONG"}};
   for (const auto& [key, tally] : groups) cells.push_back(row_of(key.first, key.second, tally));
   cells.push_back(row_of("all", "", all));
   return markdown_table(cells, 2);
@@ -83,13 +84,12 @@ std::string pose_words(const Pose2& pose) {
 }
 
 std::string table_of_wrong(const AttemptRows& rows) {
-  Cells cells = {{"WRONG: floor", "light", "attempt", "robot at (m, m, degrees)", "place at", "seed", "off, m",
-                  "off, degrees"}};
+  Cells cells = {
+      {"WRONG: floor", "light", "attempt", "robot at (m, m, degrees)", "place at", "seed", "off, m", "off, degrees"}};
   for (const auto& [key, tally] : rows) {
     for (const WrongOne& one : tally.wrong_ones) {
-      cells.push_back({key.kind, key.part, one.sort, pose_words(one.site_from_robot),
-                       pose_words(one.site_from_place), std::to_string(key.seed), cell(one.off_m, 3),
-                       cell(kDegreesARad * one.off_rad, 2)});
+      cells.push_back({key.kind, key.part, one.sort, pose_words(one.site_from_robot), pose_words(one.site_from_place),
+                       std::to_string(key.seed), cell(one.off_m, 3), cell(kDegreesARad * one.off_rad, 2)});
     }
   }
   return cells.size() == 1 ? "" : "\n" + markdown_table(cells, 5);

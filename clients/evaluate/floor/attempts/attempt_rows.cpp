@@ -64,9 +64,9 @@ Tally tally_from(const json& row) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
   };
   for (const json& one : row.at("wrong")) {
-    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number(one.at("off_m")),
-                                number(one.at("off_rad")), pose_from(one.at("site_from_robot")),
-                                pose_from(one.at("site_from_place")), pose_from(one.at("place_from_robot"))});
+    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number(one.at("off_m")), number(one.at("off_rad")),
+                                pose_from(one.at("site_from_robot")), pose_from(one.at("site_from_place")),
+                                pose_from(one.at("place_from_robot"))});
   }
   return tally;
 }
@@ -100,7 +100,8 @@ Result<AttemptRows> read_attempts(const std::filesystem::path& folder, const Att
   return rows;
 }
 
-Result<void> write_attempts(const std::filesystem::path& folder, const AttemptsStudy& study, const AttemptRows& rows) {
+Result<void> write_attempts(const std::filesystem::path& folder, const AttemptsStudy& study,
+                            const AttemptRows& rows) {
   json document = {{"study", json_of(study)}, {"rows", json::array()}};
   for (const auto& [key, tally] : rows) {
     json row = json_of(tally);

@@ -16,9 +16,9 @@
 namespace weft::evaluate::floor {
 namespace {
 
-constexpr double kMostAsideM = 1.2;    // of the middles of what view and place see
+constexpr double kMostAsideM = 1.2;          // of the middles of what view and place see
 constexpr std::uint64_t kOtherPatch = 7919;  // added to a floor's seed
-constexpr std::size_t kOneInOther = 5;  // passages on another floor of the kind
+constexpr std::size_t kOneInOther = 5;       // passages on another floor of the kind
 
 /// Shared by all lights of a floor and seed.
 struct Ground {

@@ -92,8 +92,8 @@ std::optional<Pose2> spot_near(const Shows& place, const sim::Site& site, double
     const double heading = random.uniform(-std::numbers::pi, std::numbers::pi);
     const double away_m = random.uniform(0.0, most_m);
     const double towards = random.uniform(-std::numbers::pi, std::numbers::pi);
-    const Eigen::Vector2d looks_at = place.site_from_robot * place.middle +
-                                     away_m * Eigen::Vector2d(std::cos(towards), std::sin(towards));
+    const Eigen::Vector2d looks_at =
+        place.site_from_robot * place.middle + away_m * Eigen::Vector2d(std::cos(towards), std::sin(towards));
     Pose2 robot{0.0, 0.0, heading};
     const Eigen::Vector2d at = looks_at - robot * place.middle;
     robot.x = at.x();

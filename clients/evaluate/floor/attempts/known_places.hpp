@@ -48,8 +48,8 @@ class KnownPlaces {
   std::vector<Known> all_;
 };
 
-/// Where to put a robot so that it looks about where a place looked: the middle of its view up to `most_m` off, headed
-/// anywhere, clear of boxes by its own radius. None: there is no room.
+/// Where to put a robot so that it looks about where a place looked: the middle of its view up to `most_m` off,
+/// headed anywhere, clear of boxes by its own radius. None: there is no room.
 std::optional<Pose2> spot_near(const Shows& place, const agents::sim::Site& site, double most_m, Random& random);
 
 }  // namespace weft::evaluate::floor

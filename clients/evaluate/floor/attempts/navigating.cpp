@@ -133,8 +133,7 @@ void Navigating::stitch(const Passage& passage, bool knows, Random& random, Tall
     if (&look != &last) {
       Edge anchor;
       anchor.id = {place.id, kept.place.id};
-      anchor.a_from_b =
-          believed(place.shows.site_from_robot.inverse() * start, knows, kMostSigmaM, random);
+      anchor.a_from_b = believed(place.shows.site_from_robot.inverse() * start, knows, kMostSigmaM, random);
       anchor.origin = Origin::stitch;
       anchor.drivable = Drivable::none;
       own.anchor(anchor);

@@ -95,8 +95,8 @@ class Attempts {
 
   bool count(const char* sort, const Known& place, const OrRefusal<Related>& related,
              const std::optional<Pose2>& truth) {
-    const OrRefusal<Pose2> said = related ? OrRefusal<Pose2>(planar(related->a_from_b))
-                                          : OrRefusal<Pose2>(tl::unexpected(related.error()));
+    const OrRefusal<Pose2> said =
+        related ? OrRefusal<Pose2>(planar(related->a_from_b)) : OrRefusal<Pose2>(tl::unexpected(related.error()));
     tally_.count(sort, said, truth, place.shows.site_from_robot);
     return said && truth && is_right(*said, *truth);
   }

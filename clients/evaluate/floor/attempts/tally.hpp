@@ -18,19 +18,19 @@ inline constexpr double kWrongRad = 3.0 * 0.017453292519943295;
 /// What was attempted: two contents related as such, or a part of navigation that takes the relation or leaves it.
 /// The names stand in the files.
 namespace attempted {
-inline constexpr const char* kNear = "near";                        ///< the floor seen is seen by the place too
-inline constexpr const char* kNearGuided = "near, guided";          ///< with a guess as uncertain as it says
-inline constexpr const char* kElsewhere = "elsewhere";              ///< floor that the place does not show
-inline constexpr const char* kLookAlike = "look-alike";             ///< of that, what the signature takes for near
+inline constexpr const char* kNear = "near";                          ///< the floor seen is seen by the place too
+inline constexpr const char* kNearGuided = "near, guided";            ///< with a guess as uncertain as it says
+inline constexpr const char* kElsewhere = "elsewhere";                ///< floor that the place does not show
+inline constexpr const char* kLookAlike = "look-alike";               ///< of that, what the signature takes for near
 inline constexpr const char* kElsewhereGuided = "elsewhere, guided";  ///< with a guess that says it is here
-inline constexpr const char* kWrongGuess = "near, wrong guess";     ///< the guess is farther off than it says
-inline constexpr const char* kMirrored = "mirrored";                ///< the place's own floor, left and right changed
-inline constexpr const char* kOtherFloor = "other floor";           ///< of the same kind
-inline constexpr const char* kSeeking = "seeking";                  ///< a robot that knows nothing, each view
+inline constexpr const char* kWrongGuess = "near, wrong guess";       ///< the guess is farther off than it says
+inline constexpr const char* kMirrored = "mirrored";       ///< the place's own floor, left and right changed
+inline constexpr const char* kOtherFloor = "other floor";  ///< of the same kind
+inline constexpr const char* kSeeking = "seeking";         ///< a robot that knows nothing, each view
 inline constexpr const char* kSeekingOther = "seeking, other floor";
-inline constexpr const char* kTracking = "tracking";                ///< a robot that knows where it is, each view
+inline constexpr const char* kTracking = "tracking";  ///< a robot that knows where it is, each view
 inline constexpr const char* kTrackingLost = "tracking, wrong belief";
-inline constexpr const char* kStitching = "stitching";              ///< a place just kept
+inline constexpr const char* kStitching = "stitching";  ///< a place just kept
 inline constexpr const char* kStitchingLost = "stitching, wrong belief";
 }  // namespace attempted
 
@@ -47,10 +47,10 @@ struct Outcomes {
 /// One that is wrong, so that it can be looked into.
 struct WrongOne {
   std::string sort;
-  double off_m = 0.0;    ///< on another floor: not a number
+  double off_m = 0.0;  ///< on another floor: not a number
   double off_rad = 0.0;
-  Pose2 site_from_robot;  ///< where it was
-  Pose2 site_from_place;  ///< what it was related to
+  Pose2 site_from_robot;   ///< where it was
+  Pose2 site_from_place;   ///< what it was related to
   Pose2 place_from_robot;  ///< what was said
 };
 

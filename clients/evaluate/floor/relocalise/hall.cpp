@@ -28,8 +28,8 @@ std::vector<SitePoint> rows(std::size_t count, double row_m) {
     if (i + 1 == count) break;
     for (int k = 1; k < kBends; ++k) {
       const double turned = std::numbers::pi * k / kBends;
-      line.push_back({to + (goes_back ? -1.0 : 1.0) * kRadiusM * std::sin(turned),
-                      y + kRadiusM * (1.0 - std::cos(turned))});
+      line.push_back(
+          {to + (goes_back ? -1.0 : 1.0) * kRadiusM * std::sin(turned), y + kRadiusM * (1.0 - std::cos(turned))});
     }
   }
   return line;

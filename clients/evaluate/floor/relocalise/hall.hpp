@@ -8,8 +8,8 @@ namespace weft::evaluate::floor {
 
 /// A hall with room for a long way: no racks, lamps every few metres.
 struct Hall {
-  agents::sim::Site site;                ///< its first robot stands where the line begins
-  std::vector<agents::SitePoint> line;   ///< to and fro in rows, each turned into the next by a half circle
+  agents::sim::Site site;               ///< its first robot stands where the line begins
+  std::vector<agents::SitePoint> line;  ///< to and fro in rows, each turned into the next by a half circle
 };
 
 /// Camera, base, hand, disturbances and floor of `like`; a line of at least so many metres.

@@ -55,6 +55,7 @@ Result<Ended> fill_row(const Trials& study, const RowKey& key, const Scenario& s
   if (!drive) return fail(drive.error());
   Result<Pushed> robot = Pushed::make(*drive);
   if (!robot) return fail(robot.error());
+  if (const Result<void> learnt = robot->learn(taught); !learnt) return fail(learnt.error());
   std::vector<Trial>& trials = study.rows[key];
   while (trials.size() < study.options.trials) {
     Random random = Random(key.seed).fork(trials.size());
@@ -64,8 +65,8 @@ Result<Ended> fill_row(const Trials& study, const RowKey& key, const Scenario& s
     if (!*trial) return Ended::stopped;
     trials.push_back(**trial);
     if (trials.size() % kKeptEvery != 0 && trials.size() < study.options.trials) continue;
-    const auto found = std::count_if(trials.begin(), trials.end(),
-                                     [](const Trial& one) { return one.found_m && !one.is_wrong; });
+    const auto found =
+        std::count_if(trials.begin(), trials.end(), [](const Trial& one) { return one.found_m && !one.is_wrong; });
     const auto wrong = std::count_if(trials.begin(), trials.end(), [](const Trial& one) { return one.is_wrong; });
     study.progress.row(key.kind + ", " + key.part + ", seed " + std::to_string(key.seed) + ": " +
                        std::to_string(found) + " of " + std::to_string(trials.size()) + " found, " +

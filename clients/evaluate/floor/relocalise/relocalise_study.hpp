@@ -14,8 +14,8 @@ struct RelocaliseOptions : FloorOptions {
 
 namespace floor {
 
-/// For each floor and seed a network is taught, and for each light another robot is put down in it `trials` times. What
-/// the folder holds already is kept, trial by trial. At the end prints the table and writes relocalise.csv,
+/// For each floor and seed a network is taught, and for each light another robot is put down in it `trials` times.
+/// What the folder holds already is kept, trial by trial. At the end prints the table and writes relocalise.csv,
 /// relocalise.json and a picture. Errors as of study_floor; refused: a wrong place was believed.
 Result<Ended> study_relocalisation(const RelocaliseOptions& options, const Surroundings& around);
 

@@ -7,6 +7,8 @@
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/methods/floor/floor.hpp"
+#include "agents/methods/recognition/index.hpp"
+#include "agents/navigation/navigator.hpp"
 #include "clients/evaluate/floor/drive.hpp"
 #include "core/random.hpp"
 #include "core/result.hpp"
@@ -44,6 +46,8 @@ class Pushed {
  public:
   /// Errors of body and method.
   static Result<Pushed> make(const Drive& drive);
+  /// What the server knows: the signatures of all places. corrupt: a content that the method cannot read.
+  Result<void> learn(const Taught& taught);
   /// With a navigator that has every setting at its default and is told nothing but the map. None: stopped.
   Result<std::optional<Trial>> push(const Push& push, const Taught& taught);
 
@@ -51,8 +55,12 @@ class Pushed {
   Pushed(std::unique_ptr<agents::sim::SimulatedBody> body, agents::Floor method, std::function<bool()> asked_to_stop)
       : body_(std::move(body)), method_(std::move(method)), asked_to_stop_(std::move(asked_to_stop)) {}
 
+  /// The server's part: at once.
+  void answer(agents::Navigator& navigator, const Taught& taught) const;
+
   std::unique_ptr<agents::sim::SimulatedBody> body_;
   agents::Floor method_;
+  agents::RecognitionIndex known_;
   std::function<bool()> asked_to_stop_;
 };
 

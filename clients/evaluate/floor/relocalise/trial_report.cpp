@@ -44,8 +44,13 @@ double middle_m(const std::vector<Trial>& trials) {
 
 /// A curve a floor: x metres pushed, y the share found.
 Chart found_chart(const std::map<std::string, std::vector<Trial>>& kinds, Along along) {
-  Chart chart{std::string("pushed ") + name_of(along) + " along the way", "pushed, m", "share found", {}, false,
-              Dot{0.0, 1.02}, false};
+  Chart chart{std::string("pushed ") + name_of(along) + " along the way",
+              "pushed, m",
+              "share found",
+              {},
+              false,
+              Dot{0.0, 1.02},
+              false};
   std::size_t i = 0;
   for (const auto& [kind, all] : kinds) {
     const std::vector<Trial> trials = going(all, along);
@@ -99,15 +104,14 @@ std::string tables_of(const TrialRows& rows) {
       group.trials.insert(group.trials.end(), some.begin(), some.end());
     }
   }
-  std::vector<std::vector<std::string>> cells = {{"floor", "light", "pushed", "", "seeds", "trials", "found, %, median",
-                                                  "worst seed", "after, m, median", "WRONG"}};
+  std::vector<std::vector<std::string>> cells = {{"floor", "light", "pushed", "", "seeds", "trials",
+                                                  "found, %, median", "worst seed", "after, m, median", "WRONG"}};
   for (const auto& [key, ways] : groups) {
     for (const auto& [along, group] : ways) {
       const MedianWorst missed = median_worst(group.missed);
-      const auto wrong = std::count_if(group.trials.begin(), group.trials.end(),
-                                       [](const Trial& trial) { return trial.is_wrong; });
-      const bool is_found =
-          100.0 - missed.median >= kMedianPercent && 100.0 - missed.worst >= kWorstPercent;
+      const auto wrong =
+          std::count_if(group.trials.begin(), group.trials.end(), [](const Trial& trial) { return trial.is_wrong; });
+      const bool is_found = 100.0 - missed.median >= kMedianPercent && 100.0 - missed.worst >= kWorstPercent;
       const bool is_met = wrong == 0 && (is_found || repeats_itself(key.first));
       cells.push_back({key.first, key.second, name_of(along), is_met ? "met" : "NOT MET",
                        std::to_string(group.missed.size()), std::to_string(group.trials.size()),

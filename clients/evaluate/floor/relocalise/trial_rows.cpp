@@ -77,8 +77,8 @@ Result<void> write_trials_csv(const std::filesystem::path& folder, const TrialRo
   for (const auto& [key, trials] : rows) {
     for (const Trial& trial : trials) {
       const Pose2& at = trial.site_from_robot;
-      text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed << ',' << name_of(trial.along) << ',' << at.x
-           << ',' << at.y << ',' << at.heading << ',';
+      text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed << ',' << name_of(trial.along) << ','
+           << at.x << ',' << at.y << ',' << at.heading << ',';
       if (trial.found_m) text << *trial.found_m;
       text << ',' << (trial.is_wrong ? 1 : 0) << ',' << trial.refused << '\n';
     }

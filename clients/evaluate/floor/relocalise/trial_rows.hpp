@@ -12,7 +12,8 @@ namespace weft::evaluate::floor {
 /// `part` of the key: the light.
 using TrialRows = std::map<RowKey, std::vector<Trial>>;
 
-/// DIR/relocalise.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is none.
+/// DIR/relocalise.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is
+/// none.
 Result<TrialRows> read_trials(const std::filesystem::path& folder, const Study& study);
 /// Whole or not at all. unavailable: names the file.
 Result<void> write_trials(const std::filesystem::path& folder, const Study& study, const TrialRows& rows);

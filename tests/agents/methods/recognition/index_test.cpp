@@ -55,8 +55,8 @@ class Recognition : public testing::Test {
     return seen;
   }
 
-  static std::vector<PlaceId> in_pieces(const RecognitionIndex& index, const Snapshot& snapshot, const Signature& seen,
-                                        const Wanted& wanted, std::size_t piece) {
+  static std::vector<PlaceId> in_pieces(const RecognitionIndex& index, const Snapshot& snapshot,
+                                        const Signature& seen, const Wanted& wanted, std::size_t piece) {
     RecognitionSearch search(seen, kept_for(wanted));
     while (search.step(index, snapshot, piece)) {
     }
@@ -70,7 +70,8 @@ class Recognition : public testing::Test {
 TEST_F(Recognition, ThePlaceThatIsSeenAgainComesFirst) {
   run(1, 700);
   run(2, 300);
-  for (const PlaceId& id : {PlaceId{ExperienceId{1}, 0}, PlaceId{ExperienceId{1}, 699}, PlaceId{ExperienceId{2}, 150}}) {
+  for (const PlaceId& id :
+       {PlaceId{ExperienceId{1}, 0}, PlaceId{ExperienceId{1}, 699}, PlaceId{ExperienceId{2}, 150}}) {
     const std::vector<PlaceId> places = likeliest(index, snapshot, view(id, 3), {.most = 10, .after = 0});
     ASSERT_EQ(places.size(), 10U);
     EXPECT_EQ(places.front(), id);
@@ -139,7 +140,8 @@ TEST(RecognitionIndex, AMillionSignaturesOfTheFloorFitIn140MB) {
   RecognitionIndex index;
   Signature signature(512);
   for (std::size_t i = 0; i < signature.size(); ++i) signature[i] = static_cast<float>(i % 7);
-  for (std::uint32_t i = 0; i < 10'000; ++i) ASSERT_TRUE(index.put({ExperienceId{1 + i / 2000}, i % 2000}, signature));
+  for (std::uint32_t i = 0; i < 10'000; ++i)
+    ASSERT_TRUE(index.put({ExperienceId{1 + i / 2000}, i % 2000}, signature));
   EXPECT_LT(index.memory_bytes() * 100, 140'000'000U);
 }
 
