@@ -48,7 +48,8 @@ endfunction()
 
 # weft_test(NAME [THREADS] [LABEL unit|contract|data|system] SOURCES ... LINK ...): one GoogleTest program, each of its
 # tests in ctest. THREADS: what it tests is used by several; its label ends in -threads. Target unit_tests builds the
-# unit tests, threads_tests those with threads.
+# unit tests, threads_tests those with threads. Under a sanitizer a program runs as a whole, in two shards for two
+# cores: starting it takes longer there than most tests do.
 add_custom_target(unit_tests)
 add_custom_target(threads_tests)
 function(weft_test name)
@@ -66,5 +67,13 @@ function(weft_test name)
     add_dependencies(threads_tests ${name})
     string(APPEND TEST_LABEL -threads)  # matches both -L unit and -L threads
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 300)
+  if(NOT WEFT_SANITIZE)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 300)
+    return()
+  endif()
+  foreach(shard 0 1)
+    add_test(NAME ${name}.${shard} COMMAND ${name})
+    set_tests_properties(${name}.${shard} PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 1800
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

@@ -11,27 +11,61 @@ namespace weft::agents {
 namespace {
 constexpr std::size_t kKept = 15;
 constexpr std::size_t kFewest = 8;
-constexpr double kNoticed = 0.007;
-constexpr double kForgotten = 0.005;
-}  // namespace
+constexpr std::size_t kMostExperiences = 256;  // that it remembers itself on
 
-void LiftWatch::add(double lift_m) {
-  newest_.push_back(lift_m);
-  if (newest_.size() > kKept) newest_.pop_front();
-  const std::optional<double> lift = this->lift_m();
-  if (!lift.has_value()) return;
-  if (std::abs(*lift) < (notice_.empty() ? kNoticed : kForgotten)) {
-    notice_.clear();
-    return;
-  }
-  notice_ = "its camera stands " + std::to_string(std::lround(1000.0 * std::abs(*lift))) + " mm " +
-            (*lift < 0.0 ? "lower" : "higher") +
-            " than its places say: look at load, tyres and mount, or calibrate it (weft calibrate mount)";
+struct Bounds {
+  double noticed_m = 0.0;
+  double forgotten_m = 0.0;
+};
+constexpr Bounds kAgainstPlaces{0.007, 0.005};
+constexpr Bounds kAgainstItself{0.005, 0.003};
+
+bool is_beyond(const std::optional<double>& lift_m, const Bounds& bounds, bool noticed) {
+  return lift_m.has_value() && std::abs(*lift_m) >= (noticed ? bounds.forgotten_m : bounds.noticed_m);
 }
 
-std::optional<double> LiftWatch::lift_m() const {
-  if (newest_.size() < kFewest) return std::nullopt;
-  std::vector<double> sorted(newest_.begin(), newest_.end());
+std::string words_for(double lift_m, const char* against) {
+  return "its camera stands " + std::to_string(std::lround(1000.0 * std::abs(lift_m))) + " mm " +
+         (lift_m < 0.0 ? "lower" : "higher") + " than " + against +
+         ": look at load, tyres and mount, or calibrate it (weft calibrate mount)";
+}
+
+void push(std::deque<double>& newest, double value) {
+  newest.push_back(value);
+  if (newest.size() > kKept) newest.pop_front();
+}
+}  // namespace
+
+void LiftWatch::add(const ExperienceId& experience, double lift_m) {
+  push(newest_, lift_m);
+  note_change(experience, lift_m);
+  look();
+}
+
+void LiftWatch::note_change(const ExperienceId& experience, double lift_m) {
+  if (before_.size() >= kMostExperiences && !before_.contains(experience)) before_.clear();
+  std::deque<double>& before = before_[experience];
+  if (before.size() < kKept) {
+    before.push_back(lift_m);
+  } else {
+    push(changes_, lift_m - *median_of(before));
+  }
+}
+
+void LiftWatch::look() {
+  off_places_ = is_beyond(lift_m(), kAgainstPlaces, off_places_);
+  has_changed_ = is_beyond(change_m(), kAgainstItself, has_changed_);
+  notice_.clear();
+  if (off_places_) {
+    notice_ = words_for(*lift_m(), "its places say");
+  } else if (has_changed_) {
+    notice_ = words_for(*change_m(), "when it came here before");
+  }
+}
+
+std::optional<double> LiftWatch::median_of(const std::deque<double>& newest) {
+  if (newest.size() < kFewest) return std::nullopt;
+  std::vector<double> sorted(newest.begin(), newest.end());
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   return *middle;

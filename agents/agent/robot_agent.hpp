@@ -128,7 +128,7 @@ class RobotAgent final : public Agent {
   void prepare_localising(SteadyTime now);
   void start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed, SteadyTime now);
   void note_fix(const Fix& fix);
-  void note_lift(double lift_m);
+  void note_lift(const ExperienceId& experience, double lift_m);
   void search_when_of_use(SteadyTime now);
   void try_follow(SteadyTime now);
   void note_following(const Navigated& navigated, SteadyTime now);

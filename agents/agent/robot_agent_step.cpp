@@ -38,7 +38,9 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   if (navigated.fix.has_value()) {
     ++seen_["navigation: fixes"];
     note_fix(*navigated.fix);
-    if (const std::optional<double> lift = navigated.fix->evidence.lift_m; lift.has_value()) note_lift(*lift);
+    if (const std::optional<double> lift = navigated.fix->evidence.lift_m; lift.has_value()) {
+      note_lift(navigated.fix->place.experience, *lift);
+    }
   }
   if (view != nullptr) try_keep_alone(now);
   note_following(navigated, now);
@@ -46,9 +48,9 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   return finish(now);
 }
 
-void RobotAgent::note_lift(double lift_m) {
+void RobotAgent::note_lift(const ExperienceId& experience, double lift_m) {
   const bool was_well = lift_.notice().empty();
-  lift_.add(lift_m);
+  lift_.add(experience, lift_m);
   if (was_well == lift_.notice().empty()) return;
   output_.notes.push_back(was_well ? lift_.notice() : "its camera stands as high as its places say again");
 }

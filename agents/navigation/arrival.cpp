@@ -9,7 +9,7 @@ namespace {
 
 constexpr double creep_m_s = 0.04;
 constexpr double close_m = 0.006;           // where a creep ends
-constexpr double close_rad = 0.015;         // where a turn ends
+constexpr double close_rad = 0.0075;        // where a turn ends
 constexpr double gain_1_s = 1.5;            // speed for each metre left
 constexpr std::uint32_t most_moves = 12;    // then it gives up
 constexpr std::uint32_t still_samples = 4;  // for the base to come to rest

@@ -73,6 +73,9 @@ void each_follow(Config& follow, const In& in) {
   in("join_m", follow.join_m, Low::open, 0, 5);
   in("give_up_s", follow.give_up_s, Low::open, 0, 600);
   in("blind_limit_m", follow.blind_limit_m, Low::open, 0, 20);
+  in("sure_m", follow.sure_m, Low::closed, 0, 20);
+  in("sure_sigma_m", follow.sure_sigma_m, Low::open, 0, 1);
+  in("unsure_share", follow.unsure_share, Low::open, 0, 1);
   in("arrive_m", follow.arrive_m, Low::open, 0, 0.5);
   in("arrive_rad", follow.arrive_rad, Low::open, 0, 0.5);
   in("stop_short_m", follow.stop_short_m, Low::closed, 0, 0.5);

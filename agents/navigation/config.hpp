@@ -59,15 +59,18 @@ struct StitchConfig {
 };
 
 struct FollowConfig {
-  double speed_m_s = 0.6;             ///< (0, 2]
-  double segment_m = 3.0;             ///< theta: only this much of the route is laid out ahead; [0.5, 20]
-  double footprint_radius_m = 0.4;    ///< (0, 5]
-  double join_m = 1.0;                ///< a route farther away than this is not joined; (0, 5]
-  double blind_limit_m = 1.5;         ///< travelled without a fix: lost, stop; (0, 20]
-  double arrive_m = 0.03;             ///< distance to the goal that is good enough; (0, 0.5]
-  double arrive_rad = 0.035;          ///< (0, 0.5]
-  double stop_short_m = 0.02;         ///< before a released point that is not the goal; [0, 0.5]
-  double give_up_s = 30.0;            ///< standing where its route cannot be driven from; (0, 600]
+  double speed_m_s = 0.6;           ///< (0, 2]
+  double segment_m = 3.0;           ///< theta: only this much of the route is laid out ahead; [0.5, 20]
+  double footprint_radius_m = 0.4;  ///< (0, 5]
+  double join_m = 1.0;              ///< a route farther away than this is not joined; (0, 5]
+  double blind_limit_m = 1.5;       ///< travelled without a fix: lost, stop; (0, 20]
+  double sure_m = 0.4;              ///< travelled without a fix: it begins to slow down; [0, 20], below blind_limit_m
+  double sure_sigma_m = 0.05;       ///< of its position; less sure, it drives slower in proportion; (0, 1]
+  double unsure_share = 0.35;       ///< of its speed, that it keeps until it is lost; (0, 1]
+  double arrive_m = 0.03;           ///< distance to the goal that is good enough; (0, 0.5]
+  double arrive_rad = 0.0175;       ///< (0, 0.5]
+  double stop_short_m = 0.02;       ///< before a released point that is not the goal; [0, 0.5]
+  double give_up_s = 30.0;          ///< standing where its route cannot be driven from; (0, 600]
   std::uint32_t settle_samples = 30;  ///< to wait for a fix at the goal before going by what is believed; [0, 1000]
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/control/spline.hpp"
+#include "agents/navigation/caution.hpp"
 
 namespace weft::agents {
 
@@ -169,7 +170,7 @@ Follower::Drive Follower::look(const Seen& seen) {
   drive.along = Ahead{std::move(ahead.robot_from_path),
                       0.0,
                       ahead.reaches_end && ends_at_goal(*route_),
-                      config_.follow.speed_m_s,
+                      careful_speed(config_.follow, *seen.estimate),
                       seen.speed_m_s,
                       seen.elapsed};
   Result<Spline> path = Spline::through(drive.along->robot_from_path);

@@ -23,7 +23,8 @@ CameraModel given_camera_from(const CameraSetup& setup, const std::string& robot
   return camera;
 }
 
-CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, Random random) {
+CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, double sinks_m,
+                             Random random) {
   CameraModel camera = given;
   const double focal = 1.0 + (random.chance(0.5) ? 1.0 : -1.0) * disturbances.focal_error;
   camera.fx *= focal;
@@ -31,6 +32,7 @@ CameraModel true_camera_from(const CameraModel& given, const Disturbances& distu
   camera.robot_from_camera.translation += disturbances.mount_error_m * direction_from(random);
   const Eigen::AngleAxisd turn(disturbances.mount_error_rad, direction_from(random));
   camera.robot_from_camera.rotation = (Eigen::Quaterniond(turn) * camera.robot_from_camera.rotation).normalized();
+  camera.robot_from_camera.translation.z() -= sinks_m;
   return camera;
 }
 

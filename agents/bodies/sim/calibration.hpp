@@ -10,7 +10,9 @@ namespace weft::agents::sim {
 /// What the agent is told.
 CameraModel given_camera_from(const CameraSetup& setup, const std::string& robot, std::uint64_t day);
 
-/// What the camera really is: focal length and mount off by the stated sizes, in directions drawn from `random`.
-CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, Random random);
+/// What the camera really is: focal length and mount off by the stated sizes, in directions drawn from `random`, and
+/// lower by what the body has sunk.
+CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, double sinks_m,
+                             Random random);
 
 }  // namespace weft::agents::sim

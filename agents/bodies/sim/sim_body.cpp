@@ -89,7 +89,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start, std::shar
       day_(config.day),
       robot_(start.name),
       given_(given_camera_from(site_.camera, robot_, day_)),
-      true_(true_camera_from(given_, site_.disturbances, random_of(seed_, calibration, day_))),
+      true_(true_camera_from(given_, site_.disturbances, site_.change.sinks_m, random_of(seed_, calibration, day_))),
       gloss_(floor->gloss()),
       base_(site_.base, site_.disturbances, site_.boxes,
             wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,

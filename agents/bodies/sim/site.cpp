@@ -233,6 +233,9 @@ void add_change(const Table& table, Site& site) {
     table.refuse("wear", worn.error().message);
   }
   site.change = change_in(table, site.change);
+  if (2.0 * site.change.sinks_m > site.camera.height_m) {
+    table.refuse("sinks_mm", "must be at most half of camera.height_m");
+  }
 }
 
 }  // namespace

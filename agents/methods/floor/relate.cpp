@@ -196,12 +196,18 @@ Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const
   return 0.5 * (covariance + covariance.transpose());
 }
 
-/// The two views' scales against each other; none when the fit tells it worse than 2 mm.
-std::optional<double> lift_of(const PlanarFit& fit) {
+/// The two views' scales against each other, as the features alone have them: the prior holds both cameras at the
+/// height of their calibration, which is what shall be told. None when the features tell it worse than 2 mm.
+std::optional<double> lift_of(const SwayPrior& prior, const PlanarFit& fit) {
   constexpr double worst_sigma_m = 0.002;
+  const double before = 1.0 / prior.information(2, 2) + 1.0 / prior.information(5, 5);
   const Matrix9d& c = fit.covariance;  // heights of a and b stand at 5 and 8
-  if (c(5, 5) + c(8, 8) - 2.0 * c(5, 8) > worst_sigma_m * worst_sigma_m) return std::nullopt;
-  return fit.state.sway_b.height_m - fit.state.sway_a.height_m;
+  const double after = c(5, 5) + c(8, 8) - 2.0 * c(5, 8);
+  if (after >= before) return std::nullopt;
+  const double features = 1.0 / (1.0 / after - 1.0 / before);
+  if (features > worst_sigma_m * worst_sigma_m) return std::nullopt;
+  const double expected = prior.mean(5) - prior.mean(2);
+  return features * ((fit.state.sway_b.height_m - fit.state.sway_a.height_m) / after - expected / before);
 }
 
 bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
@@ -299,7 +305,7 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   if (repeated > c.most_repeated && again.spread > c.least_spread)
     return refuse("ambiguous", repeated, c.most_repeated);
   return Related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)}, static_cast<std::uint32_t>(inliers),
-                 overlap, residual, lift_of(refined.fit)};
+                 overlap, residual, lift_of(prior_of(a, b), refined.fit)};
 }
 
 }  // namespace weft::agents

@@ -8,8 +8,11 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-void add(LiftWatch& watch, double lift_m, int times) {
-  for (int i = 0; i < times; ++i) watch.add(lift_m + (i % 2 == 0 ? 0.001 : -0.001));
+constexpr ExperienceId first{1};
+constexpr ExperienceId second{2};
+
+void add(LiftWatch& watch, double lift_m, int times, const ExperienceId& experience = first) {
+  for (int i = 0; i < times; ++i) watch.add(experience, lift_m + (i % 2 == 0 ? 0.001 : -0.001));
 }
 
 TEST(LiftWatch, ARobotThatSinksByACentimetreIsNoticedUntilItRises) {
@@ -34,6 +37,26 @@ TEST(LiftWatch, AFewWrongFixesAndTooFewOfThemSayNothing) {
   add(other, 0.05, 3);
   EXPECT_NEAR(*other.lift_m(), 0.001, 1e-9);
   EXPECT_THAT(other.notice(), IsEmpty());
+}
+
+TEST(LiftWatch, ALoadIsNoticedThoughTwoCalibrationsHideIt) {
+  LiftWatch watch;
+  add(watch, 0.005, 15);
+  EXPECT_THAT(watch.notice(), IsEmpty());
+  add(watch, -0.005, 15);
+  EXPECT_THAT(watch.notice(), HasSubstr("10 mm lower than when it came here before"));
+  EXPECT_NEAR(*watch.change_m(), -0.010, 0.0021);
+  add(watch, 0.005, 15);
+  EXPECT_THAT(watch.notice(), IsEmpty());
+}
+
+TEST(LiftWatch, PlacesTaughtByAnotherCameraAreNoLoad) {
+  LiftWatch watch;
+  add(watch, 0.004, 20, first);
+  add(watch, -0.004, 20, second);
+  EXPECT_THAT(watch.notice(), IsEmpty());
+  add(watch, -0.004, 20, first);
+  EXPECT_THAT(watch.notice(), HasSubstr("lower than when it came here before"));
 }
 
 TEST(LiftWatch, HigherIsNoticedToo) {

@@ -29,7 +29,11 @@ TEST_F(Recover, BlindForTooLongItIsLostAndStands) {
   config.blank = {{9.0, 5.0, 1.6}};
   make_world(config);
   NavigatedRobot robot = localised_at(truth.at({first, 0}), {first, 0}, 2);
-  const Driven driven = drive(robot, route_to_last({first, 0}));
+  double last_speed_m_s = 0.0;
+  const Driven driven = drive(robot, route_to_last({first, 0}), 1.0, [&](const Navigated& navigated) {
+    if (navigated.command.linear_m_s > 0.0) last_speed_m_s = navigated.command.linear_m_s;
+  });
+  EXPECT_LT(last_speed_m_s, 0.5 * navigation.follow.speed_m_s) << "it slows down before it is lost";
   EXPECT_EQ(driven.last.following, Following::stopped);
   EXPECT_TRUE(driven.last.lost);
   EXPECT_EQ(driven.last.reason, "lost");

@@ -181,12 +181,13 @@ warmth = 0
 }
 
 TEST(Site, AChangeOutOfBoundsIsNamed) {
-  const auto site =
-      parse_site(std::string(kSmall) +
-                     "[change]\nlight = \"glare\"\nlight_warmth = 2\n[[change.line]]\nfrom = [0, 0]\nto = [0, 0]\n",
-                 "f.toml");
+  const auto site = parse_site(std::string(kSmall) +
+                                   "[change]\nlight = \"glare\"\nlight_warmth = 2\nsinks_mm = "
+                                   "101\n[[change.line]]\nfrom = [0, 0]\nto = [0, 0]\n",
+                               "f.toml");
   ASSERT_FALSE(site);
   EXPECT_THAT(site.error().message, HasSubstr("light_warmth"));
+  EXPECT_THAT(site.error().message, HasSubstr("sinks_mm"));
   EXPECT_THAT(site.error().message, HasSubstr("no [[lamp]]"));
   EXPECT_THAT(site.error().message, HasSubstr("0.1 m from `from`"));
 }

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "agents/agent/lift_watch.hpp"
+#include "clients/evaluate/floor/drive.hpp"
+#include "clients/evaluate/floor/driven_robot.hpp"
+#include "tests/storage/temporary_directory.hpp"
+
+namespace weft::evaluate::floor {
+namespace {
+
+/// A robot is taught three metres by a small camera, which is quick; another body repeats them on another day.
+constexpr const char* kHall = R"(
+[floor]
+x_min = 0.0
+y_min = 0.0
+x_max = 8.0
+y_max = 6.0
+[camera]
+width_px = 376
+height_px = 240
+focal_px = 230
+[[robot]]
+name = "r1"
+x = 2.0
+y = 3.0
+)";
+
+class ABodyUnderLoad : public testing::Test {
+ protected:
+  void teach_with(double mount_error_m, double focal_error) {
+    const Result<agents::sim::Site> site = agents::sim::parse_site(kHall, "hall.toml");
+    ASSERT_TRUE(site) << site.error().message;
+    drive.body.site = *site;
+    drive.body.site.disturbances.mount_error_m = mount_error_m;
+    drive.body.site.disturbances.focal_error = focal_error;
+    drive.body.robot = "r1";
+    drive.body.truth_path = (folder.path() / "truth").string();
+    drive.asked_to_stop = [] { return false; };
+    const Result<bool> done = teach(drive, {{2.0, 3.0}, {5.0, 3.0}}, taught);
+    ASSERT_TRUE(done) << done.error().message;
+  }
+
+  /// Another robot, sunk by so much, drives to the last place.
+  void repeat_sunk(double sinks_m, agents::LiftWatch& noticing) {
+    Drive second = drive;
+    second.body.site.change.sinks_m = sinks_m;
+    second.body.site.robots.front().seed = 3;
+    second.body.day = 1;
+    Result<DrivenRobot> robot = DrivenRobot::make(second.body, {});
+    ASSERT_TRUE(robot) << robot.error().message;
+    robot->navigator().seek(std::nullopt);
+    bool on_its_way = false;
+    bool arrived = false;
+    for (int i = 0; i < 900 && !arrived; ++i) {
+      const Result<DrivenRobot::Stepped> stepped = robot->step(taught.map.view());
+      ASSERT_TRUE(stepped) << stepped.error().message;
+      const auto& fix = stepped->navigated.fix;
+      if (fix && fix->evidence.lift_m) noticing.add(fix->place.experience, *fix->evidence.lift_m);
+      arrived = stepped->navigated.following == agents::Following::arrived;
+      if (on_its_way || !robot->navigator().estimate()) continue;
+      const auto route = taught.map.route(robot->navigator().estimate()->place, taught.last, "floor");
+      ASSERT_TRUE(route) << route.error().message;
+      robot->navigator().follow(*route);
+      on_its_way = true;
+    }
+    EXPECT_TRUE(arrived);
+  }
+
+  storage::TemporaryDirectory folder;
+  Drive drive;
+  Taught taught;
+  agents::LiftWatch watch;
+};
+
+TEST_F(ABodyUnderLoad, NoticesThatItStandsACentimetreLowerThanItsPlacesSay) {
+  teach_with(0.0005, 0.0005);  // both cameras calibrated
+  repeat_sunk(0.0, watch);
+  EXPECT_EQ(watch.notice(), "");
+  agents::LiftWatch restarted;
+  repeat_sunk(0.010, restarted);
+  ASSERT_TRUE(restarted.lift_m());
+  EXPECT_NEAR(*restarted.lift_m(), -0.010, 0.003);
+  EXPECT_NE(restarted.notice().find("mm lower than its places say"), std::string::npos) << restarted.notice();
+}
+
+TEST_F(ABodyUnderLoad, NoticesItWithCamerasThatNobodyCalibratedWhenItHasBeenThereBefore) {
+  teach_with(0.003, 0.003);
+  repeat_sunk(0.0, watch);
+  repeat_sunk(0.0, watch);
+  EXPECT_EQ(watch.notice(), "");
+  repeat_sunk(0.010, watch);
+  ASSERT_TRUE(watch.change_m());
+  EXPECT_NEAR(*watch.change_m(), -0.010, 0.003);
+  EXPECT_NE(watch.notice().find("mm lower than"), std::string::npos) << watch.notice();
+}
+
+}  // namespace
+}  // namespace weft::evaluate::floor
