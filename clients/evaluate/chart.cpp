@@ -112,17 +112,31 @@ void draw_curve(Canvas& canvas, const Frame& frame, const Curve& curve) {
   }
 }
 
+constexpr double kLegendSize = 11.0;
+constexpr double kLegendKey = 26.0;  // the line or dot before a name
+constexpr double kLegendGap = 18.0;
+
+/// Smaller letters where there are many names.
+double legend_shrunk(Canvas& canvas, const Chart& chart) {
+  double wide = 0.0;
+  for (const Curve& curve : chart.curves) {
+    if (!curve.name.empty()) wide += kLegendKey + canvas.width(curve.name, kLegendSize) + kLegendGap;
+  }
+  return std::min(1.0, (kChartWide - kLeft) / std::max(1.0, wide));
+}
+
 void draw_legend(Canvas& canvas, const Chart& chart, double left, double y) {
+  const double shrunk = legend_shrunk(canvas, chart);
   double x = left;
   for (const Curve& curve : chart.curves) {
     if (curve.name.empty()) continue;
     if (curve.look == Curve::Look::dots) {
-      canvas.mark({x + 10.0, y - 4.0}, 2.5, curve.ink, true);
+      canvas.mark({x + 10.0 * shrunk, y - 4.0}, 2.5, curve.ink, true);
     } else {
-      canvas.line({x, y - 4.0}, {x + 20.0, y - 4.0}, curve.ink, 2.0, curve.look == Curve::Look::dashed);
+      canvas.line({x, y - 4.0}, {x + 20.0 * shrunk, y - 4.0}, curve.ink, 2.0, curve.look == Curve::Look::dashed);
     }
-    canvas.text(x + 26.0, y, curve.name, 11.0, kInk);
-    x += 26.0 + canvas.width(curve.name, 11.0) + 18.0;
+    canvas.text(x + kLegendKey * shrunk, y, curve.name, kLegendSize * shrunk, kInk);
+    x += shrunk * (kLegendKey + kLegendGap) + canvas.width(curve.name, kLegendSize * shrunk);
   }
 }
 

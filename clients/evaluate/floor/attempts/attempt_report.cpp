@@ -158,6 +158,8 @@ Chart refusal_chart(const std::map<std::string, Tally>& kinds, const std::vector
   std::sort(order.rbegin(), order.rend());
   constexpr std::size_t kNamed = 3;  // as many as a legend has room for
   Chart chart{title, names, "share of the attempts", {}, false, Dot{-0.02, 1.02}, false};
+  // From half a floor before the first to half a floor behind the last.
+  chart.curves.push_back({"", {{0.5, 0.0}, {at + 0.5, 0.0}}, kQuiet, Curve::Look::line, 0.5});
   Curve others{"others", std::vector<Dot>(kinds.size()), kQuiet, Curve::Look::dots, 3.0};
   for (std::size_t i = 0; i < kinds.size(); ++i) others.dots[i].x = static_cast<double>(i + 1);
   for (std::size_t i = 0; i < order.size(); ++i) {
