@@ -14,6 +14,7 @@
 #include "server/intake/intake.hpp"
 #include "server/keeper/subscriptions.hpp"
 #include "server/library/shelf.hpp"
+#include "server/recognise/recognition.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
 
@@ -38,6 +39,7 @@ class FleetMapServer final : public Service {
         intake_(context_, stored.durable_through),
         subscriptions_(context_),
         shelf_(context_),
+        recognition_(context_),
         traffic_(context_, std::move(stored.occupancies), now),
         routes_(context_),
         dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
@@ -71,6 +73,7 @@ class FleetMapServer final : public Service {
     after(intake_.tick(now), now);
     subscriptions_.tick(now.steady);
     shelf_.tick(now);
+    recognition_.tick(now);
     desk_.tick(now);
     answers_.tick(now.steady);
     routes_.tick(now);
@@ -80,8 +83,9 @@ class FleetMapServer final : public Service {
 
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
-    for (const std::optional<SteadyTime>& due : {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(),
-                                                 dispatcher_.next(), desk_.next(), answers_.next(), routes_.next()}) {
+    for (const std::optional<SteadyTime>& due :
+         {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(), recognition_.next(),
+          dispatcher_.next(), desk_.next(), answers_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -202,6 +206,9 @@ class FleetMapServer final : public Service {
   void receive(const msg::WindowRequest& request, Now now) {
     if (admit(request.header, false, now)) subscriptions_.on_request(request, now.steady);
   }
+  void receive(const msg::Recognise& question, Now now) {
+    if (admit(question.header, true, now)) recognition_.on_question(question, now.steady);
+  }
   void receive(const msg::RouteProgress& progress, Now now) {
     if (admit(progress.header, true, now)) dispatcher_.on_progress(progress, now);
   }
@@ -233,6 +240,7 @@ class FleetMapServer final : public Service {
   Intake intake_;
   Subscriptions subscriptions_;
   Shelf shelf_;
+  Recognition recognition_;
   Traffic traffic_;
   Routes routes_;
   Dispatcher dispatcher_;

@@ -8,6 +8,7 @@
 #include "core/random.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
+#include "server/recognise/signers.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {
@@ -19,6 +20,7 @@ struct ServiceConfig {
   std::string software;
   std::string vendor;                 ///< for the hello
   double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
+  Signers signers{};                  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 
 /// Both clocks at one moment: `steady` decides, `wall` is written down.

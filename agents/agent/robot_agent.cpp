@@ -75,6 +75,7 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       session_(hello(config), now),
       spooler_(std::move(spooler)),
       replica_(everything(config), (random_.next() >> 1U) | 1U, now),
+      recogniser_(std::string(navigator_->method()), random_.next() >> 1U),
       cache_(config.content_cache_bytes, config.bytes_per_second),
       budget_(config.bytes_per_second, burst(config.bytes_per_second), now),
       search_at_(now),
@@ -102,6 +103,7 @@ void RobotAgent::pump(SteadyTime now) {
   if (state_due(now)) send(state());
   if (std::optional<msg::RouteProgress> progress = task_.due(now)) send(std::move(*progress));
   if (std::optional<msg::WindowRequest> request = replica_.due(now)) send(std::move(*request));
+  if (std::optional<msg::Recognise> question = recogniser_.due(now)) send(std::move(*question));
   Result<std::vector<Batch>> batches = spooler_.due(now);
   if (batches) {
     for (Batch& batch : *batches) send(msg::ExperienceBatch{.header = {}, .batch = std::move(batch)});
@@ -136,6 +138,7 @@ std::optional<SteadyTime> RobotAgent::next_tick() const {
   sooner(task_.next());
   sooner(spooler_.next());
   sooner(cache_.next());
+  sooner(recogniser_.next());
   if (spooler_.has_chunks()) sooner(budget_.when(msg::kChunkBytes));
   using Phase = Teaching::Phase;
   const bool limited =

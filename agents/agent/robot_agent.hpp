@@ -10,6 +10,7 @@
 #include "agents/agent/commands.hpp"
 #include "agents/agent/content_cache.hpp"
 #include "agents/agent/lift_watch.hpp"
+#include "agents/agent/recogniser.hpp"
 #include "agents/agent/replica.hpp"
 #include "agents/agent/route_task.hpp"
 #include "agents/agent/session.hpp"
@@ -96,6 +97,7 @@ class RobotAgent final : public Agent {
   void on(const msg::WindowPatch& patch, SteadyTime now);
   void on(const msg::RouteOrder& order, SteadyTime now);
   void on(const msg::AgentCommand& command, SteadyTime now);
+  void on(const msg::Recognised& answer, SteadyTime now);
   void answer(const msg::ClockProbe& probe, SteadyTime now, WallTime wall);
 
   // What operators want (robot_agent_commands.cpp).
@@ -114,6 +116,15 @@ class RobotAgent final : public Agent {
   void try_keep_alone(SteadyTime now);
   Result<void> hand_in_alone(const TeachStart& start, const Kept& kept, const std::string& name, SteadyTime now);
   void give_up_keeping(SteadyTime now);
+
+  // Looking for itself anywhere (robot_agent_recognise.cpp).
+  void look_at(std::vector<PlaceId> places, SteadyTime now);
+  void follow_search(bool has_fix, SteadyTime now);
+  void define_for_proposed(SteadyTime now);
+  void forget_proposed();
+  WindowDefinition usual_window() const;
+  std::vector<PlaceId> always_held() const;
+  std::vector<ContentRef> proposed_first(std::vector<ContentRef> contents) const;
 
   // What takes longer than one message (robot_agent_work.cpp).
   void work(SteadyTime now);
@@ -157,7 +168,12 @@ class RobotAgent final : public Agent {
   Session session_;
   Spooler spooler_;
   Replica replica_;
-  std::optional<Window> ground_;  ///< as it was when the ground was taken away; while what is left is asked for
+  Recogniser recogniser_;
+  std::vector<PlaceId> proposed_;     ///< places that the server says to look at
+  std::optional<PlaceId> suspected_;  ///< by a fix that waits for a second one
+  bool is_for_proposed_ = false;      ///< the window is of those alone
+  std::string proposals_noted_;       ///< so that a log has them once
+  std::optional<Window> ground_;      ///< as it was when the ground was taken away; while what is left is asked for
   ContentCache cache_;
   Budget budget_;
   CommandLedger ledger_;

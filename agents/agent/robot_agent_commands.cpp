@@ -41,9 +41,11 @@ void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey&
   teaching.started_by = key;
   teaching.deadline = now + kMapAtMost;
   localising_.reset();
-  if (command.seed.has_value()) {
-    WindowDefinition definition = replica_.definition();
-    definition.centre = command.seed;
+  if (command.seed.has_value() || is_for_proposed_) {
+    forget_proposed();
+    WindowDefinition definition = usual_window();
+    is_for_proposed_ = false;
+    if (command.seed.has_value()) definition.centre = command.seed;
     replica_.define(std::move(definition), now);
   }
   teaching_ = std::move(teaching);

@@ -26,7 +26,7 @@ AgentOutput RobotAgent::handle(const msg::Message& message, SteadyTime now, Wall
       Overloaded{[&](const msg::Hello& m) { on(m, now); }, [&](const msg::BatchAck& m) { addressed(m); },
                  [&](const msg::Chunk& m) { addressed(m); }, [&](const msg::ContentRequest& m) { addressed(m); },
                  [&](const msg::WindowPatch& m) { addressed(m); }, [&](const msg::RouteOrder& m) { addressed(m); },
-                 [&](const msg::AgentCommand& m) { addressed(m); },
+                 [&](const msg::AgentCommand& m) { addressed(m); }, [&](const msg::Recognised& m) { addressed(m); },
                  [&](const msg::ClockProbe& m) {
                    if (admit(m.header, m.to, now)) answer(m, now, wall);
                  },
@@ -48,6 +48,7 @@ void RobotAgent::heard(Session::Heard heard, SteadyTime now) {
   spooler_.server_restarted(now);
   replica_.server_restarted(now);
   cache_.server_restarted(now);
+  recogniser_.server_restarted(now);
   task_.server_restarted(now);
   describe_at_ = now;
   state_at_ = now;
@@ -112,7 +113,7 @@ void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {
       return;
   }
   WindowDefinition definition = replica_.definition();
-  definition.route = task_.route().has_value() ? task_.route()->places : std::vector<PlaceId>{};
+  definition.route = always_held();
   replica_.define(std::move(definition), now);
 }
 

@@ -42,6 +42,10 @@ std::string RobotAgent::reason() const {
       return task_.route()->reason.empty() ? stands_for_ : task_.route()->reason;
     case msg::RobotMode::idle:
       if (!teaching_failed_.empty()) return teaching_failed_;
+      if (localising_.has_value() && !proposed_.empty()) {
+        return "looks for itself among " + std::to_string(proposed_.size()) +
+               " places that look like what it sees, " + recogniser_.among();
+      }
       return localising_.has_value() ? "looks for itself" : lift_.notice();
     case msg::RobotMode::driving:
       break;

@@ -43,6 +43,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
     }
   }
   if (view != nullptr) try_keep_alone(now);
+  follow_search(navigated.fix.has_value(), now);
   note_following(navigated, now);
   recentre(now);
   return finish(now);
@@ -141,7 +142,7 @@ void RobotAgent::keep_ground(SteadyTime now) {
                             " was taken out of the map: it does not know where it is");
   }
   ground_.reset();
-  definition.route = task_.route().has_value() ? task_.route()->places : std::vector<PlaceId>{};
+  definition.route = always_held();
   replica_.define(std::move(definition), now);
 }
 
@@ -152,7 +153,7 @@ void RobotAgent::want_contents(SteadyTime now) {
   } else {
     focus = replica_.definition().centre;
   }
-  cache_.want(nearest_first(replica_.window(), focus, task_.route(), 0), now);
+  cache_.want(proposed_first(nearest_first(replica_.window(), focus, task_.route(), 0)), now);
 }
 
 }  // namespace weft::agents

@@ -171,8 +171,10 @@ void RobotAgent::start_localising(std::optional<CommandKey> asked_by, const std:
     follow_pending_ = true;
     follow_at_latest_ = now + kMapAtMost;
   }
-  WindowDefinition definition = replica_.definition();
+  if (seed.has_value()) forget_proposed();
+  WindowDefinition definition = seed.has_value() ? usual_window() : replica_.definition();
   if (seed.has_value()) {
+    is_for_proposed_ = false;
     definition.centre = seed;
   } else if (replica_.window().places.empty()) {
     definition.centre.reset();
@@ -187,15 +189,18 @@ void RobotAgent::prepare_localising(SteadyTime now) {
     const std::optional<CommandKey> asked_by = localising_->asked_by;
     localising_.reset();
     if (asked_by.has_value()) {
+      const std::string likeliest =
+          proposed_.empty() ? "" : " that look most like what it sees, " + recogniser_.among();
       refuse(*asked_by, config_.name + " did not find itself among " +
-                            std::to_string(replica_.window().places.size()) +
-                            " places: give --at LABEL, or move it near a place that was taught");
+                            std::to_string(replica_.window().places.size()) + " places" + likeliest +
+                            ": give --at LABEL, or move it near a place that was taught");
     }
     return;
   }
   const MapView map{replica_.window(), cache_};
-  const bool covered = localising_->seed.has_value() ? is_covered(map, *localising_->seed, kSeedHops)
-                                                     : !map.window.places.empty() && cache_.missing() == 0;
+  // Without a seed there is something to ask from the first view on, whatever has come of the map.
+  const bool covered =
+      localising_->seed.has_value() ? is_covered(map, *localising_->seed, kSeedHops) : !map.window.places.empty();
   if ((!replica_.is_settled() || !covered) && now < localising_->deadline) return;
   const bool empty =
       map.window.places.empty() || (localising_->seed.has_value() && map.window.place(*localising_->seed) == nullptr);
@@ -229,7 +234,7 @@ void RobotAgent::note_fix(const Fix& fix) {
 void RobotAgent::search_when_of_use(SteadyTime now) {
   if (localising_.has_value() || teaching_.has_value() || !fault_.empty() || now < search_at_) return;
   // A lost robot still has an idea of where it was; the navigator looks from there by itself.
-  if (navigator_->estimate().has_value() || replica_.window().places.empty() || cache_.missing() > 0) return;
+  if (navigator_->estimate().has_value() || replica_.window().places.empty()) return;
   if (searched_ && !task_.route().has_value()) return;
   start_localising(std::nullopt, std::nullopt, now);
 }

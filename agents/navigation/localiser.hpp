@@ -304,9 +304,13 @@ class Localiser {
     for (const PlaceId& id : seek_.order()) {
       const Place* const place = map.place(id);
       if (place == nullptr) continue;
+      constexpr double unknown = 1e9;
+      if (!is_readable(id, map, bytes)) {
+        by_distance.emplace_back(unknown, id);
+        continue;
+      }
       if (!decoded.has_signature(place->content.hash) && reads-- == 0) return false;
       const std::optional<Signature>& there = decoded.signature(*place, bytes);
-      constexpr double unknown = 1e9;
       by_distance.emplace_back(there ? distance2(*here, *there) : unknown, id);
     }
     std::sort(by_distance.begin(), by_distance.end(), std::greater<>());  // the next one stands last

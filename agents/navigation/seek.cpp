@@ -21,7 +21,7 @@ std::vector<PlaceId> around_seed(const NavigationConfig& config, const Window& w
   return order;
 }
 
-std::vector<PlaceId> around(const NavigationConfig& config, const Window& window, const Estimate& last) {
+std::vector<PlaceId> around_last(const NavigationConfig& config, const Window& window, const Estimate& last) {
   constexpr double reach_m = 10.0;
   std::vector<PlaceId> order;
   for (const Candidate& candidate : candidates(config, window, last, config.locate.most_hops, reach_m, {})) {
@@ -60,7 +60,7 @@ OrRefusal<void> Seek::prepare(const NavigationConfig& config, const Window& wind
   if (seed_) {
     order_ = around_seed(config, window, *seed_);
   } else {
-    std::vector<PlaceId> near = last ? around(config, window, *last) : std::vector<PlaceId>{};
+    std::vector<PlaceId> near = last ? around_last(config, window, *last) : std::vector<PlaceId>{};
     near_left_ = near.size();
     order_ = everywhere(window, std::move(near));
   }

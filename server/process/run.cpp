@@ -15,6 +15,7 @@
 
 #include "idl/bus/link.hpp"
 #include "server/process/identity.hpp"
+#include "server/process/signers.hpp"
 #include "server/service.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -154,6 +155,7 @@ Result<void> run(const Options& options) {
   config.software = WEFT_VERSION;
   config.vendor = link.bus().vendor();
   config.robot_silent_after_s = options.robot_silent_after_s;
+  config.signers = all_signers();
   Result<std::unique_ptr<Service>> service = start(config, **store, random, now());
   if (!service) return fail(service.error());
 

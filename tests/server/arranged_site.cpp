@@ -83,7 +83,8 @@ Edge stitch(const PlaceId& older, const PlaceId& newer, double x, double y) {
   return edge;
 }
 
-Site::Site(std::shared_ptr<storage::MemoryDisk> on) : disk(std::move(on)) {
+Site::Site(std::shared_ptr<storage::MemoryDisk> on, Signers signers)
+    : disk(std::move(on)), signers_(std::move(signers)) {
   start_server();
 }
 
@@ -94,6 +95,7 @@ void Site::start_server() {
   config.incarnation = ++starts_;
   config.software = "test";
   config.vendor = "inprocess";
+  config.signers = signers_;
   Result<std::unique_ptr<Service>> started = start(config, *store_, Random(42 + starts_), now);
   ASSERT_TRUE(started) << started.error().message;
   service_ = *std::move(started);

@@ -57,7 +57,8 @@ Edge stitch(const PlaceId& older, const PlaceId& newer, double x = 0.0, double y
 
 class Site {
  public:
-  explicit Site(std::shared_ptr<storage::MemoryDisk> disk = std::make_shared<storage::MemoryDisk>());
+  explicit Site(std::shared_ptr<storage::MemoryDisk> disk = std::make_shared<storage::MemoryDisk>(),
+                Signers signers = {});
 
   /// The server ends at once and is started again on the same disk.
   void restart();
@@ -113,6 +114,7 @@ class Site {
   void start_server();
   void take(std::vector<msg::Message> messages);
 
+  Signers signers_;
   std::unique_ptr<storage::MapStore> store_;
   std::unique_ptr<Service> service_;
   std::vector<msg::Message> said_;

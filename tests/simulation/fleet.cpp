@@ -18,6 +18,12 @@ T need(Result<T> result, const char* what) {
   return std::move(*result);
 }
 
+std::optional<agents::Signature> sign_marks(ByteView content) {
+  const agents::MarksMethod method;
+  const auto decoded = method.decode(content);
+  return decoded ? method.sign(*decoded) : std::nullopt;
+}
+
 }  // namespace
 
 Fleet::Fleet(std::uint64_t seed, std::size_t robots)
@@ -60,7 +66,8 @@ void Fleet::start_server() {
                                 .incarnation = random_.next(),
                                 .name = "server",
                                 .software = "simulated",
-                                .vendor = "inprocess"},
+                                .vendor = "inprocess",
+                                .signers = {{{"marks", agents::MarksMethod::content_format}, sign_marks}}},
                                *server_.store, random_.fork(3), server_now());
   if (!started) {  // a full disk cannot take the next epoch: it is tried again
     server_.store.reset();

@@ -6,6 +6,7 @@
 
 #include "agents/methods/floor/config.hpp"
 #include "agents/methods/floor/content.hpp"
+#include "agents/methods/floor/sign.hpp"
 #include "agents/methods/method.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/corner_tracks.hpp"
@@ -74,7 +75,7 @@ class Floor {
 
   /// How often each of 512 words occurs among the features, whichever way the robot looked: views of one stretch of
   /// floor are nearer to each other than nearly all others. None: a content without features.
-  std::optional<Signature> sign(const Content& content) const;
+  std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
 
   const CameraModel& camera() const { return camera_; }
   const FloorConfig& config() const { return config_; }

@@ -1,7 +1,8 @@
+#include "agents/methods/floor/sign.hpp"
+
 #include <array>
 #include <cmath>
 
-#include "agents/methods/floor/floor.hpp"
 #include "core/random.hpp"
 
 namespace weft::agents {
@@ -37,7 +38,7 @@ std::size_t word_of(const Descriptor& descriptor, const std::array<std::uint8_t,
 
 }  // namespace
 
-std::optional<Signature> Floor::sign(const Content& content) const {
+std::optional<Signature> sign_floor_content(const FloorContent& content) {
   if (content.features.empty()) return std::nullopt;
   static const Groups groups = make_groups();
   Signature signature(kGroups * kWords, 0.0F);

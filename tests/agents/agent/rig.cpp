@@ -57,6 +57,12 @@ class ScriptedNavigator final : public Navigator {
   }
   void seek(const std::optional<PlaceId>& seed) override { script_->sought.push_back(seed); }
   std::optional<Estimate> estimate() const override { return script_->estimate; }
+  const Question* question() const override { return script_->question ? &*script_->question : nullptr; }
+  void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {
+    script_->proposed.emplace_back(question, places);
+    script_->question.reset();
+  }
+  std::optional<PlaceId> suspected() const override { return script_->suspected; }
   void follow(const Route& route) override { script_->followed.push_back(route); }
   void stop() override { ++script_->stops; }
 

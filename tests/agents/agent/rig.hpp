@@ -27,6 +27,9 @@ struct Script {
   OrRefusal<std::vector<Edge>> joins = tl::unexpected(Refusal{"few_inliers"});  ///< of a place kept alone
   std::vector<std::optional<PlaceId>> sought;
   std::vector<Route> followed;
+  std::optional<Question> question;
+  std::vector<std::pair<std::uint64_t, std::vector<PlaceId>>> proposed;
+  std::optional<PlaceId> suspected;
   int stops = 0;
   int forgot_taught = 0;
 };

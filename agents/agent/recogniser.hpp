@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/navigation/navigator.hpp"
+#include "core/protocol/messages.hpp"
+#include "core/time.hpp"
+
+namespace weft::agents {
+
+/// Asks the server which places of the whole network look like what the robot sees, for as long as the navigator
+/// wants to know. Without an answer the navigator goes on with what there is.
+class Recogniser {
+ public:
+  /// `first_request` is random for each incarnation, so that answers to an earlier one are not taken for ours.
+  Recogniser(std::string method, std::uint64_t first_request) : method_(std::move(method)), request_(first_request) {}
+
+  /// What the navigator wants to know now; null: nothing.
+  void want(const Question* open, SteadyTime now);
+  /// A question without its header, when it is time for one.
+  std::optional<msg::Recognise> due(SteadyTime now);
+  std::optional<SteadyTime> next() const;
+  void server_restarted(SteadyTime now);
+
+  struct Heard {
+    std::uint64_t question = 0;
+    std::vector<PlaceId> places;
+    std::string note;  ///< for the log
+  };
+  /// None: it answers nothing that is asked now.
+  std::optional<Heard> on_answer(const msg::Recognised& answer);
+  /// Among how many the proposed ones were found, for people: "of 4211 (300 more are not signed yet)"; empty: no
+  /// answer has come.
+  const std::string& among() const { return among_; }
+
+ private:
+  std::string method_;
+  std::optional<Question> open_;
+  std::uint64_t request_;
+  SteadyTime ask_at_{};
+  SteadyTime last_asked_{};
+  Duration wait_{};
+  std::string among_;
+};
+
+}  // namespace weft::agents
