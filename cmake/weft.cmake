@@ -46,9 +46,9 @@ function(weft_program name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
-# weft_test(NAME [THREADS] [LABEL unit|contract|data|system] SOURCES ... LINK ...): one GoogleTest program, each of its
+# weft_test(NAME [THREADS] [LABEL unit|contract|data|drives|system] SOURCES ... LINK ...): one GoogleTest program, each of its
 # tests in ctest. THREADS: what it tests is used by several; its label ends in -threads. Target unit_tests builds the
-# unit tests, threads_tests those with threads. Under a sanitizer a program runs as a whole, in two shards for two
+# unit tests, threads_tests those with threads. drives: renders whole drives; too long for a sanitizer. Under a sanitizer a program runs as a whole, in two shards for two
 # cores: starting it takes longer there than most tests do.
 add_custom_target(unit_tests)
 add_custom_target(threads_tests)
