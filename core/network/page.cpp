@@ -108,6 +108,11 @@ Result<void> PagedNetwork::add(NetworkPage page) {
     return fail(ErrorCode::stale, "a page of revision " + std::to_string(page.revision.value) +
                                       " among those of revision " + std::to_string(window_.revision.value));
   }
+  // The next one would be asked for after the same place, and be the same.
+  if (page.places.empty() && !page.is_last) {
+    return fail(ErrorCode::invalid, "a page without a place after " + to_string(after()) +
+                                        ", and more are to come: is the server of another version?");
+  }
   for (const Place& place : page.places) {
     if (!(after() < place.id)) {
       return fail(ErrorCode::invalid, "a page with place " + to_string(place.id) + " after " + to_string(after()));

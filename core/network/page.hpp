@@ -31,7 +31,7 @@ std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities
 /// Pages put together again, in their order.
 class PagedNetwork {
  public:
-  /// stale: of another revision than the first one; invalid: a place that does not come after the last one.
+  /// stale: of another revision than the first one; invalid: no place, or one not after the last, and pages to come.
   Result<void> add(NetworkPage page);
   bool is_whole() const { return is_whole_; }
   /// After which the next page begins.

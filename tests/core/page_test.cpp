@@ -129,5 +129,18 @@ TEST(PagedNetwork, TakesNoPageOfAnotherRevisionAndNoPlaceTwice) {
   EXPECT_EQ(paged.add(page_of(network, nullptr, {}, 4)).error().code, ErrorCode::invalid);
 }
 
+TEST(PagedNetwork, TakesNoEmptyPageThatIsNotTheLast) {
+  NetworkPage empty;
+  empty.revision = Revision{3};
+  PagedNetwork paged;
+  const Result<void> added = paged.add(empty);
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().code, ErrorCode::invalid);
+  EXPECT_FALSE(paged.is_whole());
+  empty.is_last = true;
+  EXPECT_TRUE(paged.add(empty));
+  EXPECT_TRUE(paged.is_whole());
+}
+
 }  // namespace
 }  // namespace weft
