@@ -3,23 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
+#include "agents/agent/process/words.hpp"
+
 namespace weft::agents {
-namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 320> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
-
-}  // namespace
 
 Result<Records> Records::open(const std::filesystem::path& directory, const std::string& robot) {
   Records records(robot);
@@ -57,16 +47,15 @@ Records::~Records() {
 void Records::note(const AgentOutput& output, std::uint64_t frame) {
   for (const FixRecord& record : output.fixes) {
     const Pose2 pose = planar(record.fix.place_from_robot);
-    append(
-        fixes_,
-        formatted(R"({"robot":"%s","frame":%llu,"place":"%s","place_from_robot":{"x":%.6f,"y":%.6f,"heading":%.7f}})",
-                  robot_.c_str(), static_cast<unsigned long long>(record.frame), to_string(record.fix.place).c_str(),
-                  pose.x, pose.y, pose.heading));
+    append(fixes_,
+           text(R"({"robot":"%s","frame":%llu,"place":"%s","place_from_robot":{"x":%.6f,"y":%.6f,"heading":%.7f}})",
+                robot_.c_str(), static_cast<unsigned long long>(record.frame), to_string(record.fix.place).c_str(),
+                pose.x, pose.y, pose.heading));
   }
   for (const AckRecord& ack : output.acks) {
-    append(acks_, formatted(R"({"robot":"%s","experience":"%s","sequence":%llu,"first":%u,"places":%u})",
-                            robot_.c_str(), to_string(ack.experience).c_str(),
-                            static_cast<unsigned long long>(ack.sequence), ack.first, ack.places));
+    append(acks_, text(R"({"robot":"%s","experience":"%s","sequence":%llu,"first":%u,"places":%u})", robot_.c_str(),
+                       to_string(ack.experience).c_str(), static_cast<unsigned long long>(ack.sequence), ack.first,
+                       ack.places));
   }
   for (const msg::Message& message : output.send) {
     if (const auto* const progress = std::get_if<msg::RouteProgress>(&message)) note(*progress, frame);
@@ -78,9 +67,9 @@ void Records::note(const msg::RouteProgress& progress, std::uint64_t frame) {
       progress.route == told_.route && progress.version == told_.version && progress.phase == told_.phase;
   if (same) return;
   told_ = progress;
-  append(drives_, formatted(R"({"robot":"%s","frame":%llu,"goal":"%s","route":"%s","version":%u,"phase":"%s"})",
-                            robot_.c_str(), static_cast<unsigned long long>(frame), to_string(progress.goal).c_str(),
-                            to_string(progress.route).c_str(), progress.version, msg::to_string(progress.phase)));
+  append(drives_, text(R"({"robot":"%s","frame":%llu,"goal":"%s","route":"%s","version":%u,"phase":"%s"})",
+                       robot_.c_str(), static_cast<unsigned long long>(frame), to_string(progress.goal).c_str(),
+                       to_string(progress.route).c_str(), progress.version, msg::to_string(progress.phase)));
 }
 
 }  // namespace weft::agents

@@ -6,7 +6,7 @@
 
 #include "agents/agent/process/calibrate/images/read_grey.hpp"
 #include "agents/agent/process/calibrate/jobs.hpp"
-#include "agents/agent/process/calibrate/words.hpp"
+#include "agents/agent/process/words.hpp"
 
 namespace weft::agents {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
-#include "agents/agent/process/calibrate/words.hpp"
 #include "agents/agent/process/equip.hpp"
+#include "agents/agent/process/words.hpp"
 #include "agents/methods/floor/mount_drive.hpp"
 
 namespace weft::agents {

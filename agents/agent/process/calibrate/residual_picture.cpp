@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
-#include "agents/agent/process/calibrate/words.hpp"
+#include "agents/agent/process/words.hpp"
 
 namespace weft::agents {
 namespace {
