@@ -104,6 +104,7 @@ class RobotAgent final : public Agent {
   void teach_start(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
   void teach_on(const msg::AgentCommand& command, const CommandKey& key);
   void teach_stop(const CommandKey& key, SteadyTime now);
+  void teach_report(const msg::AgentCommand& command, const CommandKey& key);
   void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
   void stop(const CommandKey& key, SteadyTime now);
   void resume(const CommandKey& key, SteadyTime now);

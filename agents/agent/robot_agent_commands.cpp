@@ -91,6 +91,34 @@ void RobotAgent::teach_stop(const CommandKey& key, SteadyTime now) {
   keep(navigator_->end_teach(MapView{replica_.window(), cache_}), now);
 }
 
+/// How what it was taught will be found again: the run that goes on, or the last one.
+void RobotAgent::teach_report(const msg::AgentCommand& command, const CommandKey& key) {
+  const Result<TaughtWay> way = navigator_->taught_way();
+  if (!way) return refuse(key, way.error().message);
+  if (!command.name.empty() && command.name != to_string(way->experience)) {
+    return refuse(key, config_.name + " reports on what it was taught last, experience " +
+                           to_string(way->experience) + ": leave the name out");
+  }
+  msg::AgentReply done;
+  done.done = true;
+  done.experience = way->experience;
+  for (TaughtStretch& row : stretches_of(*way, msg::kReportRows)) {
+    done.report.push_back({.from_m = row.from_m,
+                           .to_m = row.to_m,
+                           .places = row.places,
+                           .first = row.first,
+                           .as_is = row.found[static_cast<std::size_t>(Prospect::as_is)],
+                           .half_light = row.found[static_cast<std::size_t>(Prospect::half_light)],
+                           .worn = row.found[static_cast<std::size_t>(Prospect::worn)],
+                           .sigma_m = row.sigma_m,
+                           .reason = std::move(row.reason)});
+  }
+  if (done.report.empty()) {
+    return refuse(key, config_.name + " has not tried any of its places yet: lead it on for half a metre, ask again");
+  }
+  reply(key, done);
+}
+
 void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
   if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
   if (teaching_.has_value()) return refuse(key, config_.name + " is being taught: stop that first");

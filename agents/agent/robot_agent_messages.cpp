@@ -129,7 +129,7 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
     case CommandLedger::Seen::fresh:
       break;
   }
-  teaching_failed_.clear();
+  if (command.kind != msg::AgentCommand::Kind::teach_report) teaching_failed_.clear();
   switch (command.kind) {
     case msg::AgentCommand::Kind::teach_start:
       return teach_start(command, key, now);
@@ -144,7 +144,7 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
     case msg::AgentCommand::Kind::keep_place:
       return keep_place(command, key, now);
     case msg::AgentCommand::Kind::teach_report:
-      return refuse(key, config_.name + " makes no reports on what it was taught");
+      return teach_report(command, key);
   }
   refuse(key, "this agent does not know the command");
 }

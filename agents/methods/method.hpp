@@ -2,6 +2,7 @@
 #include <tl/expected.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -106,6 +107,17 @@ struct Amendment {
   Relation a_from_b;
 };
 
+/// What may have become of a place when another robot comes by.
+enum class Prospect : std::uint8_t { as_is, half_light, worn };
+inline constexpr std::size_t prospects = 3;
+
+/// Another robot, on another day, beside where a view was taken.
+struct Passing {
+  Prospect prospect = Prospect::as_is;
+  Pose2 robot_from_other;  ///< a few centimetres and degrees: what lies further off was not in the view
+  std::uint64_t seed = 0;  ///< of its calibration's error, noise and what lies on the floor
+};
+
 /// M is a value: configuration and calibration, fixed after construction. Odometry is the state between samples.
 template <class M>
 concept Method = std::movable<M> &&
@@ -140,6 +152,14 @@ concept ChartsItself = Method<M> &&
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;
+};
+
+/// A method that can say what another robot would have seen instead of a view, of the same camera and frame: with it
+/// teaching finds out whether a place will be found again before the robot leaves it. The others know only how they
+/// find it as it is.
+template <class M>
+concept Foresees = Method<M> && requires(const M& m, const View& view, const Passing& passing) {
+  { m.foresee(view, passing) } -> std::same_as<OrRefusal<View>>;
 };
 
 /// A method that improves its own unsealed experience at its end.

@@ -8,6 +8,7 @@
 
 #include "agents/methods/method.hpp"
 #include "agents/navigation/map_view.hpp"
+#include "agents/navigation/taught_way.hpp"
 #include "agents/perception/mount.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
@@ -105,6 +106,11 @@ class Navigator {
   virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
   /// What driving has shown of the camera's mount; none: too little yet, or the method does not look.
   virtual std::optional<MountReport> mount() const { return std::nullopt; }
+
+  /// What has been taught since teaching began, or was taught last, and how it will be found again, as far as that
+  /// has been tried: some samples after each place was kept. refused: nothing has been taught yet, or the method
+  /// cannot say.
+  virtual Result<TaughtWay> taught_way() const = 0;
 
   /// A new route or a new version of it; the robot never passes `route.released`.
   virtual void follow(const Route& route) = 0;

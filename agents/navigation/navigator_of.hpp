@@ -10,6 +10,7 @@
 #include "agents/navigation/localiser.hpp"
 #include "agents/navigation/navigator.hpp"
 #include "agents/navigation/own_map.hpp"
+#include "agents/navigation/place_trials.hpp"
 #include "agents/navigation/stitcher.hpp"
 #include "agents/navigation/teacher.hpp"
 
@@ -44,12 +45,16 @@ class NavigatorOf final : public Navigator {
     own_.update(map.window, !teacher_);
     if (teacher_) {
       teacher_->advance(step);
+      trials_->drive(teacher_->driven_m());
       if (finder_) finder_->advance(step);
       if (view != nullptr) find_anchor(map, navigated);
+      if (view != nullptr && teacher_->estimate()) trials_->look(*teacher_->estimate(), odometry_, *view);
       if (view != nullptr && teacher_->due()) keep(map, navigated);
     } else if (view != nullptr) {
       localise(map, navigated);
     }
+    // What was looked at in full leaves no time.
+    if (trials_ && !latest_->content) trials_->work(motion.elapsed);
     navigated.lost = lost();
     if (navigated.lost && !localiser_.seeking()) localiser_.seek_again();
     if (hand || teacher_) {
@@ -72,6 +77,7 @@ class NavigatorOf final : public Navigator {
     stitcher_.clear();
     follower_.stop();
     teacher_.emplace(config_.teach, start, M::name, M::content_format);
+    trials_.emplace(method_, config_, start.experience);
   }
 
   std::vector<Kept> end_teach(const MapView& map) override {
@@ -121,6 +127,7 @@ class NavigatorOf final : public Navigator {
 
   void forget_taught(const Window& map) override {
     if (teacher_) return;
+    trials_.reset();
     const Window known = own_.map(map);
     own_.clear();
     const bool is_there = !estimate() || map.place(estimate()->place) != nullptr;
@@ -149,6 +156,11 @@ class NavigatorOf final : public Navigator {
   std::optional<MountReport> mount() const override {
     if constexpr (requires { method_.mount(odometry_); }) return method_.mount(odometry_);
     return std::nullopt;
+  }
+
+  Result<TaughtWay> taught_way() const override {
+    if (trials_) return trials_->way();
+    return fail(ErrorCode::refused, "nothing has been taught since its agent started");
   }
 
   void follow(const Route& route) override { follower_.follow(route); }
@@ -209,12 +221,13 @@ class NavigatorOf final : public Navigator {
     decoded_.keep(kept.place.content.hash, content);
     own_.add(kept.place, kept.edges);
     localiser_.set(Fix{kept.place.id, Metric2{}, {}});
+    trials_->kept(kept.place.id, content);
     return kept;
   }
 
   void keep(const MapView& map, Navigated& navigated) {
     const Pointer content = seen(navigated);
-    if (!content) return;
+    if (!content) return trials_->missed(latest_->content->error().reason);
     Kept kept = keep_here(content);
     own_.update(map.window, false);
     if (anchor_) own_.anchor(anchor_edge(*anchor_, kept.place.id));
@@ -303,7 +316,8 @@ class NavigatorOf final : public Navigator {
   Stitcher<M> stitcher_;
   Follower follower_;
   std::optional<Teacher> teacher_;
-  std::optional<Localiser<M>> finder_;  // looks for where teaching began
+  std::optional<PlaceTrials<M>> trials_;  // of what is taught, or was taught last
+  std::optional<Localiser<M>> finder_;    // looks for where teaching began
   OwnMap own_;
   std::optional<Estimate> anchor_;  // where teaching began, until the first place is kept
   std::optional<Latest> latest_;

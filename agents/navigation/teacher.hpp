@@ -25,6 +25,8 @@ class Teacher {
 
   /// Where the robot is on its own chain: the last place kept and the way since. None before the first.
   std::optional<Estimate> estimate() const;
+  /// Metres driven since teaching began.
+  double driven_m() const { return driven_m_.empty() ? 0.0 : driven_m_.back() + since_m_; }
   /// Metres driven from own place `index` to the last one.
   double driven_since_m(std::uint32_t index) const { return driven_m_.back() - driven_m_[index]; }
   const TeachStart& start() const { return start_; }

@@ -23,6 +23,7 @@ constexpr std::array kAskings{
     Asking{Command::robots, run_robots, kSoon},
     Asking{Command::teach_start, run_operator, 40s},
     Asking{Command::teach_stop, run_operator, 40s},
+    Asking{Command::teach_report, run_teach_report, kSoon},
     Asking{Command::localise, run_operator, 120s},  // the robot waits for its map and searches it
     Asking{Command::stop, run_operator, kSoon},
     Asking{Command::resume, run_operator, kSoon},

@@ -37,6 +37,8 @@ Exit report(const Error& error, bool json, const Output& output);
 // One family of commands each; connected already.
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
+/// How what a robot was taught will be found again, as a table and a picture.
+Exit run_teach_report(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
 /// The log of revisions, and what two of them differ in.
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);

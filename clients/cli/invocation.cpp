@@ -83,6 +83,11 @@ class Grammar {
     stop->add_flag("--replace", into_.replace,
                    "What was taught takes the place of older places that it covers (`weft map replace`)");
 
+    add(*teach, "report", "How what it was taught will be found again, so far or the last time: metre by metre",
+        Command::teach_report)
+        ->add_option("--draw", into_.file, "A picture of it, *.png or *.svg")
+        ->type_name("OUT");
+
     CLI::App* const localise =
         add(app_, "localise", "Have ROBOT find out where in the map it stands", Command::localise);
     localise->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");

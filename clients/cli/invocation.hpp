@@ -17,6 +17,7 @@ struct Invocation {
     robots,
     teach_start,
     teach_stop,
+    teach_report,
     localise,
     map_info,
     map_draw,

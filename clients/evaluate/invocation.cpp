@@ -171,6 +171,24 @@ CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds
   return sub;
 }
 
+CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "foretold",
+      "Whether teaching foretells how places will be found again: one robot is taught a line, and what it foretells "
+      "(`weft teach ROBOT report`) is held against what another one finds on another day, as it is, in half the "
+      "light "
+      "and with dirt on the floor.\n"
+      "Prints a table and writes it, foretold.md.");
+  options.out = "out/foretold";
+  flags_of_floors(sub, options, "1..3", seeds);
+  flags_of_line(sub, options);
+  const auto option = flags_of(sub);
+  option("--contrast", options.contrast, "X", "How strong the floors' contrast is, 0.01 to 4 [1]")
+      ->check(CLI::Range(0.01, 4.0).description(""));
+  option("--out", options.out, "DIR", "Folder for the table [out/foretold]");
+  return sub;
+}
+
 CLI::App* describe(CLI::App& app, GenerateOptions& generate) {
   CLI::App* const sub = app.add_subcommand(
       "generate-site",
@@ -229,12 +247,15 @@ Parsed parse(int argc, const char* const* argv) {
   std::string attempts_seeds;
   RelocaliseOptions relocalise;
   std::string relocalise_seeds;
+  ForetoldOptions foretold;
   GenerateOptions generate;
   std::string disturbances_seeds;
+  std::string foretold_seeds;
   const CLI::App* const disturbances_sub = describe(app, disturbances, disturbances_seeds);
   const CLI::App* const floor_sub = describe(app, floor);
   const CLI::App* const attempts_sub = describe(app, attempts, attempts_seeds);
   const CLI::App* const relocalise_sub = describe(app, relocalise, relocalise_seeds);
+  const CLI::App* const foretold_sub = describe(app, foretold, foretold_seeds);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -248,6 +269,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);
+  if (foretold_sub->parsed()) return with_seeds(app, foretold, foretold_seeds);
   if (const Result<void> good = check(generate.plan); !good) return mistake(app, good.error().message);
   return generate;
 }

@@ -6,6 +6,7 @@
 
 #include "clients/evaluate/disturbances/study.hpp"
 #include "clients/evaluate/floor/attempts/attempts_study.hpp"
+#include "clients/evaluate/floor/foretold_study.hpp"
 #include "clients/evaluate/floor/relocalise/relocalise_study.hpp"
 #include "clients/evaluate/floor/replay.hpp"
 #include "clients/evaluate/floor/study.hpp"
@@ -25,8 +26,8 @@ struct GenerateOptions {
   std::filesystem::path out;  ///< the store's directory; made if it is not there
 };
 
-using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ReplayOptions,
-                            GenerateOptions, NotRun>;
+using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
+                            ReplayOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

@@ -69,13 +69,21 @@ int run(const evaluate::RelocaliseOptions& options) {
   return finish(evaluate::floor::study_relocalisation(options, around), options.out);
 }
 
-int run(const evaluate::ReplayOptions& options) {
-  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  const Result<evaluate::Ended> ended = evaluate::floor::replay_floor(options, around);
+int stopped_without_result(const Result<evaluate::Ended>& ended) {
   if (!ended) return failed(ended.error());
   if (*ended == evaluate::Ended::complete) return 0;
   std::cerr << "weft-evaluate: stopped; nothing was written\n";
   return 130;
+}
+
+int run(const evaluate::ForetoldOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return stopped_without_result(evaluate::floor::study_foretold(options, around));
+}
+
+int run(const evaluate::ReplayOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return stopped_without_result(evaluate::floor::replay_floor(options, around));
 }
 
 int run(const evaluate::NotRun& not_run) {

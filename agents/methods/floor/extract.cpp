@@ -2,16 +2,14 @@
 #include <cmath>
 
 #include "agents/methods/floor/floor.hpp"
+#include "agents/methods/floor/image_of.hpp"
 
 namespace weft::agents {
 
 OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) const {
-  const auto* image = std::get_if<Image>(&view.data);
-  if (image == nullptr) return tl::unexpected<Refusal>(Refusal{"not_an_image", 0.0, 1.0});
-  if (!is_whole(*image) || image->width != camera_.width || image->height != camera_.height)
-    return tl::unexpected<Refusal>(
-        Refusal{"wrong_size", static_cast<double>(image->width), static_cast<double>(camera_.width)});
-  RectifiedFloor seen = birds_eye_.rectify(*image, config_.features, config_.patch_metres_per_pixel);
+  const OrRefusal<const Image*> image = image_of(view, camera_);
+  if (!image) return tl::unexpected(image.error());
+  RectifiedFloor seen = birds_eye_.rectify(**image, config_.features, config_.patch_metres_per_pixel);
   if (seen.features.size() < static_cast<std::size_t>(config_.fewest_features))
     return tl::unexpected<Refusal>(Refusal{"too_blank", static_cast<double>(seen.features.size()),
                                            static_cast<double>(config_.fewest_features)});

@@ -7,7 +7,7 @@
 
 namespace weft::agents {
 
-static_assert(Method<Floor>);
+static_assert(Method<Floor> && Foresees<Floor>);
 
 Floor::Floor(const FloorConfig& config, const CameraModel& camera, BirdsEye birds_eye)
     : config_(config), camera_(camera), birds_eye_(std::move(birds_eye)) {}

@@ -77,6 +77,12 @@ class Floor {
   /// floor are nearer to each other than nearly all others. None: a content without features.
   std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
 
+  /// The view as another robot would have had it: beside, its camera mounted a little differently from what its
+  /// calibration says (mount_tilt_rad, mount_height_m), on a day that is up to 30 % darker, in half that light or on
+  /// a worn floor, with the sensor's noise as it is. Where it would see floor that the view does not show, there is
+  /// foreign floor. Refusals: not_an_image, wrong_size.
+  OrRefusal<View> foresee(const View& view, const Passing& passing) const;
+
   const CameraModel& camera() const { return camera_; }
   const FloorConfig& config() const { return config_; }
 

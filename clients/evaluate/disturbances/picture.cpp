@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "clients/evaluate/canvas.hpp"
+#include "clients/chart/canvas.hpp"
 
 namespace weft::evaluate {
 namespace {
+
+using namespace charts;
 
 constexpr double kNames = 170.0;  // left of the panels
 constexpr double kPanel = 260.0;  // width

@@ -95,6 +95,9 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
   const std::vector<Kept> kept = robot->navigator().end_teach(taught.map.view());
   robot->note_last(kept);
   if (const Result<void> taken = take(kept); !taken) return fail(taken.error());
+  Result<TaughtWay> way = robot->navigator().taught_way();
+  if (!way) return fail(way.error());
+  taught.way = std::move(*way);
   Result<Trace> trace = robot->finish();
   if (!trace) return fail(trace.error());
   const PlaceSet places = places_of(*trace);

@@ -7,13 +7,14 @@
 #include <numbers>
 #include <utility>
 
-#include "clients/evaluate/chart.hpp"
+#include "clients/chart/chart.hpp"
 #include "clients/evaluate/floor/measures.hpp"
 #include "clients/evaluate/table.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
+using namespace charts;
 using Look = Curve::Look;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr std::array kPalette = {kBlue, kVermilion, kGreen, kOrange, kPurple, kSky, kInk, kQuiet};

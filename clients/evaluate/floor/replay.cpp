@@ -10,7 +10,7 @@
 
 #include "agents/bodies/replay/replay_body.hpp"
 #include "agents/perception/camera_model.hpp"
-#include "clients/evaluate/chart.hpp"
+#include "clients/chart/chart.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/alignment.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
@@ -23,6 +23,7 @@ namespace weft::evaluate::floor {
 namespace {
 
 using namespace agents;
+using namespace charts;
 
 constexpr ExperienceId kMapped{1};
 constexpr RobotId kRecorder{{1}};

@@ -63,6 +63,7 @@ class ScriptedNavigator final : public Navigator {
     script_->question.reset();
   }
   std::optional<PlaceId> suspected() const override { return script_->suspected; }
+  Result<TaughtWay> taught_way() const override { return script_->way; }
   void follow(const Route& route) override { script_->followed.push_back(route); }
   void stop() override { ++script_->stops; }
 

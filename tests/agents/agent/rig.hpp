@@ -32,6 +32,7 @@ struct Script {
   std::optional<PlaceId> suspected;
   int stops = 0;
   int forgot_taught = 0;
+  Result<TaughtWay> way = fail(ErrorCode::refused, "nothing has been taught since its agent started");
 };
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script);
 

@@ -97,6 +97,18 @@ void extract(benchmark::State& state) {
 }
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
 
+/// What teaching foretells, besides extract and relate.
+void foresee(benchmark::State& state, Prospect prospect) {
+  const Views& v = views();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const View& view = v.views[i++ % v.views.size()];
+    benchmark::DoNotOptimize(v.method.foresee(view, {prospect, {0.0, 0.05, 0.03}, i}));
+  }
+}
+BENCHMARK_CAPTURE(foresee, half_light, Prospect::half_light)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(foresee, worn, Prospect::worn)->Unit(benchmark::kMillisecond);
+
 void extract_plain_opencv_orb_on_the_image(benchmark::State& state) {
   const Views& v = views();
   const auto orb = cv::ORB::create(600);

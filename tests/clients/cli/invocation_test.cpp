@@ -31,6 +31,7 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"robots"}, Command::robots},
       {{"teach", "r1", "start", "--as", "loop", "--along", "f"}, Command::teach_start},
       {{"teach", "r1", "stop"}, Command::teach_stop},
+      {{"teach", "r1", "report", "--draw", "a.svg"}, Command::teach_report},
       {{"localise", "r1", "--at", "dock"}, Command::localise},
       {{"map", "info"}, Command::map_info},
       {{"map", "draw", "a.png"}, Command::map_draw},

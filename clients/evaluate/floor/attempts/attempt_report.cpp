@@ -7,11 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "clients/evaluate/chart.hpp"
+#include "clients/chart/chart.hpp"
 #include "clients/evaluate/table.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
+
+using namespace charts;
 
 using Cells = std::vector<std::vector<std::string>>;
 constexpr double kDegreesARad = 180.0 / std::numbers::pi;

@@ -5,13 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "clients/evaluate/chart.hpp"
+#include "clients/chart/chart.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "clients/evaluate/table.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
+
+using namespace charts;
 
 constexpr double kMedianPercent = 99.0;
 constexpr double kWorstPercent = 97.0;

@@ -1,15 +1,13 @@
-#include "clients/evaluate/chart.hpp"
+#include "clients/chart/chart.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-namespace weft::evaluate {
+namespace weft::charts {
 namespace {
 
-constexpr double kChartWide = 560.0;
-constexpr double kChartTall = 330.0;
 constexpr double kLeft = 70.0;
 constexpr double kRight = 20.0;
 constexpr double kTop = 54.0;  // title and legend
@@ -49,11 +47,11 @@ struct Frame {
   }
 };
 
-Frame frame_of(const Chart& chart, double left, double top) {
+Frame frame_of(const Chart& chart, const ChartSize& size, double left, double top) {
   Frame frame{left + kLeft,
               top + kTop,
-              kChartWide - kLeft - kRight,
-              kChartTall - kTop - kBottom,
+              size.wide - kLeft - kRight,
+              size.tall - kTop - kBottom,
               range_of(chart, &Dot::x),
               widened(range_of(chart, &Dot::y), 0.06)};
   if (chart.is_map) {
@@ -117,16 +115,16 @@ constexpr double kLegendKey = 26.0;  // the line or dot before a name
 constexpr double kLegendGap = 18.0;
 
 /// Smaller letters where there are many names.
-double legend_shrunk(Canvas& canvas, const Chart& chart) {
+double legend_shrunk(Canvas& canvas, const Chart& chart, double room) {
   double wide = 0.0;
   for (const Curve& curve : chart.curves) {
     if (!curve.name.empty()) wide += kLegendKey + canvas.width(curve.name, kLegendSize) + kLegendGap;
   }
-  return std::min(1.0, (kChartWide - kLeft) / std::max(1.0, wide));
+  return std::min(1.0, room / std::max(1.0, wide));
 }
 
-void draw_legend(Canvas& canvas, const Chart& chart, double left, double y) {
-  const double shrunk = legend_shrunk(canvas, chart);
+void draw_legend(Canvas& canvas, const Chart& chart, double left, double y, double room) {
+  const double shrunk = legend_shrunk(canvas, chart, room);
   double x = left;
   for (const Curve& curve : chart.curves) {
     if (curve.name.empty()) continue;
@@ -140,10 +138,10 @@ void draw_legend(Canvas& canvas, const Chart& chart, double left, double y) {
   }
 }
 
-void draw_chart(Canvas& canvas, const Chart& chart, double left, double top) {
-  const Frame frame = frame_of(chart, left, top);
+void draw_chart(Canvas& canvas, const Chart& chart, const ChartSize& size, double left, double top) {
+  const Frame frame = frame_of(chart, size, left, top);
   canvas.text(left + kLeft, top + 18.0, chart.title, 14.0, kInk);
-  draw_legend(canvas, chart, left + kLeft, top + 40.0);
+  draw_legend(canvas, chart, left + kLeft, top + 40.0, size.wide - kLeft);
   draw_grid(canvas, frame);
   canvas.keep_within(frame.left, frame.top, frame.wide, frame.tall);
   for (const Curve& curve : chart.curves) draw_curve(canvas, frame, curve);
@@ -165,19 +163,19 @@ double grid_step(double low, double high, int many) {
 }
 
 Result<void> draw_charts(const std::string& title, const std::string& about, const std::vector<Chart>& charts,
-                         std::size_t columns, const std::filesystem::path& file) {
+                         std::size_t columns, const std::filesystem::path& file, const ChartSize& size) {
   const std::size_t beside = std::min(columns, std::max<std::size_t>(1, charts.size()));
   const std::size_t rows = (charts.size() + beside - 1) / beside;
-  Canvas canvas(20.0 + kChartWide * static_cast<double>(beside), kHead + kChartTall * static_cast<double>(rows));
+  Canvas canvas(20.0 + size.wide * static_cast<double>(beside), kHead + size.tall * static_cast<double>(rows));
   canvas.text(24.0, 32.0, title, 20.0, kInk);
   canvas.text(24.0, 54.0, about, 12.0, kQuiet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::size_t row = i / beside;
     const std::size_t column = i % beside;
-    draw_chart(canvas, charts[i], 10.0 + kChartWide * static_cast<double>(column),
-               kHead + kChartTall * static_cast<double>(row));
+    draw_chart(canvas, charts[i], size, 10.0 + size.wide * static_cast<double>(column),
+               kHead + size.tall * static_cast<double>(row));
   }
   return canvas.write(file);
 }
 
-}  // namespace weft::evaluate
+}  // namespace weft::charts

@@ -1,14 +1,35 @@
-#include "clients/evaluate/canvas.hpp"
+#include "clients/chart/canvas.hpp"
+
+#include <cairo-svg.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace weft::evaluate {
+namespace weft::charts {
+
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+/// What is drawn is kept and drawn again into each file.
+cairo_surface_t* recording(double wide, double tall) {
+  const cairo_rectangle_t all = {0.0, 0.0, wide, tall};
+  return cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all);
+}
+
+void copy(cairo_surface_t* from, cairo_surface_t* to) {
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(to), cairo_destroy);
+  cairo_set_source_surface(pen.get(), from, 0.0, 0.0);
+  cairo_paint(pen.get());
+}
+
+}  // namespace
 
 Canvas::Canvas(double wide, double tall)
-    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(wide), static_cast<int>(tall)),
-               cairo_surface_destroy),
+    : wide_(wide),
+      tall_(tall),
+      surface_(recording(wide, tall), cairo_surface_destroy),
       pen_(cairo_create(surface_.get()), cairo_destroy) {
   colour(kWhite);
   cairo_paint(pen_.get());
@@ -81,10 +102,18 @@ void Canvas::free() {
 }
 
 Result<void> Canvas::write(const std::filesystem::path& file) const {
-  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.c_str());
+  const bool svg = file.extension() == ".svg";
+  const Surface sheet(
+      svg ? cairo_svg_surface_create(file.c_str(), wide_, tall_)
+          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(wide_), static_cast<int>(tall_)),
+      cairo_surface_destroy);
+  copy(surface_.get(), sheet.get());
+  if (svg) cairo_surface_finish(sheet.get());
+  const cairo_status_t status =
+      svg ? cairo_surface_status(sheet.get()) : cairo_surface_write_to_png(sheet.get(), file.c_str());
   if (status == CAIRO_STATUS_SUCCESS) return {};
   return fail(ErrorCode::unavailable,
               file.string() + ": " + cairo_status_to_string(status) + "; is the folder there?");
 }
 
-}  // namespace weft::evaluate
+}  // namespace weft::charts

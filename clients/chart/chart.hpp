@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "clients/evaluate/canvas.hpp"
+#include "clients/chart/canvas.hpp"
 #include "core/result.hpp"
 
-namespace weft::evaluate {
+namespace weft::charts {
 
 /// In the chart's units, y upwards.
 struct Curve {
@@ -29,11 +29,18 @@ struct Chart {
   bool y_from_zero = false;
 };
 
-/// A PNG: charts beside and below each other, `columns` in a row, each with axes, units and a legend.
+/// Of each chart, pixels.
+struct ChartSize {
+  double wide = 560.0;
+  double tall = 330.0;
+};
+
+/// A PNG, or a file that ends in .svg: charts beside and below each other, `columns` in a row, each with axes, units
+/// and a legend.
 Result<void> draw_charts(const std::string& title, const std::string& about, const std::vector<Chart>& charts,
-                         std::size_t columns, const std::filesystem::path& file);
+                         std::size_t columns, const std::filesystem::path& file, const ChartSize& size = {});
 
 /// Grid lines of an axis from `low` to `high`: a step of 1, 2 or 5 times a power of ten, about `many` of them.
 double grid_step(double low, double high, int many);
 
-}  // namespace weft::evaluate
+}  // namespace weft::charts

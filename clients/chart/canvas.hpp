@@ -8,8 +8,8 @@
 
 #include "core/result.hpp"
 
-/// What the pictures of all studies are drawn with. Lengths in pixels, y downwards.
-namespace weft::evaluate {
+/// What charts and the pictures of studies are drawn with. Lengths in pixels, y downwards.
+namespace weft::charts {
 
 struct Colour {
   double r, g, b;
@@ -48,14 +48,15 @@ class Canvas {
   void keep_within(double left, double top, double wide, double tall);
   void free();
 
-  /// PNG. unavailable: names the file.
+  /// A file that ends in .svg, or a PNG. unavailable: names the file.
   Result<void> write(const std::filesystem::path& file) const;
 
  private:
   void colour(const Colour& ink);
 
+  double wide_, tall_;
   std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
   std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen_;
 };
 
-}  // namespace weft::evaluate
+}  // namespace weft::charts

@@ -1,0 +1,25 @@
+#include "agents/methods/floor/floor.hpp"
+#include "agents/methods/floor/image_of.hpp"
+#include "agents/perception/foreseen.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents {
+
+OrRefusal<View> Floor::foresee(const View& view, const Passing& passing) const {
+  const OrRefusal<const Image*> image = image_of(view, camera_);
+  if (!image) return tl::unexpected(image.error());
+  Random random(passing.seed);
+  OtherLook look;
+  look.robot_from_other = passing.robot_from_other;
+  look.sway = {random.normal(0.0, config_.mount_tilt_rad), random.normal(0.0, config_.mount_tilt_rad),
+               random.normal(0.0, config_.mount_height_m)};
+  // Lamps age, windows and the camera's exposure drift: another day is a little darker, if it is not brighter.
+  look.light = random.uniform(0.7, 1.0) * (passing.prospect == Prospect::half_light ? 0.5 : 1.0);
+  if (passing.prospect == Prospect::worn) look.wear = FloorWear{.far_m = config_.far_m};
+  look.seed = random.next();
+  View other = view;
+  other.data = foreseen(**image, camera_, look);
+  return other;
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,165 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "agents/methods/method.hpp"
+#include "agents/navigation/agreement.hpp"
+#include "agents/navigation/belief.hpp"
+#include "agents/navigation/config.hpp"
+#include "agents/navigation/taught_way.hpp"
+#include "core/random.hpp"
+#include "core/result.hpp"
+
+namespace weft::agents {
+
+/// For methods that cannot say what another robot would see: nothing is tried.
+template <Method M>
+class PlaceTrials {
+ public:
+  using Pointer = std::shared_ptr<const typename M::Content>;
+  PlaceTrials(const M&, const NavigationConfig&, const ExperienceId&) {}
+  Result<TaughtWay> way() const {
+    return fail(ErrorCode::refused,
+                "the method " + std::string(M::name) + " cannot say how what it was taught will be found again");
+  }
+  void drive(double) {}
+  void kept(const PlaceId&, const Pointer&) {}
+  void missed(std::string_view) {}
+  void look(const Estimate&, const typename M::Odometry&, const View&) {}
+  void work(Duration) {}
+};
+
+/// Finds out while a robot is taught whether its places will be found again: each is related, guided as localising
+/// does it, to a view from a quarter of the spacing further on as another robot that passes aside would have had it.
+/// A step at a time, in the slack that samples leave; where there is too little of that, places are left out evenly.
+/// Pure: seeds come from the places' ids.
+template <Foresees M>
+class PlaceTrials<M> {
+ public:
+  using Content = typename M::Content;
+  using Pointer = std::shared_ptr<const Content>;
+
+  PlaceTrials(const M& method, const NavigationConfig& config, const ExperienceId& experience)
+      : method_(&method), config_(config) {
+    way_.experience = experience;
+  }
+
+  Result<TaughtWay> way() const { return way_; }
+
+  void drive(double driven_m) { way_.driven_m = driven_m; }
+  void kept(const PlaceId& place, Pointer content) {
+    way_.places.push_back({place, way_.driven_m, std::nullopt});
+    newest_ = std::move(content);
+  }
+  /// A place was due and not worth keeping.
+  void missed(std::string_view reason) {
+    constexpr double apart_m = 0.1;
+    const bool is_known = !way_.missed.empty() && way_.missed.back().reason == reason &&
+                          way_.driven_m - way_.missed.back().at_m < apart_m;
+    if (!is_known) way_.missed.push_back({way_.driven_m, reason});
+  }
+
+  /// A view while teaching, before it may become a place; `here`: on the last place kept.
+  void look(const Estimate& here, const typename M::Odometry& odometry, const View& view) {
+    // About as far as a robot that localises passes from where it looks.
+    constexpr double of_spacing = 0.25;
+    const bool is_far_enough = distance_m(here.place_from_robot) >= of_spacing * config_.teach.spacing_m ||
+                               std::abs(heading_rad(here.place_from_robot)) >= of_spacing * config_.teach.spacing_rad;
+    if (!newest_ || !is_far_enough) return;
+    const Pointer content = std::exchange(newest_, nullptr);
+    if (waiting_.size() >= most_waiting) return;
+    waiting_.push_back({way_.places.size() - 1, content, here.place_from_robot, odometry, view, {}});
+  }
+
+  /// What a sample leaves time for: one step for each 30 ms since the sample before.
+  void work(Duration elapsed) {
+    constexpr double step_s = 0.03;
+    constexpr int most_steps = 4;
+    int steps = std::clamp(static_cast<int>(seconds(elapsed) / step_s), 1, most_steps);
+    for (; steps > 0 && !waiting_.empty(); --steps) advance(waiting_.front());
+  }
+
+ private:
+  /// A place and a view of it from further on.
+  struct Waiting {
+    std::size_t place = 0;  // index into way_.places
+    Pointer content;
+    Relation place_from_robot;
+    typename M::Odometry odometry;
+    View view;
+    Trials trials;
+  };
+  /// What the other robot sees under the prospect that is tried.
+  struct Seen {
+    Content content;
+    Relation place_from_other;
+  };
+
+  /// Either what the other robot sees, or whether it is the place.
+  void advance(Waiting& first) {
+    // One seed for all prospects: they differ in light and wear alone.
+    const PlaceId& place = way_.places[first.place].id;
+    Random random = Random(place.experience.value).fork(place.index);
+    if (seen_) return done(first, find(first, random.fork(1)));
+    OrRefusal<Seen> seen = see(first, random.fork(2));
+    if (!seen) return done(first, {false, seen.error().reason, 0.0});
+    seen_ = std::move(*seen);
+  }
+
+  OrRefusal<Seen> see(const Waiting& first, Random random) const {
+    // A hand's breadth beside, looking a little to one side.
+    const double side = random.chance(0.5) ? 1.0 : -1.0;
+    const double turned = random.chance(0.5) ? 1.0 : -1.0;
+    const Pose2 robot_from_other{0.0, side * random.uniform(0.02, 0.08), turned * random.uniform(0.017, 0.07)};
+    const OrRefusal<View> view = method_->foresee(first.view, {prospect_, robot_from_other, random.next()});
+    if (!view) return tl::unexpected(view.error());
+    OrRefusal<Content> content = method_->extract(first.odometry, *view);
+    if (!content) return tl::unexpected(content.error());
+    return Seen{std::move(*content), compose(first.place_from_robot, Metric2{robot_from_other})};
+  }
+
+  /// What is believed of where it is, is off by what a robot that has just localised may be off.
+  Trial find(const Waiting& first, Random random) const {
+    constexpr double guess_sigma_m = 0.03;
+    constexpr double guess_sigma_rad = 0.02;
+    const Pose2 off{random.normal(0.0, guess_sigma_m), random.normal(0.0, guess_sigma_m),
+                    random.normal(0.0, guess_sigma_rad)};
+    const Relation& expected = seen_->place_from_other;
+    const Relation guess = with_noise(compose(expected, Metric2{off}), guess_sigma_m, guess_sigma_rad);
+    const OrRefusal<Related> related = method_->relate(*first.content, seen_->content, guess);
+    if (!related) return {false, related.error().reason, 0.0};
+    if (agreement(expected, related->a_from_b, config_.stitch.agree_m, config_.stitch.agree_rad))
+      return {false, "found_elsewhere", 0.0};
+    return {true, {}, spread_of(related->a_from_b).metres};
+  }
+
+  void done(Waiting& first, const Trial& trial) {
+    seen_.reset();
+    first.trials[static_cast<std::size_t>(prospect_)] = trial;
+    prospect_ = static_cast<Prospect>(static_cast<std::uint8_t>(prospect_) + 1);
+    if (static_cast<std::size_t>(prospect_) < prospects) return;
+    prospect_ = Prospect::as_is;
+    way_.places[first.place].trials = first.trials;
+    waiting_.pop_front();
+  }
+
+  static constexpr std::size_t most_waiting = 6;  // each holds a view
+
+  const M* method_;
+  NavigationConfig config_;
+  TaughtWay way_;
+  Pointer newest_;  // of the last place kept, until a view of it is taken
+  std::deque<Waiting> waiting_;
+  Prospect prospect_ = Prospect::as_is;
+  std::optional<Seen> seen_;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/navigation/config.hpp"
+#include "agents/navigation/taught_way.hpp"
+#include "clients/evaluate/floor/drive.hpp"
+#include "clients/evaluate/floor/scenario.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::floor {
+
+/// What is foretold while a robot is taught, against what another robot really finds. Each prospect has a light or
+/// wear of the simulated body that it is about.
+const std::string& light_of(agents::Prospect prospect);
+
+/// A place of which both are known.
+struct Compared {
+  double at_m = 0.0;
+  bool foretold = false;
+  bool found = false;
+};
+
+/// Another robot is led along the same line by a clumsy hand, on another day, under the prospect's light; its view
+/// nearest to each place is related to it, with a guess that is off as in localising, and must agree with the truth
+/// within `config`'s agree_m and agree_rad. Places with no view within half a metre are left out. None: stopped.
+Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, agents::Prospect prospect,
+                                                     const Taught& taught, const agents::StitchConfig& config);
+
+/// Of all places, and of each metre by itself.
+struct Agreement {
+  std::size_t places = 0;
+  double foretold = 0.0;     ///< share
+  double found = 0.0;        ///< share
+  double metre_apart = 0.0;  ///< mean difference of the two shares of a metre
+};
+Agreement agreement_of(const std::vector<Compared>& compared);
+
+}  // namespace weft::evaluate::floor

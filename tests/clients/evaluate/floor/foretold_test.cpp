@@ -1,0 +1,124 @@
+#include "clients/evaluate/floor/foretold.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "clients/evaluate/floor/foretold_study.hpp"
+#include "tests/storage/temporary_directory.hpp"
+
+namespace weft::evaluate::floor {
+namespace {
+
+using agents::Prospect;
+
+/// A small camera: quicker.
+constexpr const char* kSmallHall = R"(
+[floor]
+x_min = 0.0
+y_min = 0.0
+x_max = 12.0
+y_max = 6.0
+[camera]
+width_px = 376
+height_px = 240
+focal_px = 230
+[[robot]]
+name = "r1"
+x = 2.0
+y = 3.0
+)";
+
+TEST(ForetoldAgreement, CountsAllAndEachMetre) {
+  const Agreement none = agreement_of({});
+  EXPECT_EQ(none.places, 0U);
+  const Agreement some = agreement_of({{0.1, true, true}, {0.5, true, false}, {1.2, false, true}, {1.3, true, true}});
+  EXPECT_EQ(some.places, 4U);
+  EXPECT_DOUBLE_EQ(some.foretold, 0.75);
+  EXPECT_DOUBLE_EQ(some.found, 0.75);
+  EXPECT_DOUBLE_EQ(some.metre_apart, 0.5);
+}
+
+class Foretelling : public testing::Test {
+ protected:
+  /// Of a way of 3 m on epoxy of that contrast, by prospect.
+  std::array<Agreement, agents::prospects> of_contrast(double contrast) const {
+    Stage stage;
+    stage.site = *agents::sim::parse_site(kSmallHall, "small");
+    stage.site.floor.contrast = contrast;
+    stage.line = {{2.0, 3.0}, {5.0, 3.0}};
+    stage.scratch = folder.path() / "truth.now";
+    stage.asked_to_stop = [] { return false; };
+    const auto scenario = Scenario::make(stage, "epoxy", 1);
+    Taught taught;
+    if (!scenario || !teach(scenario->first(), scenario->line(), taught)) throw std::runtime_error("not taught");
+    std::array<Agreement, agents::prospects> all;
+    for (const Prospect prospect : {Prospect::as_is, Prospect::half_light, Prospect::worn}) {
+      const auto compared = compare(*scenario, prospect, taught, agents::StitchConfig{});
+      if (!compared || !*compared) throw std::runtime_error("not compared");
+      all[static_cast<std::size_t>(prospect)] = agreement_of(**compared);
+    }
+    return all;
+  }
+  storage::TemporaryDirectory folder;
+};
+
+/// A floor so faint that the light decides: as it is all is found, and in half the light a part.
+TEST_F(Foretelling, IsWhatAnotherRobotFinds) {
+  constexpr double kApart = 0.25;
+  const auto faint = of_contrast(0.6);
+  for (const Agreement& agreement : faint) {
+    EXPECT_GE(agreement.places, 10U);
+    EXPECT_LE(agreement.foretold, agreement.found + kApart) << "it promises too much";
+  }
+  EXPECT_NEAR(faint[0].foretold, faint[0].found, kApart);
+  EXPECT_NEAR(faint[1].foretold, faint[1].found, kApart);
+  EXPECT_GT(faint[0].foretold - faint[1].foretold, kApart) << "else nothing was told apart";
+  EXPECT_GT(faint[0].found - faint[1].found, kApart) << "else there was nothing to tell apart";
+}
+
+TEST_F(Foretelling, AFloorThatThereIsNotIsRefused) {
+  const auto site = folder.path() / "small.toml";
+  const auto line = folder.path() / "small.line";
+  std::ofstream(site) << kSmallHall;
+  std::ofstream(line) << "2 3\n4.5 3\n";
+  std::ostringstream out;
+  std::ostringstream progress;
+  ForetoldOptions options;
+  options.site = site;
+  options.along = line;
+  options.out = folder.path() / "out";
+  options.kind = "cheese";
+  options.metres = 2.0;
+  const auto refused = study_foretold(options, {out, progress, [] { return 0.0; }, [] { return false; }});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message.find("cheese"), std::string::npos);
+}
+
+TEST_F(Foretelling, StopsWhenAsked) {
+  const auto site = folder.path() / "small.toml";
+  const auto line = folder.path() / "small.line";
+  std::ofstream(site) << kSmallHall;
+  std::ofstream(line) << "2 3\n4.5 3\n";
+  std::ostringstream out;
+  std::ostringstream progress;
+  ForetoldOptions options;
+  options.site = site;
+  options.along = line;
+  options.out = folder.path() / "out";
+  options.kind = "epoxy";
+  options.metres = 2.0;
+  int samples = 5;
+  const auto ended =
+      study_foretold(options, {out, progress, [] { return 0.0; }, [&samples] { return --samples < 0; }});
+  ASSERT_TRUE(ended.has_value()) << ended.error().message;
+  EXPECT_EQ(*ended, Ended::stopped);
+  EXPECT_FALSE(std::filesystem::exists(options.out / "truth.now"));
+}
+
+}  // namespace
+}  // namespace weft::evaluate::floor
