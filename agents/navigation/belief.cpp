@@ -63,13 +63,6 @@ Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad) 
   return noisy;
 }
 
-Relation moved(const BeliefConfig& config, const Relation& a_from_previous, const Relation& previous_from_current) {
-  const double metres = distance_m(previous_from_current);
-  const double radians = std::abs(heading_rad(previous_from_current));
-  return with_noise(compose(a_from_previous, previous_from_current), config.odometry_share_m * metres,
-                    config.odometry_share_rad * (metres + radians));
-}
-
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured) {
   const Eigen::Vector3d apart = log2(planar(predicted).inverse() * planar(measured));
   Eigen::Matrix3d covariance = planar_covariance(predicted) + planar_covariance(measured);
@@ -101,11 +94,11 @@ std::optional<Relation> between(const BeliefConfig& config, const Window& window
 
 void Belief::advance(const Step& step) {
   if (estimate_) {
-    estimate_->place_from_robot = moved(config_, estimate_->place_from_robot, step.previous_from_current);
+    estimate_->place_from_robot = compose(estimate_->place_from_robot, step.previous_from_current);
     estimate_->blind_m += distance_m(step.previous_from_current);
   }
   if (proposed_) {
-    proposed_->place_from_robot = moved(config_, proposed_->place_from_robot, step.previous_from_current);
+    proposed_->place_from_robot = compose(proposed_->place_from_robot, step.previous_from_current);
   }
 }
 

@@ -10,10 +10,6 @@ namespace weft::agents {
 /// `relation` with extra independent uncertainty (one sigma) at its b end.
 Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad);
 
-/// a_from_current from a_from_previous and a step, with the configured share of odometry noise on top of the step's
-/// own.
-Relation moved(const BeliefConfig& config, const Relation& a_from_previous, const Relation& previous_from_current);
-
 /// How far two relations between the same two frames lie apart, in sigmas (Mahalanobis over x, y, heading; the
 /// configured floor is part of the covariance).
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured);

@@ -21,8 +21,6 @@ void each_teach(Config& teach, const In& in) {
 
 template <class Config, class In>
 void each_belief(Config& belief, const In& in) {
-  in("odometry_share_m", belief.odometry_share_m, Low::closed, 0, 1);
-  in("odometry_share_rad", belief.odometry_share_rad, Low::closed, 0, 1);
   in("map_sigma_m", belief.map_sigma_m, Low::closed, 0, 0.2);
   in("map_sigma_rad", belief.map_sigma_rad, Low::closed, 0, 0.2);
   in("gate_sigmas", belief.gate_sigmas, Low::open, 0, 10);

@@ -15,8 +15,6 @@ struct TeachConfig {
 };
 
 struct BeliefConfig {
-  double odometry_share_m = 0.02;    ///< sigma added to every step, a metre driven; its own may be too small; [0, 1]
-  double odometry_share_rad = 0.02;  ///< the same, per radian turned and metre driven; [0, 1]
   double map_sigma_m = 0.005;        ///< sigma added for an edge between two places; [0, 0.2]
   double map_sigma_rad = 0.005;      ///< [0, 0.2]
   double gate_sigmas = 4.0;          ///< a fix this far from what was predicted is refused (Mahalanobis); (0, 10]

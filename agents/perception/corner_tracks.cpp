@@ -5,15 +5,9 @@
 #include <opencv2/video/tracking.hpp>
 
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/tracking_levels.hpp"
 
 namespace weft::agents {
-
-struct TrackingImage::Levels {
-  cv::Mat image;
-  std::vector<cv::Mat> pyramid;
-  int window_px = 11;
-  int top = 3;
-};
 
 bool is_whole(const Image& image) {
   return image.width > 0 && image.height > 0 && image.pixels != nullptr &&
@@ -27,13 +21,11 @@ TrackingImage prepare_tracking(const Image& image, int window_px, int levels) {
   prepared->top = cv::buildOpticalFlowPyramid(prepared->image, prepared->pyramid, {window_px, window_px}, levels);
   // The pyramid holds copies, with borders; the first level serves for corners, so the view may go.
   prepared->image = prepared->pyramid.front();
-  TrackingImage out;
-  out.levels_ = prepared;
-  return out;
+  return TrackingImage(prepared);
 }
 
 std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config) {
-  const cv::Mat& grey = image.levels_->image;
+  const cv::Mat& grey = image.levels().image;
   std::vector<cv::KeyPoint> found;
   for (int threshold = config.threshold;; threshold = std::max(threshold / 2, config.lowest)) {
     cv::FAST(grey, found, threshold, true);
@@ -76,13 +68,13 @@ std::vector<Track> track_corners(const TrackingImage& from, const TrackingImage&
   }
   std::vector<std::uint8_t> status;
   std::vector<float> error;
-  const int window = from.levels_->window_px;
-  cv::calcOpticalFlowPyrLK(from.levels_->pyramid, to.levels_->pyramid, start, end, status, error, {window, window},
-                           std::min(from.levels_->top, to.levels_->top),
+  const int window = from.levels().window_px;
+  cv::calcOpticalFlowPyrLK(from.levels().pyramid, to.levels().pyramid, start, end, status, error, {window, window},
+                           std::min(from.levels().top, to.levels().top),
                            {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01}, cv::OPTFLOW_USE_INITIAL_FLOW);
   const double margin = 2.0;
-  const double right = to.levels_->image.cols - 1.0 - margin;
-  const double bottom = to.levels_->image.rows - 1.0 - margin;
+  const double right = to.levels().image.cols - 1.0 - margin;
+  const double bottom = to.levels().image.rows - 1.0 - margin;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     tracks[i].pixel = {end[i].x, end[i].y};
     tracks[i].error = error[i];

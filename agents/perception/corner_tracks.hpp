@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "agents/perception/view.hpp"
@@ -13,18 +14,16 @@ bool is_whole(const Image& image);
 /// An image prepared for tracking. Shares its levels; copying is cheap. Keeps its own pixels.
 class TrackingImage {
  public:
+  struct Levels;  ///< agents/perception/tracking_levels.hpp
+
   TrackingImage() = default;
+  explicit TrackingImage(std::shared_ptr<const Levels> levels) : levels_(std::move(levels)) {}
   explicit operator bool() const { return levels_ != nullptr; }
+  /// There are some.
+  const Levels& levels() const { return *levels_; }
 
  private:
-  struct Levels;
   std::shared_ptr<const Levels> levels_;
-
-  friend TrackingImage prepare_tracking(const Image&, int, int);
-  friend std::vector<Eigen::Vector2d> find_corners(const TrackingImage&, const struct CornerConfig&);
-  friend std::vector<struct Track> track_corners(const TrackingImage&, const TrackingImage&,
-                                                 const std::vector<Eigen::Vector2d>&,
-                                                 const std::vector<Eigen::Vector2d>&);
 };
 
 /// `window_px` is odd; `levels` >= 1 halvings. The image is whole.

@@ -76,6 +76,8 @@ class MountWatch {
  public:
   MountWatch(const CameraModel& camera, const MountPrior& prior) : filter_(camera, prior) {}
   void add(const FloorViews& views);
+  /// As far as it is known by now.
+  MountTilt tilt() const { return filter_.tilt(); }
   /// None before 10 pairs of views.
   std::optional<MountReport> report() const;
 

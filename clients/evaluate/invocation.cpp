@@ -189,6 +189,30 @@ CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds) 
   return sub;
 }
 
+CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "odometry",
+      "How good the odometry of the method floor is by itself: each drive is watched with the camera as it was "
+      "calibrated and as it is given, at three frame rates; speed error, drift, and how often the 95 % region of its "
+      "covariance holds the truth over 1 m and 10 m.\n"
+      "Writes odometry.csv and prints a table. Ctrl-C stops it; it begins anew.");
+  seeds = "1..3";
+  options.site = "deploy/sites/demo.toml";
+  options.out = "out/odometry";
+  const auto option = flags_of(sub);
+  option("--kind", options.kind, "K", "One kind of floor [all]");
+  option("--seeds", seeds, "A..B", "Seeds A to B, or one [1..3]");
+  option("--site", options.site, "FILE", "Site file [deploy/sites/demo.toml]");
+  option("--along", options.along, "FILE",
+         "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
+  option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [26]")
+      ->check(CLI::Range(11.0, 1000.0).description(""));
+  option("--out", options.out, "DIR", "Folder for odometry.csv [out/odometry]");
+  sub->add_flag("--candidates", options.candidates,
+                "Other ways to see motion beside it (tracks, direct alignment, binary features), on the first 8 m");
+  return sub;
+}
+
 CLI::App* describe(CLI::App& app, GenerateOptions& generate) {
   CLI::App* const sub = app.add_subcommand(
       "generate-site",
@@ -248,14 +272,17 @@ Parsed parse(int argc, const char* const* argv) {
   RelocaliseOptions relocalise;
   std::string relocalise_seeds;
   ForetoldOptions foretold;
+  OdometryOptions odometry;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
+  std::string odometry_seeds;
   const CLI::App* const disturbances_sub = describe(app, disturbances, disturbances_seeds);
   const CLI::App* const floor_sub = describe(app, floor);
   const CLI::App* const attempts_sub = describe(app, attempts, attempts_seeds);
   const CLI::App* const relocalise_sub = describe(app, relocalise, relocalise_seeds);
   const CLI::App* const foretold_sub = describe(app, foretold, foretold_seeds);
+  const CLI::App* const odometry_sub = describe(app, odometry, odometry_seeds);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -266,6 +293,7 @@ Parsed parse(int argc, const char* const* argv) {
     return mistake(app, problem.what());
   }
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
+  if (odometry_sub->parsed()) return with_seeds(app, odometry, odometry_seeds);
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

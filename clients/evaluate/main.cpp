@@ -1,5 +1,6 @@
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <exception>
 #include <iostream>
 
@@ -20,6 +21,12 @@ void ask_to_stop(int /*signal*/) {
 
 double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double thread_cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 int failed(const Error& error) {
@@ -79,6 +86,11 @@ int stopped_without_result(const Result<evaluate::Ended>& ended) {
 int run(const evaluate::ForetoldOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return stopped_without_result(evaluate::floor::study_foretold(options, around));
+}
+
+int run(const evaluate::OdometryOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return stopped_without_result(evaluate::odometry::study_odometry(options, around, thread_cpu_s));
 }
 
 int run(const evaluate::ReplayOptions& options) {

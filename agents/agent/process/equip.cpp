@@ -88,17 +88,6 @@ Result<CameraModel> make_camera(const Options& options, const Body& body,
   return camera;
 }
 
-FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
-  constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
-  constexpr double kLeastScale = 0.001;
-  const FloorConfig unset;
-  if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)
-    config.mount_tilt_rad = std::clamp(*known.tilt_rad, kLeastTilt, 0.1);
-  if (known.height_share.has_value() && config.scale_sigma == unset.scale_sigma)
-    config.scale_sigma = std::clamp(*known.height_share, kLeastScale, 0.1);
-  return config;
-}
-
 Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera) {
   const NavigationConfig& config = options.navigation;
   if (const std::vector<Error> wrong = check(config); !wrong.empty()) return fail(wrong.front());

@@ -24,7 +24,4 @@ Result<CameraModel> make_camera(const Options& options, const Body& body,
 /// invalid: the calibration or a setting of the method breaks its bound.
 Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera);
 
-/// The settings with what is known of the camera in place of those that were not set: mount_tilt_rad, scale_sigma.
-FloorConfig informed(FloorConfig config, const CalibrationSigma& known);
-
 }  // namespace weft::agents

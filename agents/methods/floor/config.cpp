@@ -1,5 +1,6 @@
 #include "agents/methods/floor/config.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -42,7 +43,8 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"mount_height_m", &FloorConfig::mount_height_m, 1e-6, 0.1},
     {"mount_position_m", &FloorConfig::mount_position_m, 1e-6, 0.1},
     {"scale_sigma", &FloorConfig::scale_sigma, 1e-6, 0.1},
-    {"scale_memory_m", &FloorConfig::scale_memory_m, 1e-6, 100},
+    {"mount_yaw_rad", &FloorConfig::mount_yaw_rad, 1e-6, 0.1},
+    {"calibration_memory_m", &FloorConfig::calibration_memory_m, 1e-6, 100},
     {"normal_angle_rad", &FloorConfig::normal_angle_rad, 1e-6, 1.2},
     {"along_normal_heights", &FloorConfig::along_normal_heights, 1e-6, 1},
     {"decompose_from_heights", &FloorConfig::decompose_from_heights, 0, 1},
@@ -116,6 +118,19 @@ FloorConfig read_floor_config(const config::Table& table) {
   if (config.patch_metres_per_pixel < config.metres_per_pixel)
     table.refuse("patch_metres_per_pixel", "is finer than metres_per_pixel");
   if (config.fewest_features > config.features) table.refuse("fewest_features", "exceeds features");
+  return config;
+}
+
+FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
+  constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
+  constexpr double kLeastScale = 0.001;
+  const FloorConfig unset;
+  if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)
+    config.mount_tilt_rad = std::clamp(*known.tilt_rad, kLeastTilt, 0.1);
+  if (known.yaw_rad.has_value() && config.mount_yaw_rad == unset.mount_yaw_rad)
+    config.mount_yaw_rad = std::clamp(*known.yaw_rad, kLeastTilt, 0.1);
+  if (known.height_share.has_value() && config.scale_sigma == unset.scale_sigma)
+    config.scale_sigma = std::clamp(*known.height_share, kLeastScale, 0.1);
   return config;
 }
 

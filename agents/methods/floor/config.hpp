@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "agents/methods/dead_reckoning.hpp"
+#include "core/camera/camera_file.hpp"
 #include "core/config/config.hpp"
 
 namespace weft::agents {
@@ -25,11 +26,12 @@ struct FloorConfig {
   // Mount and its vibration
   double vibration_tilt_rad = 0.0009;  ///< [1e-6, 0.05] RMS of pitch and roll
   double vibration_height_m = 0.001;   ///< [1e-6, 0.05] RMS
-  double mount_tilt_rad = 0.006;       ///< [1e-6, 0.1] 1 sigma of the calibration's pitch, roll and heading
+  double mount_tilt_rad = 0.006;       ///< [1e-6, 0.1] 1 sigma of the calibration's pitch and roll
   double mount_height_m = 0.003;       ///< [1e-6, 0.1] 1 sigma; also of what load does
   double mount_position_m = 0.003;     ///< [1e-6, 0.1] 1 sigma in the plane
   double scale_sigma = 0.006;          ///< [1e-6, 0.1] of distances: height and focal length together
-  double scale_memory_m = 3.0;         ///< [1e-6, 100] over which scale errors count as one and the same
+  double mount_yaw_rad = 0.005;        ///< [1e-6, 0.1] 1 sigma of the calibration's heading
+  double calibration_memory_m = 3.0;   ///< [1e-6, 100] after which errors of scale and heading are stated in full
 
   // Decomposition and agreement
   double normal_angle_rad = 0.35;        ///< [1e-6, 1.2] alpha_R, against the mount's normal
@@ -78,5 +80,9 @@ std::vector<std::string> check(const FloorConfig& config);
 
 /// The settings of a TOML table, key by key as they are named here; what is wrong is reported into its document.
 FloorConfig read_floor_config(const config::Table& table);
+
+/// The settings with what is known of the camera in place of those that were not set: mount_tilt_rad, mount_yaw_rad,
+/// scale_sigma.
+FloorConfig informed(FloorConfig config, const CalibrationSigma& known);
 
 }  // namespace weft::agents

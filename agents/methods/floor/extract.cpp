@@ -24,7 +24,8 @@ OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) cons
   if (s.newest && s.frame == view.frame && s.inliers > 0) {
     content.sway = s.sway;
     // Each fit counts its neighbours' noise as its own: the estimate is never taken for better than vibration.
-    content.sway_sigma = s.sway_covariance.diagonal().cwiseSqrt().cwiseMax(vibration).cwiseMin(content.sway_sigma);
+    const Eigen::Vector3d fitted = s.sway_covariance.diagonal().cwiseSqrt().cwiseMax(vibration);
+    content.sway_sigma.head<2>() = fitted.head<2>().cwiseMin(content.sway_sigma.head<2>());  // height cannot be seen
   }
   return content;
 }

@@ -9,6 +9,20 @@ namespace weft::agents {
 
 static_assert(Method<Floor> && Foresees<Floor>);
 
+std::string_view Floor::name_of(SeenBy by) {
+  switch (by) {
+    case SeenBy::corners:
+      return "corners";
+    case SeenBy::grey_values:
+      return "grey_values";
+    case SeenBy::features:
+      return "features";
+    case SeenBy::nothing:
+      break;
+  }
+  return "nothing";
+}
+
 Floor::Floor(const FloorConfig& config, const CameraModel& camera, BirdsEye birds_eye)
     : config_(config), camera_(camera), birds_eye_(std::move(birds_eye)) {}
 

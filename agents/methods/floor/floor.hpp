@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,22 +32,36 @@ class Floor {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< in the newest view
   };
 
+  /// What a view's motion was found with. Corners are the fastest and the most exact; where they fail (few of them,
+  /// not on one plane, against the wheels), grey values are aligned, then features matched, before vision is blind.
+  enum class SeenBy { nothing, corners, grey_values, features };
+  static std::string_view name_of(SeenBy by);
+
   /// Between samples. Motion is measured against a keyframe some frames back: standing still adds no drift.
   struct Odometry {
     TrackingImage newest;  ///< none: nothing has been seen since vision went blind
+    TrackingImage keyframe;
+    Image keyframe_view;
     std::vector<Tracked> tracks;
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Sway keyframe_sway;
-    Eigen::Matrix3d keyframe_sway_covariance = Eigen::Matrix3d::Identity();
-    Sway sway;  ///< at the newest view
+    /// What the fits before said of the keyframe's sway, beyond what is known of every view: information and its
+    /// product with the mean.
+    Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d keyframe_covariance = Eigen::Matrix3d::Zero();  ///< of keyframe_from_robot, as steps have said
+    Sway sway;                                                      ///< at the newest view
     Eigen::Matrix3d sway_covariance = Eigen::Matrix3d::Identity();
-    std::uint64_t frame = 0;                ///< of the newest view
-    std::size_t inliers = 0;                ///< of the newest view's motion
-    std::optional<Pose2> wheels = Pose2{};  ///< since the keyframe; none: not reported all the way
-    std::optional<FloorViews> ended;        ///< the keyframe that ended with the newest view, and that view
-    std::optional<Rocking> rocking;         ///< none before the first view
-    std::optional<MountWatch> mount;        ///< what all of them said; none: there was none yet
+    std::uint64_t frame = 0;                  ///< of the newest view
+    std::size_t inliers = 0;                  ///< of the newest view's motion
+    bool followed = false;                    ///< the newest view's motion was seen
+    SeenBy seen_by = SeenBy::nothing;         ///< likewise
+    std::array<std::uint64_t, 4> views_by{};  ///< so many views each, by SeenBy
+    std::optional<Pose2> wheels = Pose2{};    ///< since the keyframe; none: not reported all the way
+    std::optional<FloorViews> ended;          ///< the keyframe that ended with the newest view, and that view
+    std::optional<Rocking> rocking;           ///< none before the first view
+    std::optional<MountWatch> mount;          ///< what all of them said; none: there was none yet
   };
   using Content = FloorContent;
 

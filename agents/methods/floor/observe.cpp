@@ -1,25 +1,44 @@
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "agents/methods/floor/fallback.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/perception/homography.hpp"
+#include "agents/methods/floor/one_plane.hpp"
 #include "agents/perception/lens.hpp"
 
 namespace weft::agents {
 namespace {
 
+/// Covariance of a_from_b * b_from_c of which only the first is uncertain.
+Eigen::Matrix3d carried(const Eigen::Matrix3d& of_a_from_b, const Pose2& b_from_c) {
+  const Eigen::Matrix3d transport = adjoint(b_from_c.inverse());
+  return transport * of_a_from_b * transport.transpose();
+}
+
+/// What of a symmetric matrix is positive.
+Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(0.5 * (matrix + matrix.transpose()));
+  const Eigen::Matrix3d& axes = parts.eigenvectors();
+  return axes * parts.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
+}
+
 /// The shared fallback, kept in the keyframe's account so that the next tracked view takes its error back.
 Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
   s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
+  s.keyframe_covariance = carried(s.keyframe_covariance, planar(reckoned.previous_from_current)) +
+                          planar_covariance(reckoned.previous_from_current);
   return {reckoned.previous_from_current, false, reason};
 }
 
 /// The newest view becomes the keyframe.
-void begin_keyframe(const FloorConfig& c, const CameraModel& camera, Floor::Odometry& s) {
+void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s) {
+  s.keyframe = s.newest;
+  s.keyframe_view = view;
   s.keyframe_sway = s.sway;
-  s.keyframe_sway_covariance = s.sway_covariance;
   s.keyframe_from_robot = Pose2{};
+  s.keyframe_covariance.setZero();
   s.wheels = Pose2{};
   s.tracks.clear();
   CornerConfig corners;
@@ -30,41 +49,49 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, Floor::Odom
   s.keyframe_tracks = s.tracks.size();
 }
 
-/// Nothing is known about the sway but the mount's calibration and the vibration.
-void forget_sway(const FloorConfig& c, Floor::Odometry& s) {
-  const double tilt = c.mount_tilt_rad * c.mount_tilt_rad + c.vibration_tilt_rad * c.vibration_tilt_rad;
-  const double lift = c.mount_height_m * c.mount_height_m + c.vibration_height_m * c.vibration_height_m;
-  s.sway = Sway{};
-  s.sway_covariance = Eigen::Vector3d(tilt, tilt, lift).asDiagonal();
+/// What is known of any one view's sway: the mount's tilt as far as it has been found, and vibration. Height cannot
+/// be seen in one camera's motion: it is held by the calibration.
+struct KnownSway {
+  Eigen::Vector3d mean;
+  Eigen::Matrix3d shared;  ///< covariance that all views have in common
+  Eigen::Matrix3d own;     ///< and each its own
+};
+KnownSway known_sway(const FloorConfig& c, const Floor::Odometry& s) {
+  const MountTilt tilt = s.mount->tilt();
+  KnownSway known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
+  known.shared.topLeftCorner<2, 2>() = tilt.covariance;
+  known.own.diagonal() =
+      Eigen::Vector3d(c.vibration_tilt_rad, c.vibration_tilt_rad, c.vibration_height_m).cwiseAbs2();
+  return known;
 }
 
-/// After a blind stretch: the mount's tilt is still known, this view's vibration is not.
-void begin_keyframe_unseen(const FloorConfig& c, const CameraModel& camera, Floor::Odometry& s) {
-  const double tilt = c.vibration_tilt_rad * c.vibration_tilt_rad;
-  s.sway_covariance.diagonal() += Eigen::Vector3d(tilt, tilt, c.vibration_height_m * c.vibration_height_m);
-  begin_keyframe(c, camera, s);
+Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& covariance) {
+  return covariance.ldlt().solve(Eigen::Matrix3d::Identity());
 }
 
-/// The keyframe's sway as it was estimated; the newest one differs from it by vibration. Tilt is left to the floor
-/// beyond that (its perspective shows in every motion); height cannot be seen in one camera's motion, so it is held
-/// by the calibration.
 SwayPrior sway_prior(const FloorConfig& c, const Floor::Odometry& s) {
-  const auto information = [](double tilt, double lift) -> Eigen::Matrix3d {
-    return Eigen::Vector3d(1.0 / (tilt * tilt), 1.0 / (tilt * tilt), 1.0 / (lift * lift)).asDiagonal();
-  };
-  const double root2 = std::sqrt(2.0);
-  const Eigen::Matrix3d together = information(root2 * c.vibration_tilt_rad, root2 * c.vibration_height_m);
-  const Eigen::Matrix3d keyframe = s.keyframe_sway_covariance.ldlt().solve(Eigen::Matrix3d::Identity());
-  const Eigen::Matrix3d loose = information(3.0 * c.mount_tilt_rad, c.mount_height_m);
+  const KnownSway known = known_sway(c, s);
+  Matrix6d covariance;
+  covariance << known.shared + known.own, known.shared, known.shared, known.shared + known.own;
   SwayPrior prior;
-  prior.information.topLeftCorner<3, 3>() = keyframe + together;
-  prior.information.topRightCorner<3, 3>() = -together;
-  prior.information.bottomLeftCorner<3, 3>() = -together;
-  prior.information.bottomRightCorner<3, 3>() = together + loose;
-  Vector6d pull = Vector6d::Zero();
-  pull.head<3>() = keyframe * s.keyframe_sway.vector();
+  prior.information = covariance.ldlt().solve(Matrix6d::Identity());
+  Vector6d pull;
+  pull << known.mean, known.mean;
+  pull = prior.information * pull;
+  prior.information.topLeftCorner<3, 3>() += s.keyframe_told;
+  pull.head<3>() += s.keyframe_pull;
   prior.mean = prior.information.ldlt().solve(pull);
   return prior;
+}
+
+/// What the newest view's fit has told of its sway, for when it becomes the keyframe. Not all of it: fits of the same
+/// corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 % of speed on
+/// pale floors).
+void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
+  constexpr double kToldShare = 0.8;
+  const KnownSway known = known_sway(c, s);
+  s.keyframe_told = kToldShare * positive_part(inverse_of(s.sway_covariance) - inverse_of(known.shared + known.own));
+  s.keyframe_pull = s.keyframe_told * s.sway.vector();
 }
 
 /// What the keyframe and the newest view show of the mount.
@@ -129,46 +156,56 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
-/// Eq. 1 and 2: the pairs that one plane explains, and the decomposition's word on whether that plane is the floor.
-std::string_view refused_by_homography(const CameraModel& camera, const FloorConfig& c, const PlanarState& expected,
-                                       Followed& followed) {
-  const std::size_t found = followed.pairs.size();
-  const auto fewest = static_cast<std::size_t>(c.fewest_tracks);
-  if (found < fewest) return "few_tracks";
-  std::vector<Eigen::Vector2d> a;
-  std::vector<Eigen::Vector2d> b;
-  for (const FloorPair& pair : followed.pairs) {
-    a.push_back(pair.in_a);
-    b.push_back(pair.in_b);
-  }
-  const auto homography = robust_homography(a, b, c.homography_px / focal_px(camera));
-  if (!homography) return "homography_refused";
-  if (homography->inliers < fewest ||
-      static_cast<double>(homography->inliers) < c.fewest_tracks_share * static_cast<double>(found))
-    return "few_tracks";
-  retain(followed, [&](std::size_t i) { return homography->inlier[i]; });
-
-  const FloorPlane plane = floor_plane(camera, expected.sway_a);
-  const std::vector<PlaneMotion> candidates = decompose(homography->b_from_a);
-  double motion = 0.0;
-  for (const PlaneMotion& candidate : candidates) motion = std::max(motion, candidate.translation_in_heights.norm());
-  if (motion < c.decompose_from_heights) return {};
-  const Decomposed chosen = choose(candidates, plane.normal_in_camera, {c.normal_angle_rad, c.along_normal_heights});
-  return chosen.motion ? std::string_view{} : "normal_refused";
+/// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
+/// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top the calibration's: its
+/// errors are the same for ever and add up linearly, but steps compose as if they were independent, so they are
+/// stated such that both come to the same after `calibration_memory_m` (docs/decisions/023-odometry-candidates.md).
+Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fitted, const Pose2& moved,
+                                Floor::Odometry& s) {
+  constexpr double alike = 1.4;             // fits of the same corners err alike: their noise counts so many times
+  constexpr double heading_drift = 0.0006;  // rad over a metre, growing by its root, however sharp the floor
+  const Eigen::Matrix3d before = carried(s.keyframe_covariance, moved);
+  Eigen::Matrix3d covariance = positive_part(alike * fitted - before);
+  s.keyframe_covariance = before + covariance;
+  const double metres2 = c.calibration_memory_m * moved.translation().norm();
+  covariance(0, 0) += c.scale_sigma * c.scale_sigma * metres2;
+  covariance(1, 1) += c.mount_yaw_rad * c.mount_yaw_rad * metres2;
+  covariance(2, 2) += heading_drift * heading_drift * moved.translation().norm();
+  covariance += 1e-14 * Eigen::Matrix3d::Identity();  // standing still is certain, but not singular
+  return covariance;
 }
 
-/// The fit's covariance is that of keyframe_from_robot; consecutive ones share most of it. Each step carries its
-/// share of a keyframe's life, and the scale's uncertainty such that it adds up linearly over `scale_memory_m`.
-Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fitted, const Pose2& moved) {
-  const double length = moved.translation().norm();
-  const double life =
-      std::clamp(std::max(length / c.keyframe_m, std::abs(moved.heading) / c.keyframe_rad), 0.02, 1.0);
-  Eigen::Matrix3d covariance = 2.0 * life * fitted;
-  const double scale = c.scale_sigma * c.scale_sigma * c.scale_memory_m * length;
-  covariance(0, 0) += scale;
-  covariance(1, 1) += scale;
-  covariance(2, 2) += 1e-4 * scale;
-  return 0.5 * (covariance + covariance.transpose());
+/// Vision is blind. The mount's tilt is still known, this view's vibration is not.
+Step lose_sight(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s,
+                const Step& reckoned, std::string_view reason) {
+  Step step = blind(s, reckoned, reason);
+  s.inliers = 0;
+  const MountTilt tilt = s.mount->tilt();
+  s.sway = {tilt.pitch_rad, tilt.roll_rad, 0.0};
+  s.keyframe_told.setZero();
+  s.keyframe_pull.setZero();
+  begin_keyframe(c, camera, view, s);
+  return step;
+}
+
+/// Keeps the corners that fit; begins a keyframe when they are few or the last one is far.
+void go_on(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s, Followed followed,
+           const PlanarFit& fit) {
+  const bool has_corners = s.seen_by == Floor::SeenBy::corners;
+  if (has_corners) {
+    retain(followed, [&](std::size_t i) { return fit.residual_px[i] < 2.0 * c.homography_px; });
+    s.tracks = std::move(followed.tracks);
+    s.inliers = s.tracks.size();
+  }
+  const bool worn = !has_corners ||
+                    static_cast<double>(s.tracks.size()) < c.keyframe_share * static_cast<double>(s.keyframe_tracks);
+  if (!worn && s.keyframe_from_robot.translation().norm() <= c.keyframe_m &&
+      std::abs(s.keyframe_from_robot.heading) <= c.keyframe_rad)
+    return;
+  if (has_corners) s.ended = views_of(c, camera, s);
+  tell_keyframe(c, s);
+  if (s.ended) s.mount->add(*s.ended);
+  begin_keyframe(c, camera, view, s);
 }
 
 }  // namespace
@@ -190,56 +227,62 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
 
   const TrackingImage now = prepare_tracking(*image, config_.window_px, config_.pyramid_levels);
   const bool first = !s.newest;
-  if (first) forget_sway(config_, s);
+  if (!s.mount) s.mount.emplace(camera_, mount_prior(config_));
   if (!s.rocking) s.rocking.emplace(camera_.robot_from_camera.translation.z());
-  PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_sway, s.sway};
+  const PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_sway, s.sway};
   Followed followed;
   PlanarFit fit;
-  const auto try_to_see = [&]() -> std::string_view {
-    if (first) return "first_view";
+  const auto is_possible = [&]() {
+    const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
+    return agrees({config_.wheels_share, config_.wheels_m, config_.wheels_rad, config_.command_factor}, motion, moved,
+                  seen);
+  };
+  const auto follow_corners = [&]() -> std::string_view {
     if (s.keyframe_tracks < static_cast<std::size_t>(config_.fewest_tracks)) return "low_contrast";
     followed = follow(camera_, config_, s, now, expected);
-    if (const std::string_view refused = refused_by_homography(camera_, config_, expected, followed);
-        !refused.empty())
-      return refused;
+    const OnePlane plane = one_plane(camera_, config_, expected, followed.pairs, config_.homography_px);
+    if (!plane.refused.empty()) return plane.refused;
+    retain(followed, [&](std::size_t i) { return plane.is_on_it[i]; });
     fit = fit_planar_motion(camera_, camera_, followed.pairs, sway_prior(config_, s), expected);
-    if (!fit.converged) return "not_converged";
-    const Pose2 seen = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
-    const MotionGate gate{config_.wheels_share, config_.wheels_m, config_.wheels_rad, config_.command_factor};
-    if (!agrees(gate, motion, moved, seen)) return motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
-    return {};
+    return fit.converged ? "" : "not_converged";
   };
-  const std::string_view refused = try_to_see();
+  const auto take = [&](std::optional<SeenOtherwise> otherwise) {
+    if (!otherwise) return false;
+    fit = std::move(otherwise->fit);
+    s.inliers = otherwise->points;
+    return is_possible();
+  };
+  std::string_view refused = first ? "first_view" : follow_corners();
+  s.seen_by = SeenBy::corners;
+  if (refused.empty() && !is_possible()) {
+    refused = motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
+    s.seen_by = SeenBy::nothing;
+  } else if (!refused.empty()) {
+    const SwayPrior prior = sway_prior(config_, s);
+    s.seen_by = SeenBy::nothing;
+    if (!first && take(see_directly(camera_, s.keyframe, now, prior, expected))) {
+      s.seen_by = SeenBy::grey_values;
+    } else if (!first &&
+               take(see_by_features(camera_, birds_eye_, config_, s.keyframe_view, *image, prior, expected))) {
+      s.seen_by = SeenBy::features;
+    }
+  }
+  ++s.views_by[static_cast<std::size_t>(s.seen_by)];
+  const bool follows_a_view = s.followed;
   s.newest = now;
   s.frame = view->frame;
-  if (!refused.empty()) {
-    Step step = blind(s, reckoned, refused);
-    s.inliers = 0;
-    begin_keyframe_unseen(config_, camera_, s);
-    return step;
-  }
+  s.followed = s.seen_by != SeenBy::nothing;
+  if (!s.followed) return lose_sight(config_, camera_, *image, s, reckoned, refused);
 
   const Sway change = Sway::from(fit.state.sway_b.vector() - s.sway.vector());
   const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
-  const bool follows_a_view = s.inliers > 0;
   if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
   const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
-  Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen)}, true, {}};
+  Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen, s)}, true, {}};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;
   s.sway_covariance = fit.covariance.bottomRightCorner<3, 3>();
-  retain(followed, [&](std::size_t i) { return fit.residual_px[i] < 2.0 * config_.homography_px; });
-  s.tracks = std::move(followed.tracks);
-  s.inliers = s.tracks.size();
-  const bool worn =
-      static_cast<double>(s.tracks.size()) < config_.keyframe_share * static_cast<double>(s.keyframe_tracks);
-  if (worn || s.keyframe_from_robot.translation().norm() > config_.keyframe_m ||
-      std::abs(s.keyframe_from_robot.heading) > config_.keyframe_rad) {
-    s.ended = views_of(config_, camera_, s);
-    if (!s.mount.has_value()) s.mount.emplace(camera_, mount_prior(config_));
-    s.mount->add(*s.ended);
-    begin_keyframe(config_, camera_, s);
-  }
+  go_on(config_, camera_, *image, s, std::move(followed), fit);
   return step;
 }
 

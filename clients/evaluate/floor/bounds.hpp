@@ -24,6 +24,9 @@ struct Bound {
   double median;
   double worst;
   bool of_refusers;  ///< holds for floors too on which a refusal to localise is right
+  /// Not the median and the worst seed are bounded, but the mean of all floors, lights and seeds together: from the
+  /// first number to the second.
+  bool is_share = false;
 };
 const std::vector<Bound>& bounds();
 
@@ -40,7 +43,7 @@ struct Group {
 struct Judged {
   const Bound* bound = nullptr;
   std::vector<Group> groups;
-  double median = Score::kNothing;  ///< of the group that is worst
+  double median = Score::kNothing;  ///< of the group that is worst; of a share the mean, as `worst`
   double worst = Score::kNothing;
   bool met = false;  ///< by every group, and there is one
 };

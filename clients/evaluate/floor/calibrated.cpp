@@ -62,16 +62,17 @@ Result<double> measured_m(const Drive& drive) {
 
 }  // namespace
 
-Result<std::optional<CameraModel>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
+Result<std::optional<KnownCamera>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
   const RemovedAtEnd truth(drive.body.truth_path.value_or(""));
   const Result<bool> driven = play(drive, line, [](const View*, const Motion&) {});
   if (!driven) return fail(driven.error());
-  if (!*driven) return std::optional<CameraModel>();
+  if (!*driven) return std::optional<KnownCamera>();
   const Result<double> measured = measured_m(drive);
   if (!measured) return fail(measured.error());
 
   MountDriveConfig config;
   config.distance_m = *measured;
+  config.distance_sigma_m = kTapeSigmaM;
   bool is_stopped = false;
   Drive unseen = drive;
   unseen.body.truth_path.reset();
@@ -84,9 +85,9 @@ Result<std::optional<CameraModel>> calibrated(const Drive& drive, const std::vec
     return is_stopped ? Result<void>(fail(ErrorCode::refused, "stopped")) : Result<void>();
   };
   const Result<MountDrive> found = calibrate_mount((*body)->cameras().front(), again, config);
-  if (is_stopped) return std::optional<CameraModel>();
+  if (is_stopped) return std::optional<KnownCamera>();
   if (!found) return fail(found.error());
-  return std::optional(found->camera);
+  return std::optional(KnownCamera{found->camera, found->sigma});
 }
 
 }  // namespace weft::evaluate::floor

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "agents/bodies/sim/sim_body.hpp"
+#include "clients/evaluate/floor/known_camera.hpp"
 #include "clients/evaluate/floor/taught_map.hpp"
 #include "clients/evaluate/floor/trace.hpp"
 #include "core/result.hpp"
@@ -13,9 +14,9 @@ namespace weft::evaluate::floor {
 
 /// Who drives, in which site, on which day.
 struct Drive {
-  agents::sim::SimBodyConfig body;                 ///< its truth_path: a file to be made and removed
-  std::function<bool()> asked_to_stop;             ///< asked at every sample
-  std::optional<agents::CameraModel> camera = {};  ///< as it was calibrated; none: as the site gives it
+  agents::sim::SimBodyConfig body;         ///< its truth_path: a file to be made and removed
+  std::function<bool()> asked_to_stop;     ///< asked at every sample
+  std::optional<KnownCamera> camera = {};  ///< as it was calibrated; none: as the site gives it
 };
 
 /// What robots were taught, one experience after the other, and where its places truly are.

@@ -11,7 +11,7 @@ namespace weft::evaluate::floor {
 
 using namespace agents;
 
-Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const std::optional<CameraModel>& camera) {
+Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const std::optional<KnownCamera>& camera) {
   const std::filesystem::path truth = config.truth_path.value_or("");
   std::error_code problem;
   std::filesystem::remove(truth, problem);
@@ -23,8 +23,9 @@ Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const st
   return robot;
 }
 
-Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<CameraModel>& camera) {
-  Result<Floor> floor = Floor::make(FloorConfig{}, camera ? *camera : body->cameras().front());
+Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<KnownCamera>& camera) {
+  const KnownCamera with = camera.value_or(KnownCamera{body->cameras().front(), {}});
+  Result<Floor> floor = Floor::make(informed({}, with.sigma), with.model);
   if (!floor) return fail(floor.error());
   DrivenRobot robot;
   robot.body_ = std::move(body);
@@ -52,6 +53,7 @@ Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
   moment.frame = sample->frame;
   moment.sensor_s = now_s_ = seconds(sample->time.time_since_epoch());
   moment.start_from_robot = start_from_robot_;
+  moment.step_covariance = planar_covariance(seen_->step.previous_from_current);
   moment.seen = seen_->step.seen;
   moment.matches = seen_->matches;
   moment.lost = stepped.navigated.lost;

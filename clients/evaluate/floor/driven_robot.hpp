@@ -9,6 +9,7 @@
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/navigation/navigator.hpp"
+#include "clients/evaluate/floor/known_camera.hpp"
 #include "clients/evaluate/floor/trace.hpp"
 #include "clients/evaluate/floor/watched_floor.hpp"
 #include "core/result.hpp"
@@ -21,11 +22,9 @@ class DrivenRobot {
  public:
   /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
   /// `camera`: as it was calibrated; none: as the body says.
-  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config,
-                                  const std::optional<agents::CameraModel>& camera);
+  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config, const std::optional<KnownCamera>& camera);
   /// Any other body; what it drives has no truth. Errors of the method.
-  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body,
-                                const std::optional<agents::CameraModel>& camera = {});
+  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body, const std::optional<KnownCamera>& camera = {});
   DrivenRobot(DrivenRobot&&) = default;
   DrivenRobot& operator=(DrivenRobot&&) = delete;
   ~DrivenRobot();

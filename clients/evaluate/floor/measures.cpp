@@ -1,5 +1,6 @@
 #include "clients/evaluate/floor/measures.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -121,6 +122,42 @@ double wrong_fixes(const Trace& trace, const std::map<PlaceId, Pose2>& site_from
 double fixes(const Trace& trace) {
   return static_cast<double>(std::count_if(trace.moments.begin(), trace.moments.end(),
                                            [](const Moment& moment) { return moment.fix.has_value(); }));
+}
+
+std::vector<Stretch> stretches(const Trace& trace, double metres) {
+  std::vector<Stretch> all;
+  const std::vector<Moment>& moments = trace.moments;
+  const std::vector<double> driven = metres_driven(trace);
+  double next_m = 0.0;
+  for (std::size_t from = 0; from < moments.size(); ++from) {
+    if (driven[from] < next_m) continue;
+    next_m = driven[from] + 0.1 * metres;
+    Relation moved = Metric2{};
+    std::size_t to = from;
+    while (++to < moments.size()) {
+      const Pose2 step = moments[to - 1].start_from_robot.inverse() * moments[to].start_from_robot;
+      moved = compose(moved, Metric2{step, moments[to].step_covariance});
+      if (driven[to] - driven[from] >= metres) break;
+    }
+    if (to == moments.size()) break;
+    const Pose2 truly = moments[from].site_from_robot.inverse() * moments[to].site_from_robot;
+    all.push_back({log2(planar(moved).inverse() * truly), planar_covariance(moved)});
+  }
+  return all;
+}
+
+std::vector<double> distances2(const std::vector<Stretch>& stretches) {
+  std::vector<double> all;
+  for (const Stretch& stretch : stretches)
+    all.push_back(stretch.off.dot(stretch.covariance.ldlt().solve(stretch.off)));
+  return all;
+}
+
+double held_percent(const std::vector<double>& distances2) {
+  constexpr double region_95 = 7.8147;
+  if (distances2.empty()) return kNothing;
+  const auto held = std::count_if(distances2.begin(), distances2.end(), [](double d2) { return d2 <= region_95; });
+  return 100.0 * static_cast<double>(held) / static_cast<double>(distances2.size());
 }
 
 std::vector<OffPath> off_path(const Trace& trace, const TaughtPath& path) {

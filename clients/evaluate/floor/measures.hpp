@@ -45,6 +45,18 @@ std::vector<double> blind_distances(const Trace& trace, const std::map<PlaceId, 
 double wrong_fixes(const Trace& trace, const std::map<PlaceId, Pose2>& site_from_place);
 double fixes(const Trace& trace);
 
+/// A stretch of the drive as odometry has it, the covariances of its steps composed as navigation composes them.
+struct Stretch {
+  Eigen::Vector3d off = Eigen::Vector3d::Zero();  ///< the true motion in the frame of odometry's (x, y, heading)
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+/// Of so many true metres; a new one begins each tenth of it.
+std::vector<Stretch> stretches(const Trace& trace, double metres);
+/// Squared Mahalanobis distances of the truth.
+std::vector<double> distances2(const std::vector<Stretch>& stretches);
+/// The share of them within the 95 % region (chi square with three degrees of freedom), percent.
+double held_percent(const std::vector<double>& distances2);
+
 /// The true pose against the true taught path, from one metre of driving on.
 struct OffPath {
   double true_s = 0.0;

@@ -15,6 +15,11 @@ double driven_m(const Trace& trace) {
   return trace.moments.empty() ? 0.0 : metres_driven(trace).back();
 }
 
+void add_held(const Trace& trace, Score& score) {
+  score.held_1m_percent = held_percent(distances2(stretches(trace, 1.0)));
+  score.held_10m_percent = held_percent(distances2(stretches(trace, 10.0)));
+}
+
 }  // namespace
 
 const std::vector<Column>& columns() {
@@ -34,6 +39,8 @@ const std::vector<Column>& columns() {
       {"goal_deg", "goal deg", &Score::goal_deg, 2},
       {"fixes", "fixes", &Score::fixes, 0},
       {"wrong_fixes", "wrong", &Score::wrong_fixes, 0},
+      {"held_1m_percent", "held 1 m %", &Score::held_1m_percent, 0},
+      {"held_10m_percent", "held 10 m %", &Score::held_10m_percent, 0},
       {"seconds", "took s", &Score::seconds, 0},
   };
   return all;
@@ -47,6 +54,7 @@ Score score_of_mapping(const Trace& taught, const Trace& wrong_mount, const Trac
   score.speed_stamped_percent = error.stamped_percent;
   score.speed_wrong_mount_percent = speed_error(wrong_mount).percent;
   score.speed_fast_percent = speed_error(fast).percent;
+  add_held(taught, score);
   return score;
 }
 
@@ -67,6 +75,7 @@ Score score_of_repeat(const Taught& taught, const Repeated& repeated) {
   score.goal_mm = 1e3 * std::hypot(goal_from_robot.x, goal_from_robot.y);
   score.goal_deg = kDegreesARad * std::abs(goal_from_robot.heading);
   score.fixes = fixes(trace);
+  add_held(trace, score);
   score.wrong_fixes = wrong_fixes(trace, taught.places.site_from_place);
   return score;
 }

@@ -42,6 +42,10 @@ struct Score {
   double goal_deg = kNothing;
   double fixes = kNothing;
   double wrong_fixes = kNothing;
+  // Both: how often the 95 % region of odometry's covariance held the truth; mapping by the calibrated camera,
+  // repeating by one that is not.
+  double held_1m_percent = kNothing;
+  double held_10m_percent = kNothing;
   double seconds = kNothing;  ///< that it took to compute, the simulation included
 
   std::vector<double> blind_distances_m;  ///< all of them

@@ -21,8 +21,10 @@ struct FixSeen {
 /// One sample of a robot: what it inferred and, beside it, what was true.
 struct Moment {
   std::uint64_t frame = 0;
-  double sensor_s = 0.0;    ///< the sample's own stamp
-  Pose2 start_from_robot;   ///< odometry
+  double sensor_s = 0.0;   ///< the sample's own stamp
+  Pose2 start_from_robot;  ///< odometry
+  /// Of the step that led here, as the method states it.
+  Eigen::Matrix3d step_covariance = Eigen::Matrix3d::Zero();
   bool seen = false;        ///< vision took part; otherwise wheels or commands were integrated
   std::size_t matches = 0;  ///< inliers of the motion
   std::optional<FixSeen> fix;

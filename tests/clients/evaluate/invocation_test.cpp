@@ -54,6 +54,17 @@ TEST(EvaluateInvocation, RelocalisationHasAHallOfItsOwn) {
   EXPECT_EQ(given.trials, 7U);
 }
 
+TEST(EvaluateInvocation, OdometryAsksForCandidatesByFlag) {
+  const auto plain = std::get<OdometryOptions>(parsed({"odometry"}));
+  EXPECT_FALSE(plain.candidates);
+  EXPECT_EQ(plain.seeds.last, 3U);
+  const auto given =
+      std::get<OdometryOptions>(parsed({"odometry", "--candidates", "--kind", "epoxy", "--seeds", "7"}));
+  EXPECT_TRUE(given.candidates);
+  EXPECT_EQ(given.kind, "epoxy");
+  EXPECT_EQ(given.seeds.first, 7U);
+}
+
 TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> wrong = {
       {{}, "subcommand"},

@@ -179,6 +179,43 @@ TEST_F(FloorObserve, AGrossDisagreementWithTheWheelsIsBlind) {
   EXPECT_NEAR(planar(step.previous_from_current).x, 0.12, 1e-9);
 }
 
+TEST_F(FloorObserve, AJumpOfTheViewIsSeenByFeatures) {
+  // 0.3 m are 40 % of the image; nothing says so but the view.
+  const View first = view_at({1.2, 2.0, 0.0}, 1);
+  const View second = view_at({1.5, 2.0, 0.04}, 2);
+  Motion commanded;
+  commanded.elapsed = from_seconds(1.0 / 30.0);
+  commanded.command = {0.6, 0.0};
+  method_.observe(odometry_, &first, commanded);
+  const Step step = method_.observe(odometry_, &second, commanded);
+  ASSERT_TRUE(step.seen) << step.blind_reason;
+  EXPECT_EQ(odometry_.seen_by, Floor::SeenBy::features);
+  EXPECT_EQ(odometry_.views_by[static_cast<std::size_t>(Floor::SeenBy::features)], 1U);
+  EXPECT_NEAR(planar(step.previous_from_current).x, 0.3, 0.003);
+  EXPECT_NEAR(planar(step.previous_from_current).heading, 0.04, 0.004);
+}
+
+TEST_F(FloorObserve, AFloorTooPaleForCornersIsSeenByItsGreyValues) {
+  const test::FlatFloor pale = test::FlatFloor::procedural(3, 4.0, 4.0, 2.0);
+  const auto blurred = [&](const Pose2& floor_from_robot, std::uint64_t seed) {
+    test::Shot shot;
+    shot.seed = seed;
+    shot.blur = {0.03, 0.0, 0.0};
+    shot.noise = 0.3;
+    View view;
+    view.frame = seed;
+    view.data = eye_->render(pale, floor_from_robot, {}, shot);
+    return view;
+  };
+  const View first = blurred({1.2, 2.0, 0.0}, 1);
+  const View second = blurred({1.3, 2.0, 0.0}, 2);
+  method_.observe(odometry_, &first, wheels(0.0));
+  const Step step = method_.observe(odometry_, &second, wheels(0.103));
+  ASSERT_TRUE(step.seen) << step.blind_reason;
+  EXPECT_EQ(odometry_.seen_by, Floor::SeenBy::grey_values);
+  EXPECT_NEAR(planar(step.previous_from_current).x, 0.1, 0.002);
+}
+
 TEST_F(FloorObserve, AnotherPlaceIsNotAMotion) {
   const View first = view_at({1.2, 1.6, 0.0}, 1);
   const View elsewhere = view_at({3.4, 3.2, 2.0}, 2);

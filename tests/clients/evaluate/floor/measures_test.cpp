@@ -78,6 +78,27 @@ TEST(FloorMeasures, AFixIsWrongAsMeasuredOrAsBelieved) {
   EXPECT_EQ(wrong_fixes(trace, kAtOrigin), 2.0);
 }
 
+TEST(FloorMeasures, StretchesComposeTheStepsCovariances) {
+  Trace trace = straight_trace(0.6, 5.0);  // 2 cm a sample
+  for (Moment& moment : trace.moments) {
+    moment.start_from_robot.x *= 1.01;
+    moment.step_covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal();
+  }
+  const std::vector<Stretch> found = stretches(trace, 1.0);
+  ASSERT_GE(found.size(), 38U);  // one a decimetre
+  EXPECT_NEAR(found.front().off.x(), -0.01, 1e-3);
+  EXPECT_NEAR(found.front().covariance(0, 0), 50e-6, 1.1e-6);
+  EXPECT_NEAR(found.front().covariance(2, 2), 50e-8, 1.1e-8);
+  // 10 mm off where 7 mm are one sigma: 1.41 sigma.
+  EXPECT_NEAR(distances2(found).front(), 2.0, 0.1);
+  EXPECT_TRUE(stretches(trace, 6.0).empty());
+}
+
+TEST(FloorMeasures, HeldIsTheShareWithinTheRegion) {
+  EXPECT_NEAR(held_percent({1.0, 7.8, 7.9, 30.0}), 50.0, 1e-9);
+  EXPECT_TRUE(std::isnan(held_percent({})));
+}
+
 TEST(FloorMeasures, PathErrorsLeaveOutTheJoin) {
   const TaughtPath path(straight_trace(0.5, 6.0));
   Trace repeated = straight_trace(0.5, 6.0);

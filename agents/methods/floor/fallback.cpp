@@ -1,0 +1,61 @@
+#include "agents/methods/floor/fallback.hpp"
+
+#include <vector>
+
+#include "agents/methods/floor/one_plane.hpp"
+#include "agents/perception/direct_alignment.hpp"
+#include "agents/perception/hamming.hpp"
+#include "agents/perception/sway.hpp"
+
+namespace weft::agents {
+namespace {
+
+struct Described {
+  std::vector<Eigen::Vector2d> normalised;
+  std::vector<Descriptor> descriptors;
+};
+
+Described described(const CameraModel& camera, const BirdsEye& birds_eye, const FloorConfig& c, const Image& image) {
+  const Eigen::Matrix3d camera_from_level = camera_from_floor(camera, Sway{});
+  Described out;
+  for (const FloorFeature& feature : birds_eye.rectify(image, c.features, c.patch_metres_per_pixel).features) {
+    out.normalised.push_back(apply(camera_from_level, feature.on_floor));
+    out.descriptors.push_back(feature.descriptor);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const TrackingImage& keyframe,
+                                          const TrackingImage& now, const SwayPrior& prior,
+                                          const PlanarState& expected) {
+  constexpr double least_correlation = 0.5;  // other places give 0.2 at most
+  constexpr std::size_t fewest_points = 150;
+  DirectFit found = align_directly(camera, keyframe, now, prior, expected, {});
+  if (!found.fit.converged || found.correlation < least_correlation || found.points < fewest_points)
+    return std::nullopt;
+  return SeenOtherwise{std::move(found.fit), found.points};
+}
+
+std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,
+                                             const FloorConfig& config, const Image& keyframe, const Image& now,
+                                             const SwayPrior& prior, const PlanarState& expected) {
+  constexpr double sigma_px = 0.7;
+  constexpr double threshold_px = 3.0;
+  const Described a = described(camera, birds_eye, config, keyframe);
+  const Described b = described(camera, birds_eye, config, now);
+  std::vector<FloorPair> pairs;
+  for (const Match& m : match_descriptors(a.descriptors, b.descriptors, {config.most_bits, config.ratio_unguided}))
+    pairs.push_back({a.normalised[m.a], b.normalised[m.b], sigma_px});
+  const OnePlane plane = one_plane(camera, config, expected, pairs, threshold_px);
+  if (!plane.refused.empty()) return std::nullopt;
+  std::vector<FloorPair> agreeing;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (plane.is_on_it[i]) agreeing.push_back(pairs[i]);
+  PlanarFit fit = fit_planar_motion(camera, camera, agreeing, prior, expected);
+  if (!fit.converged) return std::nullopt;
+  return SeenOtherwise{std::move(fit), agreeing.size()};
+}
+
+}  // namespace weft::agents

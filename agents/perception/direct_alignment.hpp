@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/corner_tracks.hpp"
+#include "agents/perception/planar_motion.hpp"
+
+namespace weft::agents {
+
+struct DirectConfig {
+  int coarsest = 3;  ///< level that is begun with; halvings, at most those the images were prepared with
+  int finest = 1;    ///< and ended with
+  int columns = 44;  ///< of the grid over a level; each cell gives its strongest pixel
+  int rows = 28;
+  double least_grey = 1.5;  ///< change of grey level over two pixels below which a pixel says nothing
+};
+
+struct DirectFit {
+  PlanarFit fit;           ///< of grey levels; residual_px is empty
+  double correlation = 0;  ///< of both views' grey values at the points, finest level, [-1, 1]
+  std::size_t points = 0;  ///< of a that lie in b, finest level
+};
+
+/// The motion under which two views of the floor have the same grey values, without corners: Gauss-Newton from coarse
+/// to fine over pixels with a gradient, linearised in a (Baker & Matthews 2004, inverse compositional), Huber
+/// weights, all six degrees of freedom under the prior. Brightness that changes slowly over the image (vignetting,
+/// lamps) is taken out of both first. It wants a start within some pixels of the coarsest level, and stands blur and
+/// pale floors that leave no corners.
+DirectFit align_directly(const CameraModel& camera, const TrackingImage& a, const TrackingImage& b,
+                         const SwayPrior& prior, const PlanarState& start, const DirectConfig& config);
+
+}  // namespace weft::agents

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/planar_motion.hpp"
+#include "agents/perception/view.hpp"
+
+namespace weft::evaluate::odometry {
+
+/// A way to find the motion between a keyframe and a view. They differ in this alone: keyframes, prior, robust
+/// homography and fit are the same for all (KeyframeOdometry).
+class FrontEnd {
+ public:
+  virtual ~FrontEnd() = default;
+  /// This view is looked at.
+  virtual void look(const agents::Image& image) = 0;
+  /// The view last looked at is the keyframe from now on.
+  virtual void begin() = 0;
+  /// keyframe_from_robot of the view last looked at, from where it is expected. None: not found.
+  virtual std::optional<agents::PlanarFit> match(const agents::PlanarState& expected) = 0;
+};
+
+/// Names of all, and one by its name. They match with `prior`.
+const std::vector<std::string>& front_ends();
+std::unique_ptr<FrontEnd> make_front_end(const std::string& name, const agents::CameraModel& camera,
+                                         const agents::SwayPrior& prior);
+
+}  // namespace weft::evaluate::odometry

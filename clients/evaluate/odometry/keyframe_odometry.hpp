@@ -1,0 +1,27 @@
+#pragma once
+#include <memory>
+
+#include "agents/methods/method.hpp"
+#include "clients/evaluate/odometry/front_end.hpp"
+
+namespace weft::evaluate::odometry {
+
+/// What each vibrates by; the mount is taken for calibrated.
+agents::SwayPrior vibration_alone();
+
+/// Odometry against keyframes 0.2 m or 0.15 rad apart with any front end: the product's, but for what it has learned
+/// beyond (its mount, what it rocks about) and its fallbacks. Blind steps are the wheels'.
+class KeyframeOdometry {
+ public:
+  explicit KeyframeOdometry(std::unique_ptr<FrontEnd> front_end) : front_end_(std::move(front_end)) {}
+  agents::Step observe(const agents::View* view, const agents::Motion& motion);
+
+ private:
+  void begin();
+
+  std::unique_ptr<FrontEnd> front_end_;
+  bool has_keyframe_ = false;
+  Pose2 keyframe_from_robot_;
+};
+
+}  // namespace weft::evaluate::odometry

@@ -1,0 +1,159 @@
+#include "clients/evaluate/odometry/study.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "agents/bodies/sim/changes.hpp"
+#include "agents/methods/floor/floor.hpp"
+#include "clients/evaluate/files.hpp"
+#include "clients/evaluate/floor/calibrated.hpp"
+#include "clients/evaluate/floor/scenario.hpp"
+#include "clients/evaluate/line.hpp"
+#include "clients/evaluate/odometry/keyframe_odometry.hpp"
+#include "clients/evaluate/odometry/rehearsal.hpp"
+#include "clients/evaluate/odometry/row.hpp"
+
+namespace weft::evaluate::odometry {
+namespace {
+
+constexpr double kCandidatesOverM = 8.0;
+
+using CpuTime = std::function<double()>;
+
+Result<floor::Stage> stage_of(const OdometryOptions& options, const Surroundings& around) {
+  const Result<std::string> site_text = read_text(options.site, "site file; deploy/sites has some");
+  if (!site_text) return fail(site_text.error());
+  Result<agents::sim::Site> site = agents::sim::parse_site(*site_text, options.site.string());
+  if (!site) return fail(site.error());
+  const std::filesystem::path along =
+      options.along.empty() ? options.site.parent_path() / options.site.stem() / "r1.line" : options.along;
+  const Result<std::string> line_text = read_text(along, "line to drive along; give one with --along");
+  if (!line_text) return fail(line_text.error());
+  const auto line = parse_line(*line_text, along.string());
+  if (!line) return fail(line.error());
+  auto part = first_metres(*line, options.metres, along.string());
+  if (!part) return fail(part.error());
+  return floor::Stage{std::move(*site), std::move(*part), std::nullopt, options.out / "truth.now",
+                      around.asked_to_stop};
+}
+
+/// The product, every setting at its default but for what is known of its camera.
+Result<Observer> product(const std::string& name, std::size_t every, const floor::KnownCamera& camera,
+                         const CpuTime& cpu_s) {
+  Result<agents::Floor> made = agents::Floor::make(agents::informed({}, camera.sigma), camera.model);
+  if (!made) return fail(made.error());
+  const auto method = std::make_shared<const agents::Floor>(std::move(*made));
+  const auto state = std::make_shared<agents::Floor::Odometry>();
+  return Observer(
+      name, every,
+      [method, state](const agents::View* view, const agents::Motion& motion) {
+        return method->observe(*state, view, motion);
+      },
+      cpu_s);
+}
+
+Observer candidate(const std::string& name, std::size_t every, const floor::KnownCamera& camera,
+                   const CpuTime& cpu_s) {
+  const auto state = std::make_shared<KeyframeOdometry>(make_front_end(name, camera.model, vibration_alone()));
+  return Observer(
+      name, every,
+      [state](const agents::View* view, const agents::Motion& motion) { return state->observe(view, motion); },
+      cpu_s);
+}
+
+/// A drive, and at which share of its images it is watched.
+struct Rehearsed {
+  std::string name;
+  floor::Drive drive;
+  std::vector<agents::SitePoint> line;
+  std::vector<std::size_t> every;
+};
+
+std::vector<Rehearsed> drives_of(const floor::Scenario& scenario, bool candidates) {
+  if (!candidates) {
+    return {{"mapping", scenario.first(), scenario.line(), {1, 2, 4}},
+            {"1.5 m/s", scenario.fast(), scenario.fast_line(), {1}}};
+  }
+  const auto part = scenario.line_beginning(kCandidatesOverM);
+  std::vector<Rehearsed> drives = {{"mapping", scenario.first(), part, {1, 4}},
+                                   {"1.5 m/s", scenario.fast(), scenario.fast_line(), {1}}};
+  floor::Drive dark = scenario.first();
+  const auto site = agents::sim::under_light(dark.body.site, "halved");
+  if (site) dark.body.site = *site;
+  drives.push_back({"half the light", std::move(dark), part, {1}});
+  return drives;
+}
+
+std::string named(const std::string& drive, std::size_t every) {
+  return every == 1 ? drive : drive + ", 1 image of " + std::to_string(every);
+}
+
+/// Who watches: the product with both cameras, or all candidates beside it.
+Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const floor::KnownCamera& calibrated,
+                                       const OdometryOptions& options, const CpuTime& cpu_s) {
+  const Result<std::unique_ptr<agents::Body>> body = agents::sim::make_sim_body(rehearsed.drive.body);
+  if (!body) return fail(body.error());
+  std::vector<Observer> observers;
+  for (const std::size_t every : rehearsed.every) {
+    Result<Observer> ours = product("weft, calibrated", every, calibrated, cpu_s);
+    if (!ours) return fail(ours.error());
+    observers.push_back(std::move(*ours));
+    if (options.candidates) {
+      for (const std::string& name : front_ends()) observers.push_back(candidate(name, every, calibrated, cpu_s));
+      continue;
+    }
+    Result<Observer> given = product("weft, as given", every, {(*body)->cameras().front(), {}}, cpu_s);
+    if (!given) return fail(given.error());
+    observers.push_back(std::move(*given));
+  }
+  return observers;
+}
+
+/// Rows of one floor and seed. False: stopped.
+Result<bool> measure(const floor::Scenario& scenario, const std::string& kind, std::uint64_t seed,
+                     const OdometryOptions& options, const CpuTime& cpu_s, std::vector<Row>& rows) {
+  const auto camera = floor::calibrated(scenario.for_calibration(), scenario.calibration_line());
+  if (!camera) return fail(camera.error());
+  if (!*camera) return false;
+  for (const Rehearsed& rehearsed : drives_of(scenario, options.candidates)) {
+    Result<std::vector<Observer>> observers = watchers(rehearsed, **camera, options, cpu_s);
+    if (!observers) return fail(observers.error());
+    const Result<bool> done = rehearse(rehearsed.drive, rehearsed.line, *observers);
+    if (!done || !*done) return done;
+    for (const Observer& observer : *observers)
+      rows.push_back(row_of(kind, seed, named(rehearsed.name, observer.every()), observer));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Ended> study_odometry(const OdometryOptions& options, const Surroundings& around, const CpuTime& cpu_s) {
+  const Result<floor::Stage> stage = stage_of(options, around);
+  if (!stage) return fail(stage.error());
+  std::error_code problem;
+  std::filesystem::create_directories(options.out, problem);
+  if (problem) return fail(ErrorCode::unavailable, options.out.string() + ": " + problem.message());
+  const std::vector<std::string> kinds =
+      options.kind.empty() ? agents::sim::floor_kinds() : std::vector{options.kind};
+  std::vector<Row> rows;
+  RowsMeasured progress(kinds.size() * (options.seeds.last - options.seeds.first + 1), 0, around);
+  for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
+    for (const std::string& kind : kinds) {
+      const Result<floor::Scenario> scenario = floor::Scenario::make(*stage, kind, seed);
+      if (!scenario) return fail(scenario.error());
+      const Result<bool> done = measure(*scenario, kind, seed, options, cpu_s, rows);
+      if (!done) return fail(done.error());
+      if (!*done) return Ended::stopped;
+      if (const Result<void> kept = write_text(options.out / "odometry.csv", csv_of(rows)); !kept)
+        return fail(kept.error());
+      progress.row(kind + ", seed " + std::to_string(seed));
+    }
+  }
+  around.out << table_of(rows) << std::flush;
+  return Ended::complete;
+}
+
+}  // namespace weft::evaluate::odometry

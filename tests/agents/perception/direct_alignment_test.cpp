@@ -1,0 +1,77 @@
+#include "agents/perception/direct_alignment.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/flat_floor.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr Pose2 kStand{0.8, 1.5, 0.2};
+
+SwayPrior vibrating() {
+  Vector6d sigma;
+  sigma << 0.001, 0.001, 0.001, 0.001, 0.001, 0.001;
+  SwayPrior prior;
+  prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
+  return prior;
+}
+
+class DirectAlignment : public testing::Test {
+ protected:
+  /// Two views of one floor, the second `moved` from the first.
+  DirectFit aligned(const test::FlatFloor& floor, const Pose2& moved, const Sway& sway, const Pose2& start,
+                    const test::Shot& shot) const {
+    test::Shot second = shot;
+    second.seed = shot.seed + 1;
+    const TrackingImage a = prepare_tracking(eye_.render(floor, kStand, {}, shot), 13, 3);
+    const TrackingImage b = prepare_tracking(eye_.render(floor, kStand * moved, sway, second), 13, 3);
+    return align_directly(camera_, a, b, vibrating(), {start, {}, {}}, {});
+  }
+  static double off_mm(const DirectFit& found, const Pose2& moved) {
+    return 1e3 * (moved.inverse() * found.fit.state.a_from_b).translation().norm();
+  }
+  CameraModel camera_ = test::paper_camera();
+  test::FloorCamera eye_{camera_};
+};
+
+TEST_F(DirectAlignment, FindsAMotionFromAStartBesideIt) {
+  const test::FlatFloor floor = test::FlatFloor::procedural(21, 4.0, 3.0);
+  const Pose2 moved{0.10, 0.004, 0.03};
+  const DirectFit found = aligned(floor, moved, {0.0005, -0.0004, 0.0}, {0.106, 0.0, 0.02}, {});
+  EXPECT_TRUE(found.fit.converged);
+  EXPECT_GT(found.correlation, 0.8);
+  EXPECT_LT(off_mm(found, moved), 0.5);
+  EXPECT_NEAR(found.fit.state.a_from_b.heading, moved.heading, 0.0005);
+  EXPECT_NEAR(found.fit.state.sway_b.pitch_rad - found.fit.state.sway_a.pitch_rad, 0.0005, 0.0003);
+}
+
+TEST_F(DirectAlignment, SeesAPaleFloorThroughBlur) {
+  const test::FlatFloor floor = test::FlatFloor::procedural(21, 4.0, 3.0, 5.0);
+  test::Shot shot;
+  shot.blur = {0.015, 0.0, 0.0};
+  const Pose2 moved{0.10, 0.0, 0.0};
+  const DirectFit found = aligned(floor, moved, {}, {0.104, 0.0, 0.0}, shot);
+  EXPECT_TRUE(found.fit.converged);
+  EXPECT_LT(off_mm(found, moved), 1.0);
+}
+
+TEST_F(DirectAlignment, AnotherPlaceDoesNotCorrelate) {
+  const test::FlatFloor floor = test::FlatFloor::procedural(21, 4.0, 3.0);
+  const TrackingImage a = prepare_tracking(eye_.render(floor, kStand, {}, {}), 13, 3);
+  const TrackingImage b = prepare_tracking(eye_.render(floor, {2.4, 1.2, 2.0}, {}, {}), 13, 3);
+  const DirectFit found = align_directly(camera_, a, b, vibrating(), {{0.02, 0.0, 0.0}, {}, {}}, {});
+  EXPECT_LT(found.correlation, 0.5);
+}
+
+TEST_F(DirectAlignment, ABlankFloorGivesNoPoints) {
+  const test::FlatFloor blank = test::FlatFloor::blank(4.0, 3.0);
+  test::Shot quiet;
+  quiet.noise = 0.0;
+  const DirectFit found = aligned(blank, {0.1, 0.0, 0.0}, {}, {0.1, 0.0, 0.0}, quiet);
+  EXPECT_EQ(found.points, 0U);
+  EXPECT_FALSE(found.fit.converged);
+}
+
+}  // namespace
+}  // namespace weft::agents
