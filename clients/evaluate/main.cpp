@@ -76,26 +76,27 @@ int run(const evaluate::RelocaliseOptions& options) {
   return finish(evaluate::floor::study_relocalisation(options, around), options.out);
 }
 
-int stopped_without_result(const Result<evaluate::Ended>& ended) {
+int finish_at_once(const Result<evaluate::Ended>& ended, const char* left = "nothing was written") {
   if (!ended) return failed(ended.error());
   if (*ended == evaluate::Ended::complete) return 0;
-  std::cerr << "weft-evaluate: stopped; nothing was written\n";
+  std::cerr << "weft-evaluate: stopped; " << left << '\n';
   return 130;
 }
 
 int run(const evaluate::ForetoldOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  return stopped_without_result(evaluate::floor::study_foretold(options, around));
+  return finish_at_once(evaluate::floor::study_foretold(options, around));
 }
 
 int run(const evaluate::OdometryOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  return stopped_without_result(evaluate::odometry::study_odometry(options, around, thread_cpu_s));
+  return finish_at_once(evaluate::odometry::study_odometry(options, around, thread_cpu_s),
+                        "odometry.csv has what was measured; the next call begins anew");
 }
 
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  return stopped_without_result(evaluate::floor::replay_floor(options, around));
+  return finish_at_once(evaluate::floor::replay_floor(options, around));
 }
 
 int run(const evaluate::NotRun& not_run) {

@@ -159,7 +159,7 @@ void retain(Followed& followed, const Keep& keep) {
 /// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
 /// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top the calibration's: its
 /// errors are the same for ever and add up linearly, but steps compose as if they were independent, so they are
-/// stated such that both come to the same after `calibration_memory_m` (docs/decisions/023-odometry-candidates.md).
+/// stated such that both come to the same after `calibration_memory_m` (docs/decisions/024-odometry-candidates.md).
 Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fitted, const Pose2& moved,
                                 Floor::Odometry& s) {
   constexpr double alike = 1.4;             // fits of the same corners err alike: their noise counts so many times
