@@ -114,7 +114,7 @@ void Recognition::on_question(const msg::Recognise& asked, SteadyTime now) {
     return refuse(asked, "this server does not sign contents of " + name_of(key.first, key.second) +
                              ": update it, or give the robot a seed");
   }
-  agents::RecognitionIndex& index = indexes_[key];
+  const agents::RecognitionIndex& index = indexes_[key];
   if (index.size() == 0) return answer(asked, {});
   if (!index.fits(asked.seen)) {
     return refuse(asked, "signatures of " + name_of(key.first, key.second) + " have " +

@@ -16,14 +16,14 @@ struct Bound {
     easy,     ///< textured floors in the light they were taught in
     hard      ///< all others
   };
-  const char* name;
-  const char* unit;
-  const char* paper;  ///< Gadd & Newman's
-  Of of;
-  double Score::*value;
-  double median;
-  double worst;
-  bool of_refusers;  ///< holds for floors too on which a refusal to localise is right
+  const char* name = "";
+  const char* unit = "";
+  const char* paper = "";  ///< Gadd & Newman's
+  Of of = Of::mapping;
+  double Score::*value = nullptr;
+  double median = 0.0;
+  double worst = 0.0;
+  bool of_refusers = false;  ///< holds for floors too on which a refusal to localise is right
   /// Not the median and the worst seed are bounded, but the mean of all floors, lights and seeds together: from the
   /// first number to the second.
   bool is_share = false;
@@ -55,8 +55,8 @@ std::string tables_of(const Rows& rows, Seeds seeds);
 
 /// The median and the largest; NaN without values. A value that is none (it could not be measured) is the worst.
 struct MedianWorst {
-  double median;
-  double worst;
+  double median = 0.0;
+  double worst = 0.0;
 };
 MedianWorst median_worst(std::vector<double> values);
 
