@@ -7,7 +7,7 @@ namespace weft::agents {
 
 double careful_speed(const FollowConfig& config, const Estimate& estimate) {
   const double left_m = config.blind_limit_m - estimate.blind_m;
-  const double by_blindness = left_m / std::max(config.blind_limit_m - config.sure_m, 1e-6);
+  const double by_blindness = left_m / (config.blind_limit_m - config.sure_m);
   const Eigen::Matrix3d covariance = planar_covariance(estimate.place_from_robot);
   const double sigma_m = std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0}));
   const double by_sigma = sigma_m > config.sure_sigma_m ? config.sure_sigma_m / sigma_m : 1.0;

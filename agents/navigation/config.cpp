@@ -113,6 +113,12 @@ std::vector<Error> check(const NavigationConfig& config) {
   each_setting(config, [&](const char* part) { return out.section(part); });
   out.section("follow")("footprint_radius_m", config.follow.footprint_radius_m, Low::open, 0, 5);
   issues.insert(issues.end(), out.issues.begin(), out.issues.end());
+  const FollowConfig& follow = config.follow;
+  if (follow.sure_m >= follow.blind_limit_m) {
+    issues.push_back({ErrorCode::invalid, "navigation: follow.sure_m is " + std::to_string(follow.sure_m) +
+                                              "; it must be below follow.blind_limit_m, which is " +
+                                              std::to_string(follow.blind_limit_m)});
+  }
   return issues;
 }
 

@@ -196,17 +196,10 @@ CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds) 
       "calibrated and as it is given, at three frame rates; speed error, drift, and how often the 95 % region of its "
       "covariance holds the truth over 1 m and 10 m.\n"
       "Writes odometry.csv and prints a table. Ctrl-C stops it; it begins anew.");
-  seeds = "1..3";
-  options.site = "deploy/sites/demo.toml";
   options.out = "out/odometry";
+  flags_of_floors(sub, options, "1..3", seeds);
+  flags_of_line(sub, options);
   const auto option = flags_of(sub);
-  option("--kind", options.kind, "K", "One kind of floor [all]");
-  option("--seeds", seeds, "A..B", "Seeds A to B, or one [1..3]");
-  option("--site", options.site, "FILE", "Site file [deploy/sites/demo.toml]");
-  option("--along", options.along, "FILE",
-         "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
-  option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [26]")
-      ->check(CLI::Range(11.0, 1000.0).description(""));
   option("--out", options.out, "DIR", "Folder for odometry.csv [out/odometry]");
   sub->add_flag("--candidates", options.candidates,
                 "Other ways to see motion beside it (tracks, direct alignment, binary features), on the first 8 m");

@@ -10,7 +10,6 @@
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/calibrated.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
-#include "clients/evaluate/line.hpp"
 #include "clients/evaluate/odometry/keyframe_odometry.hpp"
 #include "clients/evaluate/odometry/rehearsal.hpp"
 #include "clients/evaluate/odometry/row.hpp"
@@ -21,23 +20,6 @@ namespace {
 constexpr double kCandidatesOverM = 8.0;
 
 using CpuTime = std::function<double()>;
-
-Result<floor::Stage> stage_of(const OdometryOptions& options, const Surroundings& around) {
-  const Result<std::string> site_text = read_text(options.site, "site file; deploy/sites has some");
-  if (!site_text) return fail(site_text.error());
-  Result<agents::sim::Site> site = agents::sim::parse_site(*site_text, options.site.string());
-  if (!site) return fail(site.error());
-  const std::filesystem::path along =
-      options.along.empty() ? options.site.parent_path() / options.site.stem() / "r1.line" : options.along;
-  const Result<std::string> line_text = read_text(along, "line to drive along; give one with --along");
-  if (!line_text) return fail(line_text.error());
-  const auto line = parse_line(*line_text, along.string());
-  if (!line) return fail(line.error());
-  auto part = first_metres(*line, options.metres, along.string());
-  if (!part) return fail(part.error());
-  return floor::Stage{std::move(*site), std::move(*part), std::nullopt, options.out / "truth.now",
-                      around.asked_to_stop};
-}
 
 /// The product, every setting at its default but for what is known of its camera.
 Result<Observer> product(const std::string& name, std::size_t every, const floor::KnownCamera& camera,
@@ -131,18 +113,14 @@ Result<bool> measure(const floor::Scenario& scenario, const std::string& kind, s
 }  // namespace
 
 Result<Ended> study_odometry(const OdometryOptions& options, const Surroundings& around, const CpuTime& cpu_s) {
-  const Result<floor::Stage> stage = stage_of(options, around);
-  if (!stage) return fail(stage.error());
-  std::error_code problem;
-  std::filesystem::create_directories(options.out, problem);
-  if (problem) return fail(ErrorCode::unavailable, options.out.string() + ": " + problem.message());
-  const std::vector<std::string> kinds =
-      options.kind.empty() ? agents::sim::floor_kinds() : std::vector{options.kind};
+  const Result<floor::Subject> subject = floor::subject_of(options, around.asked_to_stop);
+  if (!subject) return fail(subject.error());
+  if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
   std::vector<Row> rows;
-  RowsMeasured progress(kinds.size() * (options.seeds.last - options.seeds.first + 1), 0, around);
+  RowsMeasured progress(subject->kinds.size() * (options.seeds.last - options.seeds.first + 1), 0, around);
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
-    for (const std::string& kind : kinds) {
-      const Result<floor::Scenario> scenario = floor::Scenario::make(*stage, kind, seed);
+    for (const std::string& kind : subject->kinds) {
+      const Result<floor::Scenario> scenario = floor::Scenario::make(subject->stage, kind, seed);
       if (!scenario) return fail(scenario.error());
       const Result<bool> done = measure(*scenario, kind, seed, options, cpu_s, rows);
       if (!done) return fail(done.error());

@@ -195,5 +195,14 @@ TEST(NavigationConfig, BadBoundsAreAllNamed) {
   EXPECT_NE(issues[2].message.find("2.0"), std::string::npos);
 }
 
+TEST(NavigationConfig, ARobotSlowsDownBeforeItIsLost) {
+  NavigationConfig config;
+  config.follow.blind_limit_m = config.follow.sure_m;
+  const std::vector<Error> issues = check(config);
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_NE(issues[0].message.find("follow.sure_m is 0.4"), std::string::npos);
+  EXPECT_NE(issues[0].message.find("below follow.blind_limit_m"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace weft::agents

@@ -9,29 +9,13 @@
 #include <string>
 
 #include "clients/evaluate/floor/foretold_study.hpp"
+#include "tests/clients/evaluate/floor/small_hall.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
 using agents::Prospect;
-
-/// A small camera: quicker.
-constexpr const char* kSmallHall = R"(
-[floor]
-x_min = 0.0
-y_min = 0.0
-x_max = 12.0
-y_max = 6.0
-[camera]
-width_px = 376
-height_px = 240
-focal_px = 230
-[[robot]]
-name = "r1"
-x = 2.0
-y = 3.0
-)";
 
 TEST(ForetoldAgreement, CountsAllAndEachMetre) {
   const Agreement none = agreement_of({});
@@ -48,7 +32,7 @@ class Foretelling : public testing::Test {
   /// Of a way of 3 m on epoxy of that contrast, by prospect.
   std::array<Agreement, agents::prospects> of_contrast(double contrast) const {
     Stage stage;
-    stage.site = *agents::sim::parse_site(kSmallHall, "small");
+    stage.site = *agents::sim::parse_site(small_hall(12.0, 6.0, 3.0), "small");
     stage.site.floor.contrast = contrast;
     stage.line = {{2.0, 3.0}, {5.0, 3.0}};
     stage.scratch = folder.path() / "truth.now";
@@ -64,6 +48,19 @@ class Foretelling : public testing::Test {
     }
     return all;
   }
+
+  ForetoldOptions two_metres_on(const std::string& kind) const {
+    ForetoldOptions options;
+    options.site = folder.path() / "small.toml";
+    options.along = folder.path() / "small.line";
+    options.out = folder.path() / "out";
+    options.kind = kind;
+    options.metres = 2.0;
+    std::ofstream(options.site) << small_hall(12.0, 6.0, 3.0);
+    std::ofstream(options.along) << "2 3\n4.5 3\n";
+    return options;
+  }
+
   storage::TemporaryDirectory folder;
 };
 
@@ -82,36 +79,18 @@ TEST_F(Foretelling, IsWhatAnotherRobotFinds) {
 }
 
 TEST_F(Foretelling, AFloorThatThereIsNotIsRefused) {
-  const auto site = folder.path() / "small.toml";
-  const auto line = folder.path() / "small.line";
-  std::ofstream(site) << kSmallHall;
-  std::ofstream(line) << "2 3\n4.5 3\n";
   std::ostringstream out;
   std::ostringstream progress;
-  ForetoldOptions options;
-  options.site = site;
-  options.along = line;
-  options.out = folder.path() / "out";
-  options.kind = "cheese";
-  options.metres = 2.0;
+  const ForetoldOptions options = two_metres_on("cheese");
   const auto refused = study_foretold(options, {out, progress, [] { return 0.0; }, [] { return false; }});
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.error().message.find("cheese"), std::string::npos);
 }
 
 TEST_F(Foretelling, StopsWhenAsked) {
-  const auto site = folder.path() / "small.toml";
-  const auto line = folder.path() / "small.line";
-  std::ofstream(site) << kSmallHall;
-  std::ofstream(line) << "2 3\n4.5 3\n";
   std::ostringstream out;
   std::ostringstream progress;
-  ForetoldOptions options;
-  options.site = site;
-  options.along = line;
-  options.out = folder.path() / "out";
-  options.kind = "epoxy";
-  options.metres = 2.0;
+  const ForetoldOptions options = two_metres_on("epoxy");
   int samples = 5;
   const auto ended =
       study_foretold(options, {out, progress, [] { return 0.0; }, [&samples] { return --samples < 0; }});

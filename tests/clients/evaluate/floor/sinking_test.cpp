@@ -3,32 +3,16 @@
 #include "agents/agent/lift_watch.hpp"
 #include "clients/evaluate/floor/drive.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
+#include "tests/clients/evaluate/floor/small_hall.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
-/// A robot is taught three metres by a small camera, which is quick; another body repeats them on another day.
-constexpr const char* kHall = R"(
-[floor]
-x_min = 0.0
-y_min = 0.0
-x_max = 8.0
-y_max = 6.0
-[camera]
-width_px = 376
-height_px = 240
-focal_px = 230
-[[robot]]
-name = "r1"
-x = 2.0
-y = 3.0
-)";
-
 class ABodyUnderLoad : public testing::Test {
  protected:
   void teach_with(double mount_error_m, double focal_error) {
-    const Result<agents::sim::Site> site = agents::sim::parse_site(kHall, "hall.toml");
+    const Result<agents::sim::Site> site = agents::sim::parse_site(small_hall(8.0, 6.0, 3.0), "hall.toml");
     ASSERT_TRUE(site) << site.error().message;
     drive.body.site = *site;
     drive.body.site.disturbances.mount_error_m = mount_error_m;

@@ -11,29 +11,13 @@
 #include "clients/evaluate/floor/figure_runs.hpp"
 #include "clients/evaluate/floor/rows.hpp"
 #include "tests/clients/evaluate/floor/driven_trace.hpp"
+#include "tests/clients/evaluate/floor/small_hall.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
 const std::vector<const char*> kRates = {"600-in-10s", "300-in-10s", "150-in-10s", "75-in-10s"};
-
-/// The demo's hall without its racks, seen by a small camera: quicker.
-constexpr const char* kSmallSite = R"(
-[floor]
-x_min = 0.0
-y_min = 0.0
-x_max = 20.0
-y_max = 12.8
-[camera]
-width_px = 376
-height_px = 240
-focal_px = 230
-[[robot]]
-name = "r1"
-x = 2.0
-y = 6.4
-)";
 
 class StudyOfFloors : public testing::Test {
  protected:
@@ -107,7 +91,7 @@ TEST_F(StudyOfFloors, RowsThatAreThereAreNotMeasuredAgain) {
 TEST_F(StudyOfFloors, AShortWayIsTaughtAndRepeated) {
   options.site = folder.path() / "small.toml";
   options.along = folder.path() / "small.line";
-  std::ofstream(options.site) << kSmallSite;
+  std::ofstream(options.site) << small_hall(20.0, 12.8, 6.4);
   std::ofstream(options.along) << "2 6.4\n4 6.4\n5 6.5\n9 6.5\n";
   options.kind = "asphalt";
   options.metres = 5.0;
