@@ -26,6 +26,11 @@ void copy(cairo_surface_t* from, cairo_surface_t* to) {
 
 }  // namespace
 
+Result<void> check_picture_name(const std::string& file) {
+  if (file.ends_with(".png") || file.ends_with(".svg")) return {};
+  return fail(ErrorCode::invalid, file + ": give a name that ends in .png or .svg");
+}
+
 Canvas::Canvas(double wide, double tall)
     : wide_(wide),
       tall_(tall),

@@ -31,6 +31,9 @@ struct Dot {
   double y = 0.0;
 };
 
+/// invalid: it ends neither in .png nor in .svg.
+Result<void> check_picture_name(const std::string& file);
+
 class Canvas {
  public:
   /// White.

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "clients/chart/canvas.hpp"
+
 namespace weft::cli {
 namespace {
 
@@ -63,9 +65,7 @@ Canvas::Canvas(std::string file, const Sheet& sheet)
 }
 
 Result<Canvas> Canvas::make(const std::string& file, const Sheet& sheet) {
-  if (!file.ends_with(".svg") && !file.ends_with(".png")) {
-    return fail(ErrorCode::invalid, file + ": give a name that ends in .png or .svg");
-  }
+  if (const Result<void> named = charts::check_picture_name(file); !named) return fail(named.error());
   return Canvas(file, sheet);
 }
 

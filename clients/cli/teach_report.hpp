@@ -20,8 +20,7 @@ std::vector<std::string> advice_of(const std::vector<msg::TaughtStretch>& report
 void print_report(const std::vector<msg::TaughtStretch>& report, std::ostream& out);
 nlohmann::json to_json(const msg::TaughtStretch& stretch);
 
-/// Three lines over the metres taught, as PNG or SVG. invalid: the file's name ends in neither; exhausted: it cannot
-/// be written.
+/// Three lines over the metres taught, as PNG or SVG. exhausted: it cannot be written.
 Result<void> draw_report(const std::vector<msg::TaughtStretch>& report, const std::string& about,
                          const std::string& file);
 

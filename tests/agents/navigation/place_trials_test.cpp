@@ -10,7 +10,7 @@ namespace weft::agents {
 namespace {
 
 /// What is asked of the method, in order.
-struct Asked {
+struct AskedOfMarks {
   std::vector<Passing> foreseen;
   int related = 0;
 };
@@ -18,7 +18,7 @@ struct Asked {
 /// Marks that can be thought away: in half light every second one, and on a worn floor all.
 class ForeseeingMarks : public MarksMethod {
  public:
-  explicit ForeseeingMarks(std::shared_ptr<Asked> asked) : asked_(std::move(asked)) {}
+  explicit ForeseeingMarks(std::shared_ptr<AskedOfMarks> asked) : asked_(std::move(asked)) {}
 
   OrRefusal<View> foresee(const View& view, const Passing& passing) const {
     asked_->foreseen.push_back(passing);
@@ -38,7 +38,7 @@ class ForeseeingMarks : public MarksMethod {
   }
 
  private:
-  std::shared_ptr<Asked> asked_;
+  std::shared_ptr<AskedOfMarks> asked_;
 };
 static_assert(Foresees<ForeseeingMarks> && !Foresees<MarksMethod>);
 
@@ -59,7 +59,7 @@ class PlaceTrialsOfMarks : public MarksFleet {
     return view;
   }
 
-  std::shared_ptr<Asked> asked = std::make_shared<Asked>();
+  std::shared_ptr<AskedOfMarks> asked = std::make_shared<AskedOfMarks>();
   Random random{5};
 };
 

@@ -89,7 +89,9 @@ TEST(TeachReport, IsDrawn) {
     EXPECT_EQ(fleet.weft({"teach", "r1", "report", "--draw", file}).exit, Exit::done);
     EXPECT_GT(std::filesystem::file_size(file), 3000U);
   }
-  EXPECT_EQ(fleet.weft({"teach", "r1", "report", "--draw", "taught.bmp"}).exit, Exit::usage);
+  const auto misnamed = fleet.weft({"teach", "r1", "report", "--draw", "taught.bmp"});
+  EXPECT_EQ(misnamed.exit, Exit::usage);
+  EXPECT_EQ(misnamed.out, "") << "told before the robot is asked";
   EXPECT_NE(fleet.weft({"teach", "r1", "report", "--draw", "/nowhere/a.png"}).exit, Exit::done);
 }
 
