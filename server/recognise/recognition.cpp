@@ -11,9 +11,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kSigned = 8;  ///< contents a piece: about 1 ms
-constexpr Duration kBetweenPieces = 3ms;
-constexpr std::size_t kCompared = 16'384;            ///< signatures a piece: about 1 ms
-constexpr std::uint64_t kMostBytes = 256ULL << 20U;  ///< of signatures; a million of the floor method take 134 MB
+constexpr Duration kBetweenSignings = 3ms;
+constexpr std::size_t kCompared = 8'192;             ///< signatures a piece: about 1 ms
+constexpr std::uint64_t kMostBytes = 512ULL << 20U;  ///< of signatures; a million of the floor method take 260 MB
 
 std::string name_of(const std::string& method, std::uint32_t format) {
   return "'" + method + "' of format " + std::to_string(format);
@@ -123,7 +123,7 @@ void Recognition::on_question(const msg::Recognise& asked, SteadyTime now) {
   std::erase_if(searches_, [&](const Search& other) { return other.asked.header.sender == asked.header.sender; });
   if (searches_.size() >= kMostAskers) return refuse(asked, "too many robots look for themselves: ask again later");
   const agents::Wanted wanted{.most = asked.most, .after = asked.after};
-  searches_.push_back({asked, agents::RecognitionSearch(asked.seen, agents::kept_for(wanted))});
+  searches_.push_back({asked, agents::RecognitionSearch(index, asked.seen, agents::kept_for(wanted))});
   asked_at_ = now;
 }
 
@@ -167,7 +167,7 @@ void Recognition::tick(Now now) {
   if (!searches_.empty()) search_piece();
   if (to_sign_.empty() || now.steady < next_piece_) return;
   sign_piece();
-  next_piece_ = now.steady + kBetweenPieces;
+  next_piece_ = now.steady + kBetweenSignings;
 }
 
 std::optional<SteadyTime> Recognition::next() const {

@@ -8,12 +8,14 @@ namespace weft::agents {
 namespace {
 
 constexpr std::size_t kLanes = 16;
-constexpr std::size_t kPerByte = 4;
-constexpr double kStep = 0.9816;  // of the standard deviation: the best four levels of a normal number (Max 1960)
-constexpr double kWidest = 3.0;   // standard deviations; farther ones count as that
-constexpr double kScale = 100.0 / kWidest;
-// A lane sums up 4 products of at most 3 * 100 a block: 16 blocks of 16 bytes stay below 2^15.
-static_assert(longest_signature / (kPerByte * kLanes) * kPerByte * 3 * 100 < 32'768);
+constexpr std::size_t kPerByte = 2;
+constexpr int kLevels = 16;
+constexpr double kStep = 0.5;  // standard deviations a level
+constexpr double kMiddle = 0.5 * (kLevels - 1);
+constexpr int kWeight = 34;  // of what lies farthest from what is usual
+constexpr int kWeightOfALevel = 8;
+// A lane sums up 2 products a block: the blocks of the longest signature stay below 2^15.
+static_assert(longest_signature / (kPerByte * kLanes) * kPerByte * (kLevels - 1) * kWeight < 32'768);
 
 struct Moments {
   double mean = 0.0;
@@ -30,16 +32,20 @@ Moments moments_of(const Signature& signature) {
   return moments;
 }
 
-/// Number i stands in byte i % bytes, at the pair of bits i / bytes.
+/// In levels from the middle.
+double off(float number, const Moments& own) {
+  return (static_cast<double>(number) - own.mean) / own.deviation / kStep;
+}
+
+/// Number i stands in byte i % bytes, in its lower half for i < bytes, else in its upper half.
 [[gnu::always_inline]] inline std::int32_t correlate(const std::int16_t* weights, const std::uint8_t* code,
                                                      std::size_t bytes) {
   std::array<std::int16_t, kLanes> sums{};
   for (std::size_t at = 0; at < bytes; at += kLanes) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const std::uint8_t four = code[at + lane];
+      const std::uint8_t two = code[at + lane];
       const std::int16_t* const weight = weights + at + lane;
-      sums[lane] = static_cast<std::int16_t>(sums[lane] + weight[0] * (four & 3) + weight[bytes] * (four >> 2 & 3) +
-                                             weight[2 * bytes] * (four >> 4 & 3) + weight[3 * bytes] * (four >> 6));
+      sums[lane] = static_cast<std::int16_t>(sums[lane] + weight[0] * (two & 15) + weight[bytes] * (two >> 4));
     }
   }
   std::int32_t sum = 0;
@@ -69,19 +75,33 @@ void write_code(const Signature& signature, std::span<std::uint8_t> code) {
   const Moments own = moments_of(signature);
   std::fill(code.begin(), code.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < signature.size(); ++i) {
-    const double off = (static_cast<double>(signature[i]) - own.mean) / own.deviation;
-    const unsigned level = off < -kStep ? 0U : off < 0.0 ? 1U : off < kStep ? 2U : 3U;
+    const double level = std::floor(off(signature[i], own) + kMiddle + 0.5);
     std::uint8_t& byte = code[i % code.size()];
-    byte = static_cast<std::uint8_t>(byte | level << 2U * (i / code.size()));
+    const auto bits = static_cast<unsigned>(std::clamp(level, 0.0, kLevels - 1.0));
+    byte = static_cast<std::uint8_t>(byte | bits << 4U * (i / code.size()));
   }
 }
 
-CodeQuery::CodeQuery(const Signature& seen)
+void UsualLevels::count(std::span<const std::uint8_t> code, int times) {
+  sums_.resize(kPerByte * code.size());
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    sums_[i] += times * (code[i] & 15);
+    sums_[i + code.size()] += times * (code[i] >> 4);
+  }
+  codes_ += times;
+}
+
+double UsualLevels::of(std::size_t number) const {
+  return codes_ > 0 ? static_cast<double>(sums_[number]) / static_cast<double>(codes_) : kMiddle;
+}
+
+CodeQuery::CodeQuery(const Signature& seen, const UsualLevels& usual)
     : bytes_(code_bytes(seen.size())), weights_(kPerByte * code_bytes(seen.size()), 0) {
   const Moments own = moments_of(seen);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const double off = (static_cast<double>(seen[i]) - own.mean) / own.deviation;
-    weights_[i] = static_cast<std::int16_t>(std::lround(kScale * std::clamp(off, -kWidest, kWidest)));
+    const double unusual = off(seen[i], own) + kMiddle - usual.of(i);
+    const auto weight = std::lround(std::clamp(kWeightOfALevel * unusual, -1.0 * kWeight, 1.0 * kWeight));
+    weights_[i] = static_cast<std::int16_t>(weight);
   }
 }
 

@@ -10,18 +10,34 @@ namespace weft::agents {
 
 inline constexpr std::size_t longest_signature = 1024;  ///< numbers
 
-/// A signature in two bits a number: how far each lies from the mean of all, in four steps of their own standard
-/// deviation. 512 numbers take 128 bytes, so that those of a million places fit in memory.
+/// A signature in four bits a number: how far each lies from the mean of all, in 16 steps of half their own standard
+/// deviation. 512 numbers take 256 bytes, so that those of a million places fit in memory.
 /// In bytes; of equally long signatures the same.
 std::size_t code_bytes(std::size_t numbers);
 /// `code` has code_bytes(signature.size()).
 void write_code(const Signature& signature, std::span<std::uint8_t> code);
 
-/// What is looked for, in eight bits a number: codes are compared with it, not with a code of it.
+/// How the codes of a network are on the whole. Frequent words are frequent in all of them: what tells places apart
+/// is how far they lie from this.
+class UsualLevels {
+ public:
+  /// One more of them, or with `times` = -1 one less. All of the same length.
+  void count(std::span<const std::uint8_t> code, int times);
+  /// Mean level of a number of the signature, [0, 15]; the middle while there is no code.
+  double of(std::size_t number) const;
+
+ private:
+  std::int64_t codes_ = 0;
+  std::vector<std::int64_t> sums_;
+};
+
+/// What is looked for, in finer steps and as the difference to what is usual: codes are compared with it, not with a
+/// code of it.
 class CodeQuery {
  public:
   /// At most `longest_signature` finite numbers.
-  explicit CodeQuery(const Signature& seen);
+  CodeQuery(const Signature& seen, const UsualLevels& usual);
+
   /// The likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike.
   /// Correlation, but for a factor that is the same for all.
   void compare(std::span<const std::uint8_t> codes, std::span<std::int32_t> likeness) const;
@@ -29,7 +45,7 @@ class CodeQuery {
 
  private:
   std::size_t bytes_;
-  std::vector<std::int16_t> weights_;  ///< four rows, one for each pair of bits of a byte, padded as codes are
+  std::vector<std::int16_t> weights_;  ///< two rows, one for each half of a byte, padded as codes are
 };
 
 }  // namespace weft::agents

@@ -36,8 +36,11 @@ bool RecognitionIndex::put(const PlaceId& id, const Signature& signature) {
   const std::size_t had = chunk.codes.capacity();
   if (chunk.codes.size() < (place + 1) * bytes) chunk.codes.resize((place + 1) * bytes);
   memory_bytes_ += chunk.codes.capacity() - had;
-  write_code(signature, std::span(chunk.codes).subspan(place * bytes, bytes));
-  if (!chunk.is_signed[place]) ++size_;
+  const auto code = std::span(chunk.codes).subspan(place * bytes, bytes);
+  if (chunk.is_signed[place]) usual_.count(code, -1), --size_;
+  write_code(signature, code);
+  usual_.count(code, 1);
+  ++size_;
   chunk.is_signed.set(place);
   return true;
 }
@@ -51,10 +54,19 @@ void RecognitionIndex::forget(ExperienceId experience) {
   const auto first = chunks_.lower_bound({experience, 0});
   auto last = first;
   for (; last != chunks_.end() && last->first.first == experience; ++last) {
-    size_ -= last->second.is_signed.count();
+    discount(last->second);
     memory_bytes_ -= sizeof(ChunkKey) + sizeof(Chunk) + last->second.codes.capacity();
   }
   chunks_.erase(first, last);
+}
+
+void RecognitionIndex::discount(const Chunk& chunk) {
+  const std::size_t bytes = code_bytes(numbers_);
+  for (std::size_t place = 0; place < chunk_places; ++place) {
+    if (!chunk.is_signed[place]) continue;
+    usual_.count(std::span(chunk.codes).subspan(place * bytes, bytes), -1);
+    --size_;
+  }
 }
 
 bool RecognitionSearch::step(const RecognitionIndex& index, const Snapshot& now, std::size_t places) {
@@ -117,7 +129,7 @@ std::vector<PlaceId> spread_out(const Snapshot& snapshot, const std::vector<Plac
 
 std::vector<PlaceId> likeliest(const RecognitionIndex& index, const Snapshot& snapshot, const Signature& seen,
                                const Wanted& wanted) {
-  RecognitionSearch search(seen, kept_for(wanted));
+  RecognitionSearch search(index, seen, kept_for(wanted));
   search.step(index, snapshot, std::numeric_limits<std::size_t>::max());
   return spread_out(snapshot, search.ranked(), wanted);
 }

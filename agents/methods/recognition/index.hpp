@@ -13,7 +13,7 @@
 namespace weft::agents {
 
 /// The coded signatures of a network's places, all of one method and content format. Derived from contents, so never
-/// stored. About 130 bytes a place of the method `floor`.
+/// stored. About 260 bytes a place of the method `floor`.
 class RecognitionIndex {
  public:
   static constexpr std::uint32_t chunk_places = 256;
@@ -35,12 +35,16 @@ class RecognitionIndex {
   std::size_t numbers() const { return numbers_; }  ///< of each signature; 0 while there is none
   std::size_t memory_bytes() const { return memory_bytes_; }
   const std::map<ChunkKey, Chunk>& chunks() const { return chunks_; }
+  const UsualLevels& usual() const { return usual_; }
 
  private:
+  void discount(const Chunk& chunk);
+
   std::size_t numbers_ = 0;
   std::size_t size_ = 0;
   std::size_t memory_bytes_ = 0;
   std::map<ChunkKey, Chunk> chunks_;
+  UsualLevels usual_;
 };
 
 struct Likely {
@@ -52,7 +56,8 @@ struct Likely {
 class RecognitionSearch {
  public:
   /// `keep`: how many of the likeliest are wanted. The index fits `seen`.
-  RecognitionSearch(const Signature& seen, std::size_t keep) : query_(seen), keep_(keep) {}
+  RecognitionSearch(const RecognitionIndex& index, const Signature& seen, std::size_t keep)
+      : query_(seen, index.usual()), keep_(keep) {}
 
   /// At most about `places` more. Of the likeliest only those that are in `now` count. False: it has seen all.
   bool step(const RecognitionIndex& index, const Snapshot& now, std::size_t places);

@@ -1,4 +1,4 @@
-// How many of the likeliest places have to be looked at: signatures as numbers beside their codes of two bits. And
+// How many of the likeliest places have to be looked at: signatures as numbers beside their codes of four bits. And
 // how long a million codes are compared, beside reading them.
 #include <algorithm>
 #include <cstdio>
@@ -25,6 +25,7 @@ struct World {
   std::vector<Seen> places;
   std::vector<Signature> signatures;
   std::vector<std::uint8_t> codes;
+  UsualLevels usual;
 };
 
 FloorContent content(const Floor& method, const test::FloorCamera& eye, const test::FlatFloor& floor, const Pose2& at,
@@ -58,7 +59,7 @@ void compare(const World& world, const Seen& right, const Signature& seen, Looks
   for (const Signature& signature : world.signatures) unlikeness.push_back(distance2(seen, signature));
   looks.rank_of_numbers.push_back(rank(world, right, unlikeness));
   std::vector<std::int32_t> likeness(world.places.size());
-  CodeQuery(seen).compare(world.codes, likeness);
+  CodeQuery(seen, world.usual).compare(world.codes, likeness);
   std::transform(likeness.begin(), likeness.end(), unlikeness.begin(), [](std::int32_t one) { return -1.0 * one; });
   looks.rank_of_codes.push_back(rank(world, right, unlikeness));
 }
@@ -111,8 +112,11 @@ void recall(std::uint64_t floors) {
   }
   const std::size_t bytes = code_bytes(512);
   world.codes.resize(world.places.size() * bytes);
-  for (std::size_t k = 0; k < world.places.size(); ++k)
-    write_code(world.signatures[k], std::span(world.codes).subspan(k * bytes, bytes));
+  for (std::size_t k = 0; k < world.places.size(); ++k) {
+    const auto code = std::span(world.codes).subspan(k * bytes, bytes);
+    write_code(world.signatures[k], code);
+    world.usual.count(code, 1);
+  }
   std::printf("%zu places on %llu floors; the right spot among the likeliest, seen by another robot:\n",
               world.places.size(), static_cast<unsigned long long>(floors));
   for (std::size_t look = 0; look < all.size(); ++look) {
@@ -154,10 +158,10 @@ void a_million() {
     }
   });
   std::vector<double> pieces;
-  RecognitionSearch search(signature, kept_for({}));
+  RecognitionSearch search(index, signature, kept_for({}));
   bool goes_on = true;
   while (goes_on) {
-    pieces.push_back(timed([&] { goes_on = search.step(index, snapshot, 16'384); }).processor_ms);
+    pieces.push_back(timed([&] { goes_on = search.step(index, snapshot, 8'192); }).processor_ms);
   }
   std::vector<PlaceId> found;
   const Took spreading = timed([&] { found = spread_out(snapshot, search.ranked(), {}); });
