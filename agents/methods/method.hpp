@@ -23,11 +23,17 @@
 /// neighbourhood, acceptance, recovery, following, stitching) is generic and in agents/navigation.
 namespace weft::agents {
 
+/// What errors that all steps of a drive have in common (a calibration's) do to a relation, one column each: xi of
+/// (x, y, heading) in a_from_b * exp2(xi) for one sigma, m and rad. Columns are independent of one another; those
+/// that a method does not use are zero.
+using CommonErrors = Eigen::Matrix<double, 3, 6>;
+
 /// The motion between two consecutive samples.
 struct Step {
-  Relation previous_from_current;  ///< with its covariance
+  Relation previous_from_current;  ///< with its covariance, that of `common` included
   bool seen = false;               ///< false: vision was blind, this is integrated commands or wheels
   std::string_view blind_reason;   ///< static text; empty when seen
+  CommonErrors common = CommonErrors::Zero();
 };
 
 /// Why something was not accepted: a name that is counted and shown, the measured value and its bound.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/methods/advance.hpp"
 #include "core/network/search.hpp"
 
 namespace weft::agents {
@@ -94,16 +95,17 @@ std::optional<Relation> between(const BeliefConfig& config, const Window& window
 
 void Belief::advance(const Step& step) {
   if (estimate_) {
-    estimate_->place_from_robot = compose(estimate_->place_from_robot, step.previous_from_current);
+    estimate_->place_from_robot = advanced(estimate_->place_from_robot, step, common_);
     estimate_->blind_m += distance_m(step.previous_from_current);
   }
   if (proposed_) {
-    proposed_->place_from_robot = compose(proposed_->place_from_robot, step.previous_from_current);
+    proposed_->place_from_robot = advanced(proposed_->place_from_robot, step, common_of_proposed_);
   }
 }
 
 void Belief::set(const Fix& fix) {
   estimate_ = Estimate{fix.place, fix.place_from_robot, 0.0};
+  common_.setZero();
   proposed_.reset();
   agreed_ = 0;
 }
@@ -124,7 +126,10 @@ OrRefusal<Fix> Belief::correct(const Fix& fix, const Relation& predicted, const 
   }
   Fix believed = fix;
   if (config_.fuse) believed.place_from_robot = fuse(predicted, fix.place_from_robot);
+  const CommonErrors left =
+      config_.fuse ? corrected(common_, predicted, believed.place_from_robot) : CommonErrors(CommonErrors::Zero());
   set(believed);
+  common_ = left;
   return believed;
 }
 
@@ -143,6 +148,7 @@ OrRefusal<Fix> Belief::propose(const Fix& fix, const Window& window, std::uint32
     return fix;
   }
   proposed_ = fix;
+  common_of_proposed_.setZero();
   return tl::unexpected(Refusal{"unconfirmed", static_cast<double>(count), static_cast<double>(needed)});
 }
 

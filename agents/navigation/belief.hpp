@@ -50,6 +50,8 @@ class Belief {
   BeliefConfig config_;
   std::optional<Estimate> estimate_;
   std::optional<Fix> proposed_;
+  CommonErrors common_ = CommonErrors::Zero();  // in estimate_
+  CommonErrors common_of_proposed_ = CommonErrors::Zero();
   std::uint32_t agreed_ = 0;  // fixes in a row behind proposed_
 };
 

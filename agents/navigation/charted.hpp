@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "agents/methods/advance.hpp"
 #include "agents/navigation/decoded_contents.hpp"
 #include "core/network/search.hpp"
 
@@ -27,15 +28,7 @@ class Charted<M> {
 
   explicit Charted(const M& method) : method_(&method) {}
 
-  void advance(const Step& step) {
-    if (!since_) {
-      since_ = step;
-      return;
-    }
-    since_->previous_from_current = compose(since_->previous_from_current, step.previous_from_current);
-    since_->seen = since_->seen && step.seen;
-    if (!step.seen) since_->blind_reason = step.blind_reason;
-  }
+  void advance(const Step& step) { since_ = since_ ? joined(*since_, step) : step; }
   void forget() { belief_.reset(); }
 
   void prepare(const NavigationConfig&, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,

@@ -32,15 +32,16 @@ class Teacher {
   const TeachStart& start() const { return start_; }
 
  private:
+  Relation last_from_robot() const;
+
   TeachConfig config_;
   TeachStart start_;
   std::string method_;
   std::uint32_t content_format_ = 1;
   std::vector<double> driven_m_;  // up to each place kept
   std::optional<PlaceId> last_;
-  std::optional<Relation> last_from_robot_;  // none: has not moved since
+  std::optional<Step> since_;  // the last place; none: has not moved since
   double since_m_ = 0.0;
-  bool blind_ = false;
   bool asked_ = false;
 };
 

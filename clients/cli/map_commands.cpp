@@ -9,8 +9,6 @@ namespace weft::cli {
 namespace {
 using Command = Invocation::Command;
 
-constexpr double kMiB = 1024.0 * 1024.0;
-
 Exit info(Session& session, const Invocation& invocation, const Output& output) {
   msg::Query query;
   query.kind = msg::Query::Kind::info;
@@ -27,10 +25,10 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   table.add({"places", std::to_string(info.places)});
   table.add({"stitches", std::to_string(info.stitches)});
   table.add({"contents", std::to_string(info.contents) + ", " +
-                             fixed(static_cast<double>(info.content_bytes) / kMiB, 1) + " MiB"});
+                             fixed(static_cast<double>(info.content_bytes) / bytes_a_mib, 1) + " MiB"});
   table.add({"batches", std::to_string(info.batches_acknowledged) + " acknowledged, " +
                             std::to_string(info.batches_refused) + " refused"});
-  table.add({"disk free", fixed(static_cast<double>(info.disk_free_bytes) / kMiB / 1024.0, 1) + " GiB"});
+  table.add({"disk free", fixed(static_cast<double>(info.disk_free_bytes) / bytes_a_mib / 1024.0, 1) + " GiB"});
   table.add({"server", info.software + ", " + info.vendor + ", " + info.engine + ", epoch " +
                            std::to_string(info.epoch.value)});
   if (!info.stopped.empty()) table.add({"store", "TAKES NOTHING: " + info.stopped});

@@ -19,17 +19,15 @@ std::string doing(const msg::RobotState& state) {
   return "-";
 }
 
-constexpr double kMiB = 1024.0 * 1024.0;
-
 /// What its window and its contents took on the wire since the server started.
 std::string sent_to(const msg::RobotRow& row) {
-  return fixed(static_cast<double>(row.window_bytes) / kMiB, 1) + " + " +
-         fixed(static_cast<double>(row.content_bytes) / kMiB, 1) + " MiB";
+  return fixed(static_cast<double>(row.window_bytes) / bytes_a_mib, 1) + " + " +
+         fixed(static_cast<double>(row.content_bytes) / bytes_a_mib, 1) + " MiB";
 }
 
 std::string held_by(const msg::RobotState& state) {
-  return fixed(static_cast<double>(state.memory_bytes) / kMiB, 1) + " of " +
-         fixed(static_cast<double>(state.memory_cap_bytes) / kMiB, 0) + " MiB";
+  return fixed(static_cast<double>(state.memory_bytes) / bytes_a_mib, 1) + " of " +
+         fixed(static_cast<double>(state.memory_cap_bytes) / bytes_a_mib, 0) + " MiB";
 }
 
 }  // namespace

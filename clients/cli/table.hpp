@@ -33,5 +33,6 @@ class Table {
 
 /// With so many digits after the point.
 std::string fixed(double value, int digits);
+inline constexpr double bytes_a_mib = 1024.0 * 1024.0;
 
 }  // namespace weft::cli

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "agents/methods/advance.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "tests/support/flat_floor.hpp"
 
@@ -48,6 +49,7 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
   const double dt = 1.0 / how.frames_per_second;
   const Pose2 step = exp2({how.speed_m_s * dt, 0.0, how.turn_rad_s * dt});
   Relation start_from_robot = Metric2{};
+  agents::CommonErrors common = agents::CommonErrors::Zero();
   Pose2 floor_from_robot = how.start;
   const int frames = static_cast<int>(how.duration_s * how.frames_per_second);
   double squares = 0.0;
@@ -78,7 +80,7 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
       ++out.blind;
       ++out.reasons[std::string(seen.blind_reason)];
     }
-    start_from_robot = compose(start_from_robot, seen.previous_from_current);
+    start_from_robot = agents::advanced(start_from_robot, seen, common);
     if (i >= 60) squares += (step.inverse() * planar(seen.previous_from_current)).translation().squaredNorm();
   }
   out.step_off_m = std::sqrt(squares / std::max(1, frames - 59));

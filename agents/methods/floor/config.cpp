@@ -44,7 +44,8 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"mount_position_m", &FloorConfig::mount_position_m, 1e-6, 0.1},
     {"scale_sigma", &FloorConfig::scale_sigma, 1e-6, 0.1},
     {"mount_yaw_rad", &FloorConfig::mount_yaw_rad, 1e-6, 0.1},
-    {"calibration_memory_m", &FloorConfig::calibration_memory_m, 1e-6, 100},
+    {"turn_sigma", &FloorConfig::turn_sigma, 1e-6, 0.1},
+    {"curve_sigma", &FloorConfig::curve_sigma, 1e-6, 0.1},
     {"normal_angle_rad", &FloorConfig::normal_angle_rad, 1e-6, 1.2},
     {"along_normal_heights", &FloorConfig::along_normal_heights, 1e-6, 1},
     {"decompose_from_heights", &FloorConfig::decompose_from_heights, 0, 1},
@@ -123,7 +124,7 @@ FloorConfig read_floor_config(const config::Table& table) {
 
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
   constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
-  constexpr double kLeastScale = 0.001;
+  constexpr double kLeastScale = 0.0008;
   const FloorConfig unset;
   if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)
     config.mount_tilt_rad = std::clamp(*known.tilt_rad, kLeastTilt, 0.1);
@@ -131,6 +132,8 @@ FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
     config.mount_yaw_rad = std::clamp(*known.yaw_rad, kLeastTilt, 0.1);
   if (known.height_share.has_value() && config.scale_sigma == unset.scale_sigma)
     config.scale_sigma = std::clamp(*known.height_share, kLeastScale, 0.1);
+  if (known.focal_share.has_value() && config.turn_sigma == unset.turn_sigma)
+    config.turn_sigma = std::clamp(*known.focal_share, kLeastScale, 0.1);
   return config;
 }
 

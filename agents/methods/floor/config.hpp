@@ -29,9 +29,10 @@ struct FloorConfig {
   double mount_tilt_rad = 0.006;       ///< [1e-6, 0.1] 1 sigma of the calibration's pitch and roll
   double mount_height_m = 0.003;       ///< [1e-6, 0.1] 1 sigma; also of what load does
   double mount_position_m = 0.003;     ///< [1e-6, 0.1] 1 sigma in the plane
-  double scale_sigma = 0.006;          ///< [1e-6, 0.1] of distances: height and focal length together
-  double mount_yaw_rad = 0.005;        ///< [1e-6, 0.1] 1 sigma of the calibration's heading
-  double calibration_memory_m = 3.0;   ///< [1e-6, 100] after which errors of scale and heading are stated in full
+  double scale_sigma = 0.0042;         ///< [1e-6, 0.1] of distances: height and focal length together
+  double mount_yaw_rad = 0.0033;       ///< [1e-6, 0.1] 1 sigma of the calibration's heading
+  double turn_sigma = 0.0017;          ///< [1e-6, 0.1] of turns: focal length
+  double curve_sigma = 0.0003;         ///< [1e-6, 0.1] rad a metre: a straight way seems to bend; lens and tilt
 
   // Decomposition and agreement
   double normal_angle_rad = 0.35;        ///< [1e-6, 1.2] alpha_R, against the mount's normal
@@ -82,7 +83,7 @@ std::vector<std::string> check(const FloorConfig& config);
 FloorConfig read_floor_config(const config::Table& table);
 
 /// The settings with what is known of the camera in place of those that were not set: mount_tilt_rad, mount_yaw_rad,
-/// scale_sigma.
+/// scale_sigma, turn_sigma.
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known);
 
 }  // namespace weft::agents

@@ -156,21 +156,34 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
+/// What the calibration's errors do to a step: scale, heading of the mount, its place (twice), focal length, what
+/// bends straight ways.
+CommonErrors common_errors(const FloorConfig& c, const Pose2& moved) {
+  const Eigen::Vector3d xi = log2(moved);
+  const Eigen::Matrix3d turned = adjoint(moved.inverse()) - Eigen::Matrix3d::Identity();
+  CommonErrors errors;
+  errors.col(0) = c.scale_sigma * Eigen::Vector3d(xi.x(), xi.y(), 0.0);
+  errors.col(1) = c.mount_yaw_rad * turned.col(2);
+  errors.col(2) = M_SQRT1_2 * c.mount_position_m * turned.col(0);
+  errors.col(3) = M_SQRT1_2 * c.mount_position_m * turned.col(1);
+  errors.col(4) = c.turn_sigma * Eigen::Vector3d(0.0, 0.0, xi.z());
+  errors.col(5) = c.curve_sigma * Eigen::Vector3d(0.0, 0.0, xi.x());
+  return errors;
+}
+
 /// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
-/// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top the calibration's: its
-/// errors are the same for ever and add up linearly, but steps compose as if they were independent, so they are
-/// stated such that both come to the same after `calibration_memory_m` (docs/decisions/024-odometry-candidates.md).
-Eigen::Matrix3d step_covariance(const FloorConfig& c, const Eigen::Matrix3d& fitted, const Pose2& moved,
+/// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top what all steps have in
+/// common (docs/decisions/024-odometry-candidates.md).
+Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const CommonErrors& common,
                                 Floor::Odometry& s) {
-  constexpr double alike = 1.4;             // fits of the same corners err alike: their noise counts so many times
-  constexpr double heading_drift = 0.0006;  // rad over a metre, growing by its root, however sharp the floor
+  // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
+  const double alike = 0.4 * std::clamp(fit.scale * fit.scale, 0.5, 5.0);
+  constexpr double heading_drift = 0.0002;  // rad over a metre, growing by its root, however sharp the floor
   const Eigen::Matrix3d before = carried(s.keyframe_covariance, moved);
-  Eigen::Matrix3d covariance = positive_part(alike * fitted - before);
+  Eigen::Matrix3d covariance = positive_part(alike * fit.covariance.topLeftCorner<3, 3>() - before);
   s.keyframe_covariance = before + covariance;
-  const double metres2 = c.calibration_memory_m * moved.translation().norm();
-  covariance(0, 0) += c.scale_sigma * c.scale_sigma * metres2;
-  covariance(1, 1) += c.mount_yaw_rad * c.mount_yaw_rad * metres2;
   covariance(2, 2) += heading_drift * heading_drift * moved.translation().norm();
+  covariance += common * common.transpose();
   covariance += 1e-14 * Eigen::Matrix3d::Identity();  // standing still is certain, but not singular
   return covariance;
 }
@@ -278,7 +291,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
   if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
   const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
-  Step step{Metric2{seen, step_covariance(config_, fit.covariance.topLeftCorner<3, 3>(), seen, s)}, true, {}};
+  const CommonErrors common = common_errors(config_, seen);
+  Step step{Metric2{seen, step_covariance(fit, seen, common, s)}, true, {}, common};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;
   s.sway_covariance = fit.covariance.bottomRightCorner<3, 3>();

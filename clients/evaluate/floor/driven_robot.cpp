@@ -54,6 +54,7 @@ Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
   moment.sensor_s = now_s_ = seconds(sample->time.time_since_epoch());
   moment.start_from_robot = start_from_robot_;
   moment.step_covariance = planar_covariance(seen_->step.previous_from_current);
+  moment.step_common = seen_->step.common;
   moment.seen = seen_->step.seen;
   moment.matches = seen_->matches;
   moment.lost = stepped.navigated.lost;

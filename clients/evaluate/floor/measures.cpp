@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "agents/methods/advance.hpp"
+
 namespace weft::evaluate::floor {
 namespace {
 
@@ -133,10 +135,12 @@ std::vector<Stretch> stretches(const Trace& trace, double metres) {
     if (driven[from] < next_m) continue;
     next_m = driven[from] + 0.1 * metres;
     Relation moved = Metric2{};
+    agents::CommonErrors common = agents::CommonErrors::Zero();
     std::size_t to = from;
     while (++to < moments.size()) {
       const Pose2 step = moments[to - 1].start_from_robot.inverse() * moments[to].start_from_robot;
-      moved = compose(moved, Metric2{step, moments[to].step_covariance});
+      moved = agents::advanced(moved, {Metric2{step, moments[to].step_covariance}, true, {}, moments[to].step_common},
+                               common);
       if (driven[to] - driven[from] >= metres) break;
     }
     if (to == moments.size()) break;

@@ -25,6 +25,7 @@ struct Moment {
   Pose2 start_from_robot;  ///< odometry
   /// Of the step that led here, as the method states it.
   Eigen::Matrix3d step_covariance = Eigen::Matrix3d::Zero();
+  agents::CommonErrors step_common = agents::CommonErrors::Zero();
   bool seen = false;        ///< vision took part; otherwise wheels or commands were integrated
   std::size_t matches = 0;  ///< inliers of the motion
   std::optional<FixSeen> fix;

@@ -28,6 +28,7 @@ void Observer::take(const Sample& sample) {
   moment.sensor_s = seconds(sample.time.time_since_epoch());
   moment.start_from_robot = start_from_robot_;
   moment.step_covariance = planar_covariance(step.previous_from_current);
+  moment.step_common = step.common;
   moment.seen = step.seen;
   trace_.moments.push_back(moment);
   if (!step.seen) ++trace_.refusals[std::string(step.blind_reason)];

@@ -43,6 +43,24 @@ Window two_places() {
   return window;
 }
 
+/// A calibration is wrong by the same all the way: 1 % of 10 m, not 1 % of each step and their root.
+TEST(Belief, AnErrorThatAllStepsHaveInCommonGrowsWithTheWayUntilAFix) {
+  const auto driven = [](Belief& belief, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      Step step = seen_step(0.1);
+      step.common(0, 0) = 0.001;
+      std::get<Metric2>(step.previous_from_current).covariance(0, 0) += 0.001 * 0.001;
+      belief.advance(step);
+    }
+    return std::sqrt(planar_covariance(belief.estimate()->place_from_robot)(0, 0));
+  };
+  Belief belief{BeliefConfig{}};
+  belief.set(fix_at(here, {0, 0, 0}, 0.0));
+  EXPECT_NEAR(driven(belief, 100), std::hypot(0.1, 0.02), 1e-4);
+  belief.set(fix_at(here, {0, 0, 0}, 0.0));
+  EXPECT_NEAR(driven(belief, 1), std::hypot(0.001, 0.002), 1e-4) << "a fix takes the error back";
+}
+
 TEST(Fuse, LiesBetweenPredictionAndMeasurementByTheirCertainty) {
   const Relation fused = fuse(metric({0.0, 0, 0}, 0.01, 0.01), metric({0.09, 0, 0}, 0.02, 0.01));
   EXPECT_NEAR(planar(fused).x, 0.09 * 1.0 / 5.0, 1e-6);

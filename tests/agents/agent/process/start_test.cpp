@@ -84,6 +84,10 @@ TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {
   known.height_share = 0.0015;
   EXPECT_EQ(informed(config, known).mount_tilt_rad, 0.002);
   EXPECT_EQ(informed(config, known).scale_sigma, 0.0015);
+  known.yaw_rad = 0.004;
+  known.focal_share = 0.0005;
+  EXPECT_EQ(informed(config, known).mount_yaw_rad, 0.004);
+  EXPECT_EQ(informed(config, known).turn_sigma, 0.0008) << "no better than following corners is";
   config.scale_sigma = 0.02;
   EXPECT_EQ(informed(config, known).scale_sigma, 0.02);
 }
