@@ -5,23 +5,16 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace weft::charts {
 
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
-/// What is drawn is kept and drawn again into each file.
-cairo_surface_t* recording(double wide, double tall) {
-  const cairo_rectangle_t all = {0.0, 0.0, wide, tall};
-  return cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all);
-}
-
-void copy(cairo_surface_t* from, cairo_surface_t* to) {
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(to), cairo_destroy);
-  cairo_set_source_surface(pen.get(), from, 0.0, 0.0);
-  cairo_paint(pen.get());
+/// Straight into what the file becomes: a recording that is played into an SVG is never freed (cairo 1.16).
+cairo_surface_t* sheet_for(const std::filesystem::path& file, double wide, double tall) {
+  if (file.extension() == ".svg") return cairo_svg_surface_create(file.c_str(), wide, tall);
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(wide), static_cast<int>(tall));
 }
 
 }  // namespace
@@ -31,10 +24,9 @@ Result<void> check_picture_name(const std::string& file) {
   return fail(ErrorCode::invalid, file + ": give a name that ends in .png or .svg");
 }
 
-Canvas::Canvas(double wide, double tall)
-    : wide_(wide),
-      tall_(tall),
-      surface_(recording(wide, tall), cairo_surface_destroy),
+Canvas::Canvas(std::filesystem::path file, double wide, double tall)
+    : file_(std::move(file)),
+      surface_(sheet_for(file_, wide, tall), cairo_surface_destroy),
       pen_(cairo_create(surface_.get()), cairo_destroy) {
   colour(kWhite);
   cairo_paint(pen_.get());
@@ -106,19 +98,15 @@ void Canvas::free() {
   cairo_restore(pen_.get());
 }
 
-Result<void> Canvas::write(const std::filesystem::path& file) const {
-  const bool svg = file.extension() == ".svg";
-  const Surface sheet(
-      svg ? cairo_svg_surface_create(file.c_str(), wide_, tall_)
-          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(wide_), static_cast<int>(tall_)),
-      cairo_surface_destroy);
-  copy(surface_.get(), sheet.get());
-  if (svg) cairo_surface_finish(sheet.get());
+Result<void> Canvas::write() {
+  pen_.reset();
+  const bool svg = file_.extension() == ".svg";
+  if (svg) cairo_surface_finish(surface_.get());
   const cairo_status_t status =
-      svg ? cairo_surface_status(sheet.get()) : cairo_surface_write_to_png(sheet.get(), file.c_str());
+      svg ? cairo_surface_status(surface_.get()) : cairo_surface_write_to_png(surface_.get(), file_.c_str());
   if (status == CAIRO_STATUS_SUCCESS) return {};
   return fail(ErrorCode::unavailable,
-              file.string() + ": " + cairo_status_to_string(status) + "; is the folder there?");
+              file_.string() + ": " + cairo_status_to_string(status) + "; is the folder there?");
 }
 
 }  // namespace weft::charts

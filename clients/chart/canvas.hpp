@@ -36,8 +36,8 @@ Result<void> check_picture_name(const std::string& file);
 
 class Canvas {
  public:
-  /// White.
-  Canvas(double wide, double tall);
+  /// White. What becomes of a file that ends in .svg, or of a PNG.
+  Canvas(std::filesystem::path file, double wide, double tall);
 
   void text(double x, double y, const std::string& words, double size, const Colour& ink);
   /// Turned anticlockwise by a right angle, centred on y.
@@ -51,13 +51,13 @@ class Canvas {
   void keep_within(double left, double top, double wide, double tall);
   void free();
 
-  /// A file that ends in .svg, or a PNG. unavailable: names the file.
-  Result<void> write(const std::filesystem::path& file) const;
+  /// At the end; nothing is drawn afterwards. unavailable: names the file.
+  Result<void> write();
 
  private:
   void colour(const Colour& ink);
 
-  double wide_, tall_;
+  std::filesystem::path file_;
   std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
   std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen_;
 };

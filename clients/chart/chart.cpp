@@ -166,7 +166,7 @@ Result<void> draw_charts(const std::string& title, const std::string& about, con
                          std::size_t columns, const std::filesystem::path& file, const ChartSize& size) {
   const std::size_t beside = std::min(columns, std::max<std::size_t>(1, charts.size()));
   const std::size_t rows = (charts.size() + beside - 1) / beside;
-  Canvas canvas(20.0 + size.wide * static_cast<double>(beside), kHead + size.tall * static_cast<double>(rows));
+  Canvas canvas(file, 20.0 + size.wide * static_cast<double>(beside), kHead + size.tall * static_cast<double>(rows));
   canvas.text(24.0, 32.0, title, 20.0, kInk);
   canvas.text(24.0, 54.0, about, 12.0, kQuiet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -175,7 +175,7 @@ Result<void> draw_charts(const std::string& title, const std::string& about, con
     draw_chart(canvas, charts[i], size, 10.0 + size.wide * static_cast<double>(column),
                kHead + size.tall * static_cast<double>(row));
   }
-  return canvas.write(file);
+  return canvas.write();
 }
 
 }  // namespace weft::charts

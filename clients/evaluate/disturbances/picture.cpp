@@ -46,8 +46,9 @@ std::pair<double, double> axis(double value) {
 
 class Drawing {
  public:
-  Drawing(double wide, double tall, const Rows& rows, const std::vector<std::string>& names, Seeds seeds)
-      : canvas_(wide, tall), rows_(rows), names_(names), seeds_(seeds) {}
+  Drawing(const std::filesystem::path& file, double wide, double tall, const Rows& rows,
+          const std::vector<std::string>& names, Seeds seeds)
+      : canvas_(file, wide, tall), rows_(rows), names_(names), seeds_(seeds) {}
 
   void title(const std::string& about) {
     text(24.0, 36.0, "What each disturbance of the simulated body costs", 20.0, kInk);
@@ -91,7 +92,7 @@ class Drawing {
     }
   }
 
-  Result<void> write(const std::filesystem::path& file) const { return canvas_.write(file); }
+  Result<void> write() { return canvas_.write(); }
 
  private:
   static double row(std::size_t i) { return kTop + kRow * (static_cast<double>(i) + 0.5); }
@@ -144,11 +145,11 @@ Result<void> draw_disturbances(const Rows& rows, const std::vector<std::string>&
                                const std::string& about, const std::filesystem::path& file) {
   const double wide = kNames + static_cast<double>(kPanels.size()) * (kPanel + kGap);
   const double tall = kTop + kRow * static_cast<double>(disturbances.size()) + kBottom;
-  Drawing drawing(wide, tall, rows, disturbances, seeds);
+  Drawing drawing(file, wide, tall, rows, disturbances, seeds);
   drawing.title(about);
   drawing.names();
   for (std::size_t i = 0; i < kPanels.size(); ++i) drawing.panel(i);
-  return drawing.write(file);
+  return drawing.write();
 }
 
 }  // namespace weft::evaluate
