@@ -13,7 +13,7 @@ namespace {
 constexpr double kScale = 0.01;  // one sigma of all distances
 constexpr double kNoiseM = 0.002;
 
-/// 0.1 m ahead and a little to the left, with noise and an error of scale.
+/// That motion, with noise and an error of scale.
 Step step_of(const Pose2& moved) {
   Step step;
   step.seen = true;
