@@ -73,6 +73,13 @@ double heading_of(float angle_deg) {
 
 }  // namespace
 
+std::vector<Descriptor> descriptors_of(const std::vector<FloorFeature>& features) {
+  std::vector<Descriptor> descriptors;
+  descriptors.reserve(features.size());
+  for (const FloorFeature& feature : features) descriptors.push_back(feature.descriptor);
+  return descriptors;
+}
+
 BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   const auto t = std::make_shared<Tables>();
   t->area = area;

@@ -23,6 +23,8 @@ struct FloorFeature {
   Descriptor descriptor{};
 };
 
+std::vector<Descriptor> descriptors_of(const std::vector<FloorFeature>& features);
+
 struct FloorPatch {
   int width = 0;
   int height = 0;

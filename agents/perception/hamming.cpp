@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+#include <numeric>
 
 namespace weft::agents {
 namespace {
@@ -25,26 +25,14 @@ struct Nearest {
 
 // Plain -O2 counts bits by table, 6.5 times slower; the instruction is chosen where the machine has it.
 #if defined(__x86_64__)
-__attribute__((target("popcnt"))) void distances_popcnt(const Descriptor& from, const std::vector<Descriptor>& to,
-                                                        std::vector<std::uint16_t>& out) {
-  for (std::size_t i = 0; i < to.size(); ++i)
-    out[i] = static_cast<std::uint16_t>(
+__attribute__((target("popcnt"))) void distances_popcnt(const Descriptor& from, std::span<const Descriptor> to,
+                                                        std::span<const std::uint32_t> which, std::uint16_t* out) {
+  for (const std::uint32_t i : which)
+    *out++ = static_cast<std::uint16_t>(
         __builtin_popcountll(from[0] ^ to[i][0]) + __builtin_popcountll(from[1] ^ to[i][1]) +
         __builtin_popcountll(from[2] ^ to[i][2]) + __builtin_popcountll(from[3] ^ to[i][3]));
 }
 #endif
-
-void distances_portable(const Descriptor& from, const std::vector<Descriptor>& to, std::vector<std::uint16_t>& out) {
-  for (std::size_t i = 0; i < to.size(); ++i) out[i] = static_cast<std::uint16_t>(hamming(from, to[i]));
-}
-
-void distances(const Descriptor& from, const std::vector<Descriptor>& to, std::vector<std::uint16_t>& out) {
-  out.resize(to.size());
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("popcnt")) return distances_popcnt(from, to, out);
-#endif
-  distances_portable(from, to, out);
-}
 
 std::vector<Match> mutual(const std::vector<Nearest>& of_a, const std::vector<Nearest>& of_b,
                           const MatchBounds& bounds) {
@@ -59,6 +47,24 @@ std::vector<Match> mutual(const std::vector<Nearest>& of_a, const std::vector<Ne
   return matches;
 }
 
+/// `candidates(j)`: indices of a that b[j] may be.
+template <class Candidates>
+std::vector<Match> match_among(std::span<const Descriptor> a, std::span<const Descriptor> b, const MatchBounds& bounds,
+                               const Candidates& candidates) {
+  std::vector<Nearest> of_a(a.size());
+  std::vector<Nearest> of_b(b.size());
+  std::vector<std::uint16_t> distances;
+  for (std::uint32_t j = 0; j < b.size(); ++j) {
+    const std::span<const std::uint32_t> which = candidates(j);
+    hamming(b[j], a, which, distances);
+    for (std::size_t k = 0; k < which.size(); ++k) {
+      of_b[j].offer(which[k], distances[k]);
+      of_a[which[k]].offer(j, distances[k]);
+    }
+  }
+  return mutual(of_a, of_b, bounds);
+}
+
 }  // namespace
 
 int hamming(const Descriptor& a, const Descriptor& b) {
@@ -67,33 +73,28 @@ int hamming(const Descriptor& a, const Descriptor& b) {
   return bits;
 }
 
-std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
-                                     const MatchBounds& bounds) {
-  std::vector<Nearest> of_a(a.size());
-  std::vector<Nearest> of_b(b.size());
-  std::vector<std::uint16_t> row;
-  for (std::uint32_t j = 0; j < b.size(); ++j) {
-    distances(b[j], a, row);
-    for (std::uint32_t i = 0; i < a.size(); ++i) {
-      of_b[j].offer(i, row[i]);
-      of_a[i].offer(j, row[i]);
-    }
-  }
-  return mutual(of_a, of_b, bounds);
+void hamming(const Descriptor& from, std::span<const Descriptor> to, std::span<const std::uint32_t> which,
+             std::vector<std::uint16_t>& out) {
+  out.resize(which.size());
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("popcnt")) return distances_popcnt(from, to, which, out.data());
+#endif
+  std::transform(which.begin(), which.end(), out.begin(),
+                 [&](std::uint32_t i) { return static_cast<std::uint16_t>(hamming(from, to[i])); });
 }
 
-std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
+std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
+                                     const MatchBounds& bounds) {
+  std::vector<std::uint32_t> all(a.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return match_among(a, b, bounds, [&](std::uint32_t) { return std::span<const std::uint32_t>(all); });
+}
+
+std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                      const MatchBounds& bounds,
                                      const std::vector<std::vector<std::uint32_t>>& candidates_of_b) {
-  std::vector<Nearest> of_a(a.size());
-  std::vector<Nearest> of_b(b.size());
-  for (std::uint32_t j = 0; j < b.size(); ++j)
-    for (const std::uint32_t i : candidates_of_b[j]) {
-      const int distance = hamming(a[i], b[j]);
-      of_b[j].offer(i, distance);
-      of_a[i].offer(j, distance);
-    }
-  return mutual(of_a, of_b, bounds);
+  return match_among(a, b, bounds,
+                     [&](std::uint32_t j) { return std::span<const std::uint32_t>(candidates_of_b[j]); });
 }
 
 }  // namespace weft::agents

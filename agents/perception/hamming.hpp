@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace weft::agents {
@@ -9,6 +10,9 @@ namespace weft::agents {
 using Descriptor = std::array<std::uint64_t, 4>;
 
 int hamming(const Descriptor& a, const Descriptor& b);
+/// To `to[which[k]]` in `out[k]`, several times as fast.
+void hamming(const Descriptor& from, std::span<const Descriptor> to, std::span<const std::uint32_t> which,
+             std::vector<std::uint16_t>& out);
 
 /// Index pairs of the descriptors that are each other's nearest, best first.
 struct Match {
@@ -22,10 +26,10 @@ struct MatchBounds {
   double ratio = 0.9;  ///< (0, 1]: of the best to the second best candidate
 };
 
-/// `is_candidate(i, j)` says whether a[i] and b[j] may be one point at all; without it every pair may.
-std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
+/// `candidates_of_b[j]` says which of a may be the same point as b[j] at all; without it every one may.
+std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                      const MatchBounds& bounds);
-std::vector<Match> match_descriptors(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b,
+std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                      const MatchBounds& bounds,
                                      const std::vector<std::vector<std::uint32_t>>& candidates_of_b);
 

@@ -6,8 +6,11 @@
 namespace weft {
 
 double wrap_angle(double radians) {
-  if (std::abs(radians) < std::numbers::pi) return radians;
-  const double wrapped = std::remainder(radians, 2.0 * std::numbers::pi);
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double size = std::abs(radians);
+  if (size < std::numbers::pi) return radians;
+  // Up to two turns a difference is exact (Sterbenz), and so the same as the far slower remainder.
+  const double wrapped = size < 1.5 * turn ? radians - std::copysign(turn, radians) : std::remainder(radians, turn);
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 

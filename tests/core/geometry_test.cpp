@@ -6,6 +6,7 @@
 
 #include "core/geometry/pose2.hpp"
 #include "core/geometry/pose3.hpp"
+#include "core/random.hpp"
 
 namespace weft {
 namespace {
@@ -72,6 +73,14 @@ void expect_group(const Poses& poses, double tolerance) {
       EXPECT_TRUE(is_near((a * b).inverse(), b.inverse() * a.inverse(), tolerance));
       for (const Pose& c : poses) EXPECT_TRUE(is_near((a * b) * c, a * (b * c), tolerance));
     }
+  }
+}
+
+TEST(Angle, WrapsAsTheRemainderDoesToTheLastBit) {
+  Random random(3);
+  for (int i = 0; i < 100'000; ++i) {
+    const double angle = random.uniform(-5.0 * kPi, 5.0 * kPi);
+    EXPECT_EQ(wrap_angle(angle), std::remainder(angle, 2.0 * kPi)) << angle;
   }
 }
 

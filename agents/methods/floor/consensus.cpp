@@ -22,12 +22,40 @@ Pose2 pose_of_two(const Eigen::Vector2d& a1, const Eigen::Vector2d& a2, const Ei
   return pose;
 }
 
+/// How many matches a motion explains: asked for hundreds of motions, so their points lie side by side.
+class Counter {
+ public:
+  Counter(const std::vector<Match>& matches, const std::vector<Eigen::Vector2d>& at_a,
+          const std::vector<Eigen::Vector2d>& at_b, double within_m)
+      : a_(matches.size(), 2), b_(matches.size(), 2), squares_(matches.size()), most_(within_m * within_m) {
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      a_.row(row) = at_a[matches[i].a].transpose();
+      b_.row(row) = at_b[matches[i].b].transpose();
+    }
+  }
+
+  std::size_t count(const Pose2& a_from_b) {
+    const double cosine = std::cos(a_from_b.heading);
+    const double sine = std::sin(a_from_b.heading);
+    squares_ = (cosine * b_.col(0) - sine * b_.col(1) + a_from_b.x - a_.col(0)).square() +
+               (sine * b_.col(0) + cosine * b_.col(1) + a_from_b.y - a_.col(1)).square();
+    return static_cast<std::size_t>((squares_ < most_).count());
+  }
+
+ private:
+  Eigen::ArrayX2d a_, b_;
+  Eigen::ArrayXd squares_;
+  double most_;
+};
+
 }  // namespace
 
 Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches,
                          const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b) {
   constexpr double shortest_base_m = 0.15;
   Random random(0x666C6F6F72ULL);
+  Counter counter(matches, at_a, at_b, c.consensus_m);
   Consensus best;
   auto hypotheses = static_cast<std::size_t>(c.hypotheses);
   const std::size_t most_tries = 20 * hypotheses;
@@ -41,15 +69,7 @@ Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches
     if (base_b < shortest_base_m || std::abs(base_a - base_b) > 1.5 * c.consensus_m) continue;
     ++k;
     const Pose2 pose = pose_of_two(at_a[m.a], at_a[n.a], at_b[m.b], at_b[n.b]);
-    const double cosine = std::cos(pose.heading);
-    const double sine = std::sin(pose.heading);
-    std::size_t count = 0;
-    for (const Match& match : matches) {
-      const Eigen::Vector2d& p = at_b[match.b];
-      const double dx = cosine * p.x() - sine * p.y() + pose.x - at_a[match.a].x();
-      const double dy = sine * p.x() + cosine * p.y() + pose.y - at_a[match.a].y();
-      count += dx * dx + dy * dy < c.consensus_m * c.consensus_m ? 1U : 0U;
-    }
+    const std::size_t count = counter.count(pose);
     if (count <= best.count) continue;
     best = {pose, count};
     // Enough are drawn once a pair of right ones was missed with probability 1e-4 (Fischler & Bolles 1981); at least

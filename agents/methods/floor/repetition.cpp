@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "agents/methods/floor/consensus.hpp"
@@ -17,18 +18,23 @@ constexpr double kHardlyRad = 0.7;  // two features' own headings against each o
 std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<FloorFeature>& features,
                                    const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                                    double reach_m) {
+  const std::vector<Descriptor> descriptors = descriptors_of(features);
+  std::vector<std::uint32_t> all(features.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint16_t> bits;
   std::vector<Match> likes;
   std::vector<Match> of_one;
   for (const std::uint32_t i : stretch) {
     of_one.clear();
+    hamming(descriptors[i], descriptors, all, bits);
     for (std::uint32_t j = 0; j < features.size(); ++j) {
+      if (bits[j] > c.most_bits) continue;  // first, as it leaves few
       const double apart_m = (at[i] - at[j]).norm();
       if (apart_m < kNoRepetitionM || apart_m > reach_m) continue;
       if (std::isfinite(reach_m) &&
           std::abs(wrap_angle(features[i].heading_rad - features[j].heading_rad)) > kHardlyRad)
         continue;
-      const int bits = hamming(features[i].descriptor, features[j].descriptor);
-      if (bits <= c.most_bits) of_one.push_back({j, i, bits});
+      of_one.push_back({j, i, bits[j]});
     }
     const std::size_t kept = std::min(kLikes, of_one.size());
     std::partial_sort(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_one.end(),

@@ -26,6 +26,16 @@ TEST(Hamming, CountsBits) {
   EXPECT_EQ(hamming(zero, with_flipped(zero, 37)), 37);
 }
 
+TEST(Hamming, OfManyIsThatOfEach) {
+  const auto to = random_descriptors(50, 4);
+  const Descriptor from = random_descriptors(1, 5).front();
+  const std::vector<std::uint32_t> which = {49, 0, 7, 7};
+  std::vector<std::uint16_t> bits = {1, 2, 3, 4, 5};
+  hamming(from, to, which, bits);
+  ASSERT_EQ(bits.size(), which.size());
+  for (std::size_t k = 0; k < which.size(); ++k) EXPECT_EQ(bits[k], hamming(from, to[which[k]]));
+}
+
 TEST(MatchDescriptors, FindsEachOnesOwn) {
   const auto a = random_descriptors(200, 1);
   std::vector<Descriptor> b(a.rbegin(), a.rend());
