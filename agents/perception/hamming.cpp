@@ -49,8 +49,8 @@ std::vector<Match> mutual(const std::vector<Nearest>& of_a, const std::vector<Ne
 
 /// `candidates(j)`: indices of a that b[j] may be.
 template <class Candidates>
-std::vector<Match> match_among(std::span<const Descriptor> a, std::span<const Descriptor> b, const MatchBounds& bounds,
-                               const Candidates& candidates) {
+std::vector<Match> match_among(std::span<const Descriptor> a, std::span<const Descriptor> b,
+                               const MatchBounds& bounds, const Candidates& candidates) {
   std::vector<Nearest> of_a(a.size());
   std::vector<Nearest> of_b(b.size());
   std::vector<std::uint16_t> distances;

@@ -108,7 +108,8 @@ std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, c
       if (std::min(turned, 2.0 * std::numbers::pi - turned) < heading_gate) candidates[j].push_back(i);
     });
   }
-  return match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {c.most_bits, c.ratio}, candidates);
+  return match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {c.most_bits, c.ratio},
+                           candidates);
 }
 
 /// A feature's place in the undistorted image, from its place on the mount's floor plane, and how many pixels one
@@ -254,9 +255,9 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   }
   const std::vector<Eigen::Vector2d> at_a = level_points(a);
   const std::vector<Eigen::Vector2d> at_b = level_points(b);
-  const std::vector<Match> matches =
-      gate ? guided_matches(c, a, b, at_a, at_b, *gate)
-           : match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {c.most_bits, c.ratio_unguided});
+  const std::vector<Match> matches = gate ? guided_matches(c, a, b, at_a, at_b, *gate)
+                                          : match_descriptors(descriptors_of(a.features), descriptors_of(b.features),
+                                                              {c.most_bits, c.ratio_unguided});
   if (matches.size() < static_cast<std::size_t>(c.fewest_matches))
     return refuse("few_matches", matches.size(), c.fewest_matches);
 
