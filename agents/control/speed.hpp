@@ -9,7 +9,7 @@ struct SpeedConfig {
   double deceleration_m_s2 = 0.4;          ///< planned towards the end and bends; (0, 3]
   double lateral_acceleration_m_s2 = 0.3;  ///< v^2 |curvature| stays below it; (0, 3]
   double slowest_m_s = 0.05;               ///< when creeping to the end or far off the path; (0, 0.3]
-  double cross_track_halves_m = 0.2;       ///< lateral error that halves the speed; (0, 2]
+  double cross_track_halves_m = 0.1;       ///< lateral error that halves the speed; (0, 2]
   double proportional = 0.3;               ///< on the speed error; [0, 2]
   double integral_1_s = 0.5;               ///< [0, 5]
   double integral_limit_m_s = 0.1;         ///< most that the integral adds; [0, 0.5]

@@ -4,9 +4,9 @@
 namespace weft::agents {
 
 struct SteeringConfig {
-  double cross_track_gain_1_s = 0.8;  ///< k of Hoffmann et al. 2007, eq. 5; (0, 5]
+  double cross_track_gain_1_s = 1.0;  ///< k of Hoffmann et al. 2007, eq. 5; (0, 5]
   double softening_m_s = 0.15;        ///< added to the speed, so that standing does not divide by nothing; (0, 1]
-  double heading_gain_1_s = 2.5;      ///< turns the heading error into a rate; >= 3 k keeps it from swinging; (0, 10]
+  double heading_gain_1_s = 3.5;      ///< turns the heading error into a rate; >= 3 k keeps it from swinging; (0, 10]
   double max_approach_rad = 0.7;      ///< steepest angle at which the path is approached; (0, 1.5]
   double max_angular_rad_s = 1.0;     ///< (0, 5]
 };

@@ -1,7 +1,11 @@
 #include "agents/perception/corner_tracks.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
 #include "agents/perception/opencv_view.hpp"
@@ -14,10 +18,56 @@ bool is_whole(const Image& image) {
          image.pixels->size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
+namespace {
+
+/// Grey values against their surroundings. Vignetting, exposure, lamps and soft shadows make a window brighter or
+/// darker as it moves through the image, which a tracker takes for motion wherever the floor's own grey values rise
+/// or fall: a third to a half of the error of speed (docs/decisions/024-odometry-candidates.md).
+cv::Mat flattened(const cv::Mat& grey, int window_px) {
+  constexpr double middle = 128.0;
+  const int around = (window_px / 4) * 2 + 1;  // in a quarter of the image: twice the window, at a third of the time
+  cv::Mat half;
+  cv::Mat mean;
+  cv::resize(grey, half, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::resize(half, mean, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::boxFilter(mean, mean, -1, {around, around});
+  cv::resize(mean, mean, grey.size(), 0.0, 0.0, cv::INTER_LINEAR);
+  cv::Mat flat;
+  cv::addWeighted(grey, 1.0, mean, -1.0, middle, flat);
+  return flat;
+}
+
+/// How much windows that move by a little differ, by direction: the mean over the tracker's window of the grey
+/// values' gradient times its transpose, (grey levels a pixel)^2 (Harris & Stephens 1988).
+Eigen::Matrix2d structure_at(const TrackingImage& image, const Eigen::Vector2d& pixel) {
+  constexpr double per_pixel = 1.0 / 32.0;  // Scharr's weights
+  const cv::Mat& gradient = image.levels().pyramid[1];
+  const int half = image.levels().window_px / 2;
+  const int column = static_cast<int>(std::lround(pixel.x()));
+  const int row = static_cast<int>(std::lround(pixel.y()));
+  std::int64_t xx = 0;
+  std::int64_t xy = 0;
+  std::int64_t yy = 0;
+  for (int r = row - half; r <= row + half; ++r) {
+    const auto* const line = gradient.ptr<cv::Vec2s>(r);
+    for (int c = column - half; c <= column + half; ++c) {
+      xx += line[c][0] * line[c][0];
+      xy += line[c][0] * line[c][1];
+      yy += line[c][1] * line[c][1];
+    }
+  }
+  Eigen::Matrix2d sum;
+  sum << static_cast<double>(xx), static_cast<double>(xy), static_cast<double>(xy), static_cast<double>(yy);
+  const double pixels = (2.0 * half + 1.0) * (2.0 * half + 1.0);
+  return sum * per_pixel * per_pixel / pixels;
+}
+
+}  // namespace
+
 TrackingImage prepare_tracking(const Image& image, int window_px, int levels) {
   const auto prepared = std::make_shared<TrackingImage::Levels>();
   prepared->window_px = window_px;
-  prepared->image = as_mat(image);
+  prepared->image = flattened(as_mat(image), window_px);
   prepared->top = cv::buildOpticalFlowPyramid(prepared->image, prepared->pyramid, {window_px, window_px}, levels);
   // The pyramid holds copies, with borders; the first level serves for corners, so the view may go.
   prepared->image = prepared->pyramid.front();
@@ -53,6 +103,23 @@ std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const Corn
     if (corners.size() == before) break;
   }
   return corners;
+}
+
+std::vector<Eigen::Matrix2d> counts_at(const TrackingImage& image, const std::vector<Eigen::Vector2d>& pixels,
+                                       double grey_noise) {
+  constexpr double gradient_noise = 2.0 * (3.0 * 3.0 + 10.0 * 10.0 + 3.0 * 3.0) / (32.0 * 32.0);  // Scharr's, squared
+  const double noise = gradient_noise * grey_noise * grey_noise;
+  std::vector<Eigen::Matrix2d> counts;
+  counts.reserve(pixels.size());
+  for (const Eigen::Vector2d& pixel : pixels) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts(structure_at(image, pixel));
+    const double less = std::max(parts.eigenvalues()(0) - noise, 0.0);
+    const double more = parts.eigenvalues()(1) - noise;
+    const double share = more > 0.0 ? std::sqrt(less / more) : 1.0;
+    const Eigen::Matrix2d& axes = parts.eigenvectors();
+    counts.emplace_back(axes * Eigen::Vector2d(share, 1.0).asDiagonal() * axes.transpose());
+  }
+  return counts;
 }
 
 std::vector<Track> track_corners(const TrackingImage& from, const TrackingImage& to,

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "agents/perception/lens.hpp"
+#include "agents/perception/opencv_view.hpp"
 #include "agents/perception/sway.hpp"
-#include "agents/perception/tracking_levels.hpp"
 
 namespace weft::agents {
 namespace {
@@ -104,13 +104,13 @@ using Row9f = Eigen::Matrix<float, 1, 9>;
 /// Grey values at one level, compared.
 class LevelAlignment {
  public:
-  LevelAlignment(const CameraModel& camera, const TrackingImage::Levels& a, const TrackingImage::Levels& b, int level,
-                 const SwayPrior& prior, const DirectConfig& config)
+  LevelAlignment(const CameraModel& camera, const cv::Mat& a, const cv::Mat& b, int level, const SwayPrior& prior,
+                 const DirectConfig& config)
       : camera_(camera),
         prior_(prior),
         scale_(std::ldexp(1.0, level)),
-        in_b_(banded(b.pyramid[static_cast<std::size_t>(2 * level)])),
-        points_(points_of(camera, banded(a.pyramid[static_cast<std::size_t>(2 * level)]), level, config)) {}
+        in_b_(banded(b)),
+        points_(points_of(camera, banded(a), level, config)) {}
 
   void solve(DirectFit& out) {
     constexpr int most_linearised = 2;
@@ -209,14 +209,18 @@ class LevelAlignment {
 
 }  // namespace
 
-DirectFit align_directly(const CameraModel& camera, const TrackingImage& a, const TrackingImage& b,
-                         const SwayPrior& prior, const PlanarState& start, const DirectConfig& config) {
+DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const SwayPrior& prior,
+                         const PlanarState& start, const DirectConfig& config) {
   DirectFit out;
   out.fit.state = start;
-  const int coarsest = std::min({config.coarsest, a.levels().top, b.levels().top});
-  for (int level = coarsest; level >= config.finest; --level) {
+  std::vector<cv::Mat> levels_a;
+  std::vector<cv::Mat> levels_b;
+  cv::buildPyramid(as_mat(a), levels_a, config.coarsest);
+  cv::buildPyramid(as_mat(b), levels_b, config.coarsest);
+  for (int level = config.coarsest; level >= config.finest; --level) {
+    const auto at = static_cast<std::size_t>(level);
     out.fit.converged = false;
-    LevelAlignment(camera, a.levels(), b.levels(), level, prior, config).solve(out);
+    LevelAlignment(camera, levels_a[at], levels_b[at], level, prior, config).solve(out);
   }
   return out;
 }

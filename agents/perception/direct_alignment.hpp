@@ -2,13 +2,13 @@
 #include <vector>
 
 #include "agents/perception/camera_model.hpp"
-#include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/planar_motion.hpp"
+#include "agents/perception/view.hpp"
 
 namespace weft::agents {
 
 struct DirectConfig {
-  int coarsest = 3;  ///< level that is begun with; halvings, at most those the images were prepared with
+  int coarsest = 3;  ///< level that is begun with; halvings
   int finest = 1;    ///< and ended with
   int columns = 44;  ///< of the grid over a level; each cell gives its strongest pixel
   int rows = 28;
@@ -25,8 +25,8 @@ struct DirectFit {
 /// to fine over pixels with a gradient, linearised in a (Baker & Matthews 2004, inverse compositional), Huber
 /// weights, all six degrees of freedom under the prior. Brightness that changes slowly over the image (vignetting,
 /// lamps) is taken out of both first. It wants a start within some pixels of the coarsest level, and stands blur and
-/// pale floors that leave no corners.
-DirectFit align_directly(const CameraModel& camera, const TrackingImage& a, const TrackingImage& b,
-                         const SwayPrior& prior, const PlanarState& start, const DirectConfig& config);
+/// pale floors that leave no corners. Both images are whole and of the camera's size.
+DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const SwayPrior& prior,
+                         const PlanarState& start, const DirectConfig& config);
 
 }  // namespace weft::agents

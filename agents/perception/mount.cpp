@@ -95,12 +95,13 @@ bool MountFilter::add(const FloorViews& views) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Reprojection there = reproject(turned, turned, fit.state, points[k].in_a);
     if (!there.in_front) continue;
-    const double sigma = points[k].sigma_px * std::max(1.0, fit.scale);
-    const Eigen::Vector2d error = f * (points[k].in_b - there.in_b);
-    const double whitened = error.norm() / sigma;
-    const double weight = (whitened > kHuber ? kHuber / whitened : 1.0) / (sigma * sigma);
-    const Matrix29d jo = f * there.jacobian;
-    const Matrix23d jm = -by_mount(camera_, at, fit.state, points[k]);  // of the prediction, as jo
+    const double widened = std::max(1.0, fit.scale);
+    const Eigen::Vector2d error = points[k].in_sigmas(f * (points[k].in_b - there.in_b)) / widened;
+    const double off = error.norm();
+    const double weight = off > kHuber ? kHuber / off : 1.0;
+    const Eigen::Matrix2d in_sigmas = points[k].counts / (points[k].sigma_px * widened);
+    const Matrix29d jo = f * in_sigmas * there.jacobian;
+    const Matrix23d jm = -in_sigmas * by_mount(camera_, at, fit.state, points[k]);  // of the prediction, as jo
     own.noalias() += weight * jo.transpose() * jo;
     own_pull.noalias() += weight * jo.transpose() * error;
     mixed.noalias() += weight * jo.transpose() * jm;

@@ -151,13 +151,13 @@ PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const st
       const Reprojection there = reproject(eye_a, eye_b, fit.state.a_from_b, pairs[k].in_a);
       const Eigen::Vector2d error = f * (pairs[k].in_b - there.in_b);
       fit.residual_px[k] = there.in_front ? std::min(error.norm(), far_off_px) : far_off_px;
-      whitened[k] = fit.residual_px[k] / pairs[k].sigma_px;
+      const Eigen::Vector2d off = pairs[k].in_sigmas(error);
+      whitened[k] = std::min(off.norm(), far_off_px / pairs[k].sigma_px);
       if (fit.residual_px[k] >= far_off_px) continue;
-      const double weight =
-          (whitened[k] > huber ? huber / whitened[k] : 1.0) / (pairs[k].sigma_px * pairs[k].sigma_px);
-      const Matrix29d jacobian = f * there.jacobian;
+      const double weight = whitened[k] > huber ? huber / whitened[k] : 1.0;
+      const Matrix29d jacobian = (f / pairs[k].sigma_px) * (pairs[k].counts * there.jacobian);
       normal.information.noalias() += weight * jacobian.transpose() * jacobian;
-      normal.gradient.noalias() += weight * jacobian.transpose() * error;
+      normal.gradient.noalias() += weight * jacobian.transpose() * off;
     }
     information = normal.information;
     if (fit.converged) break;  // this pass was for the residuals and the information at the solution

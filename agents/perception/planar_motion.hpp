@@ -17,6 +17,11 @@ struct FloorPair {
   Eigen::Vector2d in_a;
   Eigen::Vector2d in_b;
   double sigma_px = 1.0;  ///< of the difference between both, in pixels of b's view
+  /// How much a difference counts, by its direction in the image, [0, 1]: along an edge a corner can hardly be told.
+  Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();
+
+  /// A difference in pixels of b's view, in sigmas.
+  Eigen::Vector2d in_sigmas(const Eigen::Vector2d& pixels) const { return counts * pixels / sigma_px; }
 };
 
 /// The state that two views determine: where b stands in the plane of a, and how both sway.

@@ -34,6 +34,7 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"fewest_tracks_share", &FloorConfig::fewest_tracks_share, 0, 1},
     {"homography_px", &FloorConfig::homography_px, 0.2, 10},
     {"track_sigma_px", &FloorConfig::track_sigma_px, 0.01, 2},
+    {"grey_noise", &FloorConfig::grey_noise, 0, 30},
     {"keyframe_m", &FloorConfig::keyframe_m, 0.01, 1},
     {"keyframe_rad", &FloorConfig::keyframe_rad, 0.01, 1},
     {"keyframe_share", &FloorConfig::keyframe_share, 0.1, 0.95},

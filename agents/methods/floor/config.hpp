@@ -14,11 +14,12 @@ struct FloorConfig {
   // Odometry
   int corners = 160;                  ///< [40, 1000] tracked from each keyframe
   int window_px = 13;                 ///< odd, [7, 31]: of the tracker
-  int pyramid_levels = 3;             ///< [0, 5]
+  int pyramid_levels = 2;             ///< [0, 5]
   int fewest_tracks = 20;             ///< [12, 500] consistent ones; fewer is blind
   double fewest_tracks_share = 0.35;  ///< [0, 1] of those that were found
   double homography_px = 1.5;         ///< [0.2, 10] inlier threshold
   double track_sigma_px = 0.15;       ///< [0.01, 2] noise of a track; larger residuals enlarge the covariance
+  double grey_noise = 2.0;            ///< [0, 30] grey levels: of the camera's pixels, standard deviation
   double keyframe_m = 0.20;           ///< [0.01, 1] travelled until the next keyframe
   double keyframe_rad = 0.15;         ///< [0.01, 1] turned
   double keyframe_share = 0.5;        ///< [0.1, 0.95] of the keyframe's corners still tracked

@@ -27,9 +27,8 @@ Described described(const CameraModel& camera, const BirdsEye& birds_eye, const 
 
 }  // namespace
 
-std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const TrackingImage& keyframe,
-                                          const TrackingImage& now, const SwayPrior& prior,
-                                          const PlanarState& expected) {
+std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
+                                          const SwayPrior& prior, const PlanarState& expected) {
   constexpr double least_correlation = 0.5;  // other places give 0.2 at most
   constexpr std::size_t fewest_points = 150;
   DirectFit found = align_directly(camera, keyframe, now, prior, expected, {});

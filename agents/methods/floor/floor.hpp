@@ -30,6 +30,7 @@ class Floor {
   struct Tracked {
     Eigen::Vector2d in_keyframe = Eigen::Vector2d::Zero();  ///< undistorted, normalised
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< in the newest view
+    Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a FloorPair says
   };
 
   /// What a view's motion was found with. Corners are the fastest and the most exact; where they fail (few of them,
@@ -40,7 +41,6 @@ class Floor {
   /// Between samples. Motion is measured against a keyframe some frames back: standing still adds no drift.
   struct Odometry {
     TrackingImage newest;  ///< none: nothing has been seen since vision went blind
-    TrackingImage keyframe;
     Image keyframe_view;
     std::vector<Tracked> tracks;
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made

@@ -34,7 +34,6 @@ Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
 
 /// The newest view becomes the keyframe.
 void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s) {
-  s.keyframe = s.newest;
   s.keyframe_view = view;
   s.keyframe_sway = s.sway;
   s.keyframe_from_robot = Pose2{};
@@ -44,8 +43,10 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   CornerConfig corners;
   corners.count = c.corners;
   corners.border_px = c.window_px / 2 + 3;
-  for (const Eigen::Vector2d& pixel : find_corners(s.newest, corners))
-    s.tracks.push_back({normalised_from_pixel(camera, pixel), pixel});
+  const std::vector<Eigen::Vector2d> found = find_corners(s.newest, corners);
+  const std::vector<Eigen::Matrix2d> counts = counts_at(s.newest, found, c.grey_noise);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    s.tracks.push_back({normalised_from_pixel(camera, found[i]), found[i], counts[i]});
   s.keyframe_tracks = s.tracks.size();
 }
 
@@ -98,7 +99,7 @@ void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
 FloorViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor::Odometry& s) {
   FloorViews views{{}, s.keyframe_from_robot, s.wheels};
   for (const Floor::Tracked& t : s.tracks)
-    views.points.push_back({t.in_keyframe, normalised_from_pixel(camera, t.pixel), c.track_sigma_px});
+    views.points.push_back({t.in_keyframe, normalised_from_pixel(camera, t.pixel), c.track_sigma_px, t.counts});
   return views;
 }
 
@@ -138,8 +139,9 @@ Followed follow(const CameraModel& camera, const FloorConfig& c, const Floor::Od
                    [&](std::size_t x, std::size_t y) { return found[x].error < found[y].error; });
   Followed out;
   for (const std::size_t i : order) {
-    out.tracks.push_back({s.tracks[i].in_keyframe, found[i].pixel});
-    out.pairs.push_back({s.tracks[i].in_keyframe, normalised_from_pixel(camera, found[i].pixel), c.track_sigma_px});
+    out.tracks.push_back({s.tracks[i].in_keyframe, found[i].pixel, s.tracks[i].counts});
+    out.pairs.push_back({s.tracks[i].in_keyframe, normalised_from_pixel(camera, found[i].pixel), c.track_sigma_px,
+                         s.tracks[i].counts});
   }
   return out;
 }
@@ -273,7 +275,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   } else if (!refused.empty()) {
     const SwayPrior prior = sway_prior(config_, s);
     s.seen_by = SeenBy::nothing;
-    if (!first && take(see_directly(camera_, s.keyframe, now, prior, expected))) {
+    if (!first && take(see_directly(camera_, s.keyframe_view, *image, prior, expected))) {
       s.seen_by = SeenBy::grey_values;
     } else if (!first &&
                take(see_by_features(camera_, birds_eye_, config_, s.keyframe_view, *image, prior, expected))) {

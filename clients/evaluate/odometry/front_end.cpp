@@ -54,6 +54,7 @@ class Tracks : public FrontEnd {
     corners.count = kDefaults.corners;
     pixels_ = find_corners(now_, corners);
     for (const Eigen::Vector2d& pixel : pixels_) in_keyframe_.push_back(normalised_from_pixel(camera_, pixel));
+    counts_ = counts_at(now_, pixels_, kDefaults.grey_noise);
   }
   std::optional<PlanarFit> match(const PlanarState& expected) override {
     std::vector<Eigen::Vector2d> guess;
@@ -61,15 +62,19 @@ class Tracks : public FrontEnd {
       guess.push_back(pixel_from_normalised(camera_, reproject(camera_, camera_, expected, point).in_b));
     const std::vector<Track> tracks = track_corners(last_, now_, pixels_, guess);
     std::vector<Eigen::Vector2d> kept;
+    std::vector<Eigen::Matrix2d> counts;
     std::vector<FloorPair> pairs;
     pixels_.clear();
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       if (!tracks[i].found) continue;
-      pairs.push_back({in_keyframe_[i], normalised_from_pixel(camera_, tracks[i].pixel), kDefaults.track_sigma_px});
+      pairs.push_back(
+          {in_keyframe_[i], normalised_from_pixel(camera_, tracks[i].pixel), kDefaults.track_sigma_px, counts_[i]});
       kept.push_back(in_keyframe_[i]);
+      counts.push_back(counts_[i]);
       pixels_.push_back(tracks[i].pixel);
     }
     in_keyframe_ = std::move(kept);
+    counts_ = std::move(counts);
     return fitted(camera_, prior_, pairs, expected);
   }
 
@@ -81,6 +86,7 @@ class Tracks : public FrontEnd {
 
  private:
   std::vector<Eigen::Vector2d> in_keyframe_;
+  std::vector<Eigen::Matrix2d> counts_;
   std::vector<Eigen::Vector2d> pixels_;
 };
 
@@ -89,9 +95,7 @@ class Direct : public FrontEnd {
  public:
   Direct(const CameraModel& camera, const SwayPrior& prior) : camera_(camera), prior_(prior) {}
 
-  void look(const Image& image) override {
-    now_ = prepare_tracking(image, kDefaults.window_px, kDefaults.pyramid_levels);
-  }
+  void look(const Image& image) override { now_ = image; }
   void begin() override { keyframe_ = now_; }
   std::optional<PlanarFit> match(const PlanarState& expected) override {
     DirectFit found = align_directly(camera_, keyframe_, now_, prior_, expected, {});
@@ -102,28 +106,33 @@ class Direct : public FrontEnd {
  private:
   CameraModel camera_;
   SwayPrior prior_;
-  TrackingImage keyframe_;
-  TrackingImage now_;
+  Image keyframe_;
+  Image now_;
 };
 
 /// Alignment of coarse levels says where corners are expected.
 class DirectThenTracks : public Tracks {
  public:
   using Tracks::Tracks;
+  void look(const Image& image) override {
+    Tracks::look(image);
+    view_ = image;
+  }
   void begin() override {
     Tracks::begin();
-    keyframe_ = now_;
+    keyframe_ = view_;
   }
   std::optional<PlanarFit> match(const PlanarState& expected) override {
     DirectConfig coarse;
     coarse.finest = 2;
-    const DirectFit found = align_directly(camera_, keyframe_, now_, prior_, expected, coarse);
+    const DirectFit found = align_directly(camera_, keyframe_, view_, prior_, expected, coarse);
     const bool is_better = found.fit.converged && found.correlation >= kLeastCorrelation;
     return Tracks::match(is_better ? found.fit.state : expected);
   }
 
  private:
-  TrackingImage keyframe_;
+  Image keyframe_;
+  Image view_;
 };
 
 struct Described {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "agents/perception/planar_motion.hpp"
+#include "core/random.hpp"
 #include "tests/support/flat_floor.hpp"
 
 namespace weft::agents {
@@ -50,6 +53,83 @@ TEST_F(CornerTracks, FollowTheFloorToAFractionOfAPixel) {
   ASSERT_GT(errors.size(), 100U);
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.15);
+}
+
+/// A pale floor whose grey values rise and fall gently, a few marks on it.
+Image soft_floor(double brightness_at_right) {
+  constexpr int width = 320;
+  constexpr int height = 240;
+  Random random(5);
+  std::vector<Eigen::Vector3d> marks;
+  for (int i = 0; i < 400; ++i)
+    marks.emplace_back(random.uniform(0.0, width), random.uniform(0.0, height), random.uniform(-20.0, 20.0));
+  auto pixels = std::make_shared<Bytes>();
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      double grey = 120.0 + 15.0 * std::sin(0.06 * u + 0.03 * v);
+      for (const Eigen::Vector3d& mark : marks) {
+        const double near = (mark.head<2>() - Eigen::Vector2d(u, v)).squaredNorm();
+        if (near < 100.0) grey += mark.z() * std::exp(-0.5 * near / 4.0);
+      }
+      const double light = 1.0 + brightness_at_right * u / width;
+      pixels->push_back(static_cast<std::uint8_t>(std::lround(std::clamp(light * grey, 0.0, 255.0))));
+    }
+  }
+  return {width, height, pixels};
+}
+
+TEST_F(CornerTracks, LightThatChangesIsNoMotion) {
+  const TrackingImage before = prepare_tracking(soft_floor(0.0), 13, 3);
+  const TrackingImage after = prepare_tracking(soft_floor(0.06), 13, 3);
+  CornerConfig few;
+  few.count = 60;
+  const auto corners = find_corners(before, few);
+  ASSERT_EQ(corners.size(), 60U);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double squares = 0.0;
+  const auto tracks = track_corners(before, after, corners, corners);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    ASSERT_TRUE(tracks[i].found);
+    sum += tracks[i].pixel - corners[i];
+    squares += (tracks[i].pixel - corners[i]).squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(squares / 60.0), 0.1);
+  EXPECT_LT((sum / 60.0).norm(), 0.02);
+}
+
+/// Stripes at `angle_rad`: grey values change across them alone.
+Image striped(double angle_rad, double noise) {
+  constexpr int width = 64;
+  Random random(2);
+  auto pixels = std::make_shared<Bytes>();
+  for (int v = 0; v < width; ++v)
+    for (int u = 0; u < width; ++u)
+      pixels->push_back(static_cast<std::uint8_t>(
+          std::lround(120.0 + 30.0 * std::sin(0.6 * (std::cos(angle_rad) * u + std::sin(angle_rad) * v)) +
+                      noise * random.normal())));
+  return {width, width, pixels};
+}
+
+TEST_F(CornerTracks, AlongAnEdgeATrackHardlyCounts) {
+  for (const double angle : {0.0, 0.5, 1.57, 2.5}) {
+    const Eigen::Vector2d across(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d along(-across.y(), across.x());
+    const TrackingImage image = prepare_tracking(striped(angle, 2.0), 13, 2);
+    const Eigen::Matrix2d counts = counts_at(image, {{32.0, 32.0}}, 2.0).front();
+    EXPECT_NEAR((counts * across).norm(), 1.0, 0.02) << angle;
+    EXPECT_LT((counts * along).norm(), 0.05) << angle;
+  }
+}
+
+TEST_F(CornerTracks, OnASpotATrackCountsEitherWay) {
+  const TrackingImage image = prepare_tracking(soft_floor(0.0), 13, 3);
+  CornerConfig few;
+  few.count = 20;
+  for (const Eigen::Matrix2d& counts : counts_at(image, find_corners(image, few), 0.0)) {
+    EXPECT_TRUE(counts.isApprox(counts.transpose()));
+    EXPECT_NEAR(counts.operatorNorm(), 1.0, 1e-9);
+    EXPECT_GT(std::abs(counts.determinant()), 0.2);
+  }
 }
 
 TEST_F(CornerTracks, AnImageIsWholeOrNot) {

@@ -24,8 +24,8 @@ class DirectAlignment : public testing::Test {
                     const test::Shot& shot) const {
     test::Shot second = shot;
     second.seed = shot.seed + 1;
-    const TrackingImage a = prepare_tracking(eye_.render(floor, kStand, {}, shot), 13, 3);
-    const TrackingImage b = prepare_tracking(eye_.render(floor, kStand * moved, sway, second), 13, 3);
+    const Image a = eye_.render(floor, kStand, {}, shot);
+    const Image b = eye_.render(floor, kStand * moved, sway, second);
     return align_directly(camera_, a, b, vibrating(), {start, {}, {}}, {});
   }
   static double off_mm(const DirectFit& found, const Pose2& moved) {
@@ -58,8 +58,8 @@ TEST_F(DirectAlignment, SeesAPaleFloorThroughBlur) {
 
 TEST_F(DirectAlignment, AnotherPlaceDoesNotCorrelate) {
   const test::FlatFloor floor = test::FlatFloor::procedural(21, 4.0, 3.0);
-  const TrackingImage a = prepare_tracking(eye_.render(floor, kStand, {}, {}), 13, 3);
-  const TrackingImage b = prepare_tracking(eye_.render(floor, {2.4, 1.2, 2.0}, {}, {}), 13, 3);
+  const Image a = eye_.render(floor, kStand, {}, {});
+  const Image b = eye_.render(floor, {2.4, 1.2, 2.0}, {}, {});
   const DirectFit found = align_directly(camera_, a, b, vibrating(), {{0.02, 0.0, 0.0}, {}, {}}, {});
   EXPECT_LT(found.correlation, 0.5);
 }

@@ -97,6 +97,29 @@ TEST(PlanarMotion, ABumpIsNotTakenForSpeed) {
   EXPECT_GT(std::abs(rigid.state.a_from_b.x / truth.a_from_b.x - 1.0), 0.025);
 }
 
+TEST(PlanarMotion, WhatSlidesAlongEdgesDoesNotCount) {
+  Random random(8);
+  const CameraModel camera = test::paper_camera();
+  PlanarState truth;
+  truth.a_from_b = {0.05, 0.0, 0.02};
+  auto slid = seen_by_both(camera, camera, truth, 150, 0.05, random);
+  for (FloorPair& pair : slid) {
+    const double angle = random.uniform(0.0, M_PI);
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    pair.in_b +=
+        std::copysign(1.0, along.y()) / focal_px(camera) * along;  // as wheels that say too much would have it
+    pair.counts -= 0.98 * along * along.transpose();
+  }
+  auto even = slid;
+  for (FloorPair& pair : even) pair.counts.setIdentity();
+  const auto off_mm = [&](const std::vector<FloorPair>& pairs) {
+    const PlanarFit fit = fit_planar_motion(camera, camera, pairs, prior_of(0.0005, 0.001), {});
+    return 1e3 * (fit.state.a_from_b.translation() - truth.a_from_b.translation()).norm();
+  };
+  EXPECT_LT(off_mm(slid), 0.2);
+  EXPECT_GT(off_mm(even), 0.6);
+}
+
 TEST(PlanarMotion, OutliersAreOutweighed) {
   Random random(7);
   const CameraModel camera = test::paper_camera();

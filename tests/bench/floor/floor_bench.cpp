@@ -57,6 +57,7 @@ cv::Mat grey(const View& view) {
 }
 
 constexpr double kStepM = 0.02;
+const FloorConfig kDefaults;
 
 /// RMS of the steps' lengths against the truth, beside their time: a faster stage that sees worse is no gain.
 class LengthErrors {
@@ -122,7 +123,7 @@ void odometry_plain_opencv_fast_klt_homography(benchmark::State& state) {
     i %= v.views.size();
     const cv::Mat image = grey(v.views[i++]);
     std::vector<cv::Mat> pyramid;
-    cv::buildOpticalFlowPyramid(image, pyramid, {13, 13}, 3);
+    cv::buildOpticalFlowPyramid(image, pyramid, {kDefaults.window_px, kDefaults.window_px}, kDefaults.pyramid_levels);
     if (i > 1) {
       std::vector<cv::KeyPoint> corners;
       cv::FAST(grey(v.views[i - 2]), corners, CornerConfig{}.threshold, true);
@@ -132,7 +133,8 @@ void odometry_plain_opencv_fast_klt_homography(benchmark::State& state) {
       cv::KeyPoint::convert(corners, from);
       std::vector<std::uint8_t> found;
       std::vector<float> error;
-      cv::calcOpticalFlowPyrLK(last, pyramid, from, to, found, error, {13, 13}, 3);
+      cv::calcOpticalFlowPyrLK(last, pyramid, from, to, found, error, {kDefaults.window_px, kDefaults.window_px},
+                               kDefaults.pyramid_levels);
       cv::undistortPoints(from, from, matrix, lens);
       cv::undistortPoints(to, to, matrix, lens);
       errors.add(length_of(cv::findHomography(from, to, cv::USAC_PROSAC, 1.5 / camera.fx), camera));
@@ -171,7 +173,8 @@ void stage_prepare(benchmark::State& state) {
   const Views& v = views();
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(prepare_tracking(std::get<Image>(v.views[i++ % v.views.size()].data), 13, 3));
+    benchmark::DoNotOptimize(prepare_tracking(std::get<Image>(v.views[i++ % v.views.size()].data),
+                                              kDefaults.window_px, kDefaults.pyramid_levels));
 }
 BENCHMARK(stage_prepare)->Unit(benchmark::kMillisecond);
 
@@ -180,7 +183,8 @@ void stage_prepare_plain_opencv(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     std::vector<cv::Mat> pyramid;
-    cv::buildOpticalFlowPyramid(grey(v.views[i++ % v.views.size()]), pyramid, {13, 13}, 3);
+    cv::buildOpticalFlowPyramid(grey(v.views[i++ % v.views.size()]), pyramid,
+                                {kDefaults.window_px, kDefaults.window_px}, kDefaults.pyramid_levels);
     benchmark::DoNotOptimize(pyramid);
   }
 }
@@ -189,7 +193,8 @@ BENCHMARK(stage_prepare_plain_opencv)->Unit(benchmark::kMillisecond);
 void stage_corners(benchmark::State& state) {
   const Views& v = views();
   std::vector<TrackingImage> images;
-  for (const View& view : v.views) images.push_back(prepare_tracking(std::get<Image>(view.data), 13, 3));
+  for (const View& view : v.views)
+    images.push_back(prepare_tracking(std::get<Image>(view.data), kDefaults.window_px, kDefaults.pyramid_levels));
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(find_corners(images[i++ % images.size()], CornerConfig{}));
 }
@@ -220,7 +225,7 @@ const Followed& followed() {
     PlanarState moved;
     moved.a_from_b = {0.0206, 0.0, 0.0};
     for (const View& view : v.views) {
-      f.images.push_back(prepare_tracking(std::get<Image>(view.data), 13, 3));
+      f.images.push_back(prepare_tracking(std::get<Image>(view.data), kDefaults.window_px, kDefaults.pyramid_levels));
       f.from.push_back(find_corners(f.images.back(), CornerConfig{}));
       f.expected.emplace_back();
       for (const Eigen::Vector2d& pixel : f.from.back()) {
@@ -256,7 +261,7 @@ void stage_track_plain_opencv_klt(benchmark::State& state) {
     std::vector<std::uint8_t> found;
     std::vector<float> error;
     cv::calcOpticalFlowPyrLK(f.images[k].levels().pyramid, f.images[k + 1].levels().pyramid, from, to, found, error,
-                             {13, 13}, 3);
+                             {kDefaults.window_px, kDefaults.window_px}, kDefaults.pyramid_levels);
     benchmark::DoNotOptimize(to);
   }
 }
@@ -309,14 +314,14 @@ void stage_fit_of_six_degrees_of_freedom(benchmark::State& state) {
 BENCHMARK(stage_fit_of_six_degrees_of_freedom)->Unit(benchmark::kMillisecond);
 
 void fallback_direct_alignment(benchmark::State& state) {
-  const Followed& f = followed();
   const CameraModel& camera = views().method.camera();
   SwayPrior prior;
   prior.information = 1e6 * Matrix6d::Identity();
   PlanarState start;
   start.a_from_b = {0.103, 0.0, 0.0};
   for (auto _ : state)
-    benchmark::DoNotOptimize(align_directly(camera, f.images[2], f.images[7], prior, start, DirectConfig{}));
+    benchmark::DoNotOptimize(align_directly(camera, std::get<Image>(views().views[2].data),
+                                            std::get<Image>(views().views[7].data), prior, start, {}));
 }
 BENCHMARK(fallback_direct_alignment)->Unit(benchmark::kMillisecond);
 
