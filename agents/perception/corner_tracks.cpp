@@ -74,6 +74,31 @@ TrackingImage prepare_tracking(const Image& image, int window_px, int levels) {
   return TrackingImage(prepared);
 }
 
+namespace {
+
+/// Moves corners to where their windows' gradients meet (Foerstner & Guelch 1987). A window's motion is that of its
+/// gradients, and the image grows and turns as the robot drives: measured on a joint at the window's side but taken
+/// for the middle's, it bent ways on tiles by 0.1 degrees a metre.
+void centre_windows(const TrackingImage& image, int border_px, std::vector<Eigen::Vector2d>& corners) {
+  if (corners.empty()) return;
+  std::vector<cv::Point2f> centres;
+  for (const Eigen::Vector2d& corner : corners)
+    centres.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
+  const int half = image.levels().window_px / 2;
+  constexpr int most_steps = 5;
+  constexpr double settled_px = 0.05;
+  const cv::Mat& grey = image.levels().image;
+  cv::cornerSubPix(grey, centres, {half, half}, {-1, -1},
+                   {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, most_steps, settled_px});
+  const cv::Rect2f within(static_cast<float>(border_px), static_cast<float>(border_px),
+                          static_cast<float>(grey.cols - 2 * border_px),
+                          static_cast<float>(grey.rows - 2 * border_px));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (within.contains(centres[i])) corners[i] = {centres[i].x, centres[i].y};
+}
+
+}  // namespace
+
 std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config) {
   const cv::Mat& grey = image.levels().image;
   std::vector<cv::KeyPoint> found;
@@ -102,6 +127,7 @@ std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const Corn
       if (turn < cell.size() && corners.size() < wanted) corners.emplace_back(cell[turn].pt.x, cell[turn].pt.y);
     if (corners.size() == before) break;
   }
+  centre_windows(image, config.border_px, corners);
   return corners;
 }
 

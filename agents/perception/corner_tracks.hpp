@@ -38,7 +38,7 @@ struct CornerConfig {
   int border_px = 12;  ///< kept free
 };
 
-/// Pixels, the best first within each cell's turn.
+/// Pixels, the best first within each cell's turn; each where its window's gradients meet.
 std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config);
 
 /// How much each pixel's motion counts when it is tracked, by direction in the image: symmetric, eigenvalues in

@@ -97,6 +97,40 @@ TEST_F(CornerTracks, LightThatChangesIsNoMotion) {
   EXPECT_LT((sum / 60.0).norm(), 0.02);
 }
 
+TEST_F(CornerTracks, AWindowIsCentredOnWhatItShows) {
+  // Joints of tiles, 40 pixels apart: a window that grows by 3 % moves as its joints do.
+  constexpr int width = 320;
+  constexpr int height = 240;
+  const auto jointed = [](double scale) {
+    Random random(9);
+    auto pixels = std::make_shared<Bytes>();
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u) {
+        const double x = std::abs(std::remainder((u - 160.0) / scale - 7.0, 40.0));
+        const double y = std::abs(std::remainder((v - 120.0) / scale - 11.0, 40.0));
+        const double dark = 60.0 * std::max(std::exp(-0.5 * x * x), std::exp(-0.5 * y * y));
+        pixels->push_back(static_cast<std::uint8_t>(std::lround(150.0 - dark + 0.5 * random.normal())));
+      }
+    return Image{width, height, pixels};
+  };
+  constexpr double grown = 1.03;
+  const TrackingImage before = prepare_tracking(jointed(1.0), 13, 2);
+  const TrackingImage after = prepare_tracking(jointed(grown), 13, 2);
+  CornerConfig some;
+  some.count = 30;
+  const auto corners = find_corners(before, some);
+  std::vector<Eigen::Vector2d> expected;
+  const Eigen::Vector2d middle(160.0, 120.0);
+  for (const Eigen::Vector2d& corner : corners) expected.emplace_back(middle + grown * (corner - middle));
+  const auto tracks = track_corners(before, after, corners, expected);
+  const auto counts = counts_at(before, corners, 0.5);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    squares += (counts[i] * (tracks[i].pixel - expected[i])).squaredNorm();
+  ASSERT_GT(corners.size(), 10U);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(corners.size())), 0.09);
+}
+
 /// Stripes at `angle_rad`: grey values change across them alone.
 Image striped(double angle_rad, double noise) {
   constexpr int width = 64;
