@@ -28,8 +28,9 @@ cv::Mat flattened(const cv::Mat& grey, int window_px) {
   const int around = (window_px / 4) * 2 + 1;  // in a quarter of the image: twice the window, at a third of the time
   cv::Mat half;
   cv::Mat mean;
-  cv::resize(grey, half, {}, 0.5, 0.5, cv::INTER_AREA);
-  cv::resize(half, mean, {}, 0.5, 0.5, cv::INTER_AREA);
+  const auto halved = [](const cv::Mat& of) { return cv::Size((of.cols + 1) / 2, (of.rows + 1) / 2); };
+  cv::resize(grey, half, halved(grey), 0.0, 0.0, cv::INTER_AREA);
+  cv::resize(half, mean, halved(half), 0.0, 0.0, cv::INTER_AREA);
   cv::boxFilter(mean, mean, -1, {around, around});
   cv::resize(mean, mean, grey.size(), 0.0, 0.0, cv::INTER_LINEAR);
   cv::Mat flat;

@@ -152,8 +152,9 @@ PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const st
       const Eigen::Vector2d error = f * (pairs[k].in_b - there.in_b);
       fit.residual_px[k] = there.in_front ? std::min(error.norm(), far_off_px) : far_off_px;
       const Eigen::Vector2d off = pairs[k].in_sigmas(error);
-      whitened[k] = std::min(off.norm(), far_off_px / pairs[k].sigma_px);
-      if (fit.residual_px[k] >= far_off_px) continue;
+      whitened[k] = far_off_px / pairs[k].sigma_px;
+      if (!(fit.residual_px[k] < far_off_px)) continue;
+      whitened[k] = off.norm();
       const double weight = whitened[k] > huber ? huber / whitened[k] : 1.0;
       const Matrix29d jacobian = (f / pairs[k].sigma_px) * (pairs[k].counts * there.jacobian);
       normal.information.noalias() += weight * jacobian.transpose() * jacobian;

@@ -172,6 +172,14 @@ TEST_F(CornerTracks, AnImageIsWholeOrNot) {
   EXPECT_TRUE(is_whole({4, 4, std::make_shared<const Bytes>(16)}));
 }
 
+TEST_F(CornerTracks, ASmallImageHasNoCornersEither) {
+  for (const int width : {1, 2, 3, 5, 17, 24}) {
+    const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(width);
+    const Image small{width, width, std::make_shared<const Bytes>(size)};
+    EXPECT_TRUE(find_corners(prepare_tracking(small, 13, 2), CornerConfig{}).empty()) << width;
+  }
+}
+
 TEST_F(CornerTracks, APlainFloorHasNoCorners) {
   test::Shot quiet;
   quiet.noise = 0.0;

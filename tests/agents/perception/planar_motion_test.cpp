@@ -120,6 +120,18 @@ TEST(PlanarMotion, WhatSlidesAlongEdgesDoesNotCount) {
   EXPECT_GT(off_mm(even), 0.6);
 }
 
+TEST(PlanarMotion, WhatIsNotOnTheFloorIsFarOff) {
+  Random random(9);
+  const CameraModel camera = test::paper_camera();
+  PlanarState truth;
+  truth.a_from_b = {0.05, 0.0, 0.0};
+  auto pairs = seen_by_both(camera, camera, truth, 60, 0.05, random);
+  const Eigen::Vector2d above_horizon(0.0, -5.0);  // where rays meet the floor behind the camera alone
+  const Eigen::Vector2d mirrored = reproject(camera, camera, truth, above_horizon).in_b;
+  for (std::size_t i = 0; i < 80; ++i) pairs.push_back({above_horizon, mirrored, 0.05});
+  EXPECT_GT(fit_planar_motion(camera, camera, pairs, prior_of(0.002, 0.003), truth).scale, 1000.0);
+}
+
 TEST(PlanarMotion, OutliersAreOutweighed) {
   Random random(7);
   const CameraModel camera = test::paper_camera();
