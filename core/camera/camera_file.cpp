@@ -112,11 +112,11 @@ CalibrationSigma read_sigma(CameraKeys& keys, const YAML::Node& node) {
   for (const auto& [key, into] : {std::pair{"focal_share", &sigma.focal_share},
                                   {"tilt_rad", &sigma.tilt_rad},
                                   {"yaw_rad", &sigma.yaw_rad},
-                                  {"height_share", &sigma.height_share}}) {
+                                  {"scale_share", &sigma.scale_share}}) {
     if (const std::optional<YAML::Node> value = parts.take(key)) *into = parts.number(*value, key, 1e-7, 1.0);
   }
   if (const std::vector<std::string> rest = parts.left_over(); !rest.empty())
-    parts.wrong(node, "weft_sigma has focal_share, tilt_rad, yaw_rad and height_share only");
+    parts.wrong(node, "weft_sigma has focal_share, tilt_rad, yaw_rad and scale_share only");
   keys.adopt(parts);
   return sigma;
 }

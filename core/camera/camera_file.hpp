@@ -23,7 +23,7 @@ struct CalibrationSigma {
   std::optional<double> focal_share;  ///< of the focal length
   std::optional<double> tilt_rad;     ///< of the mount's pitch and roll
   std::optional<double> yaw_rad;
-  std::optional<double> height_share;  ///< of the mount's height: the scale of all distances
+  std::optional<double> scale_share;  ///< of distances over the floor: height and focal length together
 };
 
 /// A camera as a file describes it; pixels, the centre of the first one at (0, 0).

@@ -30,7 +30,7 @@ std::string sigma_text(const CalibrationSigma& sigma) {
   for (const auto& [key, value] : {std::pair{"focal_share", sigma.focal_share},
                                    {"tilt_rad", sigma.tilt_rad},
                                    {"yaw_rad", sigma.yaw_rad},
-                                   {"height_share", sigma.height_share}}) {
+                                   {"scale_share", sigma.scale_share}}) {
     if (value.has_value()) out += std::string("  ") + key + ": " + number_text(*value) + "\n";
   }
   return out.empty() ? out : "# one standard deviation each\nweft_sigma:\n" + out;

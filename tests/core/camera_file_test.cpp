@@ -121,7 +121,7 @@ TEST(CameraFile, WhatIsWrittenReadsBackTheSame) {
   CameraCalibration camera = parse_camera_file(kEuroc, "cam.yaml", "cam0")->camera;
   camera.distortion[4] = 1.0 / 3.0;
   camera.sigma.focal_share = 0.0004;
-  camera.sigma.height_share = 0.001;
+  camera.sigma.scale_share = 0.001;
   const std::string text = camera_file_text(camera, {"made by a test"});
   const auto again = parse_camera_file(text, "again.yaml", "cam0");
   ASSERT_TRUE(again) << again.error().message << text;
@@ -129,7 +129,7 @@ TEST(CameraFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(again->camera.distortion, camera.distortion);
   EXPECT_LT(again->camera.body_from_camera->rotation.angularDistance(camera.body_from_camera->rotation), 1e-7);
   EXPECT_EQ(again->camera.sigma.focal_share, 0.0004);
-  EXPECT_EQ(again->camera.sigma.height_share, 0.001);
+  EXPECT_EQ(again->camera.sigma.scale_share, 0.001);
   EXPECT_FALSE(again->camera.sigma.yaw_rad);
   EXPECT_TRUE(again->not_understood.empty());
 }

@@ -126,15 +126,17 @@ FloorConfig read_floor_config(const config::Table& table) {
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
   constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
   constexpr double kLeastScale = 0.0008;
+  constexpr double kTurnByFocal = 0.43;  // of an oblique view; looking straight down a turn is the image's own
+  constexpr double kLeastTurn = 0.0004;
   const FloorConfig unset;
   if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)
     config.mount_tilt_rad = std::clamp(*known.tilt_rad, kLeastTilt, 0.1);
   if (known.yaw_rad.has_value() && config.mount_yaw_rad == unset.mount_yaw_rad)
     config.mount_yaw_rad = std::clamp(*known.yaw_rad, kLeastTilt, 0.1);
-  if (known.height_share.has_value() && config.scale_sigma == unset.scale_sigma)
-    config.scale_sigma = std::clamp(*known.height_share, kLeastScale, 0.1);
+  if (known.scale_share.has_value() && config.scale_sigma == unset.scale_sigma)
+    config.scale_sigma = std::clamp(*known.scale_share, kLeastScale, 0.1);
   if (known.focal_share.has_value() && config.turn_sigma == unset.turn_sigma)
-    config.turn_sigma = std::clamp(*known.focal_share, kLeastScale, 0.1);
+    config.turn_sigma = std::clamp(kTurnByFocal * *known.focal_share, kLeastTurn, 0.1);
   return config;
 }
 

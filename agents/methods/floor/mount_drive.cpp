@@ -65,10 +65,14 @@ Result<void> check_drive(const Played& played, const MountDriveConfig& config) {
   return {};
 }
 
+/// What a wrong focal length leaves wrong of distances when the height has been found with it: another mixture of
+/// straights and bends than that drive's (docs/decisions/024-odometry-candidates.md).
+constexpr double kScaleByFocal = 0.15;
+
 struct Height {
   HeightFrom from = HeightFrom::nothing;
   double share = 0.0;
-  std::optional<double> sigma;
+  std::optional<double> scale_sigma;
 };
 
 /// Distances are proportional to the height that was believed.
@@ -79,15 +83,14 @@ Result<Height> height_from(const Played& played, const MountDriveConfig& config)
       return fail(ErrorCode::refused, "first and last stand are " + text(seen_m) +
                                           " m apart as seen; a measured distance needs a drive that ends " +
                                           text(0.5 * config.least_drive_m) + " m or more from where it began");
-    // Odometry itself is good to 0.2 % of a metre; a wrong focal length makes straights and bends differ by half of
-    // it.
+    // Odometry itself is good to 0.2 % of a metre.
     return Height{HeightFrom::distance, *config.distance_m / seen_m - 1.0,
                   std::hypot(config.distance_sigma_m / *config.distance_m, 0.002 / std::sqrt(seen_m),
-                             0.5 * config.prior.focal_share)};
+                             kScaleByFocal * config.prior.focal_share)};
   }
   if (config.wheels_sigma.has_value() && played.seen_beside_m > 0.5 * config.least_drive_m)
     return Height{HeightFrom::wheels, played.wheels_m / played.seen_beside_m - 1.0,
-                  std::hypot(*config.wheels_sigma, 0.002, 0.5 * config.prior.focal_share)};
+                  std::hypot(*config.wheels_sigma, 0.002, kScaleByFocal * config.prior.focal_share)};
   return Height{};
 }
 
@@ -133,7 +136,7 @@ Result<MountDrive> calibrate_mount(const CameraModel& given, const PlayDrive& pl
     if (!height) return fail(height.error());
     height_share = (1.0 + height_share) * (1.0 + height->share) - 1.0;
     out.height_from = height->from;
-    out.sigma.height_share = height->sigma;
+    out.sigma.scale_share = height->scale_sigma;
     out.camera.robot_from_camera.translation.z() *= 1.0 + height->share;
     if (pass == 0) out.seen_m = played.first_from_last.translation().norm();
     if (pass + 1 == kPasses) break;  // only the height is left to be found with the final mount

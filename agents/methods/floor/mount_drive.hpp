@@ -30,7 +30,7 @@ enum class HeightFrom { nothing, distance, wheels };
 
 struct MountDrive {
   CameraModel camera;      ///< with the mount that was found
-  CalibrationSigma sigma;  ///< height_share is none when the height was not observable
+  CalibrationSigma sigma;  ///< scale_share is none when the height was not observable
   double pitch_rad = 0.0;  ///< found less given
   double roll_rad = 0.0;
   MountLever lever;           ///< yaw and forward against the given mount

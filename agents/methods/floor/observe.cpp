@@ -179,7 +179,7 @@ CommonErrors common_errors(const FloorConfig& c, const Pose2& moved) {
 Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const CommonErrors& common,
                                 Floor::Odometry& s) {
   // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
-  const double alike = 0.15 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
+  const double alike = 0.05 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
   constexpr double heading_drift = 0.00015;  // rad over a metre, growing by its root, however sharp the floor
   const Eigen::Matrix3d before = carried(s.keyframe_covariance, moved);
   Eigen::Matrix3d covariance = positive_part(alike * fit.covariance.topLeftCorner<3, 3>() - before);

@@ -81,7 +81,7 @@ nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job)
           {"height_from", kFrom.at(static_cast<std::size_t>(found.height_from))},
           {"height_m", found.camera.robot_from_camera.translation.z()},
           {"height_change_share", found.height_share},
-          {"height_sigma_share", maybe(found.sigma.height_share)},
+          {"scale_sigma_share", maybe(found.sigma.scale_share)},
           {"images", found.samples},
           {"blind", found.blind},
           {"driven_m", found.path_m},
@@ -94,8 +94,8 @@ std::string height_words(const MountDrive& found) {
     return text(
         "height  %8.4f m  as given: not observable from the drive alone; give --distance-m, or --wheels-percent",
         height_m);
-  return text("height  %8.4f m  %+.2f %%, one sigma %.2f %%, by %s", height_m, 100.0 * found.height_share,
-              100.0 * *found.sigma.height_share,
+  return text("height  %8.4f m  %+.2f %%, distances to %.2f %% (one sigma), by %s", height_m,
+              100.0 * found.height_share, 100.0 * *found.sigma.scale_share,
               found.height_from == HeightFrom::distance ? "the measured distance" : "the wheels");
 }
 

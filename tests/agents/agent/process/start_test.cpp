@@ -81,13 +81,15 @@ TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {
   CalibrationSigma known;
   EXPECT_EQ(informed(config, known).scale_sigma, config.scale_sigma);
   known.tilt_rad = 0.002;
-  known.height_share = 0.0015;
+  known.scale_share = 0.0015;
   EXPECT_EQ(informed(config, known).mount_tilt_rad, 0.002);
   EXPECT_EQ(informed(config, known).scale_sigma, 0.0015);
   known.yaw_rad = 0.004;
   known.focal_share = 0.0005;
   EXPECT_EQ(informed(config, known).mount_yaw_rad, 0.004);
-  EXPECT_EQ(informed(config, known).turn_sigma, 0.0008) << "no better than following corners is";
+  EXPECT_EQ(informed(config, known).turn_sigma, 0.0004) << "no better than following corners is";
+  known.focal_share = 0.003;
+  EXPECT_NEAR(informed(config, known).turn_sigma, 0.43 * 0.003, 1e-12) << "a part of what the focal length is wrong";
   config.scale_sigma = 0.02;
   EXPECT_EQ(informed(config, known).scale_sigma, 0.02);
 }

@@ -56,7 +56,7 @@ TEST(CalibrateMount, TheWheelsShowTheHeightAndTheFileIsTaken) {
   job.wheels_sigma = 0.005;
   const nlohmann::json found = done(job);
   EXPECT_EQ(found["height_from"], "wheels");
-  EXPECT_LT(found["height_sigma_share"], 0.01);
+  EXPECT_LT(found["scale_sigma_share"], 0.01);
   EXPECT_TRUE(found["yaw_seen"]);
   const double turned = std::hypot(found["pitch_change_rad"].get<double>(), found["roll_change_rad"].get<double>(),
                                    found["yaw_change_rad"].get<double>());
@@ -82,7 +82,7 @@ TEST(CalibrateMount, WithoutDistanceAndWheelsTheHeightIsSaidToBeUnknown) {
   std::ostringstream err;
   ASSERT_TRUE(calibrate_mount(job, {out, err, [] { return 0.0; }}));
   EXPECT_THAT(out.str(), HasSubstr("height    0.6000 m  as given: not observable"));
-  EXPECT_THAT(folder.read("mount.yaml"), testing::Not(HasSubstr("height_share")));
+  EXPECT_THAT(folder.read("mount.yaml"), testing::Not(HasSubstr("scale_share")));
 }
 
 TEST(CalibrateMount, AShortDriveIsRefusedWithTheBound) {
