@@ -8,6 +8,7 @@
 
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/spread_corners.hpp"
 #include "agents/perception/sway.hpp"
 
 namespace weft::agents {
@@ -35,28 +36,6 @@ double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_floo
   const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
   const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_floor.x(), on_floor.y(), 0.0);
   return p.z() / focal_px(camera);
-}
-
-std::vector<cv::KeyPoint> spread(std::vector<cv::KeyPoint> found, const cv::Size& size, int count) {
-  constexpr int columns = 12;
-  constexpr int rows = 9;
-  std::vector<std::vector<cv::KeyPoint>> cells(static_cast<std::size_t>(columns * rows));
-  std::stable_sort(found.begin(), found.end(),
-                   [](const cv::KeyPoint& a, const cv::KeyPoint& b) { return a.response > b.response; });
-  for (const cv::KeyPoint& k : found) {
-    const int column = static_cast<int>(k.pt.x) * columns / size.width;
-    const int row = static_cast<int>(k.pt.y) * rows / size.height;
-    cells[static_cast<std::size_t>(row * columns + column)].push_back(k);
-  }
-  std::vector<cv::KeyPoint> kept;
-  const auto wanted = static_cast<std::size_t>(count);
-  for (std::size_t turn = 0; kept.size() < wanted; ++turn) {
-    const std::size_t before = kept.size();
-    for (const auto& cell : cells)
-      if (turn < cell.size() && kept.size() < wanted) kept.push_back(cell[turn]);
-    if (kept.size() == before) break;
-  }
-  return kept;
 }
 
 /// One scale: the map's floor is always equally far away.
@@ -152,7 +131,7 @@ RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_met
     orb->detect(equal, keypoints, t.described);
     if (keypoints.size() >= static_cast<std::size_t>(2 * count)) break;
   }
-  keypoints = spread(std::move(keypoints), equal.size(), count);
+  keypoints = spread_corners(std::move(keypoints), equal.size(), 12, 9, count);
   cv::Mat descriptors;
   orb->compute(equal, keypoints, descriptors);
   for (std::size_t i = 0; i < keypoints.size(); ++i) {

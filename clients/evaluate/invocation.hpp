@@ -10,6 +10,7 @@
 #include "clients/evaluate/floor/relocalise/relocalise_study.hpp"
 #include "clients/evaluate/floor/replay.hpp"
 #include "clients/evaluate/floor/study.hpp"
+#include "clients/evaluate/heading/heading_study.hpp"
 #include "clients/evaluate/odometry/study.hpp"
 #include "core/network/site_generator.hpp"
 #include "core/result.hpp"
@@ -28,7 +29,7 @@ struct GenerateOptions {
 };
 
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
-                            ReplayOptions, OdometryOptions, GenerateOptions, NotRun>;
+                            ReplayOptions, OdometryOptions, HeadingOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

@@ -1,0 +1,65 @@
+#include <map>
+#include <string>
+
+#include "clients/evaluate/invocation_words.hpp"
+
+namespace weft::evaluate {
+
+CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "disturbances",
+      "What each disturbance of the simulated body costs the method floor in accuracy: one robot is led along a "
+      "line, "
+      "another looks for its places a day later, under the site's disturbances, none, all but one, and one alone.\n"
+      "Writes disturbances.csv, .json and .png. Ctrl-C stops it; the same command goes on where it stopped.");
+  seeds = "1..3";
+  options.site = "deploy/sites/demo.toml";
+  options.out = "out/disturbances";
+  const auto option = flags_of(sub);
+  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another wear, calibration and noise [1..3]");
+  option("--site", options.site, "FILE",
+         "Site file: the floor, the robot (its first one), how large each disturbance is [deploy/sites/demo.toml]");
+  option("--along", options.along, "FILE",
+         "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
+  option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [12]")
+      ->check(CLI::Range(11.0, 1000.0).description(""));
+  option("--out", options.out, "DIR",
+         "Folder for the results; rows that it holds already are kept [out/disturbances]");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, HeadingOptions& options) {
+  CLI::App* const sub = app.add_subcommand(
+      "heading",
+      "How well the most frequent shift of what two views both show (method bearing) tells the heading between "
+      "images "
+      "of one place in other seasons, against shifts that somebody found by hand: folders in GRIEF's two layouts "
+      "(docs/bearing-study.md).\n"
+      "Prints a table: pairs, how many are right within 35 pixels, median error, refused.");
+  sub->add_option("DIR", options.folder, "Folder with ground_truth/ and images/, or with displacements.txt")
+      ->required()
+      ->type_name("");
+  const std::map<std::string, agents::Description> features = {{"brief", agents::Description::brief},
+                                                               {"gradients", agents::Description::gradients}};
+  sub->add_option("--feature", options.feature, "What is compared: brief or gradients [gradients]")
+      ->transform(CLI::CheckedTransformer(features).description(""))
+      ->type_name("NAME");
+  sub->add_flag("--json", options.json, "One line of JSON instead of the table");
+  return sub;
+}
+
+CLI::App* describe(CLI::App& app, GenerateOptions& generate) {
+  CLI::App* const sub = app.add_subcommand(
+      "generate-site",
+      "A store with a large site that many robots have driven in, to see how what is built for one bears it.\n"
+      "Prints progress. Ctrl-C stops it; the same command goes on where it stopped.");
+  generate.out = "out/site";
+  const auto option = flags_of(sub);
+  option("--places", generate.plan.places, "N", "How many places, 1 to 10000000 [10000]");
+  option("--seed", generate.plan.seed, "N", "Another seed is another site [1]");
+  option("--content-bytes", generate.plan.content_bytes, "N", "Content of each place, 8 to 1000000 [64]");
+  option("--out", generate.out, "DIR", "The store's directory [out/site]");
+  return sub;
+}
+
+}  // namespace weft::evaluate

@@ -1,0 +1,38 @@
+#pragma once
+// Private to the command line of weft-evaluate.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "clients/evaluate/invocation.hpp"
+
+namespace weft::evaluate {
+
+/// How a subcommand's flags are added.
+inline auto flags_of(CLI::App* sub) {
+  return [sub](const char* flag, auto& into, const char* unit, const std::string& help) {
+    return sub->add_option(flag, into, help)->type_name(unit);
+  };
+}
+
+/// The study in simulation, or a recording replayed.
+struct FloorWords {
+  FloorOptions study;
+  std::string seeds;
+  ReplayOptions replay;
+  std::vector<double> mount;
+  std::filesystem::path out = "out/floor";
+};
+
+/// Each adds its subcommand; flags write into what is given.
+CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, FloorWords& words);
+CLI::App* describe(CLI::App& app, AttemptsOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, HeadingOptions& options);
+CLI::App* describe(CLI::App& app, GenerateOptions& generate);
+
+}  // namespace weft::evaluate
