@@ -6,6 +6,7 @@
 
 #include "agents/bodies/sim/floor/floor_window.hpp"
 #include "agents/bodies/sim/light.hpp"
+#include "agents/bodies/sim/pixel_rays.hpp"
 #include "agents/bodies/sim/scene.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "core/bytes.hpp"
@@ -54,11 +55,6 @@ class Camera {
  private:
   /// Floor points of the light grid, site frame.
   struct Nodes {
-    std::vector<float> x, y;
-  };
-  /// Normalised, without distortion, of each pixel.
-  struct Rays {
-    explicit Rays(const CameraModel& camera);
     std::vector<float> x, y;
   };
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
@@ -169,7 +165,7 @@ class Camera {
   CameraModel camera_;
   CameraOptions options_;
   int columns_ = 0, rows_ = 0;  ///< of the light grid
-  Rays rays_;
+  PixelRays rays_;
   std::vector<RowLevels> levels_;  ///< of each image row
   std::vector<float> vignette_;    ///< of each grid node
   std::vector<float> noise_;

@@ -63,6 +63,8 @@ Change change_in(const Table& table, Change c) {
   c.lens_spots = static_cast<int>(table.integer("lens_spots", c.lens_spots, 0, 200));
   c.lens_depth = 0.01 * table.number("lens_depth_percent", 100 * c.lens_depth, 0.0, 100.0);
   c.dirt_per_m2 = table.number("dirt_per_m2", c.dirt_per_m2, 0.0, 5000.0);
+  c.stock = 0.01 * table.number("stock_percent", 100 * c.stock, 0.0, 100.0);
+  c.lamps_failed = 0.01 * table.number("lamps_failed_percent", 100 * c.lamps_failed, 0.0, 100.0);
   c.sinks_m = 1e-3 * table.number("sinks_mm", 1e3 * c.sinks_m, 0.0, 100.0);
   for (const Table& each : table.tables("shadow", 0, 1000)) c.shadows.push_back(shadow_in(each));
   for (const Table& each : table.tables("wet", 0, 1000)) c.wet.push_back(wet_in(each));

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/base.hpp"
-#include "agents/bodies/sim/calibration.hpp"
-#include "agents/bodies/sim/camera.hpp"
+#include "agents/bodies/sim/eye.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hand.hpp"
 #include "agents/bodies/sim/truth.hpp"
@@ -41,7 +40,7 @@ Shake shake_from(const Disturbances& d, Random random) {
 
 class SimBody final : public SimulatedBody {
  public:
-  SimBody(const SimBodyConfig& config, const RobotStart& start, std::shared_ptr<const FloorSource> floor,
+  SimBody(const SimBodyConfig& config, const RobotStart& start, const std::shared_ptr<const FloorSource>& floor,
           std::optional<TruthFile> truth);
 
   Result<Sample> step(const Twist& command) override;
@@ -49,14 +48,14 @@ class SimBody final : public SimulatedBody {
   void stop_hand() override;
   void put(const Pose2& site_from_robot, const Twist& moving) override;
   Pose2 site_from_robot() const override { return base_.site_from_robot(); }
-  std::vector<CameraModel> cameras() const override { return {given_}; }
+  std::vector<CameraModel> cameras() const override { return {eye_->given()}; }
   std::string kind() const override { return "sim"; }
 
  private:
   bool at_rest(const Twist& command) const;
-  Light light_now() const;
+  Random light_now() const;
   void next_run();
-  Exposure exposure_now();
+  Moment moment_now();
   Duration stamp_now();
   View view_now(SensorTime time);
 
@@ -69,52 +68,41 @@ class SimBody final : public SimulatedBody {
   std::uint64_t seed_ = 0;
   std::uint64_t day_ = 0;
   std::string robot_;
-  CameraModel given_;
-  CameraModel true_;
-  double gloss_ = 0.0;
   Base base_;
   Shake shake_;
   BoundedWave exposure_drift_;
   Random timing_;
-  Camera camera_;
+  std::unique_ptr<Eye> eye_;
   std::optional<TruthFile> truth_;
   std::optional<Hand> hand_;
   bool hand_done_ = false;
 };
 
-SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start, std::shared_ptr<const FloorSource> floor,
-                 std::optional<TruthFile> truth)
+SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
+                 const std::shared_ptr<const FloorSource>& floor, std::optional<TruthFile> truth)
     : site_(config.site),
       seed_(seed_of(config.seed, start)),
       day_(config.day),
       robot_(start.name),
-      given_(given_camera_from(site_.camera, robot_, day_)),
-      true_(true_camera_from(given_, site_.disturbances, site_.change.sinks_m, random_of(seed_, calibration, day_))),
-      gloss_(floor->gloss()),
       base_(site_.base, site_.disturbances, site_.boxes,
             wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,
             random_of(seed_, slip, day_)),
       shake_(shake_from(site_.disturbances, random_of(seed_, vibration, day_))),
       exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
       timing_(random_of(seed_, timing, day_)),
-      camera_(true_,
-              CameraOptions{.vignetting = site_.disturbances.vignetting,
-                            .noise_grey = site_.disturbances.noise_grey,
-                            .shadow = site_.disturbances.shadow,
-                            .lens_spots = site_.change.lens_spots,
-                            .lens_depth = site_.change.lens_depth,
-                            .lens_seed = site_.change.seed,
-                            .cache_bytes = static_cast<std::size_t>(site_.floor.cache_mb * 1e6)},
-              std::move(floor), std::make_shared<const Scene>(site_.boxes), light_now()),
-      truth_(std::move(truth)) {}
+      truth_(std::move(truth)) {
+  const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_)};
+  eye_ = start.camera == RobotStart::Camera::floor ? make_floor_eye(site_, owner, floor, light_now())
+                                                   : make_forward_eye(site_, owner, floor, light_now());
+}
 
-Light SimBody::light_now() const {
-  return Light(site_, gloss_, random_of(seed_, light, day_ * 0x10000 + run_));
+Random SimBody::light_now() const {
+  return random_of(seed_, light, day_ * 0x10000 + run_);
 }
 
 void SimBody::next_run() {
   ++run_;
-  camera_.set_light(light_now());
+  eye_->light_up(light_now());
 }
 
 Result<void> SimBody::drive_by_hand(const std::vector<SitePoint>& along) {
@@ -148,33 +136,26 @@ bool SimBody::at_rest(const Twist& command) const {
   return !hand_ && command == Twist{} && base_.at_rest();
 }
 
-Exposure SimBody::exposure_now() {
-  const Disturbances& d = site_.disturbances;
+Moment SimBody::moment_now() {
   const Twist moving = base_.velocity();
   // Standing still nothing shakes; from a slow walk on everything does.
   const double shaking = std::min(1.0, (std::abs(moving.linear_m_s) + 0.3 * std::abs(moving.angular_rad_s)) / 0.2);
-  const auto site_from_camera_at = [&](double from_now_s) {
+  Moment moment;
+  moment.site_from_camera = [this, moving, shaking](Pose3 robot_from_camera, double from_now_s) {
     const double t = now_s_ + from_now_s;
     const Pose2 now_from_then =
         exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
-    Pose3 robot_from_camera = true_.robot_from_camera;
     robot_from_camera.translation.z() += shaking * shake_.height.at(t);
     const Eigen::AngleAxisd pitch(shaking * shake_.pitch.at(t), Eigen::Vector3d::UnitY());
     const Eigen::AngleAxisd roll(shaking * shake_.roll.at(t), Eigen::Vector3d::UnitX());
     robot_from_camera.rotation = (roll * pitch * robot_from_camera.rotation).normalized();
     return lift(base_.site_from_robot() * now_from_then) * robot_from_camera;
   };
-  Exposure exposure;
-  for (std::size_t k = 0; k < kSubsamples; ++k) {
-    exposure.site_from_camera[k] = site_from_camera_at(kSubsampleTime[k] * d.exposure_s);
-  }
-  exposure.site_from_camera_mid = site_from_camera_at(0.0);
-  exposure.body = {base_.site_from_robot().x, base_.site_from_robot().y, site_.base.radius_m,
-                   site_.base.body_height_m};
-  exposure.gain = 1.0 + exposure_drift_.at(now_s_);
-  exposure.time_s = now_s_;
-  exposure.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
-  return exposure;
+  moment.site_from_robot = base_.site_from_robot();
+  moment.time_s = now_s_;
+  moment.brightness = 1.0 + exposure_drift_.at(now_s_);
+  moment.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
+  return moment;
 }
 
 Duration SimBody::stamp_now() {
@@ -187,9 +168,9 @@ View SimBody::view_now(SensorTime time) {
   View view;
   view.frame = frame_;
   view.time = time;
-  view.camera = "floor";
-  view.calibration = given_.id;
-  view.data = Image{true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(exposure_now()))};
+  view.camera = eye_->name();
+  view.calibration = eye_->given().id;
+  view.data = eye_->look(moment_now());
   return view;
 }
 
@@ -259,7 +240,7 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
     }
     truth = std::move(*opened);
   }
-  return std::unique_ptr<SimulatedBody>(std::make_unique<SimBody>(now, *start, std::move(*floor), std::move(truth)));
+  return std::unique_ptr<SimulatedBody>(std::make_unique<SimBody>(now, *start, *floor, std::move(truth)));
 }
 
 }  // namespace weft::agents::sim

@@ -124,6 +124,8 @@ void add_robots(const Table& root, Site& site) {
     robot.name = table.text("name", required, 64);
     robot.site_from_robot = pose_in(table);
     robot.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 0, INT64_MAX));
+    robot.camera = table.choice("camera", "floor", {"floor", "forward"}) == "floor" ? RobotStart::Camera::floor
+                                                                                    : RobotStart::Camera::forward;
     if (robot.name.find_first_of("\"\\\n\r\t") != std::string::npos) {
       table.refuse("name", "must not hold quotes, backslashes or control characters");
     }
@@ -164,6 +166,49 @@ CameraSetup camera_in(const Table& table) {
   c.fps = table.number("fps", c.fps, 1.0, 200.0);
   c.fps_at_rest = table.number("fps_at_rest", c.fps_at_rest, 0.1, 200.0);
   return c;
+}
+
+ForwardCameraSetup forward_camera_in(const Table& table) {
+  ForwardCameraSetup c;
+  c.width = static_cast<int>(table.integer("width_px", c.width, 64, 4096));
+  c.height = static_cast<int>(table.integer("height_px", c.height, 64, 4096));
+  if (c.width % 4 != 0) table.refuse("width_px", "must be a multiple of 4");
+  if (c.height % 4 != 0) table.refuse("height_px", "must be a multiple of 4");
+  c.focal_px = table.number("focal_px", c.focal_px, 50.0, 5000.0);
+  c.k1 = table.number("k1", c.k1, -0.4, 0.4);
+  c.height_m = table.number("height_m", c.height_m, 0.1, 3.0);
+  c.forward_m = table.number("forward_m", c.forward_m, -2.0, 2.0);
+  c.left_m = table.number("left_m", c.left_m, -2.0, 2.0);
+  c.pitch_rad = table.number("pitch_rad", c.pitch_rad, -0.5, 0.5);
+  c.exposes_itself = table.boolean("exposes_itself", c.exposes_itself);
+  c.mean_grey = table.number("mean_grey", c.mean_grey, 20.0, 230.0);
+  c.longest_exposure_s = 1e-3 * table.number("longest_exposure_ms", 1e3 * c.longest_exposure_s, 0.1, 100.0);
+  c.most_gain = table.number("most_gain", c.most_gain, 1.0, 1000.0);
+  c.headlight = table.number("headlight", c.headlight, 0.0, 100.0);
+  return c;
+}
+
+HallSetup hall_in(const Table& table) {
+  HallSetup h;
+  h.ceiling_m = table.number("ceiling_m", h.ceiling_m, 2.0, 40.0);
+  h.ceiling_grey = table.number("ceiling_grey", h.ceiling_grey, 5.0, 250.0);
+  h.wall_grey = table.number("wall_grey", h.wall_grey, 5.0, 250.0);
+  return h;
+}
+
+Mover mover_in(const Table& table, Mover::Kind kind) {
+  Mover m;
+  m.kind = kind;
+  const std::vector<double> way = table.numbers("way", required, 4, 200, -kFar, kFar);
+  if (way.size() % 2 != 0) table.refuse("way", "must hold an x and a y for each point");
+  for (std::size_t i = 0; i + 1 < way.size(); i += 2) m.way.push_back({way[i], way[i + 1]});
+  for (std::size_t i = 1; i < m.way.size(); ++i) {
+    if (std::hypot(m.way[i].x - m.way[i - 1].x, m.way[i].y - m.way[i - 1].y) < 0.1)
+      table.refuse("way", "has two points that are less than 0.1 m apart");
+  }
+  m.speed_m_s = table.number("speed_m_s", kind == Mover::Kind::person ? 1.0 : 1.5, 0.0, 5.0);
+  m.begins_m = table.number("begins_m", 0.0, 0.0, 10'000.0);
+  return m;
 }
 
 BaseSetup base_in(const Table& table) {
@@ -247,6 +292,12 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.ambient = root.number("ambient", site.ambient, 0.05, 20.0);
   site.floor = floor_in(root.table("floor"));
   site.camera = camera_in(root.table("camera"));
+  site.forward_camera = forward_camera_in(root.table("forward_camera"));
+  site.hall = hall_in(root.table("hall"));
+  for (const Table& table : root.tables("person", 0, 100))
+    site.movers.push_back(mover_in(table, Mover::Kind::person));
+  for (const Table& table : root.tables("forklift", 0, 100))
+    site.movers.push_back(mover_in(table, Mover::Kind::forklift));
   site.base = base_in(root.table("base"));
   site.hand = hand_in(root.table("hand"));
   site.disturbances = disturbances_in(root.table("disturbances"));

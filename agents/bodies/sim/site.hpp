@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/bodies/body.hpp"
 #include "agents/bodies/sim/change.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
@@ -36,9 +37,11 @@ struct Lamp {
 };
 
 struct RobotStart {
+  enum class Camera : std::uint8_t { floor, forward };
   std::string name;
   Pose2 site_from_robot;
   std::uint64_t seed = 0;  ///< added to the run's seed: other wheels, another calibration
+  Camera camera = Camera::floor;
 };
 
 struct FloorSetup {
@@ -59,6 +62,34 @@ struct CameraSetup {
   double k1 = -0.08, k2 = 0.01, p1 = 0.0004, p2 = -0.0003, k3 = 0.0;
   double height_m = 0.6, forward_m = 0.25, left_m = 0.0, pitch_rad = 0.735;
   double fps = 30.0, fps_at_rest = 2.0;
+};
+
+/// A camera that looks ahead over the floor; agents are told a focal length and no more.
+struct ForwardCameraSetup {
+  int width = 320, height = 240;
+  double focal_px = 386.0;  ///< 45 degrees of view, as the camera of Krajnik et al. 2018
+  double k1 = -0.05;
+  double height_m = 0.35, forward_m = 0.15, left_m = 0.0, pitch_rad = -0.05;  ///< pitch down from level
+  bool exposes_itself = true;
+  double mean_grey = 110.0;          ///< that it exposes for
+  double longest_exposure_s = 0.02;  ///< from there on it amplifies
+  double most_gain = 40.0;
+  double headlight = 0.0;  ///< light on what is 2 m ahead, 1: as the floor's mean
+};
+
+/// What the floor camera does not see of a hall.
+struct HallSetup {
+  double ceiling_m = 7.0;
+  double ceiling_grey = 95.0, wall_grey = 125.0;  ///< under mean light
+};
+
+/// Somebody who walks or drives to and fro.
+struct Mover {
+  enum class Kind : std::uint8_t { person, forklift };
+  Kind kind = Kind::person;
+  std::vector<SitePoint> way;
+  double speed_m_s = 1.0;
+  double begins_m = 0.0;  ///< along the way when a body's time begins
 };
 
 struct BaseSetup {
@@ -108,6 +139,9 @@ struct Site {
   double ambient = 1.0;  ///< light that comes from everywhere
   std::vector<RobotStart> robots;
   CameraSetup camera;
+  ForwardCameraSetup forward_camera;
+  HallSetup hall;
+  std::vector<Mover> movers;
   BaseSetup base;
   HandSetup hand;
   Disturbances disturbances;

@@ -304,5 +304,52 @@ TEST(DemoSite, RestingRobotsStandInNobodysWay) {
   }
 }
 
+TEST(Site, WhatTheForwardCameraSees) {
+  const auto site = parse_site(std::string(kSmall) + R"(
+camera = "forward"
+[forward_camera]
+width_px = 640
+height_px = 480
+focal_px = 772
+headlight = 3
+exposes_itself = false
+[hall]
+ceiling_m = 9
+[[person]]
+way = [0.5, 0.5, 4.0, 0.5]
+[[forklift]]
+way = [0.5, 3.0, 4.0, 3.0, 4.0, 1.0]
+speed_m_s = 2
+begins_m = 1.5
+[change]
+stock_percent = 30
+lamps_failed_percent = 50
+)",
+                               "small.toml");
+  ASSERT_TRUE(site) << site.error().message;
+  EXPECT_EQ(site->robots.front().camera, RobotStart::Camera::forward);
+  EXPECT_EQ(site->forward_camera.width, 640);
+  EXPECT_EQ(site->forward_camera.headlight, 3.0);
+  EXPECT_FALSE(site->forward_camera.exposes_itself);
+  EXPECT_EQ(site->hall.ceiling_m, 9.0);
+  ASSERT_EQ(site->movers.size(), 2U);
+  EXPECT_EQ(site->movers[1].kind, Mover::Kind::forklift);
+  EXPECT_EQ(site->movers[1].way.size(), 3U);
+  EXPECT_EQ(site->change.stock, 0.3);
+  EXPECT_EQ(site->change.lamps_failed, 0.5);
+}
+
+TEST(Site, AWayThatIsNoneIsRefused) {
+  const auto refused = [](const std::string& more) {
+    const auto site = parse_site(std::string(kSmall) + more, "small.toml");
+    return site ? std::string("nothing is wrong") : site.error().message;
+  };
+  EXPECT_THAT(refused("[[person]]\nway = [0.5, 0.5, 4.0]\n"), HasSubstr("way"));
+  EXPECT_THAT(refused("[[person]]\nway = [0.5, 0.5, 4.0, 1, 2]\n"), HasSubstr("an x and a y"));
+  EXPECT_THAT(refused("[[person]]\nway = [1, 1, 1, 1]\n"), HasSubstr("less than 0.1 m apart"));
+  EXPECT_THAT(refused("[forward_camera]\nwidth_px = 322\n"), HasSubstr("multiple of 4"));
+  EXPECT_THAT(refused("camera = \"rear\"\n"), HasSubstr("camera"));
+}
+
 }  // namespace
 }  // namespace weft::agents::sim

@@ -1,0 +1,62 @@
+#include "agents/bodies/sim/calibration.hpp"
+#include "agents/bodies/sim/camera.hpp"
+#include "agents/bodies/sim/eye.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+CameraOptions options_of(const Site& site) {
+  return {.vignetting = site.disturbances.vignetting,
+          .noise_grey = site.disturbances.noise_grey,
+          .shadow = site.disturbances.shadow,
+          .lens_spots = site.change.lens_spots,
+          .lens_depth = site.change.lens_depth,
+          .lens_seed = site.change.seed,
+          .cache_bytes = static_cast<std::size_t>(site.floor.cache_mb * 1e6)};
+}
+
+class FloorEye final : public Eye {
+ public:
+  FloorEye(const Site& site, const EyeOwner& owner, std::shared_ptr<const FloorSource> floor, Random light)
+      : site_(site),
+        given_(given_camera_from(site.camera, owner.robot, owner.day)),
+        true_(true_camera_from(given_, site.disturbances, site.change.sinks_m, owner.calibration)),
+        gloss_(floor->gloss()),
+        camera_(true_, options_of(site), std::move(floor), std::make_shared<const Scene>(site.boxes),
+                Light(site, gloss_, light)) {}
+
+  std::string name() const override { return "floor"; }
+  const CameraModel& given() const override { return given_; }
+  void light_up(Random random) override { camera_.set_light(Light(site_, gloss_, random)); }
+
+  Image look(const Moment& moment) override {
+    Exposure exposure;
+    for (std::size_t k = 0; k < kSubsamples; ++k) {
+      exposure.site_from_camera[k] =
+          moment.site_from_camera(true_.robot_from_camera, kSubsampleTime[k] * site_.disturbances.exposure_s);
+    }
+    exposure.site_from_camera_mid = moment.site_from_camera(true_.robot_from_camera, 0.0);
+    exposure.body = {moment.site_from_robot.x, moment.site_from_robot.y, site_.base.radius_m,
+                     site_.base.body_height_m};
+    exposure.gain = moment.brightness;
+    exposure.time_s = moment.time_s;
+    exposure.noise_seed = moment.noise_seed;
+    return {true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(exposure))};
+  }
+
+ private:
+  Site site_;
+  CameraModel given_;
+  CameraModel true_;
+  double gloss_;
+  Camera camera_;
+};
+
+}  // namespace
+
+std::unique_ptr<Eye> make_floor_eye(const Site& site, const EyeOwner& owner, std::shared_ptr<const FloorSource> floor,
+                                    Random light) {
+  return std::make_unique<FloorEye>(site, owner, std::move(floor), light);
+}
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,78 @@
+#include <cmath>
+
+#include "agents/bodies/sim/calibration.hpp"
+#include "agents/bodies/sim/eye.hpp"
+#include "agents/bodies/sim/hall/exposure_control.hpp"
+#include "agents/bodies/sim/hall/hall_camera.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+/// Of the exposure, in time order: the middles of its quarters.
+constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125, 0.375};
+
+/// A focal length from a data sheet and where it was screwed on; its lens nobody has measured.
+CameraModel given_camera(const ForwardCameraSetup& setup, const EyeOwner& owner) {
+  CameraModel camera;
+  camera.id = owner.robot + "/forward/day" + std::to_string(owner.day);
+  camera.width = setup.width;
+  camera.height = setup.height;
+  camera.fx = camera.fy = setup.focal_px;
+  camera.cx = (setup.width - 1) / 2.0;
+  camera.cy = (setup.height - 1) / 2.0;
+  camera.robot_from_camera = downward_mount(setup.forward_m, setup.left_m, setup.height_m, setup.pitch_rad, 0.0, 0.0);
+  return camera;
+}
+
+CameraModel true_camera(CameraModel camera, const Site& site, const EyeOwner& owner) {
+  camera = true_camera_from(camera, site.disturbances, site.change.sinks_m, owner.calibration);
+  camera.distortion = {site.forward_camera.k1, 0.0, 0.0, 0.0, 0.0};
+  return camera;
+}
+
+class ForwardEye final : public Eye {
+ public:
+  ForwardEye(const Site& site, const EyeOwner& owner, const FloorSource& floor, Random light)
+      : disturbances_(site.disturbances),
+        site_(site),
+        given_(given_camera(site.forward_camera, owner)),
+        true_(true_camera(given_, site, owner)),
+        exposure_(site.forward_camera, site.disturbances.exposure_s),
+        camera_(true_, {site.disturbances.vignetting, site.forward_camera.headlight},
+                std::make_shared<const Hall>(site, floor), site.movers, HallLight(site, light)) {}
+
+  std::string name() const override { return "forward"; }
+  const CameraModel& given() const override { return given_; }
+  void light_up(Random random) override { camera_.set_light(HallLight(site_, random)); }
+
+  Image look(const Moment& moment) override {
+    HallShot shot;
+    for (std::size_t k = 0; k < kHallSamples; ++k)
+      shot.site_from_camera[k] =
+          moment.site_from_camera(true_.robot_from_camera, kSampleTime[k] * exposure_.exposure_s());
+    shot.time_s = moment.time_s;
+    shot.gain = exposure_.gain() * moment.brightness;
+    shot.noise_grey = disturbances_.noise_grey * std::sqrt(exposure_.amplified());
+    shot.noise_seed = moment.noise_seed;
+    HallImage taken = camera_.take(shot);
+    exposure_.taken(taken.mean_light * moment.brightness);
+    return {true_.width, true_.height, std::make_shared<const Bytes>(std::move(taken.grey))};
+  }
+
+ private:
+  Disturbances disturbances_;
+  Site site_;
+  CameraModel given_;
+  CameraModel true_;
+  ExposureControl exposure_;
+  HallCamera camera_;
+};
+
+}  // namespace
+
+std::unique_ptr<Eye> make_forward_eye(const Site& site, const EyeOwner& owner,
+                                      const std::shared_ptr<const FloorSource>& floor, Random light) {
+  return std::make_unique<ForwardEye>(site, owner, *floor, light);
+}
+
+}  // namespace weft::agents::sim

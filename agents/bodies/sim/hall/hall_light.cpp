@@ -1,0 +1,98 @@
+#include "agents/bodies/sim/hall/hall_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace weft::agents::sim {
+namespace {
+
+constexpr float kLampGrey = 12.0F;  // of a lamp's own face against a lit floor under it
+
+/// What a lamp at `lamp` that shines down gives a surface, 1 on the floor below it.
+float falloff(const Eigen::Vector3f& lamp, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
+  constexpr float sideways = 0.15F;  // of its light that a lamp gives to what is beside or above it
+  const Eigen::Vector3f way = lamp - point;
+  const float distance2 = std::max(0.04F, way.squaredNorm());
+  const float distance = std::sqrt(distance2);
+  const float facing = std::max(0.0F, normal.dot(way)) / distance;
+  const float down = std::max(sideways, way.z() / distance);
+  return lamp.z() * lamp.z() * facing * down / distance2;
+}
+
+}  // namespace
+
+HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<float>(site.ambient)) {
+  std::vector<LampNow> as_written;
+  for (std::size_t i = 0; i < site.lamps.size(); ++i) {
+    const Lamp& lamp = site.lamps[i];
+    const double bright = 1.0 + site.disturbances.light_change * random.uniform(-1.0, 1.0);
+    const bool failed = Random(site.change.seed).fork(i).chance(site.change.lamps_failed);
+    const auto shines = failed ? 0.0F : static_cast<float>(bright);
+    const Eigen::Vector3d at(lamp.x, lamp.y, lamp.height_m);
+    as_written.push_back({at.cast<float>(), static_cast<float>(lamp.brightness), 1.0F});
+    lamps_.push_back({at.cast<float>(), static_cast<float>(lamp.brightness) * shines, shines});
+  }
+  std::swap(lamps_, as_written);
+  double sum = 0.0;
+  int count = 0;
+  for (double y = site.floor.y_min; y <= site.floor.y_max; y += 1.0) {
+    for (double x = site.floor.x_min; x <= site.floor.x_max; x += 1.0, ++count)
+      sum += static_cast<double>(at(Eigen::Vector3d(x, y, 0.0).cast<float>(), Eigen::Vector3f::UnitZ(), nullptr));
+  }
+  std::swap(lamps_, as_written);
+  per_mean_ = static_cast<float>(count / std::max(1e-6, sum));
+  change_ = static_cast<float>(site.change.light);  // what the mean is measured without
+}
+
+float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const {
+  constexpr float lift_m = 0.02F;  // off the surface itself
+  const Eigen::Vector3f from = point + lift_m * normal;
+  float sum = ambient_;
+  for (const LampNow& lamp : lamps_) {
+    const float light = lamp.brightness * falloff(lamp.at, point, normal);
+    if (light < 0.003F) continue;
+    const Eigen::Vector3f under = lamp.at - 0.1F * Eigen::Vector3f::UnitZ();
+    if (in_the_way == nullptr || !in_the_way->is_hidden(from, under)) sum += light;
+  }
+  return sum * per_mean_ * change_;
+}
+
+/// It shines by itself; which one it is tells its place.
+QuadLight HallLight::of_lamp(const Quad& quad) const {
+  float shines = 0.0F;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const LampNow& lamp : lamps_) {
+    const float away = (lamp.at - quad.at(0.5F, 0.5F)).squaredNorm();
+    if (away < nearest) {
+      nearest = away;
+      shines = lamp.shines;
+    }
+  }
+  QuadLight light;
+  light.at.fill(std::max(0.3F, kLampGrey * shines) * change_);
+  return light;
+}
+
+std::vector<QuadLight> HallLight::on(std::span<const Quad> quads, const QuadScene* in_the_way) const {
+  std::vector<QuadLight> all;
+  all.reserve(quads.size());
+  for (const Quad& quad : quads) {
+    if (quad.stuff == Stuff::lamp) {
+      all.push_back(of_lamp(quad));
+      continue;
+    }
+    const Eigen::Vector3f normal = quad.normal();
+    QuadLight light;
+    constexpr float inset = 0.04F;  // a corner that touches its neighbour would lie in its shadow
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const float u = corner % 2 == 0 ? inset : 1.0F - inset;
+      const float v = corner < 2 ? inset : 1.0F - inset;
+      light.at[corner] = at(quad.at(u, v), normal, in_the_way);
+    }
+    all.push_back(light);
+  }
+  return all;
+}
+
+}  // namespace weft::agents::sim

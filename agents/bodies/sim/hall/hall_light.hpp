@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "agents/bodies/sim/hall/quad.hpp"
+#include "agents/bodies/sim/hall/quad_scene.hpp"
+#include "agents/bodies/sim/site.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents::sim {
+
+/// Light at the corners of a quad, (0, 0), (1, 0), (0, 1), (1, 1); 1 is the floor's mean with the lamps as the site
+/// file has them.
+struct QuadLight {
+  std::array<float, 4> at{};
+  float between(float u, float v) const {
+    const float below = at[0] + u * (at[1] - at[0]);
+    const float above = at[2] + u * (at[3] - at[2]);
+    return below + v * (above - below);
+  }
+};
+
+/// The lamps of one run over a hall: each as bright as `random` makes it within the stated change; those that have
+/// failed (`Change::lamps_failed`) are dark. Things that stand in the way throw shadows.
+class HallLight {
+ public:
+  HallLight(const Site& site, Random random);
+
+  /// `in_the_way`: what throws shadows; null: nothing does.
+  std::vector<QuadLight> on(std::span<const Quad> quads, const QuadScene* in_the_way) const;
+
+ private:
+  struct LampNow {
+    Eigen::Vector3f at;
+    float brightness;
+    float shines;  ///< against the same lamp as the site file has it
+  };
+  float at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const;
+  QuadLight of_lamp(const Quad& lamp) const;
+
+  std::vector<LampNow> lamps_;
+  float ambient_ = 1.0F;
+  float per_mean_ = 1.0F;
+  float change_ = 1.0F;
+};
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "agents/bodies/sim/hall/quad.hpp"
+#include "agents/bodies/sim/site.hpp"
+
+namespace weft::agents::sim {
+
+/// A rack as it is seen from an aisle: uprights, beams, boards, and on each board pallets with loads that do not
+/// stand in line. What lies where is a function of the rack's name, the site's floor seed and, of the share that has
+/// changed (`Change::stock`), of the change's seed.
+void add_rack(const Box& rack, const Site& site, std::vector<Quad>& quads);
+
+}  // namespace weft::agents::sim

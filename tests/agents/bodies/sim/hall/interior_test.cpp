@@ -1,0 +1,87 @@
+#include "agents/bodies/sim/hall/interior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "agents/bodies/sim/hall/quad_scene.hpp"
+#include "agents/bodies/sim/hall/stock.hpp"
+#include "tests/agents/bodies/sim/sites.hpp"
+
+namespace weft::agents::sim {
+namespace {
+
+Box rack() {
+  return {Box::Kind::rack, "a rack", {10.0, 6.0, 0.5}, 10.8, 1.0, 4.5};
+}
+
+std::vector<Quad> stocked(const Site& site) {
+  std::vector<Quad> quads;
+  add_rack(rack(), site, quads);
+  return quads;
+}
+
+std::vector<Quad> loads_of(std::vector<Quad> quads) {
+  std::erase_if(quads, [](const Quad& quad) { return quad.stuff != Stuff::load; });
+  return quads;
+}
+
+bool is_in(const Quad& quad, const std::vector<Quad>& quads) {
+  return std::any_of(quads.begin(), quads.end(), [&](const Quad& other) {
+    return other.corner == quad.corner && other.across == quad.across && other.grey == quad.grey;
+  });
+}
+
+TEST(Stock, ARackHoldsWhatItHeld) {
+  const std::vector<Quad> first = loads_of(stocked(empty_site()));
+  const std::vector<Quad> again = loads_of(stocked(empty_site()));
+  ASSERT_EQ(first.size(), again.size());
+  EXPECT_GT(first.size(), 100U);
+  for (const Quad& quad : first) EXPECT_TRUE(is_in(quad, again));
+}
+
+TEST(Stock, AsMuchChangesAsIsSaid) {
+  Site changed = empty_site();
+  changed.change.stock = 0.3;
+  const std::vector<Quad> before = loads_of(stocked(empty_site()));
+  const std::vector<Quad> after = loads_of(stocked(changed));
+  const auto stayed =
+      std::count_if(before.begin(), before.end(), [&](const Quad& quad) { return is_in(quad, after); });
+  const double share = static_cast<double>(stayed) / static_cast<double>(before.size());
+  EXPECT_NEAR(share, 0.7, 0.12);
+}
+
+TEST(Stock, StandsWithinItsRack) {
+  for (const Quad& quad : stocked(empty_site())) {
+    for (const auto& [u, v] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}}) {
+      const Eigen::Vector3d p = quad.at(u, v).cast<double>();
+      const Eigen::Vector2d in_rack = rack().site_from_box.inverse() * Eigen::Vector2d(p.x(), p.y());
+      EXPECT_LT(std::abs(in_rack.x()), 5.4 + 0.05);
+      EXPECT_LT(std::abs(in_rack.y()), 0.5 + 0.01);
+      EXPECT_GE(p.z(), -0.15);
+      EXPECT_LE(p.z(), 4.5 + 0.01);
+    }
+  }
+}
+
+TEST(Interior, WhoStandsInTheHallSeesNoWayOut) {
+  Site site = empty_site();
+  site.boxes.push_back(rack());
+  const std::vector<Quad> quads = interior_of(site);
+  const QuadScene scene(quads);
+  RayPacket rays;
+  for (int step = 0; step < 100; ++step) {
+    for (std::size_t i = 0; i < kRays; ++i) {
+      const double around = 0.3927 * static_cast<double>(i);
+      const double up = -1.4 + 0.028 * step;
+      rays.x[i] = static_cast<float>(std::cos(around) * std::cos(up));
+      rays.y[i] = static_cast<float>(std::sin(around) * std::cos(up));
+      rays.z[i] = static_cast<float>(std::sin(up));
+    }
+    scene.cast({4.0F, 2.0F, 0.4F}, rays);
+    for (const std::int32_t quad : rays.quad) EXPECT_GE(quad, 0);
+  }
+}
+
+}  // namespace
+}  // namespace weft::agents::sim
