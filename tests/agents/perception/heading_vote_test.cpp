@@ -7,11 +7,11 @@
 namespace weft::agents {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-
 class HeadingVoteTest : public testing::Test {
  protected:
+  static constexpr int kWidth = 320;
+  static constexpr int kHeight = 240;
+
   static std::vector<UprightFeature> features(const Image& image) {
     UprightConfig config;
     config.count = 400;

@@ -9,11 +9,11 @@
 namespace weft::agents {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-
 class UprightFeaturesTest : public testing::TestWithParam<Description> {
  protected:
+  static constexpr int kWidth = 320;
+  static constexpr int kHeight = 240;
+
   std::vector<UprightFeature> features(const Image& image) const {
     UprightConfig config;
     config.description = GetParam();
