@@ -126,7 +126,7 @@ FloorConfig read_floor_config(const config::Table& table) {
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
   constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
   constexpr double kLeastScale = 0.0008;
-  constexpr double kTurnByFocal = 0.43;  // of an oblique view; looking straight down a turn is the image's own
+  constexpr double kTurnByFocal = 0.37;  // of an oblique view; looking straight down a turn is the image's own
   constexpr double kLeastTurn = 0.0004;
   const FloorConfig unset;
   if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)

@@ -29,11 +29,11 @@ struct FloorConfig {
   double vibration_height_m = 0.001;   ///< [1e-6, 0.05] RMS
   double mount_tilt_rad = 0.006;       ///< [1e-6, 0.1] 1 sigma of the calibration's pitch and roll
   double mount_height_m = 0.003;       ///< [1e-6, 0.1] 1 sigma; also of what load does
-  double mount_position_m = 0.003;     ///< [1e-6, 0.1] 1 sigma in the plane
-  double scale_sigma = 0.0042;         ///< [1e-6, 0.1] of distances: height and focal length together
-  double mount_yaw_rad = 0.0033;       ///< [1e-6, 0.1] 1 sigma of the calibration's heading
-  double turn_sigma = 0.0013;          ///< [1e-6, 0.1] of turns: focal length
-  double curve_sigma = 0.0002;         ///< [1e-6, 0.1] rad a metre: a straight way seems to bend; lens and tilt
+  double mount_position_m = 0.0026;    ///< [1e-6, 0.1] 1 sigma in the plane
+  double scale_sigma = 0.0036;         ///< [1e-6, 0.1] of distances: height and focal length together
+  double mount_yaw_rad = 0.0028;       ///< [1e-6, 0.1] 1 sigma of the calibration's heading
+  double turn_sigma = 0.0011;          ///< [1e-6, 0.1] of turns: focal length
+  double curve_sigma = 0.00017;        ///< [1e-6, 0.1] rad a metre: a straight way seems to bend; lens and tilt
 
   // Decomposition and agreement
   double normal_angle_rad = 0.35;        ///< [1e-6, 1.2] alpha_R, against the mount's normal

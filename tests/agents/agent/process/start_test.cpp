@@ -89,7 +89,7 @@ TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {
   EXPECT_EQ(informed(config, known).mount_yaw_rad, 0.004);
   EXPECT_EQ(informed(config, known).turn_sigma, 0.0004) << "no better than following corners is";
   known.focal_share = 0.003;
-  EXPECT_NEAR(informed(config, known).turn_sigma, 0.43 * 0.003, 1e-12) << "a part of what the focal length is wrong";
+  EXPECT_NEAR(informed(config, known).turn_sigma, 0.37 * 0.003, 1e-12) << "a part of what the focal length is wrong";
   config.scale_sigma = 0.02;
   EXPECT_EQ(informed(config, known).scale_sigma, 0.02);
 }
