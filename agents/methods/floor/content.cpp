@@ -1,12 +1,11 @@
 #include "agents/methods/floor/content.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <string_view>
 
+#include "agents/methods/content_bytes.hpp"
 #include "agents/perception/lens.hpp"
 
 namespace weft::agents {
@@ -18,68 +17,11 @@ constexpr std::uint16_t equidistant_bit = 0x8000U;  // of the width
 constexpr double grain_m = 1e-4;
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-class Writer {
- public:
-  template <class T>
-  void number(T value) {
-    static_assert(std::endian::native == std::endian::little);
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof(T));
-    std::memcpy(bytes_.data() + at, &value, sizeof(T));
-  }
-  void raw(ByteView view) { bytes_.insert(bytes_.end(), view.begin(), view.end()); }
-  Bytes take() { return std::move(bytes_); }
-
- private:
-  Bytes bytes_;
-};
-
-/// Reads in order; after the first fault every further read gives zero and the fault stays.
-class Reader {
- public:
-  explicit Reader(ByteView bytes) : bytes_(bytes) {}
-
-  template <class T>
-  T number(std::string_view field) {
-    T value{};
-    if (const ByteView view = raw(field, sizeof(T)); !view.empty()) std::memcpy(&value, view.data(), sizeof(T));
-    return value;
-  }
-  double real(std::string_view field, double low, double high) {
-    const auto value = number<double>(field);
-    if (!(value >= low && value <= high)) fault(field, "is out of bounds");
-    return value;
-  }
-  ByteView raw(std::string_view field, std::size_t size) {
-    if (faulty() || bytes_.size() - at_ < size) {
-      fault(field, "is cut short");
-      return {};
-    }
-    field_at_ = at_;
-    at_ += size;
-    return bytes_.subspan(at_ - size, size);
-  }
-  void fault(std::string_view field, std::string_view what) {
-    if (faulty()) return;
-    message_ = "floor content: " + std::string(field) + " at offset " + std::to_string(field_at_) + " " +
-               std::string(what) + "; fetch the content again";
-  }
-  bool faulty() const { return !message_.empty(); }
-  bool at_end() const { return at_ == bytes_.size(); }
-  const std::string& message() const { return message_; }
-
- private:
-  ByteView bytes_;
-  std::size_t at_ = 0;
-  std::size_t field_at_ = 0;
-  std::string message_;
-};
-
 std::int16_t grains(double metres) {
   return static_cast<std::int16_t>(std::lround(std::clamp(metres / grain_m, -32767.0, 32767.0)));
 }
 
-void write_camera(Writer& out, const CameraModel& camera) {
+void write_camera(ContentWriter& out, const CameraModel& camera) {
   const std::size_t length = std::min(camera.id.size(), longest_camera_id);
   out.number(static_cast<std::uint8_t>(length));
   out.raw({reinterpret_cast<const std::uint8_t*>(camera.id.data()), length});
@@ -93,7 +35,7 @@ void write_camera(Writer& out, const CameraModel& camera) {
   for (const double v : camera.robot_from_camera.translation) out.number(v);
 }
 
-CameraModel read_camera(Reader& in) {
+CameraModel read_camera(ContentReader& in) {
   CameraModel camera;
   const auto length = in.number<std::uint8_t>("camera.id length");
   if (length > longest_camera_id) in.fault("camera.id length", "exceeds 64");
@@ -113,7 +55,7 @@ CameraModel read_camera(Reader& in) {
   return camera;
 }
 
-void write_features(Writer& out, const std::vector<FloorFeature>& features) {
+void write_features(ContentWriter& out, const std::vector<FloorFeature>& features) {
   out.number(static_cast<std::uint16_t>(features.size()));
   for (const FloorFeature& f : features) {
     out.number(grains(f.on_floor.x()));
@@ -124,7 +66,7 @@ void write_features(Writer& out, const std::vector<FloorFeature>& features) {
   }
 }
 
-std::vector<FloorFeature> read_features(Reader& in) {
+std::vector<FloorFeature> read_features(ContentReader& in) {
   const auto count = in.number<std::uint16_t>("features.count");
   if (count > most_floor_features) in.fault("features.count", "exceeds 4096");
   std::vector<FloorFeature> features;
@@ -139,7 +81,7 @@ std::vector<FloorFeature> read_features(Reader& in) {
   return features;
 }
 
-void write_patch(Writer& out, const FloorPatch& patch) {
+void write_patch(ContentWriter& out, const FloorPatch& patch) {
   out.number(static_cast<std::uint16_t>(patch.width));
   out.number(static_cast<std::uint16_t>(patch.height));
   out.number(patch.metres_per_pixel);
@@ -148,7 +90,7 @@ void write_patch(Writer& out, const FloorPatch& patch) {
   out.raw(patch.pixels);
 }
 
-FloorPatch read_patch(Reader& in) {
+FloorPatch read_patch(ContentReader& in) {
   FloorPatch patch;
   patch.width = in.number<std::uint16_t>("patch.width");
   if (patch.width > widest_floor_patch_px) in.fault("patch.width", "exceeds 512");
@@ -165,7 +107,7 @@ FloorPatch read_patch(Reader& in) {
 }  // namespace
 
 Bytes encode_floor_content(const FloorContent& content) {
-  Writer out;
+  ContentWriter out;
   out.number(magic);
   out.number(floor_content_format);
   write_camera(out, content.camera);
@@ -177,7 +119,7 @@ Bytes encode_floor_content(const FloorContent& content) {
 }
 
 Result<FloorContent> decode_floor_content(ByteView bytes) {
-  Reader in(bytes);
+  ContentReader in(bytes, "floor content");
   if (in.number<std::uint32_t>("magic") != magic) in.fault("magic", "is not that of a floor content");
   const auto format = in.number<std::uint32_t>("format");
   if (!in.faulty() && format > floor_content_format)

@@ -1,0 +1,93 @@
+#include "agents/methods/bearing/bearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/perception/corner_tracks.hpp"
+#include "agents/perception/opencv_view.hpp"
+
+namespace weft::agents {
+namespace {
+
+/// At the focal length that contents are of.
+Image resampled(const Image& image, double scale) {
+  constexpr double same = 1e-3;
+  if (std::abs(scale - 1.0) < same) return image;
+  cv::Mat out;
+  cv::resize(as_mat(image), out, {}, scale, scale, scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return {out.cols, out.rows, std::make_shared<const Bytes>(out.datastart, out.dataend)};
+}
+
+/// Null: this is an image of the camera.
+std::string_view what_is_wrong(const View& view, const CameraModel& camera) {
+  const auto* const image = std::get_if<Image>(&view.data);
+  if (image == nullptr) return "not_an_image";
+  if (!is_whole(*image) || image->width != camera.width || image->height != camera.height) return "wrong_size";
+  return {};
+}
+
+}  // namespace
+
+Result<Bearing> Bearing::make(const BearingConfig& config, const CameraModel& camera) {
+  std::string issues;
+  for (const std::string& issue : check(config)) issues += (issues.empty() ? "" : "\n") + issue;
+  if (!(camera.fx > 10.0 && camera.fx < 1e4))
+    issues += (issues.empty() ? "" : "\n") + ("camera " + camera.id + ": focal length " + std::to_string(camera.fx) +
+                                              " px is not within [10, 10000]");
+  if (!issues.empty()) return fail(ErrorCode::invalid, issues);
+  return Bearing(config, camera);
+}
+
+Step Bearing::observe(Odometry& odometry, const View* view, const Motion& motion) const {
+  const double elapsed_s = seconds(motion.elapsed);
+  const bool wheels = motion.wheels.has_value();
+  const double distance = wheels ? motion.wheels->distance_m : motion.command.linear_m_s * elapsed_s;
+  const double turn = wheels ? motion.wheels->heading_rad : motion.command.angular_rad_s * elapsed_s;
+  const double sigma_m = (wheels ? config_.wheel_distance_share : config_.command_distance_share) * std::abs(distance);
+  const double sigma_rad = (wheels ? config_.wheel_heading_share : config_.command_heading_share) *
+                           (std::abs(turn) + std::abs(distance));
+  if (elapsed_s > 0.0) odometry.driving = {distance / elapsed_s, turn / elapsed_s};
+  Step step;
+  step.previous_from_current = AlongPath{distance, sigma_m * sigma_m, turn, sigma_rad * sigma_rad};
+  step.blind_reason = view == nullptr ? std::string_view("no_view") : what_is_wrong(*view, camera_);
+  step.seen = step.blind_reason.empty();
+  return step;
+}
+
+OrRefusal<Bearing::Content> Bearing::extract(const Odometry& odometry, const View& view) const {
+  if (const std::string_view wrong = what_is_wrong(view, camera_); !wrong.empty())
+    return tl::unexpected(Refusal{wrong});
+  const double scale = config_.focal_px / camera_.fx;
+  const Image image = resampled(std::get<Image>(view.data), scale);
+  Content content;
+  content.focal_px = config_.focal_px;
+  content.driving = odometry.driving;
+  UprightConfig features = config_.features;
+  features.cell_widths *= static_cast<double>(config_.width_px) / image.width;
+  content.features = upright_features(image, features);
+  const Eigen::Vector2f middle = (scale * Eigen::Vector2d(camera_.cx, camera_.cy)).cast<float>();
+  for (UprightFeature& feature : content.features) feature.pixel -= middle;
+  const auto found = static_cast<double>(content.features.size());
+  if (found < config_.vote.fewest_features)
+    return tl::unexpected(Refusal{"few_features", found, static_cast<double>(config_.vote.fewest_features)});
+  return content;
+}
+
+OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
+  const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote);
+  if (!vote) return tl::unexpected(Refusal{vote.error().reason, vote.error().measured, vote.error().bound});
+  AlongPath a_from_b{0.0, config_.unknown_along_sigma_m * config_.unknown_along_sigma_m};
+  if (guess) {
+    const auto along = std::get<AlongPath>(compose(*guess, AlongPath{}));
+    a_from_b.distance_m = along.distance_m;
+    a_from_b.distance_variance_m2 = std::max(along.distance_variance_m2, 1e-8);
+  }
+  // What a robot that has turned left sees has moved to the right.
+  a_from_b.heading_shift_rad = std::atan(vote->shift_px / a.focal_px);
+  a_from_b.heading_variance_rad2 = config_.vote_sigma_rad * config_.vote_sigma_rad * (1.0 + 20.0 / vote->votes);
+  return Related{a_from_b, vote->votes, static_cast<double>(vote->votes) / std::max(1U, vote->matches),
+                 vote->runner_up};
+}
+
+}  // namespace weft::agents

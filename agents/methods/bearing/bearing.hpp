@@ -1,0 +1,78 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "agents/methods/bearing/config.hpp"
+#include "agents/methods/bearing/content.hpp"
+#include "agents/methods/method.hpp"
+#include "agents/perception/camera_model.hpp"
+#include "core/result.hpp"
+
+namespace weft::agents {
+
+/// Navigation by one camera that looks ahead and whose lens nobody has measured (Krajnik et al., "Navigation without
+/// localisation", 2018, as corrected in docs/decisions/026-bearing-as-corrected.md): how far the robot has
+/// travelled along a path that it was taught, and by how much it is turned against it, and never a pose. A value;
+/// every call is pure.
+class Bearing {
+ public:
+  static constexpr std::string_view name = "bearing";
+  static constexpr std::uint32_t content_format = bearing_content_format;
+  using Content = BearingContent;
+
+  struct Odometry {
+    Twist driving;  ///< as wheels or command say, at the newest sample
+  };
+
+  /// A place along the path around the chart's centre.
+  struct Stop {
+    PlaceId place;
+    AlongPath centre_from_place;
+    std::shared_ptr<const Content> content;  ///< null while its bytes have not arrived
+  };
+  /// In order of the distance from the centre.
+  struct Chart {
+    std::vector<Stop> stops;
+  };
+  struct Belief {
+    AlongPath centre_from_robot;
+  };
+
+  /// invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
+  static Result<Bearing> make(const BearingConfig& config, const CameraModel& camera);
+
+  /// AlongPath, by the wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
+  Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
+
+  /// Refusals: not_an_image, wrong_size, few_features.
+  OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
+
+  Bytes encode(const Content& content) const { return encode_bearing_content(content); }
+  Result<Content> decode(ByteView bytes) const { return decode_bearing_content(bytes); }
+
+  /// AlongPath: the heading as most of what both see says, the distance as the guess has it (0 without), with its
+  /// uncertainty. Refusals: few_features, no_majority.
+  OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  /// None: corners that look alike are everywhere.
+  std::optional<Signature> sign(const Content&) const { return std::nullopt; }
+
+  Chart chart(const std::vector<ChartPlace<Content>>& around) const;
+  Belief begin(const Chart& chart, const Estimate& seed) const;
+  /// Which of the places before and behind looks most like the view tells how far along the path the robot is; the two
+  /// about it tell its heading. Refusals: nothing_near, and those of `relate` when none of them tells a heading.
+  Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
+
+  const BearingConfig& config() const { return config_; }
+
+ private:
+  Bearing(const BearingConfig& config, const CameraModel& camera) : config_(config), camera_(camera) {}
+
+  BearingConfig config_;
+  CameraModel camera_;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,62 @@
+#include "agents/methods/bearing/content.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agents/methods/content_bytes.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr std::uint32_t magic = 0x45424C57U;  // "WLBE", little-endian
+constexpr double grain_px = 0.125;
+
+std::int16_t grains(float pixels) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(static_cast<double>(pixels) / grain_px, -32767.0, 32767.0)));
+}
+
+}  // namespace
+
+Bytes encode_bearing_content(const BearingContent& content) {
+  ContentWriter out;
+  out.number(magic);
+  out.number(bearing_content_format);
+  out.number(content.focal_px);
+  out.number(content.driving.linear_m_s);
+  out.number(content.driving.angular_rad_s);
+  out.number(static_cast<std::uint16_t>(content.features.size()));
+  for (const UprightFeature& feature : content.features) {
+    out.number(grains(feature.pixel.x()));
+    out.number(grains(feature.pixel.y()));
+    for (const std::uint64_t word : feature.descriptor) out.number(word);
+  }
+  return out.take();
+}
+
+Result<BearingContent> decode_bearing_content(ByteView bytes) {
+  ContentReader in(bytes, "bearing content");
+  if (in.number<std::uint32_t>("magic") != magic) in.fault("magic", "is not that of a bearing content");
+  const auto format = in.number<std::uint32_t>("format");
+  if (!in.faulty() && format > bearing_content_format)
+    return fail(ErrorCode::newer, "bearing content: format " + std::to_string(format) + " is newer than " +
+                                      std::to_string(bearing_content_format) + "; update this program");
+  if (format != bearing_content_format) in.fault("format", "is unknown");
+  BearingContent content;
+  content.focal_px = in.real("focal_px", 10.0, 1e4);
+  content.driving.linear_m_s = in.real("driving.linear", -10.0, 10.0);
+  content.driving.angular_rad_s = in.real("driving.angular", -20.0, 20.0);
+  const auto count = in.number<std::uint16_t>("features.count");
+  if (count > most_bearing_features) in.fault("features.count", "exceeds 4096");
+  for (std::size_t i = 0; i < count && !in.faulty(); ++i) {
+    UprightFeature feature;
+    feature.pixel.x() = static_cast<float>(grain_px * in.number<std::int16_t>("feature.x"));
+    feature.pixel.y() = static_cast<float>(grain_px * in.number<std::int16_t>("feature.y"));
+    for (std::uint64_t& word : feature.descriptor) word = in.number<std::uint64_t>("feature.descriptor");
+    content.features.push_back(feature);
+  }
+  if (!in.faulty() && !in.at_end()) in.fault("end", "is followed by more bytes");
+  if (in.faulty()) return fail(ErrorCode::corrupt, in.message());
+  return content;
+}
+
+}  // namespace weft::agents

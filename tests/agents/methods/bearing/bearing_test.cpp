@@ -1,0 +1,172 @@
+#include "agents/methods/bearing/bearing.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "tests/support/aisle.hpp"
+
+namespace weft::agents {
+namespace {
+
+using testing::HasSubstr;
+
+const AlongPath& along(const Relation& relation) {
+  return std::get<AlongPath>(relation);
+}
+
+class BearingTest : public testing::Test {
+ protected:
+  static BearingContent seen(const Bearing& method, test::Lookout& lookout, const Pose2& from) {
+    const auto content = method.extract({}, lookout.from(from));
+    EXPECT_TRUE(content) << content.error().reason;
+    return content.value_or(BearingContent{});
+  }
+  BearingContent at(double x, double y = 6.0, double heading = 0.0) { return seen(method_, lookout_, {x, y, heading}); }
+
+  test::Lookout lookout_{test::aisle_site()};
+  Bearing method_ = *Bearing::make({}, lookout_.camera());
+};
+
+TEST_F(BearingTest, TellsByHowMuchTheRobotIsTurned) {
+  const BearingContent taught = at(6.0);
+  for (const double turned : {-0.2, -0.05, 0.0, 0.1, 0.25}) {
+    const auto related = method_.relate(taught, at(6.0, 6.0, turned), std::nullopt);
+    ASSERT_TRUE(related) << turned << " " << related.error().reason;
+    EXPECT_NEAR(along(related->a_from_b).heading_shift_rad, turned, 0.02);
+  }
+}
+
+TEST_F(BearingTest, ANearbyViewStillTellsItsHeading) {
+  const BearingContent taught = at(6.0);
+  const auto related = method_.relate(taught, at(6.2, 6.3, 0.0), std::nullopt);
+  ASSERT_TRUE(related) << related.error().reason;
+  // Beside the path what was straight ahead lies to the right: it steers back.
+  EXPECT_LT(std::abs(along(related->a_from_b).heading_shift_rad), 0.15);
+}
+
+TEST_F(BearingTest, ADistanceIsOnlyThatOfTheGuess) {
+  const BearingContent taught = at(6.0);
+  const Relation guess = AlongPath{0.3, 0.04, 0.0, 0.01};
+  const auto guided = method_.relate(taught, at(6.1), guess);
+  ASSERT_TRUE(guided);
+  EXPECT_EQ(along(guided->a_from_b).distance_m, 0.3);
+  EXPECT_NEAR(along(guided->a_from_b).distance_variance_m2, 0.04, 1e-12);
+  const auto free = method_.relate(taught, at(6.1), std::nullopt);
+  ASSERT_TRUE(free);
+  EXPECT_EQ(along(free->a_from_b).distance_m, 0.0);
+  EXPECT_GE(along(free->a_from_b).distance_variance_m2, 0.2);
+}
+
+TEST_F(BearingTest, LookingBackIsRefused) {
+  const auto related = method_.relate(at(6.0), at(10.0, 6.0, M_PI), std::nullopt);
+  ASSERT_FALSE(related);
+  EXPECT_EQ(related.error().reason, "no_majority");
+}
+
+TEST_F(BearingTest, AnotherRobotsCameraSeesTheSame) {
+  agents::sim::Site site = test::aisle_site();
+  site.forward_camera.width = 640;
+  site.forward_camera.height = 480;
+  site.forward_camera.focal_px = 600.0;
+  test::Lookout other(site, 3);
+  const Bearing others = *Bearing::make({}, other.camera());
+  const auto related = method_.relate(at(6.0), seen(others, other, {6.05, 6.0, 0.1}), std::nullopt);
+  ASSERT_TRUE(related) << related.error().reason;
+  EXPECT_NEAR(along(related->a_from_b).heading_shift_rad, 0.1, 0.03);
+}
+
+TEST_F(BearingTest, MotionIsThatOfWheelsOrElseOfTheCommand) {
+  Bearing::Odometry odometry;
+  const View view = lookout_.from({6.0, 6.0, 0.0});
+  Motion motion{std::chrono::milliseconds(100), {0.5, 0.2}, WheelStep{0.06, 0.03}};
+  const Step by_wheels = method_.observe(odometry, &view, motion);
+  EXPECT_TRUE(by_wheels.seen);
+  EXPECT_NEAR(along(by_wheels.previous_from_current).distance_m, 0.06, 1e-12);
+  EXPECT_NEAR(odometry.driving.linear_m_s, 0.6, 1e-9);
+  motion.wheels.reset();
+  const Step by_command = method_.observe(odometry, nullptr, motion);
+  EXPECT_FALSE(by_command.seen);
+  EXPECT_EQ(by_command.blind_reason, "no_view");
+  EXPECT_NEAR(along(by_command.previous_from_current).distance_m, 0.05, 1e-12);
+  EXPECT_NEAR(along(by_command.previous_from_current).heading_shift_rad, 0.02, 1e-12);
+  EXPECT_GT(along(by_command.previous_from_current).distance_variance_m2,
+            along(by_wheels.previous_from_current).distance_variance_m2);
+}
+
+TEST_F(BearingTest, ViewsThatAreNoneAreNamed) {
+  View view = lookout_.from({6.0, 6.0, 0.0});
+  view.data = Marks{};
+  EXPECT_EQ(method_.extract({}, view).error().reason, "not_an_image");
+  view.data = Image{10, 10, std::make_shared<const Bytes>(100, 0)};
+  EXPECT_EQ(method_.extract({}, view).error().reason, "wrong_size");
+  view.data = Image{320, 240, std::make_shared<const Bytes>(320 * 240, 90)};
+  EXPECT_EQ(method_.extract({}, view).error().reason, "few_features");
+}
+
+TEST_F(BearingTest, SettingsOutOfBoundsAreNamedTogether) {
+  BearingConfig config;
+  config.focal_px = 0.0;
+  config.most_neighbours = 0;
+  CameraModel camera = lookout_.camera();
+  camera.fx = 0.0;
+  const auto made = Bearing::make(config, camera);
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message, HasSubstr("bearing.focal_px"));
+  EXPECT_THAT(made.error().message, HasSubstr("bearing.most_neighbours"));
+  EXPECT_THAT(made.error().message, HasSubstr("focal length"));
+}
+
+/// Taught every 0.2 m from x = 5 to 9; the chart's centre is at 7.
+class BearingLocateTest : public BearingTest {
+ protected:
+  void SetUp() override {
+    for (int i = 0; i <= 20; ++i) {
+      const double ahead = -2.0 + 0.2 * i;
+      around_.push_back({place(i), 0, AlongPath{ahead, 1e-4}, std::make_shared<const BearingContent>(at(7.0 + ahead))});
+    }
+    chart_ = method_.chart(around_);
+  }
+  static PlaceId place(int i) {
+    PlaceId id;
+    id.index = static_cast<std::uint32_t>(i);
+    return id;
+  }
+  std::vector<ChartPlace<BearingContent>> around_;
+  Bearing::Chart chart_;
+};
+
+TEST_F(BearingLocateTest, TheNeighboursTellHowFarAlongItIs) {
+  double error2 = 0.0;
+  int told = 0;
+  for (const double x : {6.1, 6.7, 7.3, 7.7}) {
+    for (const double off : {-0.3, 0.25}) {
+      // Believed to be `off` away from where it is.
+      Bearing::Belief belief{AlongPath{x - 7.0 + off, 0.04}};
+      const auto located = method_.locate(chart_, belief, {AlongPath{}, true, {}}, at(x, 6.0, 0.05));
+      ASSERT_TRUE(located.fix);
+      EXPECT_NEAR(along(located.fix->place_from_robot).heading_shift_rad, 0.05, 0.02);
+      const AlongPath& now = located.belief.centre_from_robot;
+      error2 += (now.distance_m - (x - 7.0)) * (now.distance_m - (x - 7.0));
+      ++told;
+    }
+  }
+  EXPECT_LT(std::sqrt(error2 / told), 0.2) << "it was believed to be 0.28 m off";
+}
+
+TEST_F(BearingLocateTest, WhereNothingIsNearNothingIsSaid) {
+  const auto located = method_.locate(chart_, {AlongPath{9.0, 0.04}}, {AlongPath{}, true, {}}, at(7.0));
+  EXPECT_FALSE(located.fix);
+  ASSERT_FALSE(located.refusals.empty());
+  EXPECT_EQ(located.refusals.back().reason, "nothing_near");
+}
+
+TEST_F(BearingLocateTest, ABlindViewCorrectsNothing) {
+  const auto located = method_.locate(chart_, {AlongPath{0.0, 0.04}}, {AlongPath{0.1, 0.0}, true, {}}, BearingContent{});
+  EXPECT_FALSE(located.fix);
+  EXPECT_NEAR(located.belief.centre_from_robot.distance_m, 0.1, 1e-12);
+  for (const Refusal& refusal : located.refusals) EXPECT_EQ(refusal.reason, "few_features");
+}
+
+}  // namespace
+}  // namespace weft::agents
