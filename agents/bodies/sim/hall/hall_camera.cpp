@@ -63,71 +63,86 @@ void HallCamera::set_light(const HallLight& light) {
 }
 
 std::vector<HallCamera::Face> HallCamera::faces_of(const std::vector<Quad>& quads,
-                                                   const std::vector<QuadLight>& light) {
+                                                   const std::vector<QuadLight>& light) const {
   std::vector<Face> faces;
   faces.reserve(quads.size());
   for (std::size_t i = 0; i < quads.size(); ++i)
-    faces.push_back({&quads[i], quads[i].across.norm(), quads[i].up.norm(), quads[i].normal(), light[i]});
+    faces.push_back({hall_->textures().of(quads[i]), quads[i].grey / 128.0F, quads[i].normal(), light[i]});
   return faces;
 }
 
 float HallCamera::seen(const Face& face, const RayPacket& rays, std::size_t i, float off_axis2) const {
-  const Eigen::Vector3f way(rays.x[i], rays.y[i], rays.z[i]);
-  const float length = way.norm();
-  const float facing = std::abs(face.normal.dot(way)) / length;
-  const float distance_m = rays.distance[i] * length;
-  // Four rays share a pixel; at a slant it covers more.
-  const float pixel_m = 0.5F * rays.distance[i] / static_cast<float>(camera_.fx) / std::sqrt(std::max(0.1F, facing));
-  const Quad& quad = *face.quad;
-  const float texel = hall_->textures().at(quad, face.across_m, face.up_m, rays.u[i], rays.v[i], pixel_m);
+  const float length = std::sqrt(1.0F + off_axis2);
+  const float facing =
+      std::abs(face.normal.x() * rays.x[i] + face.normal.y() * rays.y[i] + face.normal.z() * rays.z[i]) / length;
+  // Four rays share a pixel; at a slant it covers more (about the root of the slant, as across it does not).
+  const float slant = 1.0F / (0.25F + 0.75F * facing);
+  const float pixel_m = 0.5F / static_cast<float>(camera_.fx) * rays.distance[i] * slant;
   float light = face.light.between(rays.u[i], rays.v[i]);
   if (options_.headlight > 0.0) {
     const float beam = 1.0F / (1.0F + off_axis2 / 0.12F);
+    const float distance_m = rays.distance[i] * length;
     light += static_cast<float>(options_.headlight) * facing * beam * beam * 4.0F /
              std::max(0.25F, distance_m * distance_m);
   }
-  return quad.grey * (1.0F / 128.0F) * texel * light;
+  return face.grey * face.look.at(rays.u[i], rays.v[i], pixel_m) * light;
 }
 
-void HallCamera::look(const HallShot& shot, const std::vector<Face>& moving, const QuadScene& scene) {
-  RayPacket rays;
-  RayPacket to_moving;
+void HallCamera::look(const HallShot& shot, const Moving& moving) {
+  std::array<Sample, kHallSamples> samples;
   for (std::size_t k = 0; k < kHallSamples; ++k) {
-    const Eigen::Matrix3f turn = shot.site_from_camera[k].rotation.toRotationMatrix().cast<float>();
-    const Eigen::Vector3f eye = shot.site_from_camera[k].translation.cast<float>();
-    const float right = kRight[k] / static_cast<float>(camera_.fx);
-    const float down = kDown[k] / static_cast<float>(camera_.fy);
-    for (std::size_t from = 0; from < ray_x_.size(); from += kRays) {
-      for (std::size_t i = 0; i < kRays; ++i) {
-        const float x = ray_x_[from + i] + right;
-        const float y = ray_y_[from + i] + down;
-        rays.x[i] = turn(0, 0) * x + turn(0, 1) * y + turn(0, 2);
-        rays.y[i] = turn(1, 0) * x + turn(1, 1) * y + turn(1, 2);
-        rays.z[i] = turn(2, 0) * x + turn(2, 1) * y + turn(2, 2);
-      }
-      hall_->scene().cast(eye, rays);
-      if (!moving.empty()) {
-        to_moving.x = rays.x;
-        to_moving.y = rays.y;
-        to_moving.z = rays.z;
-        scene.cast(eye, to_moving);
-      }
-      for (std::size_t i = 0; i < kRays; ++i) {
-        const float x = ray_x_[from + i];
-        const float y = ray_y_[from + i];
-        const float off_axis2 = x * x + y * y;
-        const bool is_moving = !moving.empty() && to_moving.quad[i] >= 0 &&
-                               (rays.quad[i] < 0 || to_moving.distance[i] < rays.distance[i]);
-        float light = 0.0F;
-        if (is_moving) {
-          light = seen(moving[static_cast<std::size_t>(to_moving.quad[i])], to_moving, i, off_axis2);
-        } else if (rays.quad[i] >= 0) {
-          light = seen(faces_[static_cast<std::size_t>(rays.quad[i])], rays, i, off_axis2);
-        }
-        seen_[from + i] = k == 0 ? light : seen_[from + i] + light;
-      }
+    samples[k] = {shot.site_from_camera[k].translation.cast<float>(),
+                  shot.site_from_camera[k].rotation.toRotationMatrix().cast<float>(),
+                  kRight[k] / static_cast<float>(camera_.fx), kDown[k] / static_cast<float>(camera_.fy)};
+  }
+  std::fill(seen_.begin(), seen_.end(), 0.0F);
+  // Block by block: what its four looks need is at hand.
+  for (std::size_t from = 0; from < ray_x_.size(); from += kRays)
+    for (const Sample& sample : samples) look_through(from, sample, moving);
+}
+
+void HallCamera::look_through(std::size_t from, const Sample& sample, const Moving& moving) {
+  RayPacket rays;
+  std::array<float, kRays> x{};
+  std::array<float, kRays> y{};
+  std::copy_n(ray_x_.data() + from, kRays, x.data());
+  std::copy_n(ray_y_.data() + from, kRays, y.data());
+  const Eigen::Matrix3f& turn = sample.site_from_camera;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    rays.x[i] = turn(0, 0) * (x[i] + sample.right) + turn(0, 1) * (y[i] + sample.down) + turn(0, 2);
+    rays.y[i] = turn(1, 0) * (x[i] + sample.right) + turn(1, 1) * (y[i] + sample.down) + turn(1, 2);
+    rays.z[i] = turn(2, 0) * (x[i] + sample.right) + turn(2, 1) * (y[i] + sample.down) + turn(2, 2);
+  }
+  hall_->scene().cast(sample.eye, rays);
+  constexpr std::size_t middle = 5;
+  const bool may_move =
+      moving.may_be_met(sample.eye, {rays.x[middle], rays.y[middle], rays.z[middle]}, static_cast<float>(camera_.fx));
+  RayPacket to_moving;
+  if (may_move) {
+    to_moving = rays;
+    moving.scene.cast(sample.eye, to_moving);
+  }
+  for (std::size_t i = 0; i < kRays; ++i) {
+    const float off_axis2 = x[i] * x[i] + y[i] * y[i];
+    if (may_move && to_moving.quad[i] >= 0 && (rays.quad[i] < 0 || to_moving.distance[i] < rays.distance[i])) {
+      seen_[from + i] += seen(moving.faces[static_cast<std::size_t>(to_moving.quad[i])], to_moving, i, off_axis2);
+    } else if (rays.quad[i] >= 0) {
+      seen_[from + i] += seen(faces_[static_cast<std::size_t>(rays.quad[i])], rays, i, off_axis2);
     }
   }
+}
+
+/// Whether rays of a block about this one may meet something that moves.
+bool HallCamera::Moving::may_be_met(const Eigen::Vector3f& eye, const Eigen::Vector3f& way, float focal_px) const {
+  constexpr float block_px = 4.0F;  // from its middle ray to its corners, and a little
+  const float length2 = way.squaredNorm();
+  return std::any_of(around.begin(), around.end(), [&](const Sphere& sphere) {
+    const Eigen::Vector3f to_middle = sphere.middle - eye;
+    const float along = to_middle.dot(way);
+    const float reach = sphere.radius_m + block_px / focal_px * to_middle.norm();
+    const float aside2 = to_middle.squaredNorm() - along * std::abs(along) / length2;
+    return aside2 < reach * reach;
+  });
 }
 
 HallImage HallCamera::develop(const HallShot& shot) const {
@@ -154,10 +169,24 @@ HallImage HallCamera::develop(const HallShot& shot) const {
 
 HallImage HallCamera::take(const HallShot& shot) {
   std::vector<Quad> quads;
-  add_movers(movers_, shot.time_s, quads);
-  const QuadScene scene(quads);
-  look(shot, faces_of(quads, light_.on(quads, nullptr)), scene);
+  std::vector<Moving::Sphere> around;
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const std::size_t first = quads.size();
+    add_mover(movers_[i], static_cast<std::uint32_t>(i + 1), shot.time_s, quads);
+    around.push_back(Moving::around_of(std::span(quads).subspan(first)));
+  }
+  look(shot, {faces_of(quads, light_.on(quads, nullptr)), QuadScene(quads), around});
   return develop(shot);
+}
+
+HallCamera::Moving::Sphere HallCamera::Moving::around_of(std::span<const Quad> quads) {
+  Sphere sphere;
+  for (const Quad& quad : quads) sphere.middle += quad.at(0.5F, 0.5F) / static_cast<float>(quads.size());
+  for (const Quad& quad : quads)
+    for (const float u : {0.0F, 1.0F})
+      for (const float v : {0.0F, 1.0F})
+        sphere.radius_m = std::max(sphere.radius_m, (quad.at(u, v) - sphere.middle).norm());
+  return sphere;
 }
 
 }  // namespace weft::agents::sim

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "agents/bodies/sim/hall/hall.hpp"
@@ -44,20 +45,35 @@ class HallCamera {
   HallImage take(const HallShot& shot);
 
  private:
-  struct Moving {
-    std::vector<Quad> quads;
-    std::vector<QuadLight> light;
-    QuadScene scene;
-  };
   /// What shading a quad needs.
   struct Face {
-    const Quad* quad;
-    float across_m, up_m;
+    Sampler look;
+    float grey;  ///< of a texel of 1
     Eigen::Vector3f normal;
     QuadLight light;
   };
-  static std::vector<Face> faces_of(const std::vector<Quad>& quads, const std::vector<QuadLight>& light);
-  void look(const HallShot& shot, const std::vector<Face>& moving, const QuadScene& scene);
+  /// What moves, where it is when an image is taken.
+  struct Moving {
+    struct Sphere {
+      Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+      float radius_m = 0.0F;
+    };
+    std::vector<Face> faces;
+    QuadScene scene;
+    std::vector<Sphere> around;  ///< each mover
+
+    static Sphere around_of(std::span<const Quad> quads);
+    bool may_be_met(const Eigen::Vector3f& eye, const Eigen::Vector3f& way, float focal_px) const;
+  };
+  std::vector<Face> faces_of(const std::vector<Quad>& quads, const std::vector<QuadLight>& light) const;
+  /// One of the looks through each pixel.
+  struct Sample {
+    Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+    Eigen::Matrix3f site_from_camera = Eigen::Matrix3f::Identity();
+    float right = 0.0F, down = 0.0F;  ///< of the pixel's middle, normalised
+  };
+  void look(const HallShot& shot, const Moving& moving);
+  void look_through(std::size_t from, const Sample& sample, const Moving& moving);
   float seen(const Face& face, const RayPacket& rays, std::size_t i, float off_axis2) const;
   HallImage develop(const HallShot& shot) const;
 

@@ -75,15 +75,12 @@ Pose2 pose_of(const Mover& mover, double time_s) {
   return {mover.way.front().x, mover.way.front().y, 0.0};
 }
 
-void add_movers(const std::vector<Mover>& movers, double time_s, std::vector<Quad>& quads) {
-  for (std::size_t i = 0; i < movers.size(); ++i) {
-    const Pose2 pose = pose_of(movers[i], time_s);
-    const auto who = static_cast<std::uint32_t>(i + 1);
-    if (movers[i].kind == Mover::Kind::person) {
-      add_person(pose, who, movers[i].speed_m_s * time_s + movers[i].begins_m, quads);
-    } else {
-      add_forklift(pose, who, quads);
-    }
+void add_mover(const Mover& mover, std::uint32_t who, double time_s, std::vector<Quad>& quads) {
+  const Pose2 pose = pose_of(mover, time_s);
+  if (mover.kind == Mover::Kind::person) {
+    add_person(pose, who, mover.speed_m_s * time_s + mover.begins_m, quads);
+  } else {
+    add_forklift(pose, who, quads);
   }
 }
 

@@ -19,6 +19,9 @@ struct QuadScene::Embree {
 
 QuadScene::QuadScene(std::span<const Quad> quads) : embree_(std::make_unique<Embree>()) {
   embree_->is_empty = quads.empty();
+  // What is looked at for thousands of images may take longer to prepare; what moves is there for one.
+  constexpr std::size_t still = 500;
+  rtcSetSceneBuildQuality(embree_->scene, quads.size() > still ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_LOW);
   if (!quads.empty()) {
     RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_QUAD);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -48,7 +51,7 @@ void QuadScene::cast(const Eigen::Vector3f& eye, RayPacket& packet) const {
   packet.quad.fill(-1);
   if (embree_->is_empty) return;
   alignas(64) std::array<int, kRays> valid{};
-  alignas(64) RTCRayHit16 rays{};
+  alignas(64) RTCRayHit16 rays;  // NOLINT(cppcoreguidelines-pro-type-member-init): what is read is set below
   valid.fill(-1);
   for (std::size_t i = 0; i < kRays; ++i) {
     rays.ray.org_x[i] = eye.x();

@@ -18,12 +18,6 @@ std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& from, int side
   return out;
 }
 
-/// Whole texels to and fro: 0 .. side - 1, then back.
-int mirrored(int at, int side) {
-  const int within = at & (2 * side - 1);
-  return within < side ? within : 2 * side - 1 - within;
-}
-
 /// A place in a texture that has nothing to do with the next pattern's.
 float offset_of(std::uint32_t pattern, std::uint32_t axis) {
   std::uint32_t h = (pattern + 0x9E3779B9U * (axis + 1U)) * 0x85EBCA6BU;
@@ -33,31 +27,13 @@ float offset_of(std::uint32_t pattern, std::uint32_t axis) {
 
 }  // namespace
 
-Texture::Texture(int side, std::vector<std::uint8_t> texels)
-    : top_(std::countr_zero(static_cast<unsigned>(side))), levels_{std::move(texels)} {
-  for (int s = side; s > 1; s /= 2) levels_.push_back(halved(levels_.back(), s));
-}
-
-float Texture::at(float x, float y, float texels) const {
-  const int level = std::clamp(std::ilogb(std::max(1.0F, texels)), 0, top_);
-  const int side = 1 << (top_ - level);
-  const std::uint8_t* const pixels = levels_[static_cast<std::size_t>(level)].data();
-  const float scale = 1.0F / static_cast<float>(1 << level);
-  const float column = x * scale - 0.5F;
-  const float row = y * scale - 0.5F;
-  const float left = std::floor(column);
-  const float top = std::floor(row);
-  const float s = column - left;
-  const float t = row - top;
-  const int x0 = mirrored(static_cast<int>(left), side);
-  const int x1 = mirrored(static_cast<int>(left) + 1, side);
-  const std::uint8_t* const above =
-      pixels + static_cast<std::ptrdiff_t>(mirrored(static_cast<int>(top), side)) * side;
-  const std::uint8_t* const below =
-      pixels + static_cast<std::ptrdiff_t>(mirrored(static_cast<int>(top) + 1, side)) * side;
-  const float over = static_cast<float>(above[x0]) + s * static_cast<float>(above[x1] - above[x0]);
-  const float under = static_cast<float>(below[x0]) + s * static_cast<float>(below[x1] - below[x0]);
-  return over + t * (under - over);
+Texture::Texture(int side, std::vector<std::uint8_t> texels) : top_(std::countr_zero(static_cast<unsigned>(side))) {
+  std::size_t level = 0;
+  for (int s = side; s >= 1; s /= 2) {
+    from_.at(level++) = static_cast<std::uint32_t>(texels_.size());
+    texels_.insert(texels_.end(), texels.begin(), texels.end());
+    if (s > 1) texels = halved(texels, s);
+  }
 }
 
 Textures::Textures(const FloorSource& floor, std::uint64_t seed) {
@@ -75,17 +51,18 @@ Textures::Textures(const FloorSource& floor, std::uint64_t seed) {
   }
 }
 
-float Textures::at(const Quad& quad, float across_m, float up_m, float u, float v, float pixel_m) const {
+Sampler Textures::of(const Quad& quad) const {
   const std::vector<Texture>& textures = of_[static_cast<std::size_t>(quad.stuff)];
   const Texture& texture = textures[quad.pattern % textures.size()];
-  const auto side = static_cast<float>(texture.side());
+  const float across_m = quad.across.norm();
+  const float up_m = quad.up.norm();
   if (is_fitted(quad.stuff)) {
+    const auto side = static_cast<float>(texture.side());
     // Row 0 of a picture is its top.
-    return texture.at(u * side, (1.0F - v) * side, pixel_m * side / std::max(across_m, up_m));
+    return {&texture, side, -side, 0.0F, side, side / std::max(across_m, up_m)};
   }
   constexpr float per_m = 1.0F / static_cast<float>(kTexelM);
-  return texture.at(u * across_m * per_m + offset_of(quad.pattern, 0), v * up_m * per_m + offset_of(quad.pattern, 1),
-                    pixel_m * per_m);
+  return {&texture, across_m * per_m, up_m * per_m, offset_of(quad.pattern, 0), offset_of(quad.pattern, 1), per_m};
 }
 
 Texture floor_texture(const FloorSource& floor) {

@@ -37,7 +37,7 @@ TEST(Movers, StandOnTheFloorWhereTheyAre) {
     Mover mover = walker();
     mover.kind = kind;
     std::vector<Quad> quads;
-    add_movers({mover}, 2.0, quads);
+    add_mover(mover, 1, 2.0, quads);
     float lowest = 10.0F;
     float highest = 0.0F;
     for (const Quad& quad : quads) {
