@@ -1,7 +1,6 @@
 #pragma once
 #include <cmath>
 #include <memory>
-#include <optional>
 
 #include "agents/bodies/sim/sim_body.hpp"
 
@@ -18,6 +17,7 @@ inline agents::sim::Site aisle_site() {
   for (const double x : {4.0, 12.0, 20.0}) site.lamps.push_back({x, 6.0, 6.0, 1.0});
   RobotStart robot{"r1", {4.0, 6.0, 0.0}, 1};
   robot.camera = RobotStart::Camera::forward;
+  site.forward_camera.exposes_itself = false;  // nothing to wait for
   site.robots.push_back(robot);
   return site;
 }
@@ -36,9 +36,7 @@ class Lookout {
   agents::CameraModel camera() const { return body_->cameras().front(); }
   agents::View from(const Pose2& site_from_robot) {
     body_->put(site_from_robot, {});
-    std::optional<agents::View> view;
-    for (int settling = 0; settling < 8; ++settling) view = body_->step({})->view;  // until it is exposed
-    return *view;
+    return *body_->step({})->view;
   }
 
  private:
