@@ -44,9 +44,10 @@ Step Bearing::observe(Odometry& odometry, const View* view, const Motion& motion
   const bool wheels = motion.wheels.has_value();
   const double distance = wheels ? motion.wheels->distance_m : motion.command.linear_m_s * elapsed_s;
   const double turn = wheels ? motion.wheels->heading_rad : motion.command.angular_rad_s * elapsed_s;
-  const double sigma_m = (wheels ? config_.wheel_distance_share : config_.command_distance_share) * std::abs(distance);
-  const double sigma_rad = (wheels ? config_.wheel_heading_share : config_.command_heading_share) *
-                           (std::abs(turn) + std::abs(distance));
+  const double sigma_m =
+      (wheels ? config_.wheel_distance_share : config_.command_distance_share) * std::abs(distance);
+  const double sigma_rad =
+      (wheels ? config_.wheel_heading_share : config_.command_heading_share) * (std::abs(turn) + std::abs(distance));
   if (elapsed_s > 0.0) odometry.driving = {distance / elapsed_s, turn / elapsed_s};
   Step step;
   step.previous_from_current = AlongPath{distance, sigma_m * sigma_m, turn, sigma_rad * sigma_rad};

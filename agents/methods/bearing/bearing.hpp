@@ -62,8 +62,8 @@ class Bearing {
 
   Chart chart(const std::vector<ChartPlace<Content>>& around) const;
   Belief begin(const Chart& chart, const Estimate& seed) const;
-  /// Which of the places before and behind looks most like the view tells how far along the path the robot is; the two
-  /// about it tell its heading. Refusals: nothing_near, and those of `relate` when none of them tells a heading.
+  /// Which of the places before and behind looks most like the view tells how far along the path the robot is; the
+  /// two about it tell its heading. Refusals: nothing_near, and those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
   const BearingConfig& config() const { return config_; }

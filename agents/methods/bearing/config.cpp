@@ -29,10 +29,11 @@ std::vector<std::string> check(const BearingConfig& config) {
   for (const Number& number : kNumbers) {
     const double value = config.*number.value;
     if (!(value >= number.low && value <= number.high))
-      issues.push_back("bearing." + std::string(number.name) + " is not within [" + std::to_string(number.low) + ", " +
-                       std::to_string(number.high) + "]");
+      issues.push_back("bearing." + std::string(number.name) + " is not within [" + std::to_string(number.low) +
+                       ", " + std::to_string(number.high) + "]");
   }
-  if (config.width_px < 64 || config.width_px > 4096) issues.emplace_back("bearing.width_px is not within [64, 4096]");
+  if (config.width_px < 64 || config.width_px > 4096)
+    issues.emplace_back("bearing.width_px is not within [64, 4096]");
   if (config.most_neighbours < 1 || config.most_neighbours > 21)
     issues.emplace_back("bearing.most_neighbours is not within [1, 21]");
   return issues;

@@ -13,9 +13,9 @@ namespace weft::agents {
 /// brackets.
 struct BearingConfig {
   // Views
-  double focal_px = 386.0;  ///< [100, 2000]; images are brought to this focal length: what stands around a corner is to
-                            ///< be seen alike by robots with other cameras
-  int width_px = 320;       ///< [64, 4096] that a vote's shares of a width are of
+  double focal_px = 386.0;  ///< [100, 2000]; images are brought to this focal length: what stands around a corner is
+                            ///< to be seen alike by robots with other cameras
+  int width_px = 320;  ///< [64, 4096] that a vote's shares of a width are of
   UprightConfig features{.count = 300, .cell_widths = 0.022};
   HeadingVoteConfig vote;
   double vote_sigma_rad = 0.01;  ///< [1e-4, 0.2] of a heading told by one vote of many
@@ -27,10 +27,10 @@ struct BearingConfig {
   double command_heading_share = 0.12;   ///< [1e-3, 1]
 
   // Where along the path: the neighbours before and behind vote too
-  double neighbours_m = 0.65;         ///< [0, 3] places so far along the path are compared
-  int most_neighbours = 7;            ///< [1, 21]
-  double along_sigma_m = 0.12;        ///< [0.01, 2] of a distance told by which neighbour looks most like the view
-  double unknown_along_sigma_m = 0.5; ///< [0.05, 10] of a relation that tells the heading alone
+  double neighbours_m = 0.65;          ///< [0, 3] places so far along the path are compared
+  int most_neighbours = 7;             ///< [1, 21]
+  double along_sigma_m = 0.12;         ///< [0.01, 2] of a distance told by which neighbour looks most like the view
+  double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
 };
 
 /// Every bound that does not hold.

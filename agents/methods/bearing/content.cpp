@@ -12,7 +12,8 @@ constexpr std::uint32_t magic = 0x45424C57U;  // "WLBE", little-endian
 constexpr double grain_px = 0.125;
 
 std::int16_t grains(float pixels) {
-  return static_cast<std::int16_t>(std::lround(std::clamp(static_cast<double>(pixels) / grain_px, -32767.0, 32767.0)));
+  return static_cast<std::int16_t>(
+      std::lround(std::clamp(static_cast<double>(pixels) / grain_px, -32767.0, 32767.0)));
 }
 
 }  // namespace

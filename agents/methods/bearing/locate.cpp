@@ -23,14 +23,15 @@ struct Told {
   double robot_m = 0.0;  ///< the place's distance from the robot, as believed; ahead positive
 };
 
-/// Weighed by what stands out of chance: how far ahead of the robot, as believed, the place that looks most alike lies.
+/// Weighed by what stands out of chance: how far ahead of the robot, as believed, the place that looks most alike
+/// lies.
 struct Peak {
   double ahead_m = 0.0;
   bool is_told = false;
 };
 
-/// The vertex of the parabola through what stands out of chance, by least squares; told where it is a peak between the
-/// places compared.
+/// The vertex of the parabola through what stands out of chance, by least squares; told where it is a peak between
+/// the places compared.
 Peak peak_of(const std::vector<Told>& told) {
   if (told.size() < 4) return {};
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -101,7 +102,8 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   const auto nearest = std::min_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
     return std::abs(a.robot_m - ahead_m) < std::abs(b.robot_m - ahead_m);
   });
-  AlongPath place_from_robot = as_along(compose(inverse(Relation{nearest->stop->centre_from_place}), belief.centre_from_robot));
+  AlongPath place_from_robot =
+      as_along(compose(inverse(Relation{nearest->stop->centre_from_place}), belief.centre_from_robot));
   if (peak.is_told) {
     place_from_robot.distance_m = ahead_m - nearest->robot_m;
     place_from_robot.distance_variance_m2 = config_.along_sigma_m * config_.along_sigma_m;

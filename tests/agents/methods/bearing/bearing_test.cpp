@@ -22,7 +22,9 @@ class BearingTest : public testing::Test {
     EXPECT_TRUE(content) << content.error().reason;
     return content.value_or(BearingContent{});
   }
-  BearingContent at(double x, double y = 6.0, double heading = 0.0) { return seen(method_, lookout_, {x, y, heading}); }
+  BearingContent at(double x, double y = 6.0, double heading = 0.0) {
+    return seen(method_, lookout_, {x, y, heading});
+  }
 
   test::Lookout lookout_{test::aisle_site()};
   Bearing method_ = *Bearing::make({}, lookout_.camera());
@@ -123,7 +125,8 @@ class BearingLocateTest : public BearingTest {
   void SetUp() override {
     for (int i = 0; i <= 20; ++i) {
       const double ahead = -2.0 + 0.2 * i;
-      around_.push_back({place(i), 0, AlongPath{ahead, 1e-4}, std::make_shared<const BearingContent>(at(7.0 + ahead))});
+      around_.push_back(
+          {place(i), 0, AlongPath{ahead, 1e-4}, std::make_shared<const BearingContent>(at(7.0 + ahead))});
     }
     chart_ = method_.chart(around_);
   }
@@ -162,7 +165,8 @@ TEST_F(BearingLocateTest, WhereNothingIsNearNothingIsSaid) {
 }
 
 TEST_F(BearingLocateTest, ABlindViewCorrectsNothing) {
-  const auto located = method_.locate(chart_, {AlongPath{0.0, 0.04}}, {AlongPath{0.1, 0.0}, true, {}}, BearingContent{});
+  const auto located =
+      method_.locate(chart_, {AlongPath{0.0, 0.04}}, {AlongPath{0.1, 0.0}, true, {}}, BearingContent{});
   EXPECT_FALSE(located.fix);
   EXPECT_NEAR(located.belief.centre_from_robot.distance_m, 0.1, 1e-12);
   for (const Refusal& refusal : located.refusals) EXPECT_EQ(refusal.reason, "few_features");
