@@ -15,7 +15,7 @@ struct BearingConfig {
   // Views
   double focal_px = 386.0;  ///< [100, 2000]; images are brought to this focal length: what stands around a corner is
                             ///< to be seen alike by robots with other cameras
-  int width_px = 320;  ///< [64, 4096] that a vote's shares of a width are of
+  int width_px = 320;       ///< [64, 4096] that a vote's shares of a width are of
   UprightConfig features{.count = 300, .cell_widths = 0.022};
   HeadingVoteConfig vote;
   double vote_sigma_rad = 0.01;  ///< [1e-4, 0.2] of a heading told by one vote of many
