@@ -26,16 +26,22 @@ constexpr Number kNumbers[] = {
 
 std::vector<std::string> check(const BearingConfig& config) {
   std::vector<std::string> issues;
-  for (const Number& number : kNumbers) {
-    const double value = config.*number.value;
-    if (!(value >= number.low && value <= number.high))
-      issues.push_back("bearing." + std::string(number.name) + " is not within [" + std::to_string(number.low) +
-                       ", " + std::to_string(number.high) + "]");
-  }
-  if (config.width_px < 64 || config.width_px > 4096)
-    issues.emplace_back("bearing.width_px is not within [64, 4096]");
-  if (config.most_neighbours < 1 || config.most_neighbours > 21)
-    issues.emplace_back("bearing.most_neighbours is not within [1, 21]");
+  const auto within = [&](const std::string& name, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+      issues.push_back("bearing." + name + " is not within [" + std::to_string(low) + ", " + std::to_string(high) +
+                       "]");
+  };
+  for (const Number& number : kNumbers) within(number.name, config.*number.value, number.low, number.high);
+  within("width_px", config.width_px, 64, 4096);
+  within("most_neighbours", config.most_neighbours, 1, 21);
+  within("features.count", config.features.count, 20, 2000);
+  within("features.cell_widths", config.features.cell_widths, 0.005, 0.05);
+  within("features.smoothing_cells", config.features.smoothing_cells, 0.02, 1.0);
+  within("vote.most_shift", config.vote.most_shift, 0.01, 1.0);
+  within("vote.most_rise", config.vote.most_rise, 0.001, 1.0);
+  within("vote.spread", config.vote.spread, 0.001, 0.2);
+  within("vote.fewest_features", config.vote.fewest_features, 1, 1000);
+  within("vote.above_chance", config.vote.above_chance, 0.0, 20.0);
   return issues;
 }
 

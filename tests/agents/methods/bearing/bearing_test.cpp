@@ -110,12 +110,14 @@ TEST_F(BearingTest, SettingsOutOfBoundsAreNamedTogether) {
   BearingConfig config;
   config.focal_px = 0.0;
   config.most_neighbours = 0;
+  config.vote.spread = -1.0;
   CameraModel camera = lookout_.camera();
   camera.fx = 0.0;
   const auto made = Bearing::make(config, camera);
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, HasSubstr("bearing.focal_px"));
   EXPECT_THAT(made.error().message, HasSubstr("bearing.most_neighbours"));
+  EXPECT_THAT(made.error().message, HasSubstr("bearing.vote.spread"));
   EXPECT_THAT(made.error().message, HasSubstr("focal length"));
 }
 
