@@ -152,6 +152,8 @@ concept ChartsItself = Method<M> &&
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;
+  /// What navigation believes now that it has weighed the method's fix.
+  { m.believed(chart, belief, seed) } -> std::same_as<typename M::Belief>;
 };
 
 /// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).

@@ -93,7 +93,8 @@ std::optional<Relation> between(const BeliefConfig& config, const Window& window
   return std::nullopt;
 }
 
-void Belief::advance(const Step& step) {
+void Belief::advance(const Step& told) {
+  const Step step = errors_.improved(told);
   if (estimate_) {
     estimate_->place_from_robot = advanced(estimate_->place_from_robot, step, common_);
     estimate_->blind_m += distance_m(step.previous_from_current);
@@ -101,6 +102,16 @@ void Belief::advance(const Step& step) {
   if (proposed_) {
     proposed_->place_from_robot = advanced(proposed_->place_from_robot, step, common_of_proposed_);
   }
+}
+
+CommonErrors Belief::left_of_common(const Relation& predicted, const Fix& fix, const Relation& believed) {
+  if (!config_.fuse) return CommonErrors::Zero();
+  const auto* const along = std::get_if<AlongPath>(&predicted);
+  const auto* const measured = std::get_if<AlongPath>(&fix.place_from_robot);
+  if (along == nullptr || measured == nullptr) return corrected(common_, predicted, believed);
+  CommonErrors left = common_;
+  errors_.learn(*along, *measured, left);
+  return left;
 }
 
 void Belief::set(const Fix& fix) {
@@ -126,8 +137,7 @@ OrRefusal<Fix> Belief::correct(const Fix& fix, const Relation& predicted, const 
   }
   Fix believed = fix;
   if (config_.fuse) believed.place_from_robot = fuse(predicted, fix.place_from_robot);
-  const CommonErrors left =
-      config_.fuse ? corrected(common_, predicted, believed.place_from_robot) : CommonErrors(CommonErrors::Zero());
+  const CommonErrors left = left_of_common(predicted, fix, believed.place_from_robot);
   set(believed);
   common_ = left;
   return believed;

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "agents/methods/along_errors.hpp"
 #include "agents/methods/method.hpp"
 #include "agents/navigation/config.hpp"
 #include "core/network/window.hpp"
@@ -47,12 +48,16 @@ class Belief {
   const std::optional<Fix>& proposed() const { return proposed_; }
 
  private:
+  /// What a fix leaves of the common errors in what was predicted.
+  CommonErrors left_of_common(const Relation& predicted, const Fix& fix, const Relation& believed);
+
   BeliefConfig config_;
   std::optional<Estimate> estimate_;
   std::optional<Fix> proposed_;
   CommonErrors common_ = CommonErrors::Zero();  // in estimate_
   CommonErrors common_of_proposed_ = CommonErrors::Zero();
   std::uint32_t agreed_ = 0;  // fixes in a row behind proposed_
+  AlongErrors errors_;        // of the robot's own steps: they stay when it does not know where it is
 };
 
 }  // namespace weft::agents

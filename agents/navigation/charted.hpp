@@ -16,6 +16,7 @@ class Charted {
   explicit Charted(const M&) {}
   void advance(const Step&) {}
   void forget() {}
+  void believed(const Estimate&) {}
 };
 
 /// Makes the chart anew when the robot has left its middle or the window has changed, and hands on to the method all
@@ -30,9 +31,12 @@ class Charted<M> {
 
   void advance(const Step& step) { since_ = since_ ? joined(*since_, step) : step; }
   void forget() { belief_.reset(); }
+  /// What is believed after a fix has been weighed.
+  void believed(const Estimate& estimate) {
+    if (belief_) belief_ = method_->believed(*chart_, *belief_, estimate);
+  }
 
-  void prepare(const NavigationConfig&, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
-               const Estimate& estimate) {
+  void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate) {
     const Made now{estimate.place, map.revision, map.places.size(), map.edges.size()};
     if (belief_ && made_of_.same_map(now) && inside_.contains(estimate.place)) return;
     made_of_ = now;

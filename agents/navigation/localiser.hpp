@@ -157,7 +157,7 @@ class Localiser {
   /// The method's own `locate`. Its fixes pass the same test as those of the default.
   void chart(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
              Outcome& outcome) requires ChartsItself<M> {
-    charted_.prepare(config_, map, bytes, decoded, *estimate());
+    charted_.prepare(map, bytes, decoded, *estimate());
     Located<typename M::Belief> located = charted_.locate(seen);
     outcome.refusals.insert(outcome.refusals.end(), located.refusals.begin(), located.refusals.end());
     if (!located.fix) return;
@@ -286,6 +286,7 @@ class Localiser {
       return false;
     }
     outcome.fix = *fix;
+    charted_.believed(*estimate());
     seek_.end();
     return true;
   }

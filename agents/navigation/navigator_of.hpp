@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "agents/navigation/coming_back.hpp"
 #include "agents/navigation/follower.hpp"
 #include "agents/navigation/localiser.hpp"
 #include "agents/navigation/navigator.hpp"
@@ -83,7 +84,10 @@ class NavigatorOf final : public Navigator {
   std::vector<Kept> end_teach(const MapView& map) override {
     Navigated last;
     if (!teacher_) return {};
-    if (latest_ && latest_->view && teacher_->worth_an_end()) keep(map, last);
+    if (latest_ && latest_->view && teacher_->worth_an_end()) {
+      keep(map, last);
+      if (!last.kept.empty()) come_back(map, last.kept.back());
+    }
     teacher_.reset();
     finder_.reset();
     return std::move(last.kept);
@@ -238,6 +242,23 @@ class NavigatorOf final : public Navigator {
     if (found.fix) navigated.fix = found.fix;
     navigated.refusals.insert(navigated.refusals.end(), found.refusals.begin(), found.refusals.end());
     navigated.kept.push_back(std::move(kept));
+  }
+
+  /// Distances along a path do not tell whether a run has come back to something: at its end that is looked for.
+  void come_back(const MapView& map, Kept& last) {
+    if constexpr (ChartsItself<M>) {
+      const bool is_joined = std::any_of(last.edges.begin(), last.edges.end(),
+                                         [](const Edge& edge) { return edge.origin == Origin::stitch; });
+      const bool has_poses = std::none_of(last.edges.begin(), last.edges.end(), [](const Edge& edge) {
+        return std::holds_alternative<AlongPath>(edge.a_from_b);
+      });
+      if (!config_.stitch.enabled || is_joined || has_poses || !*latest_->content) return;
+      ComingBack<M> back(method_, config_, own_.map(map.window), map.contents, decoded_);
+      const OrRefusal<Fix> found = back.look(*teacher_, last.place.id, ***latest_->content);
+      if (!found) return;
+      last.edges.push_back(stitcher_.edge(found->place, last.place.id, found->evidence));
+      own_.anchor(last.edges.back());
+    }
   }
 
   /// A robot that does not know where it is when teaching begins goes on looking, so that what it teaches can be

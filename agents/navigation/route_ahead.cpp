@@ -81,40 +81,65 @@ bool can_cross(const StitchConfig& config, const Relation& a_from_b) {
   return merges(config, a, b) && merges(config, b, a);
 }
 
-std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
-                           const Estimate& estimate, std::uint32_t from) {
+namespace {
+
+constexpr std::uint32_t around_at = 10;  // places of a route before and after the last one passed
+
+std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
+  return a > b ? a - b : b - a;
+}
+
+/// The index of the believed place itself that is nearest to `from`; a route may come by a place more than once.
+std::optional<std::uint32_t> own_index(const Route& route, const PlaceId& place, std::uint32_t from) {
   std::optional<std::uint32_t> own;
   for (std::uint32_t i = 0; i < route.places.size(); ++i) {
-    if (route.places[i] != estimate.place) continue;
-    const auto apart = [&](std::uint32_t index) { return index > from ? index - from : from - index; };
-    if (!own || apart(i) < apart(*own)) own = i;
+    if (route.places[i] == place && (!own || apart(i, from) < apart(*own, from))) own = i;
   }
-  if (own) return Joint{*own, Metric2{}};
+  return own;
+}
 
+/// The place of route[first .. end) that is nearest to the robot, as the window joins it.
+std::optional<Joint> nearest_joined(const NavigationConfig& config, const Window& window, const Route& route,
+                                    const Estimate& estimate, std::uint32_t first, std::uint32_t end) {
   std::map<PlaceId, std::uint32_t> index_of;
-  for (auto i = static_cast<std::uint32_t>(route.places.size()); i-- > from;) index_of[route.places[i]] = i;
+  for (std::uint32_t i = end; i-- > first;) index_of[route.places[i]] = i;
   constexpr std::uint32_t cap = 2000;
   std::optional<Joint> best;
   double nearest = 0.0;
   for (const Reached& reached : breadth_first(window, estimate.place, config.locate.most_hops, cap)) {
     const auto found = index_of.find(reached.id);
     if (found == index_of.end()) continue;
-    const double apart = norm(compose(inverse(estimate.place_from_robot), reached.centre_from_place));
-    if (best && apart >= nearest) continue;
+    const double away = norm(compose(inverse(estimate.place_from_robot), reached.centre_from_place));
+    if (best && away >= nearest) continue;
     best = Joint{found->second, reached.centre_from_place};
-    nearest = apart;
+    nearest = away;
   }
   return best;
 }
 
+}  // namespace
+
+std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
+                           const Estimate& estimate, std::uint32_t from) {
+  const auto all = static_cast<std::uint32_t>(route.places.size());
+  const std::optional<std::uint32_t> own = own_index(route, estimate.place, from);
+  if (!own) return nearest_joined(config, window, route, estimate, std::min(from, all), all);
+  if (apart(*own, from) <= around_at) return Joint{*own, Metric2{}};
+  // A route round a loop: the place may be on it much later, and beside where the route is now.
+  const std::optional<Joint> beside =
+      nearest_joined(config, window, route, estimate, std::min(from, all), std::min(from + around_at, all));
+  const bool is_near = beside && norm(compose(inverse(estimate.place_from_robot), beside->believed_from_route)) <=
+                                     config.follow.join_m;
+  return is_near ? *beside : Joint{*own, Metric2{}};
+}
+
 RouteAround around(const NavigationConfig& config, const Route& route, const Joint& joint,
                    const Relation& believed_from_robot, std::optional<std::uint32_t> at) {
-  constexpr std::uint32_t behind = 10;
   const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
   const std::uint32_t anchor = std::min(joint.index, static_cast<std::uint32_t>(route.places.size() - 1));
   std::vector<RoutePose> back{
       {anchor, laid_out(believed_from_robot).inverse() * laid_out(joint.believed_from_route)}};
-  while (back.back().index > 0 && anchor - back.back().index < behind) {
+  while (back.back().index > 0 && anchor - back.back().index < around_at) {
     const std::uint32_t index = back.back().index - 1;
     back.push_back({index, back.back().robot_from_place * laid_out(route.relations[index]).inverse()});
   }
@@ -125,7 +150,7 @@ RouteAround around(const NavigationConfig& config, const Route& route, const Joi
   double since_nearest_m = 0.0;
   const auto weigh = [&](std::size_t position) {
     const RoutePose& pose = result.poses[position];
-    if (at && (pose.index < *at || pose.index > *at + behind)) return;
+    if (at && (pose.index < *at || pose.index > *at + around_at)) return;
     if (pose.index > last) return;
     constexpr double lever_m = 0.3;
     const double apart =

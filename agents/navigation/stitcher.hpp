@@ -60,6 +60,19 @@ class Stitcher {
     return found;
   }
 
+  /// The stitch that what was found makes.
+  Edge edge(const PlaceId& older, const PlaceId& kept, const Related& related) const {
+    Edge edge;
+    edge.id = {older, kept};
+    edge.a_from_b = related.a_from_b;
+    edge.origin = Origin::stitch;
+    edge.method = std::string(M::name);
+    edge.drivable = can_cross(config_.stitch, related.a_from_b) ? Drivable::both : Drivable::none;
+    edge.inliers = related.inliers;
+    edge.overlap = static_cast<float>(std::clamp(related.overlap, 0.0, 1.0));
+    return edge;
+  }
+
  private:
   /// A relation over an uncertain way, waiting for a second one.
   struct Pending {
@@ -116,18 +129,6 @@ class Stitcher {
     const auto there_from_kept = between(config_.belief, map, pending_->kept, kept, hops);
     if (!place_from_there || !there_from_kept) return std::nullopt;
     return compose(compose(*place_from_there, pending_->place_from_kept), *there_from_kept);
-  }
-
-  Edge edge(const PlaceId& older, const PlaceId& kept, const Related& related) const {
-    Edge edge;
-    edge.id = {older, kept};
-    edge.a_from_b = related.a_from_b;
-    edge.origin = Origin::stitch;
-    edge.method = std::string(M::name);
-    edge.drivable = can_cross(config_.stitch, related.a_from_b) ? Drivable::both : Drivable::none;
-    edge.inliers = related.inliers;
-    edge.overlap = static_cast<float>(std::clamp(related.overlap, 0.0, 1.0));
-    return edge;
   }
 
   const M* method_;

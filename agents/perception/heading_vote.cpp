@@ -18,6 +18,7 @@ struct InPixels {
 };
 
 struct Ballot {
+  Match match;
   double shift_px = 0.0;
   double weight = 0.0;
 };
@@ -48,8 +49,8 @@ std::vector<Ballot> ballots_of(const std::vector<UprightFeature>& a, const std::
   std::vector<Ballot> ballots;
   for (const Match& match : match_descriptors(descriptors_of(a), descriptors_of(b),
                                               {.most_bits = static_cast<int>(kChanceBits), .ratio = 1.0}, candidates))
-    ballots.push_back(
-        {static_cast<double>(b[match.b].pixel.x() - a[match.a].pixel.x()), 1.0 - match.distance / kChanceBits});
+    ballots.push_back({match, static_cast<double>(b[match.b].pixel.x() - a[match.a].pixel.x()),
+                       1.0 - match.distance / kChanceBits});
   return ballots;
 }
 
@@ -147,7 +148,10 @@ tl::expected<HeadingVote, Undecided> vote_heading(const std::vector<UprightFeatu
     return tl::unexpected(Undecided{"no_majority", heights[top], config.above_chance});
   HeadingVote vote{.shift_px = shift_of(top, px), .matches = static_cast<std::uint32_t>(ballots.size())};
   const double within = 2.0 * px.spread;
-  for (const Ballot& ballot : ballots) vote.votes += std::abs(ballot.shift_px - vote.shift_px) <= within ? 1U : 0U;
+  for (const Ballot& ballot : ballots) {
+    if (std::abs(ballot.shift_px - vote.shift_px) <= within) vote.agreeing.push_back(ballot.match);
+  }
+  vote.votes = static_cast<std::uint32_t>(vote.agreeing.size());
   vote.above_chance = heights[top];
   vote.runner_up = std::max(0.0, next_peak(heights, top, 2.0 * within)) / heights[top];
   return vote;

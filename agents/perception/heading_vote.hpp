@@ -23,8 +23,9 @@ struct HeadingVote {
   double shift_px = 0.0;    ///< of b's features against a's, right positive
   std::uint32_t votes = 0;  ///< matches within twice their spread of it
   std::uint32_t matches = 0;
-  double above_chance = 0.0;  ///< standard deviations that its votes exceed what chance brings
-  double runner_up = 0.0;     ///< the same of the next peak, over the winner's, [0, 1]
+  double above_chance = 0.0;         ///< standard deviations that its votes exceed what chance brings
+  double runner_up = 0.0;            ///< the same of the next peak, over the winner's, [0, 1]
+  std::vector<Match> agreeing = {};  ///< those that are its votes
 };
 
 /// Why nothing is said: few_features or no_majority; with the number and its bound.

@@ -8,6 +8,7 @@
 
 #include "agents/bodies/replay/replay_body.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
+#include "agents/methods/bearing/bearing.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator_of.hpp"
@@ -16,12 +17,18 @@ namespace weft::agents {
 namespace {
 
 /// Every method that an agent can run; chosen here and nowhere else.
-using AnyMethod = std::variant<Floor>;
+using AnyMethod = std::variant<Floor, Bearing>;
+
+template <class M, class Config>
+Result<AnyMethod> made(const Config& config, const CameraModel& camera) {
+  Result<M> method = M::make(config, camera);
+  if (!method) return fail(method.error());
+  return AnyMethod(std::move(*method));
+}
 
 Result<AnyMethod> make_method(const Options& options, const CameraModel& camera) {
-  Result<Floor> floor = Floor::make(options.floor, camera);
-  if (!floor) return fail(floor.error());
-  return AnyMethod(std::move(*floor));
+  if (options.method == Bearing::name) return made<Bearing>(options.bearing, camera);
+  return made<Floor>(options.floor, camera);
 }
 
 Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::function<void(const std::string&)>& warn) {

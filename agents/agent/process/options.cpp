@@ -27,7 +27,7 @@ struct Flag {
 constexpr std::array kFlags = {
     Flag{"name", Kind::text, "The robot's name, 1 to 64 of [A-Za-z0-9_.-]. Required"},
     Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
-    Flag{"method", Kind::text, "how it navigates: floor [floor]"},
+    Flag{"method", Kind::text, "How it navigates: floor (a camera looks down) or bearing (ahead) [floor]"},
     Flag{"body", Kind::text, "sim | replay [sim]"},
     Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
     Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
@@ -134,7 +134,7 @@ Options read(const Sources& from) {
   Options options;
   options.name = from.text("name", "");
   options.state = from.text("state", "");
-  options.method = from.choice("method", "floor", {"floor"});
+  options.method = from.choice("method", "floor", {"floor", "bearing"});
   options.body = from.choice("body", "sim", {"sim", "replay"});
   options.servers = from.texts("server", {"127.0.0.1"});
   const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";
@@ -158,6 +158,7 @@ Options read(const Sources& from) {
   options.bytes_per_second =
       from.integer<std::uint64_t>("bytes_per_second", 4LL << 20U, msg::kChunkBytes, 1LL << 34U);
   options.floor = read_floor_config(from.file().table("floor"));
+  options.bearing = read_bearing_config(from.file().table("bearing"));
   NavigationConfig navigation;
   navigation.follow.footprint_radius_m = options.footprint_radius_m;
   options.navigation = read_navigation_config(from.file().table("navigation"), navigation);

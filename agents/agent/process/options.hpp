@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "agents/methods/bearing/config.hpp"
 #include "agents/methods/floor/config.hpp"
 #include "agents/navigation/config.hpp"
 #include "core/config/config.hpp"
@@ -43,6 +44,7 @@ struct Options {
   std::uint64_t content_cache_mb = 256;
   std::uint64_t bytes_per_second = 0;
   FloorConfig floor;                       ///< the file's table [floor]
+  BearingConfig bearing;                   ///< the file's table [bearing]
   NavigationConfig navigation;             ///< the file's table [navigation]
   std::vector<config::Setting> effective;  ///< for the log
 };

@@ -66,6 +66,11 @@ class Bearing {
   /// two about it tell its heading. Refusals: nothing_near, and those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
+  /// Its belief is navigation's.
+  Belief believed(const Chart& chart, const Belief&, const Estimate& estimate) const {
+    return begin(chart, estimate);
+  }
+
   const BearingConfig& config() const { return config_; }
 
  private:

@@ -1,61 +1,65 @@
 #include "agents/methods/bearing/config.hpp"
 
-#include <tuple>
-
 namespace weft::agents {
 namespace {
 
-struct Number {
-  const char* name;
-  double BearingConfig::*value;
-  double low, high;
-};
-constexpr Number kNumbers[] = {
-    {"focal_px", &BearingConfig::focal_px, 100.0, 2000.0},
-    {"vote_sigma_rad", &BearingConfig::vote_sigma_rad, 1e-4, 0.2},
-    {"wheel_distance_share", &BearingConfig::wheel_distance_share, 1e-3, 1.0},
-    {"wheel_heading_share", &BearingConfig::wheel_heading_share, 1e-3, 1.0},
-    {"command_distance_share", &BearingConfig::command_distance_share, 1e-3, 1.0},
-    {"command_heading_share", &BearingConfig::command_heading_share, 1e-3, 1.0},
-    {"neighbours_m", &BearingConfig::neighbours_m, 0.0, 3.0},
-    {"along_sigma_m", &BearingConfig::along_sigma_m, 0.01, 2.0},
-    {"unknown_along_sigma_m", &BearingConfig::unknown_along_sigma_m, 0.05, 10.0},
+/// Every setting but the description, with its bounds: visit(name, value, low, high).
+template <class Config, class Visit>
+void each_setting(Config& config, Visit&& visit) {
+  visit("focal_px", config.focal_px, 100, 2000);
+  visit("width_px", config.width_px, 64, 4096);
+  visit("features", config.features.count, 20, 2000);
+  visit("cell_widths", config.features.cell_widths, 0.005, 0.05);
+  visit("smoothing_cells", config.features.smoothing_cells, 0.02, 1);
+  visit("most_shift", config.vote.most_shift, 0.01, 1);
+  visit("most_rise", config.vote.most_rise, 0.001, 1);
+  visit("spread", config.vote.spread, 0.001, 0.2);
+  visit("fewest_features", config.vote.fewest_features, 1, 1000);
+  visit("above_chance", config.vote.above_chance, 0, 20);
+  visit("vote_sigma_rad", config.vote_sigma_rad, 1e-4, 0.2);
+  visit("wheel_distance_share", config.wheel_distance_share, 1e-3, 1);
+  visit("wheel_turn_rad_m", config.wheel_turn_rad_m, 1e-3, 1);
+  visit("command_distance_share", config.command_distance_share, 1e-3, 1);
+  visit("command_turn_rad_m", config.command_turn_rad_m, 1e-3, 1);
+  visit("slip_m", config.slip_m, 1e-4, 0.5);
+  visit("slip_rad", config.slip_rad, 1e-4, 0.5);
+  visit("neighbours_m", config.neighbours_m, 0, 3);
+  visit("most_neighbours", config.most_neighbours, 1, 21);
+  visit("along_sigma_m", config.along_sigma_m, 0.001, 2);
+  visit("focal_share", config.focal_share, 0, 0.1);
+  visit("unknown_along_sigma_m", config.unknown_along_sigma_m, 0.05, 10);
+}
+
+/// Takes settings from a table, which collects what is wrong with them.
+struct Taken {
+  const config::Table& table;
+  void operator()(const char* name, double& value, double low, double high) const {
+    value = table.number(name, value, low, high);
+  }
+  void operator()(const char* name, int& value, double low, double high) const {
+    value =
+        static_cast<int>(table.integer(name, value, static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)));
+  }
 };
 
 }  // namespace
 
 std::vector<std::string> check(const BearingConfig& config) {
   std::vector<std::string> issues;
-  const auto within = [&](const std::string& name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      issues.push_back("bearing." + name + " is not within [" + std::to_string(low) + ", " + std::to_string(high) +
-                       "]");
-  };
-  for (const Number& number : kNumbers) within(number.name, config.*number.value, number.low, number.high);
-  within("width_px", config.width_px, 64, 4096);
-  within("most_neighbours", config.most_neighbours, 1, 21);
-  within("features.count", config.features.count, 20, 2000);
-  within("features.cell_widths", config.features.cell_widths, 0.005, 0.05);
-  within("features.smoothing_cells", config.features.smoothing_cells, 0.02, 1.0);
-  within("vote.most_shift", config.vote.most_shift, 0.01, 1.0);
-  within("vote.most_rise", config.vote.most_rise, 0.001, 1.0);
-  within("vote.spread", config.vote.spread, 0.001, 0.2);
-  within("vote.fewest_features", config.vote.fewest_features, 1, 1000);
-  within("vote.above_chance", config.vote.above_chance, 0.0, 20.0);
+  each_setting(config, [&](const std::string& name, const auto& value, double low, double high) {
+    const auto number = static_cast<double>(value);
+    if (number >= low && number <= high) return;
+    issues.push_back("bearing." + name + " is " + std::to_string(number) + "; it must be within [" +
+                     std::to_string(low) + ", " + std::to_string(high) + "]");
+  });
   return issues;
 }
 
 BearingConfig read_bearing_config(const config::Table& table) {
   BearingConfig config;
-  for (const Number& number : kNumbers)
-    config.*number.value = table.number(number.name, config.*number.value, number.low, number.high);
-  config.width_px = static_cast<int>(table.integer("width_px", config.width_px, 64, 4096));
-  config.most_neighbours = static_cast<int>(table.integer("most_neighbours", config.most_neighbours, 1, 21));
-  config.features.count = static_cast<int>(table.integer("features", config.features.count, 20, 2000));
-  config.features.description = table.choice("description", "gradients", {"gradients", "brief"}) == "brief"
-                                    ? Description::brief
-                                    : Description::gradients;
-  config.vote.above_chance = table.number("above_chance", config.vote.above_chance, 0.0, 20.0);
+  each_setting(config, Taken{table});
+  const std::string description = table.choice("description", "gradients", {"gradients", "brief"});
+  config.features.description = description == "brief" ? Description::brief : Description::gradients;
   return config;
 }
 

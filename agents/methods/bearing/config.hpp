@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "agents/methods/dead_reckoning.hpp"
 #include "agents/perception/heading_vote.hpp"
 #include "agents/perception/upright_features.hpp"
 #include "core/config/config.hpp"
@@ -21,15 +20,18 @@ struct BearingConfig {
   double vote_sigma_rad = 0.01;  ///< [1e-4, 0.2] of a heading told by one vote of many
 
   // Motion: distance travelled comes from wheels, or from what was commanded
-  double wheel_distance_share = 0.05;    ///< [1e-3, 1] 1 sigma of the distance
-  double wheel_heading_share = 0.05;     ///< [1e-3, 1] of the turn, and rad for each metre
+  double wheel_distance_share = 0.06;    ///< [1e-3, 1] 1 sigma of the distance: alike in all steps
+  double wheel_turn_rad_m = 0.08;        ///< [1e-3, 1] turned for each metre that nobody tells: alike in all steps
   double command_distance_share = 0.12;  ///< [1e-3, 1] the same without wheels to read
-  double command_heading_share = 0.12;   ///< [1e-3, 1]
+  double command_turn_rad_m = 0.12;      ///< [1e-3, 1]
+  double slip_m = 0.02;                  ///< [1e-4, 0.5] 1 sigma of what the first metre adds, by itself
+  double slip_rad = 0.03;                ///< [1e-4, 0.5] likewise of the heading
 
   // Where along the path: the neighbours before and behind vote too
   double neighbours_m = 0.65;          ///< [0, 3] places so far along the path are compared
   int most_neighbours = 7;             ///< [1, 21]
-  double along_sigma_m = 0.12;         ///< [0.01, 2] of a distance told by which neighbour looks most like the view
+  double along_sigma_m = 0.012;        ///< [0.001, 2] of a distance told by how much nearer things are than there
+  double focal_share = 0.005;          ///< [0, 0.1] by which two cameras' focal lengths differ from what is said
   double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
 };
 

@@ -1,9 +1,11 @@
 // Where along the path, and turned by how much: the default search relates one place; here the places before and
 // behind are held against each other.
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "agents/methods/bearing/bearing.hpp"
+#include "agents/perception/nearing.hpp"
 
 namespace weft::agents {
 namespace {
@@ -20,35 +22,50 @@ AlongPath as_along(const Relation& relation) {
 struct Told {
   const Bearing::Stop* stop;
   HeadingVote vote;
-  double robot_m = 0.0;  ///< the place's distance from the robot, as believed; ahead positive
+  std::optional<Nearing> nearing;  ///< of the robot's view against the place's
+  double robot_m = 0.0;            ///< the place's distance from the robot, as believed; ahead positive
 };
 
-/// Weighed by what stands out of chance: how far ahead of the robot, as believed, the place that looks most alike
-/// lies.
-struct Peak {
+/// How far further along the path the robot is than believed.
+struct Further {
   double ahead_m = 0.0;
-  bool is_told = false;
+  double variance_m2 = 0.0;
+  double nearing_1_m = 0.0;  ///< share by which things are nearer for each metre
 };
 
-/// The vertex of the parabola through what stands out of chance, by least squares; told where it is a peak between
-/// the places compared.
-Peak peak_of(const std::vector<Told>& told) {
-  if (told.size() < 4) return {};
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  double least = told.front().robot_m;
-  double most = least;
-  for (const Told& one : told) {
-    const Eigen::Vector3d row(1.0, one.robot_m, one.robot_m * one.robot_m);
-    normal += row * row.transpose();
-    right += row * one.vote.above_chance;
-    least = std::min(least, one.robot_m);
-    most = std::max(most, one.robot_m);
+/// Places ahead show things smaller than the robot sees them, places behind larger, the more so the further off they
+/// are: where that changes sign is the robot. A line through both, by least squares; how steep it is tells how far
+/// away things are, which is known roughly beforehand. None: hardly anything is told.
+std::optional<Further> further_of(const std::vector<Told>& told) {
+  constexpr double usual_1_m = 0.35;  // of things 1 to 10 m away
+  constexpr double usual_sigma_1_m = 0.3;
+  constexpr double bent = 0.25;  // share by which what is told of a place far off is no line any more
+  constexpr double least_1_m = 0.03;
+  std::optional<Further> further;
+  for (int round = 0; round < 2; ++round) {
+    constexpr double knows = 1.0 / (usual_sigma_1_m * usual_sigma_1_m);
+    Eigen::Matrix2d normal = Eigen::Vector2d(knows, 0.0).asDiagonal();
+    Eigen::Vector2d right(knows * usual_1_m, 0.0);
+    bool has_any = false;
+    for (const Told& one : told) {
+      if (!one.nearing) continue;
+      const double off_m = one.robot_m - (further ? further->ahead_m : 0.0);
+      const double blurred = bent * usual_1_m * off_m;
+      const double weight = 1.0 / (one.nearing->variance + blurred * blurred);
+      const Eigen::Vector2d row(-one.robot_m, 1.0);
+      normal += weight * row * row.transpose();
+      right += weight * one.nearing->share * row;
+      has_any = true;
+    }
+    if (!has_any) return std::nullopt;
+    const Eigen::Matrix2d covariance = normal.inverse();
+    const Eigen::Vector2d line = covariance * right;
+    if (!(line.x() > least_1_m)) return std::nullopt;
+    const double ahead_m = line.y() / line.x();
+    const Eigen::Vector2d by_line(-ahead_m / line.x(), 1.0 / line.x());
+    further = Further{ahead_m, by_line.dot(covariance * by_line), line.x()};
   }
-  const Eigen::Vector3d fit = normal.ldlt().solve(right);
-  if (!(fit.z() < 0.0)) return {};
-  const double vertex = -0.5 * fit.y() / fit.z();
-  return {vertex, vertex > least && vertex < most};
+  return further;
 }
 
 }  // namespace
@@ -89,7 +106,9 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   for (const Stop* const stop : near) {
     const auto vote = vote_heading(stop->content->features, seen.features, config_.width_px, config_.vote);
     if (vote) {
-      told.push_back({stop, *vote, stop->centre_from_place.distance_m - here_m});
+      told.push_back({stop, *vote,
+                      nearing_of(stop->content->features, seen.features, vote->agreeing, stop->content->focal_px),
+                      stop->centre_from_place.distance_m - here_m});
     } else {
       located.refusals.push_back({vote.error().reason, vote.error().measured, vote.error().bound});
     }
@@ -97,16 +116,18 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   if (near.empty()) located.refusals.push_back({"nothing_near", 0.0, config_.neighbours_m});
   if (told.empty()) return located;
 
-  const Peak peak = peak_of(told);
-  const double ahead_m = peak.is_told ? peak.ahead_m : 0.0;
+  const std::optional<Further> further = further_of(told);
+  const double ahead_m = further ? further->ahead_m : 0.0;
   const auto nearest = std::min_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
     return std::abs(a.robot_m - ahead_m) < std::abs(b.robot_m - ahead_m);
   });
   AlongPath place_from_robot =
       as_along(compose(inverse(Relation{nearest->stop->centre_from_place}), belief.centre_from_robot));
-  if (peak.is_told) {
+  if (further) {
     place_from_robot.distance_m = ahead_m - nearest->robot_m;
-    place_from_robot.distance_variance_m2 = config_.along_sigma_m * config_.along_sigma_m;
+    const double by_focal_m = config_.focal_share / further->nearing_1_m;
+    place_from_robot.distance_variance_m2 =
+        config_.along_sigma_m * config_.along_sigma_m + by_focal_m * by_focal_m + further->variance_m2;
   }
   place_from_robot.heading_shift_rad = std::atan(nearest->vote.shift_px / nearest->stop->content->focal_px);
   place_from_robot.heading_variance_rad2 =
@@ -115,7 +136,6 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
                          static_cast<double>(nearest->vote.votes) / std::max(1U, nearest->vote.matches),
                          nearest->vote.runner_up};
   located.fix = Fix{nearest->stop->place, place_from_robot, evidence};
-  located.belief.centre_from_robot = as_along(compose(nearest->stop->centre_from_place, place_from_robot));
   return located;
 }
 

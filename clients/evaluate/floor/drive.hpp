@@ -6,8 +6,8 @@
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "clients/evaluate/floor/known_camera.hpp"
-#include "clients/evaluate/floor/taught_map.hpp"
 #include "clients/evaluate/floor/trace.hpp"
+#include "clients/evaluate/taught_map.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate::floor {

@@ -15,8 +15,8 @@
 #include "clients/evaluate/floor/alignment.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
 #include "clients/evaluate/floor/measures.hpp"
-#include "clients/evaluate/floor/taught_map.hpp"
 #include "clients/evaluate/table.hpp"
+#include "clients/evaluate/taught_map.hpp"
 #include "storage/formats/trajectory.hpp"
 
 namespace weft::evaluate::floor {

@@ -86,7 +86,6 @@ TEST(AgentOptions, MistakesAreUsageInOneLine) {
   expect_left(with({"--domain", "201"}), 2, "domain");
   expect_left(with({"--seed", "many"}), 2, "seed");
   expect_left(with({"--pace", "-1"}), 2, "pace");
-  expect_left(with({"--method", "bearing"}), 2, "method");
   expect_left(with({"--method", "marks"}), 2, "method");  // no body of a process sees marks
   expect_left({"--state", "s", "--site", "x"}, 2, "--name");
   expect_left({"--name", "r1", "--site", "x"}, 2, "--state");

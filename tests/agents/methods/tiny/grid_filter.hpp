@@ -64,6 +64,7 @@ class GridFilter {
   }
 
   /// `seed` is a place of the chart: its centre, as navigation makes it.
+  Belief believed(const Chart&, const Belief& belief, const Estimate&) const { return belief; }
   Belief begin(const Chart& chart, const Estimate& seed) const {
     Belief belief;
     for (const auto& [id, centre_from_place] : chart.centre_from_places) {

@@ -1,10 +1,10 @@
-#include "clients/evaluate/floor/taught_map.hpp"
+#include "clients/evaluate/taught_map.hpp"
 
 #include <string>
 
 #include "core/network/search.hpp"
 
-namespace weft::evaluate::floor {
+namespace weft::evaluate {
 
 Result<void> TaughtMap::take(ExperienceId experience, RobotId robot, std::string_view method,
                              const std::vector<agents::Kept>& kept) {
@@ -43,4 +43,4 @@ Result<Route> TaughtMap::route(const PlaceId& from, const PlaceId& to, std::stri
   return route;
 }
 
-}  // namespace weft::evaluate::floor
+}  // namespace weft::evaluate

@@ -9,7 +9,7 @@
 #include "core/network/window.hpp"
 #include "core/result.hpp"
 
-namespace weft::evaluate::floor {
+namespace weft::evaluate {
 
 /// What the server does for navigation, without wire and store: takes in what was taught, checked as intake checks
 /// it, hands out the whole network as a window, plans routes on it.
@@ -33,4 +33,4 @@ class TaughtMap final : public agents::Contents {
   std::map<ExperienceId, std::uint64_t> sequences_;
 };
 
-}  // namespace weft::evaluate::floor
+}  // namespace weft::evaluate

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "agents/perception/hamming.hpp"
+#include "agents/perception/upright_features.hpp"
+
+namespace weft::agents {
+
+/// How much nearer to its camera one view shows things than another one.
+struct Nearing {
+  double share = 0.0;  ///< of their distance; positive: the second view is taken from further ahead
+  double variance = 0.0;
+};
+
+/// From how far features that both views show (`same`) have moved away from the horizon: tangents of elevation,
+/// y / sqrt(f^2 + x^2), stay as they are when a camera turns and grow as its distance shrinks. Pixels are from the
+/// image's middle, of cameras of `focal_px`. By robust least squares (Tukey's biweight) together with the pitch
+/// between both. None: too few, or all at one height.
+std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
+                                  const std::vector<Match>& same, double focal_px);
+
+}  // namespace weft::agents

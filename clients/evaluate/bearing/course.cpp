@@ -1,0 +1,98 @@
+#include "clients/evaluate/bearing/course.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::evaluate::bearing {
+
+using namespace agents;
+
+namespace {
+
+constexpr int kLastViewAtMost = 10;  // samples for the last place
+const ExperienceId kExperience{1};
+const RobotId kTeacher{{1}};
+
+/// Where the end of the run is joined to its beginning. None: nowhere.
+std::optional<Edge> closing_edge(const TaughtMap& map, const PlaceId& last) {
+  std::optional<Edge> closing;
+  map.snapshot().for_each_edge(last, [&](const Edge& edge) {
+    if (edge.origin == Origin::stitch && edge.id.b == last) closing = edge;
+  });
+  return closing;
+}
+
+}  // namespace
+
+Pose2 Course::site_from_path(std::size_t place, double beyond_m) const {
+  std::size_t at = place;
+  double left_m = beyond_m;
+  while (left_m < 0.0) {
+    at = at == closes_at ? places.size() - 1 : at - std::min<std::size_t>(at, 1);
+    left_m += distance_m(relations[at]);
+  }
+  while (left_m > distance_m(relations[at])) {
+    left_m -= distance_m(relations[at]);
+    at = at + 1 == places.size() ? closes_at : at + 1;
+  }
+  const Pose2& from = site_from_place[at];
+  const std::size_t next = at + 1 == places.size() ? closes_at : at + 1;
+  const double hop_m = std::max(distance_m(relations[at]), 1e-6);
+  return from * exp2(left_m / hop_m * log2(from.inverse() * site_from_place[next]));
+}
+
+Route Course::loops(std::size_t count) const {
+  Route route;
+  route.id.bytes[0] = 1;
+  for (std::size_t loop = 0; loop < count; ++loop) {
+    for (std::size_t i = loop == 0 ? 0 : closes_at; i < places.size(); ++i) {
+      route.places.push_back(places[i]);
+      route.relations.push_back(relations[i]);
+    }
+  }
+  route.places.push_back(places[closes_at]);
+  route.released = static_cast<std::uint32_t>(route.places.size() - 1);
+  return route;
+}
+
+Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
+  auto body = sim::make_sim_body(drive.body);
+  if (!body) return fail(body.error());
+  auto navigator = make_navigator((*body)->cameras().front(), Parts::both);
+  if (!navigator) return fail(navigator.error());
+  if (const Result<void> begun = (*body)->drive_by_hand(line); !begun) return fail(begun.error());
+  (*navigator)->begin_teach({kExperience, kTeacher});
+  Course course;
+  const auto take = [&](const std::vector<Kept>& kept) {
+    for (const Kept& one : kept) {
+      course.places.push_back(one.place.id);
+      course.site_from_place.push_back((*body)->site_from_robot());
+    }
+    return course.map.take(kExperience, kTeacher, Bearing::name, kept);
+  };
+  int ending = 0;
+  for (bool done = false; !done;) {
+    if (drive.asked_to_stop()) return std::optional<Course>();
+    const Result<Sample> sample = (*body)->step({});
+    if (!sample) return fail(sample.error());
+    const View* const view = sample->view ? &*sample->view : nullptr;
+    const Navigated now =
+        (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
+    if (const Result<void> taken = take(now.kept); !taken) return fail(taken.error());
+    if (sample->hand_done) ++ending;
+    done = (ending > 0 && view != nullptr) || ending > kLastViewAtMost;
+  }
+  if (const Result<void> taken = take((*navigator)->end_teach(course.map.view())); !taken) return fail(taken.error());
+  const std::optional<Edge> closing = closing_edge(course.map, course.places.back());
+  if (!closing) return fail(ErrorCode::refused, "the end of what was taught was not found to come back to its start");
+  for (std::size_t i = 0; i + 1 < course.places.size(); ++i) {
+    const Edge* const edge = course.map.view().window.edges.value({course.places[i], course.places[i + 1]});
+    course.relations.push_back(edge->a_from_b);
+    course.length_m += distance_m(edge->a_from_b);
+  }
+  course.relations.push_back(inverse(closing->a_from_b));
+  course.closes_at = closing->id.a.index;
+  return std::optional(std::move(course));
+}
+
+}  // namespace weft::evaluate::bearing

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/bodies/sim/sim_body.hpp"
+#include "agents/methods/bearing/bearing.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "clients/evaluate/taught_map.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::bearing {
+
+/// What of the method drives: its parts alone are the ablation of Krajnik et al. 2018, IV-A.
+enum class Parts : std::uint8_t { both, profile_only, vision_only };
+
+/// Makes what an agent of this method would drive with.
+Result<std::unique_ptr<agents::Navigator>> make_navigator(const agents::CameraModel& camera, Parts parts);
+
+/// A closed way that one robot has been taught, with its truth: for judging, nobody else sees it.
+struct Course {
+  TaughtMap map;
+  std::vector<PlaceId> places;         ///< in the order they were taught
+  std::vector<Pose2> site_from_place;  ///< truly
+  std::vector<Relation> relations;     ///< of each place and the next; of the last and `closes_at`
+  std::size_t closes_at = 0;           ///< where the end was found to come back to
+  double length_m = 0.0;
+
+  /// Where the place's path truly is, so far beyond it.
+  Pose2 site_from_path(std::size_t place, double beyond_m) const;
+  /// The whole way, then so many times from where it closes.
+  Route loops(std::size_t count) const;
+};
+
+/// Who drives where; `asked_to_stop` is asked at every sample.
+struct Drive {
+  agents::sim::SimBodyConfig body;
+  std::function<bool()> asked_to_stop;
+};
+
+/// A hand leads the robot along the line while it is taught. None: stopped. refused: its end was not found to come
+/// back to its beginning.
+Result<std::optional<Course>> teach(const Drive& drive, const std::vector<agents::SitePoint>& line);
+
+/// The robot against where it believes to be on the path (Krajnik et al. 2018, fig. 1): metres ahead and left.
+struct Deviation {
+  double driven_m = 0.0;  ///< truly
+  Pose2 site_from_robot;
+  Pose2 path_from_robot;  ///< `path`: where it believes to be
+};
+
+struct Repeated {
+  std::vector<Deviation> along;       ///< a row a sample
+  std::vector<Deviation> after_loop;  ///< at the end of each
+  std::string ended;                  ///< why it stands; empty: all loops were driven
+};
+
+/// The robot is put down beside the path's beginning, told that it stands there, and drives. None: stopped.
+Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Pose2& start_from_robot,
+                                       std::size_t loops, Parts parts);
+
+}  // namespace weft::evaluate::bearing
