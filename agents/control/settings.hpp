@@ -23,6 +23,7 @@ void each_control_setting(Config& config, Section&& section) {
   const auto steering = section("steering");
   steering("cross_track_gain_1_s", config.steering.cross_track_gain_1_s, Low::open, 0, 5);
   steering("softening_m_s", config.steering.softening_m_s, Low::open, 0, 1);
+  steering("heading_integral_1_s2", config.steering.heading_integral_1_s2, Low::closed, 0, 5);
   steering("heading_gain_1_s", config.steering.heading_gain_1_s, Low::open, 0, 10);
   steering("max_approach_rad", config.steering.max_approach_rad, Low::open, 0, 1.5);
   steering("max_angular_rad_s", config.steering.max_angular_rad_s, Low::open, 0, 5);

@@ -4,11 +4,13 @@
 namespace weft::agents {
 
 struct SteeringConfig {
-  double cross_track_gain_1_s = 1.0;  ///< k of Hoffmann et al. 2007, eq. 5; (0, 5]
-  double softening_m_s = 0.15;        ///< added to the speed, so that standing does not divide by nothing; (0, 1]
-  double heading_gain_1_s = 3.5;      ///< turns the heading error into a rate; >= 3 k keeps it from swinging; (0, 10]
-  double max_approach_rad = 0.7;      ///< steepest angle at which the path is approached; (0, 1.5]
-  double max_angular_rad_s = 1.0;     ///< (0, 5]
+  double cross_track_gain_1_s = 1.0;   ///< k of Hoffmann et al. 2007, eq. 5; (0, 5]
+  double softening_m_s = 0.15;         ///< added to the speed, so that standing does not divide by nothing; (0, 1]
+  double heading_integral_1_s2 = 0.6;  ///< on what is left of the heading error where nothing is known of how far
+                                       ///< aside the robot is: taught turns err as wheels do; [0, 5]
+  double heading_gain_1_s = 3.5;   ///< turns the heading error into a rate; >= 3 k keeps it from swinging; (0, 10]
+  double max_approach_rad = 0.7;   ///< steepest angle at which the path is approached; (0, 1.5]
+  double max_angular_rad_s = 1.0;  ///< (0, 5]
 };
 
 /// The robot against the path's nearest point: metres left of it, and heading turned left against it.

@@ -28,8 +28,9 @@ Twist Tracker::turn(const TrackerConfig& config, double heading_rad, double with
   return {0.0, last_angular_rad_s_};
 }
 
-Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s, double speed_m_s,
-                       Duration elapsed) {
+Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s,
+                       const Moving& moving) {
+  const double speed_m_s = moving.speed_m_s;
   // Not the whole path: a bend may bring a later part of it nearer than the one that is being driven.
   constexpr double reach_m = 2.0;
   const double length = robot_from_path.length_m();
@@ -53,12 +54,20 @@ Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_pat
     return tracked;
   }
   const double wanted = speed_at(config.speed, robot_from_path, soon_at, error, limit_m_s);
-  const double linear = std::min(speed_.update(config.speed, wanted, speed_m_s, seconds(elapsed)), limit_m_s * 1.2);
+  const double linear =
+      std::min(speed_.update(config.speed, wanted, speed_m_s, seconds(moving.elapsed)), limit_m_s * 1.2);
   // The bend over a stretch: at a point it would repeat every error of a pose's heading.
   constexpr double half_m = 0.1;
   const double bend_rad = wrap_angle(robot_from_path.at(soon_at + half_m).pose.heading -
                                      robot_from_path.at(soon_at - half_m).pose.heading);
-  const double angular = steer_rate(config.steering, error, bend_rad / (2.0 * half_m), std::max(speed_m_s, 0.0));
+  if (!moving.knows_aside) {
+    constexpr double most_rad_s = 0.15;
+    const double more = -config.steering.heading_integral_1_s2 * error.heading_rad * seconds(moving.elapsed);
+    turning_rad_s_ = std::clamp(turning_rad_s_ + more, -most_rad_s, most_rad_s);
+  }
+  const double angular = std::clamp(
+      steer_rate(config.steering, error, bend_rad / (2.0 * half_m), std::max(speed_m_s, 0.0)) + turning_rad_s_,
+      -config.steering.max_angular_rad_s, config.steering.max_angular_rad_s);
   last_angular_rad_s_ = angular;
   tracked.command = {linear, angular};
   return tracked;

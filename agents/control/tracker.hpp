@@ -33,9 +33,14 @@ struct Tracked {
 /// is given anew with every sample, in the robot's own frame.
 class Tracker {
  public:
-  /// `robot_from_path`: a spline in the robot's frame; `speed_m_s`: as measured.
-  Tracked track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s, double speed_m_s,
-                Duration elapsed);
+  /// What is known of the motion.
+  struct Moving {
+    double speed_m_s = 0.0;   ///< as measured
+    bool knows_aside = true;  ///< false: the path is laid out as if the robot were on it, turned as it is seen to be
+    Duration elapsed{};
+  };
+  /// `robot_from_path`: a spline in the robot's frame.
+  Tracked track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s, const Moving& moving);
   /// Turns on the spot by `heading_rad`, gently; zero below `within_rad`.
   Twist turn(const TrackerConfig& config, double heading_rad, double within_rad);
   void reset() { *this = Tracker{}; }
@@ -43,6 +48,7 @@ class Tracker {
  private:
   SpeedControl speed_;
   double last_angular_rad_s_ = 0.0;
+  double turning_rad_s_ = 0.0;  // that the heading error's integral adds
 };
 
 }  // namespace weft::agents

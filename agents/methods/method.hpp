@@ -99,7 +99,8 @@ struct Ahead {
   double to_end_m = 0.0;               ///< along the path to the released point
   bool end_is_goal = false;
   double speed_limit_m_s = 0.6;
-  double speed_m_s = 0.0;  ///< current
+  double speed_m_s = 0.0;   ///< current
+  bool knows_aside = true;  ///< false: how far beside the path the robot is nobody knows (AlongPath)
   Duration elapsed{};
 };
 struct Stop {
@@ -160,6 +161,12 @@ concept ChartsItself = Method<M> &&
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;
+};
+
+/// A method whose places know how the robot was driving there: it is repeated no faster.
+template <class M>
+concept Replays = Method<M> && requires(const typename M::Content& content) {
+  { M::driven(content) } -> std::same_as<Twist>;
 };
 
 /// A method that can say what another robot would have seen instead of a view, of the same camera and frame: with it

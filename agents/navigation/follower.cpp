@@ -172,6 +172,7 @@ Follower::Drive Follower::look(const Seen& seen) {
                       ahead.reaches_end && ends_at_goal(*route_),
                       careful_speed(config_.follow, *seen.estimate),
                       seen.speed_m_s,
+                      !std::holds_alternative<AlongPath>(seen.estimate->place_from_robot),
                       seen.elapsed};
   Result<Spline> path = Spline::through(drive.along->robot_from_path);
   if (!path) {
@@ -201,7 +202,9 @@ Follower::Drive Follower::look(const Seen& seen) {
 }
 
 Steering Follower::steer(const Ahead& ahead, const Spline& path) {
-  return tracker_.track(config_.tracker, path, ahead.speed_limit_m_s, ahead.speed_m_s, ahead.elapsed).command;
+  return tracker_
+      .track(config_.tracker, path, ahead.speed_limit_m_s, {ahead.speed_m_s, ahead.knows_aside, ahead.elapsed})
+      .command;
 }
 
 }  // namespace weft::agents

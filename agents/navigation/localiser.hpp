@@ -269,15 +269,34 @@ class Localiser {
       return false;
     }
     --tries;
-    const OrRefusal<Related> related = method_->relate(**content, seen, std::nullopt);
-    if (!related) {
-      outcome.refusals.push_back(related.error());
+    const OrRefusal<Fix> fix = look_at(id, **content, seen, map, bytes, decoded);
+    if (!fix) {
+      outcome.refusals.push_back(fix.error());
       return false;
     }
     const std::uint32_t needed = seek_.seeded() ? 1 : config_.belief.unseeded_fixes;
     suspected_samples_ = 0;
-    take(belief_.propose({id, related->a_from_b, *related}, map, needed), outcome);
+    take(belief_.propose(*fix, map, needed), outcome);
     return true;
+  }
+
+  /// Around a seed, a method that localises in its own way does so where two contents alone tell too little.
+  OrRefusal<Fix> look_at(const PlaceId& id, const Content& there, const Content& seen, const Window& map,
+                         const Contents& bytes, DecodedContents<M>& decoded) {
+    const OrRefusal<Related> related = method_->relate(there, seen, std::nullopt);
+    if (related) return Fix{id, related->a_from_b, *related};
+    if constexpr (ChartsItself<M>) {
+      if (seek_.seeded()) {
+        constexpr double seed_sigma_m = 0.5;
+        constexpr double seed_sigma_rad = 0.3;
+        charted_.forget();
+        charted_.prepare(map, bytes, decoded, {id, with_noise(Metric2{}, seed_sigma_m, seed_sigma_rad), 0.0});
+        const auto located = charted_.locate(seen);
+        charted_.forget();
+        if (located.fix) return *located.fix;
+      }
+    }
+    return tl::unexpected(related.error());
   }
 
   bool take(const OrRefusal<Fix>& fix, Outcome& outcome) {

@@ -311,6 +311,7 @@ class NavigatorOf final : public Navigator {
     navigated.route_at = drive.navigated.route_at;
     navigated.route_freed = drive.navigated.route_freed;
     if (!drive.along) return;
+    drive.along->speed_limit_m_s = std::min(drive.along->speed_limit_m_s, taught_speed(map, *believed));
     const Steering steering = steer(*drive.along, *drive.path);
     if (steering) {
       navigated.command = *steering;
@@ -318,6 +319,18 @@ class NavigatorOf final : public Navigator {
       navigated.following = Following::stopped;
       navigated.reason = steering.error().reason;
     }
+  }
+
+  /// As fast as where it is was driven when it was taught; where a hand stood or began, at a walk's slowest.
+  double taught_speed(const MapView& map, const Estimate& believed) {
+    if constexpr (Replays<M>) {
+      constexpr double slowest_m_s = 0.2;
+      const Place* const place = own_.map(map.window).place(believed.place);
+      if (place == nullptr) return config_.follow.speed_m_s;
+      const auto content = decoded_.find(*place, map.contents);
+      if (content) return std::max(slowest_m_s, M::driven(**content).linear_m_s);
+    }
+    return config_.follow.speed_m_s;
   }
 
   Steering steer(const Ahead& ahead, const Spline& path) {

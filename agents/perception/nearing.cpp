@@ -10,16 +10,23 @@ namespace {
 
 constexpr std::size_t kFewest = 6;
 constexpr int kRounds = 8;
-constexpr double kSigmaPx = 0.4;  // of a corner's row, at best
+constexpr double kSigmaPx = 0.4;   // of a corner's row or column, at best
+constexpr double kOfMad = 1.4826;  // standard deviation of a bell, in median absolute deviations
 
 struct Row {
   double elevation = 0.0;  // mean of both
   double risen = 0.0;
+  double azimuth = 0.0;  // mean of both, to the right
+  double turned = 0.0;
 };
 
 double elevation_of(const UprightFeature& feature, double focal_px) {
   const auto x = static_cast<double>(feature.pixel.x());
   return static_cast<double>(feature.pixel.y()) / std::hypot(focal_px, x);
+}
+
+double azimuth_of(const UprightFeature& feature, double focal_px) {
+  return std::atan2(static_cast<double>(feature.pixel.x()), focal_px);
 }
 
 double median_of(std::vector<double> values) {
@@ -47,19 +54,50 @@ double weight_of(double left, double sigma) {
   return rest * rest;
 }
 
+std::vector<Row> rows_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
+                         const std::vector<Match>& same, double focal_px) {
+  std::vector<Row> rows;
+  for (const Match& match : same) {
+    const double before = elevation_of(a[match.a], focal_px);
+    const double after = elevation_of(b[match.b], focal_px);
+    const double left = azimuth_of(a[match.a], focal_px);
+    const double right = azimuth_of(b[match.b], focal_px);
+    rows.push_back({0.5 * (before + after), after - before, 0.5 * (left + right), right - left});
+  }
+  return rows;
+}
+
+/// The turn that azimuths show once nearing is taken off: it moves what lies aside further aside.
+void tell_turn(const std::vector<Row>& rows, double least_sigma, Nearing& nearing) {
+  std::vector<double> turns;
+  for (const Row& row : rows) turns.push_back(row.turned - 0.5 * nearing.share * std::sin(2.0 * row.azimuth));
+  double turned = median_of(turns);
+  double weights = 0.0;
+  double sigma = least_sigma;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<double> left;
+    for (const double turn : turns) left.push_back(std::abs(turn - turned));
+    sigma = std::max(least_sigma, kOfMad * median_of(left));
+    double sum = weights = 0.0;
+    for (const double turn : turns) {
+      const double weight = weight_of(turn - turned, sigma);
+      sum += weight * turn;
+      weights += weight;
+    }
+    turned = sum / weights;  // at least half of them count
+  }
+  nearing.turned_rad = turned;
+  nearing.turned_variance_rad2 = sigma * sigma / weights;
+}
+
 }  // namespace
 
 std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                                   const std::vector<Match>& same, double focal_px) {
   if (same.size() < kFewest) return std::nullopt;
-  std::vector<Row> rows;
+  const std::vector<Row> rows = rows_of(a, b, same, focal_px);
   std::vector<double> risen;
-  for (const Match& match : same) {
-    const double before = elevation_of(a[match.a], focal_px);
-    const double after = elevation_of(b[match.b], focal_px);
-    rows.push_back({0.5 * (before + after), after - before});
-    risen.push_back(after - before);
-  }
+  for (const Row& row : rows) risen.push_back(row.risen);
   const double least_sigma = kSigmaPx / focal_px;
   Fit fit;
   fit.pitch_and_share = {median_of(risen), 0.0};
@@ -67,8 +105,7 @@ std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const st
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> left;
     for (const Row& row : rows) left.push_back(std::abs(left_of(row, fit)));
-    constexpr double of_mad = 1.4826;
-    sigma = std::max(least_sigma, of_mad * median_of(left));
+    sigma = std::max(least_sigma, kOfMad * median_of(left));
     fit.normal.setZero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const Row& row : rows) {
@@ -83,7 +120,9 @@ std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const st
       return std::nullopt;
     fit.pitch_and_share = fit.normal.ldlt().solve(right);
   }
-  return Nearing{fit.pitch_and_share[1], sigma * sigma * fit.normal.inverse()(1, 1)};
+  Nearing nearing{fit.pitch_and_share[1], sigma * sigma * fit.normal.inverse()(1, 1), 0.0, 0.0};
+  tell_turn(rows, least_sigma, nearing);
+  return nearing;
 }
 
 }  // namespace weft::agents

@@ -28,6 +28,27 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
   return sub;
 }
 
+CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "bearing",
+      "How well the method bearing comes back to a way that it was taught, in the experiments of Krajnik et al. "
+      "2018: "
+      "an oval of 10 m and a lemniscate of 17 m begun 1 m off, 60 m by day, in the dark and with half of the lamps, "
+      "bad "
+      "wheels, changed stock; each half of the method alone; the first loop against the paper's model.\n"
+      "Writes bearing.csv, bearing.json and four pictures. Ctrl-C stops it; the same command goes on where it "
+      "stopped.");
+  seeds = "1..3";
+  options.scenes = "deploy/sites/bearing";
+  options.out = "out/bearing";
+  const auto option = flags_of(sub);
+  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another hand, calibration, light and noise [1..3]");
+  option("--trial", options.trial, "NAME", "Only this one; a wrong name lists them [all]");
+  option("--scenes", options.scenes, "DIR", "Sites and lines that are driven [deploy/sites/bearing]");
+  option("--out", options.out, "DIR", "Folder for the results; rows that it holds already are kept [out/bearing]");
+  return sub;
+}
+
 CLI::App* describe(CLI::App& app, HeadingOptions& options) {
   CLI::App* const sub = app.add_subcommand(
       "heading",

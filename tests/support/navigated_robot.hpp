@@ -66,7 +66,7 @@ class NavigatedRobot {
       for (std::size_t k = passed; k < path.size() && k < passed + 15; ++k)
         near.push_back(robot_from_world * path[k]);
       const auto spline = agents::Spline::through(near);
-      const auto tracked = tracker.track(config, spline.value(), 0.5, speed, from_seconds(body_.elapsed_s()));
+      const auto tracked = tracker.track(config, spline.value(), 0.5, {speed, true, from_seconds(body_.elapsed_s())});
       standing = tracked.at_end && passed + 15 >= path.size() ? standing + 1 : 0;
       const Pose2 before = world_from_robot();
       command_ = tracked.command;

@@ -37,7 +37,8 @@ class Eye {
 struct EyeOwner {
   std::string robot;
   std::uint64_t day = 0;
-  Random calibration;
+  Random calibration;  ///< of that day: each is another attempt to measure the camera
+  Random camera;       ///< the glass and the screws, the same every day
 };
 
 std::unique_ptr<Eye> make_floor_eye(const Site& site, const EyeOwner& owner, std::shared_ptr<const FloorSource> floor,

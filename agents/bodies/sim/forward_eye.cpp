@@ -11,10 +11,10 @@ namespace {
 /// Of the exposure, in time order: the middles of its quarters.
 constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125, 0.375};
 
-/// A focal length from a data sheet and where it was screwed on; its lens nobody has measured.
+/// A focal length from a data sheet and where it was screwed on; its lens nobody has measured, on any day.
 CameraModel given_camera(const ForwardCameraSetup& setup, const EyeOwner& owner) {
   CameraModel camera;
-  camera.id = owner.robot + "/forward/day" + std::to_string(owner.day);
+  camera.id = owner.robot + "/forward";
   camera.width = setup.width;
   camera.height = setup.height;
   camera.fx = camera.fy = setup.focal_px;
@@ -25,7 +25,7 @@ CameraModel given_camera(const ForwardCameraSetup& setup, const EyeOwner& owner)
 }
 
 CameraModel true_camera(CameraModel camera, const Site& site, const EyeOwner& owner) {
-  camera = true_camera_from(camera, site.disturbances, site.change.sinks_m, owner.calibration);
+  camera = true_camera_from(camera, site.disturbances, site.change.sinks_m, owner.camera);
   camera.distortion = {site.forward_camera.k1, 0.0, 0.0, 0.0, 0.0};
   return camera;
 }

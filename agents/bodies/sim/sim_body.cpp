@@ -91,7 +91,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
-  const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_)};
+  const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
   eye_ = start.camera == RobotStart::Camera::floor ? make_floor_eye(site_, owner, floor, light_now())
                                                    : make_forward_eye(site_, owner, floor, light_now());
 }
@@ -183,7 +183,8 @@ Result<Sample> SimBody::step(const Twist& command) {
   ++frame_;
   const Duration stamp = stamp_now();
   sample.motion.elapsed = stamp - last_stamp_;
-  sample.motion.wheels = base_.take_wheel_step();
+  const WheelStep rolled = base_.take_wheel_step();
+  if (site_.base.has_encoders) sample.motion.wheels = rolled;
   last_stamp_ = stamp;
   sample.frame = frame_;
   sample.time = SensorTime(stamp);

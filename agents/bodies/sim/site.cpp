@@ -213,6 +213,7 @@ Mover mover_in(const Table& table, Mover::Kind kind) {
 
 BaseSetup base_in(const Table& table) {
   BaseSetup b;
+  b.has_encoders = table.boolean("has_encoders", b.has_encoders);
   b.track_m = table.number("track_m", b.track_m, 0.1, 3.0);
   b.radius_m = table.number("radius_m", b.radius_m, 0.05, 3.0);
   b.body_height_m = table.number("body_height_m", b.body_height_m, 0.0, 3.0);

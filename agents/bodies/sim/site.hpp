@@ -100,6 +100,7 @@ struct BaseSetup {
   double acceleration_m_s2 = 0.8;  ///< of each wheel's rim
   double time_constant_s = 0.08;   ///< first-order lag of the wheel speed
   double command_delay_s = 0.06;
+  bool has_encoders = true;  ///< false: nobody is told how far its wheels have turned
 };
 
 struct HandSetup {

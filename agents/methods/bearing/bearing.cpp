@@ -82,6 +82,10 @@ OrRefusal<Bearing::Content> Bearing::extract(const Odometry& odometry, const Vie
 OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
   const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote);
   if (!vote) return tl::unexpected(Refusal{vote.error().reason, vote.error().measured, vote.error().bound});
+  if (!guess && vote->above_chance < config_.anywhere_above_chance)
+    return tl::unexpected(Refusal{"no_majority", vote->above_chance, config_.anywhere_above_chance});
+  if (!guess && vote->runner_up > config_.anywhere_runner_up)
+    return tl::unexpected(Refusal{"ambiguous", vote->runner_up, config_.anywhere_runner_up});
   AlongPath a_from_b{0.0, config_.unknown_along_sigma_m * config_.unknown_along_sigma_m};
   if (guess) {
     const auto along = std::get<AlongPath>(compose(*guess, AlongPath{}));

@@ -54,8 +54,11 @@ class Bearing {
   Result<Content> decode(ByteView bytes) const { return decode_bearing_content(bytes); }
 
   /// AlongPath: the heading as most of what both see says, the distance as the guess has it (0 without), with its
-  /// uncertainty. Refusals: few_features, no_majority.
+  /// uncertainty. Without a guess more is asked. Refusals: few_features, no_majority, ambiguous.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  /// The velocity profile (III-B).
+  static Twist driven(const Content& content) { return content.driving; }
 
   /// None: corners that look alike are everywhere.
   std::optional<Signature> sign(const Content&) const { return std::nullopt; }

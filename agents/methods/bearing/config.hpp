@@ -28,10 +28,14 @@ struct BearingConfig {
   double slip_rad = 0.03;                ///< [1e-4, 0.5] likewise of the heading
 
   // Where along the path: the neighbours before and behind vote too
-  double neighbours_m = 0.65;          ///< [0, 3] places so far along the path are compared
-  int most_neighbours = 7;             ///< [1, 21]
-  double along_sigma_m = 0.012;        ///< [0.001, 2] of a distance told by how much nearer things are than there
-  double focal_share = 0.005;          ///< [0, 0.1] by which two cameras' focal lengths differ from what is said
+  double neighbours_m = 0.65;    ///< [0, 3] places so far along the path are compared
+  int most_neighbours = 7;       ///< [1, 21]
+  double along_sigma_m = 0.012;  ///< [0.001, 2] of a distance told by how much nearer things are than there
+  double focal_share = 0.005;    ///< [0, 0.1] by which two cameras' focal lengths differ from what is said
+
+  // Where nobody says where it is, every place may be it: one that is not looks alike by chance
+  double anywhere_above_chance = 8.0;  ///< [0, 50] as vote.above_chance
+  double anywhere_runner_up = 0.5;     ///< [0, 1] most of the next peak, over the winner's
   double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
 };
 

@@ -129,9 +129,15 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
     place_from_robot.distance_variance_m2 =
         config_.along_sigma_m * config_.along_sigma_m + by_focal_m * by_focal_m + further->variance_m2;
   }
-  place_from_robot.heading_shift_rad = std::atan(nearest->vote.shift_px / nearest->stop->content->focal_px);
-  place_from_robot.heading_variance_rad2 =
-      config_.vote_sigma_rad * config_.vote_sigma_rad * (1.0 + 20.0 / nearest->vote.votes);
+  if (nearest->nearing) {
+    place_from_robot.heading_shift_rad = nearest->nearing->turned_rad;
+    place_from_robot.heading_variance_rad2 =
+        config_.vote_sigma_rad * config_.vote_sigma_rad + nearest->nearing->turned_variance_rad2;
+  } else {
+    place_from_robot.heading_shift_rad = std::atan(nearest->vote.shift_px / nearest->stop->content->focal_px);
+    place_from_robot.heading_variance_rad2 =
+        config_.vote_sigma_rad * config_.vote_sigma_rad * (1.0 + 20.0 / nearest->vote.votes);
+  }
   const Related evidence{place_from_robot, nearest->vote.votes,
                          static_cast<double>(nearest->vote.votes) / std::max(1U, nearest->vote.matches),
                          nearest->vote.runner_up};

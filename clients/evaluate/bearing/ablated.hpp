@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "agents/control/spline.hpp"
 #include "agents/methods/bearing/bearing.hpp"
@@ -32,6 +34,7 @@ class Ablated {
                                             const std::optional<Relation>& guess) const {
     return whole_.relate(a, b, guess);
   }
+  static agents::Twist driven(const Content& content) { return agents::Bearing::driven(content); }
   std::optional<agents::Signature> sign(const Content& content) const { return whole_.sign(content); }
   Chart chart(const std::vector<agents::ChartPlace<Content>>& around) const { return whole_.chart(around); }
   Belief begin(const Chart& chart, const agents::Estimate& seed) const { return whole_.begin(chart, seed); }
@@ -39,35 +42,62 @@ class Ablated {
     return whole_.believed(chart, belief, estimate);
   }
 
-  /// Without vision: as the wheels say, and never in doubt.
   agents::Located<Belief> locate(const Chart& chart, Belief belief, const agents::Step& step,
                                  const Content& seen) const {
-    if (parts_ != Parts::profile_only) return whole_.locate(chart, std::move(belief), step, seen);
-    belief.centre_from_robot = std::get<AlongPath>(compose(belief.centre_from_robot, step.previous_from_current));
-    const auto* nearest = &chart.stops.front();
-    const auto apart = [&](const agents::Bearing::Stop& stop) {
-      return std::abs(stop.centre_from_place.distance_m - belief.centre_from_robot.distance_m);
-    };
-    for (const agents::Bearing::Stop& stop : chart.stops) {
-      if (apart(stop) < apart(*nearest)) nearest = &stop;
-    }
-    const Relation here = compose(inverse(Relation{nearest->centre_from_place}), belief.centre_from_robot);
-    return {belief, agents::Fix{nearest->place, here, {here}}, {}};
+    if (parts_ == Parts::vision_only) return whole_.locate(chart, std::move(belief), step, seen);
+    if (parts_ == Parts::profile_only) return as_the_wheels_say(chart, std::move(belief), step);
+    agents::Located<Belief> located = whole_.locate(chart, std::move(belief), step, seen);
+    if (located.fix) forget_how_far(chart, located);
+    return located;
   }
 
   agents::Steering steer(const agents::Ahead& ahead) const {
     const Result<agents::Spline> path = agents::Spline::through(ahead.robot_from_path);
     if (!path) return tl::unexpected(agents::Stop{"no_path"});
     constexpr double near_m = 1.0;
-    constexpr double heading_gain_1_s = 3.5;
+    // By vision alone as gently as a robot that looks ten times a second may; then it loses the way in sharp turns.
+    const double heading_gain_1_s = parts_ == Parts::vision_only ? 1.0 : 3.5;
     const agents::PathPoint here = path->at(path->nearest({0.0, 0.0}, 0.0, near_m));
-    const double speed_m_s = ahead.speed_limit_m_s;
-    const double turn_rad_s =
-        parts_ == Parts::profile_only ? speed_m_s * here.curvature_1_m : heading_gain_1_s * here.pose.heading;
-    return agents::Twist{speed_m_s, turn_rad_s};
+    constexpr double brakes_1_s = 1.0;
+    constexpr double creeps_m_s = 0.03;
+    constexpr double there_m = 0.004;
+    double speed_m_s = ahead.speed_limit_m_s;
+    if (ahead.end_is_goal) speed_m_s = std::min(speed_m_s, std::max(creeps_m_s, brakes_1_s * ahead.to_end_m));
+    if (ahead.to_end_m <= there_m) speed_m_s = 0.0;
+    const double taught_rad_s = parts_ == Parts::vision_only ? 0.0 : speed_m_s * here.curvature_1_m;
+    const double seen_rad_s = parts_ == Parts::profile_only ? 0.0 : heading_gain_1_s * here.pose.heading;
+    return agents::Twist{speed_m_s, taught_rad_s + seen_rad_s};
   }
 
  private:
+  static const agents::Bearing::Stop& stop_of(const Chart& chart, const PlaceId& place) {
+    return *std::find_if(chart.stops.begin(), chart.stops.end(),
+                         [&](const agents::Bearing::Stop& stop) { return stop.place == place; });
+  }
+
+  /// Without vision, and never in doubt.
+  static agents::Located<Belief> as_the_wheels_say(const Chart& chart, Belief belief, const agents::Step& step) {
+    belief.centre_from_robot = std::get<AlongPath>(compose(belief.centre_from_robot, step.previous_from_current));
+    const auto apart = [&](const agents::Bearing::Stop& stop) {
+      return std::abs(stop.centre_from_place.distance_m - belief.centre_from_robot.distance_m);
+    };
+    const auto nearest = std::min_element(chart.stops.begin(), chart.stops.end(),
+                                          [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+    const Relation here = compose(inverse(Relation{nearest->centre_from_place}), belief.centre_from_robot);
+    return {belief, agents::Fix{nearest->place, here, {here}}, {}};
+  }
+
+  /// The heading alone is seen; the distance stays the wheels'.
+  static void forget_how_far(const Chart& chart, agents::Located<Belief>& located) {
+    const AlongPath& centre_from_place = stop_of(chart, located.fix->place).centre_from_place;
+    const Relation by_wheels = compose(inverse(Relation{centre_from_place}), located.belief.centre_from_robot);
+    auto& told = std::get<AlongPath>(located.fix->place_from_robot);
+    constexpr double tells_nothing_m2 = 1e4;
+    told.distance_m = std::get<AlongPath>(by_wheels).distance_m;
+    told.distance_variance_m2 = tells_nothing_m2;
+    located.fix->evidence.a_from_b = told;
+  }
+
   agents::Bearing whole_;
   Parts parts_;
 };

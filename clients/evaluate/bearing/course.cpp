@@ -25,20 +25,22 @@ std::optional<Edge> closing_edge(const TaughtMap& map, const PlaceId& last) {
 }  // namespace
 
 Pose2 Course::site_from_path(std::size_t place, double beyond_m) const {
+  const std::size_t last = places.size() - 1;
+  // The end may have been found to lie a little beyond where it comes back to.
+  const auto hop_m = [&](std::size_t at) { return planar(relations[at]).x; };
   std::size_t at = place;
   double left_m = beyond_m;
   while (left_m < 0.0) {
-    at = at == closes_at ? places.size() - 1 : at - std::min<std::size_t>(at, 1);
-    left_m += distance_m(relations[at]);
+    at = at == closes_at ? last : at - 1;
+    left_m += hop_m(at);
   }
-  while (left_m > distance_m(relations[at])) {
-    left_m -= distance_m(relations[at]);
-    at = at + 1 == places.size() ? closes_at : at + 1;
+  while (left_m > std::max(0.0, hop_m(at))) {
+    left_m -= hop_m(at);
+    at = at == last ? closes_at : at + 1;
   }
   const Pose2& from = site_from_place[at];
-  const std::size_t next = at + 1 == places.size() ? closes_at : at + 1;
-  const double hop_m = std::max(distance_m(relations[at]), 1e-6);
-  return from * exp2(left_m / hop_m * log2(from.inverse() * site_from_place[next]));
+  const std::size_t next = at == last ? closes_at : at + 1;
+  return from * exp2(left_m / std::max(hop_m(at), 1e-6) * log2(from.inverse() * site_from_place[next]));
 }
 
 Route Course::loops(std::size_t count) const {
@@ -58,7 +60,7 @@ Route Course::loops(std::size_t count) const {
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
-  auto navigator = make_navigator((*body)->cameras().front(), Parts::both);
+  auto navigator = make_navigator((*body)->cameras().front(), Parts::all);
   if (!navigator) return fail(navigator.error());
   if (const Result<void> begun = (*body)->drive_by_hand(line); !begun) return fail(begun.error());
   (*navigator)->begin_teach({kExperience, kTeacher});
@@ -88,8 +90,10 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePo
   for (std::size_t i = 0; i + 1 < course.places.size(); ++i) {
     const Edge* const edge = course.map.view().window.edges.value({course.places[i], course.places[i + 1]});
     course.relations.push_back(edge->a_from_b);
+    course.along_m.push_back(course.length_m);
     course.length_m += distance_m(edge->a_from_b);
   }
+  course.along_m.push_back(course.length_m);
   course.relations.push_back(inverse(closing->a_from_b));
   course.closes_at = closing->id.a.index;
   return std::optional(std::move(course));

@@ -14,8 +14,9 @@
 
 namespace weft::evaluate::bearing {
 
-/// What of the method drives: its parts alone are the ablation of Krajnik et al. 2018, IV-A.
-enum class Parts : std::uint8_t { both, profile_only, vision_only };
+/// What of the method drives: all of it, what Krajnik et al. 2018 have of it (the distance is the wheels' alone), or
+/// one half of that, which is their ablation (IV-B).
+enum class Parts : std::uint8_t { all, heading_only, profile_only, vision_only };
 
 /// Makes what an agent of this method would drive with.
 Result<std::unique_ptr<agents::Navigator>> make_navigator(const agents::CameraModel& camera, Parts parts);
@@ -27,7 +28,8 @@ struct Course {
   std::vector<Pose2> site_from_place;  ///< truly
   std::vector<Relation> relations;     ///< of each place and the next; of the last and `closes_at`
   std::size_t closes_at = 0;           ///< where the end was found to come back to
-  double length_m = 0.0;
+  std::vector<double> along_m;         ///< of each place, from the first
+  double length_m = 0.0;               ///< from the first to the last
 
   /// Where the place's path truly is, so far beyond it.
   Pose2 site_from_path(std::size_t place, double beyond_m) const;
@@ -48,6 +50,7 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<agents
 /// The robot against where it believes to be on the path (Krajnik et al. 2018, fig. 1): metres ahead and left.
 struct Deviation {
   double driven_m = 0.0;  ///< truly
+  double along_m = 0.0;   ///< of the taught way, as it believes
   Pose2 site_from_robot;
   Pose2 path_from_robot;  ///< `path`: where it believes to be
 };
@@ -58,8 +61,15 @@ struct Repeated {
   std::string ended;                  ///< why it stands; empty: all loops were driven
 };
 
-/// The robot is put down beside the path's beginning, told that it stands there, and drives. None: stopped.
-Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Pose2& start_from_robot,
+/// Where a robot is put down.
+struct Start {
+  Pose2 place_from_robot;
+  std::size_t place = 0;
+  bool is_told = true;  ///< at which place it stands; else it finds out
+};
+
+/// The robot is put down beside the path and drives. None: stopped.
+Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Start& start,
                                        std::size_t loops, Parts parts);
 
 }  // namespace weft::evaluate::bearing

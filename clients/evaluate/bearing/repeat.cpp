@@ -42,8 +42,10 @@ class Repeating {
   std::optional<Deviation> deviation() const {
     const std::optional<Estimate> here = navigator_->estimate();
     if (!here) return std::nullopt;
-    const Pose2 site_from_path = course_.site_from_path(here->place.index, planar(here->place_from_robot).x);
-    return Deviation{driven_m_, body_->site_from_robot(), site_from_path.inverse() * body_->site_from_robot()};
+    const double beyond_m = planar(here->place_from_robot).x;
+    const Pose2 site_from_path = course_.site_from_path(here->place.index, beyond_m);
+    return Deviation{driven_m_, course_.along_m[here->place.index] + beyond_m, body_->site_from_robot(),
+                     site_from_path.inverse() * body_->site_from_robot()};
   }
 
  private:
@@ -93,19 +95,19 @@ Result<std::unique_ptr<Navigator>> make_navigator(const CameraModel& camera, Par
   Result<Bearing> method = Bearing::make({}, camera);
   if (!method) return fail(method.error());
   const NavigationConfig config;
-  if (parts == Parts::both) return agents::make_navigator(std::move(*method), config);
+  if (parts == Parts::all) return agents::make_navigator(std::move(*method), config);
   return agents::make_navigator(Ablated(std::move(*method), parts), config);
 }
 
-Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Pose2& start_from_robot,
+Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Start& start,
                                        std::size_t loops, Parts parts) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
   auto navigator = make_navigator((*body)->cameras().front(), parts);
   if (!navigator) return fail(navigator.error());
-  (*body)->put(course.site_from_place.front() * start_from_robot, {});
+  (*body)->put(course.site_from_place[start.place] * start.place_from_robot, {});
   Repeating robot(drive, course, std::move(*body), std::move(*navigator));
-  robot.navigator().seek(course.places.front());
+  robot.navigator().seek(start.is_told ? std::optional(course.places[start.place]) : std::nullopt);
   Repeated repeated;
   for (int i = 0; !robot.navigator().estimate(); ++i) {
     if (drive.asked_to_stop()) return std::optional<Repeated>();

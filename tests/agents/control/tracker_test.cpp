@@ -37,7 +37,7 @@ Driven drive(const std::vector<Pose2>& path, const Pose2& start, const test::Uni
     const auto first = robot_from_path.begin() + static_cast<std::ptrdiff_t>(passed);
     const auto last = robot_from_path.end() - first > 15 ? first + 15 : robot_from_path.end();
     const Spline spline = Spline::through({first, last}).value();
-    const Tracked tracked = tracker.track(config, spline, 0.6, speed, from_seconds(elapsed_s));
+    const Tracked tracked = tracker.track(config, spline, 0.6, {speed, true, from_seconds(elapsed_s)});
     driven.errors.push_back(tracked.error);
     driven.at_end = tracked.at_end && last == robot_from_path.end();
     standing = driven.at_end ? standing + 1 : 0;

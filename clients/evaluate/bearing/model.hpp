@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "clients/evaluate/bearing/course.hpp"
+
+namespace weft::evaluate::bearing {
+
+/// How far a robot that only corrects its heading is off after so much of the way.
+struct ErrorAt {
+  double along_m = 0.0;
+  double error_m = 0.0;
+};
+
+/// The model of Krajnik et al. 2018, II, as corrected, without disturbances, along the taught way:
+/// x' = omega y, y' = -omega x - (v / l) y, from `first` (x ahead, y left) on; l is where what is seen stands.
+std::vector<ErrorAt> modelled(const Course& course, const Eigen::Vector2d& first, double landmark_m);
+
+/// The first loop as it was driven.
+std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course);
+
+/// Most by which the driven loop lies outside the model, after its first metre (the robot turns towards the way).
+double band_of(const std::vector<ErrorAt>& driven, const std::vector<ErrorAt>& model);
+
+/// Median horizontal distance of what the robot's camera shows along the taught way.
+Result<double> landmark_distance_m(const agents::sim::Site& site, const Course& course);
+
+}  // namespace weft::evaluate::bearing

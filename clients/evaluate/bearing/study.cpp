@@ -1,0 +1,154 @@
+#include "clients/evaluate/bearing/study.hpp"
+
+#include <map>
+#include <utility>
+
+#include "clients/evaluate/bearing/bounds.hpp"
+#include "clients/evaluate/bearing/figures.hpp"
+#include "clients/evaluate/bearing/trials.hpp"
+#include "clients/evaluate/files.hpp"
+
+namespace weft::evaluate::bearing {
+namespace {
+
+using Scenes = std::map<std::string, Scene>;  // by line
+
+Result<std::vector<Trial>> chosen(const std::string& one) {
+  if (one.empty()) return trials();
+  std::string names;
+  for (const Trial& trial : trials()) {
+    if (trial.name == one) return std::vector{trial};
+    names += (names.empty() ? "" : ", ") + trial.name;
+  }
+  return fail(ErrorCode::invalid, "--trial: there is no '" + one + "'; there are " + names);
+}
+
+Result<Scenes> read_scenes(const std::filesystem::path& folder) {
+  Scenes scenes;
+  for (const Trial& trial : trials()) {
+    if (scenes.contains(trial.line)) continue;
+    Result<Scene> scene = read_scene(folder, trial.site, trial.line);
+    if (!scene) return fail(scene.error());
+    scenes.emplace(trial.line, std::move(*scene));
+  }
+  return scenes;
+}
+
+Study study_of(const Scenes& scenes) {
+  std::string all;
+  for (const auto& [name, scene] : scenes) all += name + " " + scene.sha256 + "\n";
+  return {WEFT_VERSION, sha256_of(all)};
+}
+
+Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day,
+               const std::function<void(agents::sim::Site&)>& change, const Surroundings& around) {
+  Drive drive;
+  drive.body.site = scene.site;
+  drive.body.site.change.from_day = 1;
+  drive.body.site.change.seed = seed;
+  change(drive.body.site);
+  drive.body.robot = scene.site.robots.front().name;
+  drive.body.seed = seed;
+  drive.body.day = day;
+  drive.asked_to_stop = around.asked_to_stop;
+  return drive;
+}
+
+struct Measured {
+  Score score;
+  Shown shown;
+};
+
+/// None: stopped.
+Result<std::optional<Measured>> measure(const Trial& trial, const Scene& scene, std::uint64_t seed,
+                                        const Surroundings& around) {
+  const Drive taught_in = drive_of(scene, seed, 0, trial.as_taught, around);
+  const Result<std::optional<Course>> course = teach(taught_in, scene.line);
+  if (!course) return fail(course.error());
+  if (!*course) return std::optional<Measured>();
+  const Drive repeated_in = drive_of(scene, seed, 1, trial.as_repeated, around);
+  const auto repeated = repeat(repeated_in, **course, {trial.start_from_robot}, trial.loops, trial.parts);
+  if (!repeated) return fail(repeated.error());
+  if (!*repeated) return std::optional<Measured>();
+  const Result<double> landmark_m = landmark_distance_m(taught_in.body.site, **course);
+  if (!landmark_m) return fail(landmark_m.error());
+  Measured measured;
+  Score& score = measured.score;
+  for (const Deviation& end : (*repeated)->after_loop)
+    score.after_loop_m.push_back(end.path_from_robot.translation().norm());
+  score.ended = (*repeated)->ended;
+  score.landmark_m = *landmark_m;
+  std::vector<ErrorAt> first_loop;
+  std::vector<ErrorAt> model;
+  if (!(*repeated)->along.empty()) {
+    score.metres = (*repeated)->along.back().driven_m;
+    first_loop = first_loop_of(**repeated, **course);
+    const bool steers_by_model = trial.parts == Parts::all || trial.parts == Parts::heading_only;
+    if (steers_by_model) {
+      model = modelled(**course, trial.start_from_robot.translation(), *landmark_m);
+      score.band_m = band_of(first_loop, model);
+    }
+    measured.shown = shown_of(**course, **repeated, first_loop, model);
+  }
+  return std::optional(std::move(measured));
+}
+
+std::filesystem::path series_of(const BearingOptions& options, const Study& study) {
+  return options.out / "series" /
+         (study.scenes_sha256.substr(0, 16) + "-seed-" + std::to_string(options.seeds.first));
+}
+
+Result<Ended> measure_all(const std::vector<Trial>& some, const Scenes& scenes, const BearingOptions& options,
+                          const Study& study, Rows& rows, const Surroundings& around) {
+  const std::size_t all = some.size() * (options.seeds.last - options.seeds.first + 1);
+  std::size_t kept = 0;
+  for (const Trial& trial : some) kept += errors_after(rows, options.seeds, trial.name, 1).size();
+  RowsMeasured progress(all, kept, around);
+  for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
+    for (const Trial& trial : some) {
+      if (rows.contains({trial.name, seed})) continue;
+      const auto measured = measure(trial, scenes.at(trial.line), seed, around);
+      if (!measured)
+        return fail(measured.error().code,
+                    trial.name + ", seed " + std::to_string(seed) + ": " + measured.error().message);
+      if (!*measured) return Ended::stopped;
+      if (seed == options.seeds.first) {
+        const Result<void> written = write_shown(series_of(options, study), trial.name, (*measured)->shown);
+        if (!written) return fail(written.error());
+      }
+      rows.insert_or_assign({trial.name, seed}, (*measured)->score);
+      progress.row(trial.name + ", seed " + std::to_string(seed));
+      if (const auto kept_row = write_rows(options.out, study, rows, options.seeds); !kept_row)
+        return fail(kept_row.error());
+    }
+  }
+  return Ended::complete;
+}
+
+}  // namespace
+
+Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& around) {
+  const Result<std::vector<Trial>> some = chosen(options.trial);
+  if (!some) return fail(some.error());
+  const Result<Scenes> scenes = read_scenes(options.scenes);
+  if (!scenes) return fail(scenes.error());
+  const Study study = study_of(*scenes);
+  if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
+  Result<Rows> rows = read_rows(options.out, study);
+  if (!rows) return fail(rows.error());
+  const Result<Ended> measured = measure_all(*some, *scenes, options, study, *rows, around);
+  if (!measured || *measured == Ended::stopped) return measured;
+  if (const Result<void> csv = write_csv(options.out, *rows); !csv) return fail(csv.error());
+  AllShown shown;
+  for (const Trial& trial : trials()) {
+    if (auto found = read_shown(series_of(options, study), trial.name)) shown.emplace(trial.name, std::move(*found));
+  }
+  const Result<std::vector<std::string>> drawn = draw_figures(shown, *rows, options.seeds, options.out);
+  if (!drawn) return fail(drawn.error());
+  around.out << tables_of(*rows, options.seeds) << std::flush;
+  around.progress << "weft-evaluate: bearing.csv, bearing.json and " << drawn->size() << " pictures are in "
+                  << options.out.string() << '\n';
+  return Ended::complete;
+}
+
+}  // namespace weft::evaluate::bearing

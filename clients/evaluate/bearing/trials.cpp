@@ -1,0 +1,110 @@
+#include "clients/evaluate/bearing/trials.hpp"
+
+#include "clients/evaluate/files.hpp"
+#include "clients/evaluate/line.hpp"
+
+namespace weft::evaluate::bearing {
+
+using agents::sim::Mover;
+using agents::sim::Site;
+
+namespace {
+
+const Pose2 kAMetreAside{0.0, -1.0, 0.0};
+const Pose2 kAside{0.0, -1.5, 0.0};
+
+void as_it_is(Site&) {}
+
+void true_wheels(Site& site) {
+  site.disturbances.wheel_scale_error = 0.0;
+  site.disturbances.wheel_asymmetry = 0.0;
+}
+
+/// By a tenth to an eighth longer or shorter than at teaching, by the seed, and one larger than the other.
+void bad_wheels(Site& site) {
+  site.disturbances.wheel_scale_error = 0.10;
+  site.disturbances.wheel_asymmetry = 0.05;
+}
+
+void no_encoders(Site& site) {
+  site.base.has_encoders = false;
+}
+
+/// Starlight, and a lamp on the robot.
+void dark(Site& site) {
+  site.ambient = 0.02;
+  site.lamps.clear();
+  site.forward_camera.headlight = 2.0;
+}
+
+void half_of_the_lamps(Site& site) {
+  const std::vector<agents::sim::Lamp> lamps = site.lamps;
+  dark(site);
+  for (std::size_t i = 0; i < lamps.size(); i += 2) site.lamps.push_back(lamps[i]);
+}
+
+void other_stock_and_people(Site& site) {
+  site.change.stock = 0.3;
+  const auto walks = [&](std::vector<agents::SitePoint> way, double speed_m_s, double begins_m) {
+    site.movers.push_back({Mover::Kind::person, std::move(way), speed_m_s, begins_m});
+  };
+  walks({{4.0, 2.6}, {26.0, 2.6}}, 1.0, 6.0);
+  walks({{26.0, 13.2}, {4.0, 13.2}}, 1.2, 3.0);
+  walks({{26.6, 4.0}, {26.6, 12.0}}, 0.8, 0.0);
+}
+
+}  // namespace
+
+Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site_name,
+                         const std::string& line_name) {
+  const std::filesystem::path site_file = folder / (site_name + ".toml");
+  const Result<std::string> site_text = read_text(site_file, "site file; deploy/sites/bearing has them");
+  if (!site_text) return fail(site_text.error());
+  Result<Site> site = agents::sim::parse_site(*site_text, site_file.string());
+  if (!site) return fail(site.error());
+  const std::filesystem::path line_file = folder / (line_name + ".line");
+  const Result<std::string> line_text = read_text(line_file, "line to drive along; deploy/sites/bearing has them");
+  if (!line_text) return fail(line_text.error());
+  auto line = parse_line(*line_text, line_file.string());
+  if (!line) return fail(line.error());
+  return Scene{std::move(*site), std::move(*line), sha256_of(*site_text + *line_text)};
+}
+
+const std::vector<Trial>& trials() {
+  static const std::vector<Trial> all = {
+      {"oval", "10 m oval, 1 m off", "oval", "oval", kAMetreAside, 20, Parts::all, as_it_is, as_it_is},
+      {"oval-as-published", "oval, 1 m off, distance by wheels alone", "oval", "oval", kAMetreAside, 20,
+       Parts::heading_only, as_it_is, as_it_is},
+      {"oval-profile-only", "oval, profile only", "oval", "oval", {}, 5, Parts::profile_only, as_it_is, as_it_is},
+      {"corners", "rectangle with sharp turns", "oval", "corners", {}, 2, Parts::all, as_it_is, as_it_is},
+      {"corners-vision-only",
+       "rectangle with sharp turns, vision only",
+       "oval",
+       "corners",
+       {},
+       2,
+       Parts::vision_only,
+       as_it_is,
+       as_it_is},
+      {"oval-bad-wheels", "oval, 1 m off, wheels off by 10 %, asymmetric by 5 %", "oval", "oval", kAMetreAside, 20,
+       Parts::all, true_wheels, bad_wheels},
+      {"oval-no-encoders", "oval, 1 m off, distance by command", "oval", "oval", kAMetreAside, 20, Parts::all,
+       no_encoders, no_encoders},
+      {"lemniscate", "17 m lemniscate, 1 m off", "lemniscate", "lemniscate", kAMetreAside, 19, Parts::all, as_it_is,
+       as_it_is},
+      {"lemniscate-bad-wheels", "lemniscate, 1 m off, wheels off by 10 %, asymmetric by 5 %", "lemniscate",
+       "lemniscate", kAMetreAside, 19, Parts::all, true_wheels, bad_wheels},
+      {"yard-day", "60 m, 1.5 m off, by day", "yard", "yard", kAside, 7, Parts::all, as_it_is, as_it_is},
+      {"yard-dark", "60 m, 1.5 m off, in the dark with a headlight", "yard", "yard", kAside, 7, Parts::all, dark,
+       dark},
+      {"yard-half", "60 m, 1.5 m off, half of the lamps back on", "yard", "yard", kAside, 7, Parts::all,
+       half_of_the_lamps, half_of_the_lamps},
+      {"yard-bad-wheels", "60 m, 1.5 m off, wheels off by 10 %, asymmetric by 5 %", "yard", "yard", kAside, 7,
+       Parts::all, true_wheels, bad_wheels},
+      {"yard-changed", "60 m, 1.5 m off, 30 % of the stock changed, 3 people", "yard", "yard", kAside, 7, Parts::all,
+       as_it_is, other_stock_and_people},
+  };
+  return all;
+}
+
+}  // namespace weft::evaluate::bearing
