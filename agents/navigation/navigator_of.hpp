@@ -84,7 +84,8 @@ class NavigatorOf final : public Navigator {
   std::vector<Kept> end_teach(const MapView& map) override {
     Navigated last;
     if (!teacher_) return {};
-    if (latest_ && latest_->view && teacher_->worth_an_end()) {
+    // A run that knows no poses ends with a place in any case: only there it shows what it has come back to.
+    if (latest_ && latest_->view && (teacher_->worth_an_end() || (ChartsItself<M> && teacher_->has_moved()))) {
       keep(map, last);
       if (!last.kept.empty()) come_back(map, last.kept.back());
     }

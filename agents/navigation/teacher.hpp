@@ -19,6 +19,8 @@ class Teacher {
   void ask() { asked_ = true; }
   /// The run ends here: is this far enough from the last place to be one of its own?
   bool worth_an_end() const;
+  /// Since the last place, at all.
+  bool has_moved() const { return since_.has_value(); }
 
   /// Keeps a place here: its odometry edge is blind if any step since the last place was.
   Kept keep(Bytes content, std::uint64_t frame, SensorTime time);

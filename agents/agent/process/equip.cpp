@@ -43,6 +43,7 @@ Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::functi
   config.seed = options.seed;
   config.day = options.day;
   config.floors_dir = options.floors;
+  config.hall_dir = options.hall;
   config.truth_path = options.truth;
   config.warn = warn;
   return sim::make_sim_body(config);

@@ -37,6 +37,7 @@ constexpr std::array kFlags = {
     Flag{"seed", Kind::number, "sim: of everything random [1]"},
     Flag{"day", Kind::number, "sim: another calibration, light and noise each day [0]"},
     Flag{"floors", Kind::text, "sim: folder of photographs to make the floor of"},
+    Flag{"hall", Kind::text, "sim: folder of photographs of what stands in the hall, for cameras that look ahead"},
     Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended"},
     Flag{"recording", Kind::text, "replay: folder in EuRoC layout"},
     Flag{"camera", Kind::text, "Which camera of a recording, or of a --calibration that has several [cam0]"},
@@ -145,6 +146,7 @@ Options read(const Sources& from) {
   options.seed = from.integer<std::uint64_t>("seed", 1, 0, kMost);
   options.day = from.integer<std::uint64_t>("day", 0, 0, kMost);
   options.floors = from.maybe("floors");
+  options.hall = from.maybe("hall");
   options.truth = from.maybe("truth");
   options.recording = from.text("recording", "");
   options.camera = from.text("camera", "cam0");

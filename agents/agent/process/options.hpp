@@ -30,6 +30,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint64_t day = 0;
   std::optional<std::string> floors;
+  std::optional<std::string> hall;
   std::optional<std::string> truth;
   std::string recording;
   std::string camera;                      ///< of the recording, and of a camera file that has several

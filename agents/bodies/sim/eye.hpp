@@ -4,6 +4,7 @@
 #include <string>
 
 #include "agents/bodies/sim/floor/source.hpp"
+#include "agents/bodies/sim/hall/textures.hpp"
 #include "agents/bodies/sim/site.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "agents/perception/view.hpp"
@@ -44,6 +45,7 @@ struct EyeOwner {
 std::unique_ptr<Eye> make_floor_eye(const Site& site, const EyeOwner& owner, std::shared_ptr<const FloorSource> floor,
                                     Random light);
 std::unique_ptr<Eye> make_forward_eye(const Site& site, const EyeOwner& owner,
-                                      const std::shared_ptr<const FloorSource>& floor, Random light);
+                                      const std::shared_ptr<const FloorSource>& floor,
+                                      const Photographed& photographed, Random light);
 
 }  // namespace weft::agents::sim

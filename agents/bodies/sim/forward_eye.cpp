@@ -32,14 +32,14 @@ CameraModel true_camera(CameraModel camera, const Site& site, const EyeOwner& ow
 
 class ForwardEye final : public Eye {
  public:
-  ForwardEye(const Site& site, const EyeOwner& owner, const FloorSource& floor, Random light)
-      : disturbances_(site.disturbances),
-        site_(site),
+  ForwardEye(const Site& site, const EyeOwner& owner, const FloorSource& floor, const Photographed& photographed,
+             Random light)
+      : site_(site),
         given_(given_camera(site.forward_camera, owner)),
         true_(true_camera(given_, site, owner)),
         exposure_(site.forward_camera, site.disturbances.exposure_s),
         camera_(true_, {site.disturbances.vignetting, site.forward_camera.headlight},
-                std::make_shared<const Hall>(site, floor), site.movers, HallLight(site, light)) {}
+                std::make_shared<const Hall>(site, floor, photographed), site.movers, HallLight(site, light)) {}
 
   std::string name() const override { return "forward"; }
   const CameraModel& given() const override { return given_; }
@@ -52,7 +52,7 @@ class ForwardEye final : public Eye {
           moment.site_from_camera(true_.robot_from_camera, kSampleTime[k] * exposure_.exposure_s());
     shot.time_s = moment.time_s;
     shot.gain = exposure_.gain() * moment.brightness;
-    shot.noise_grey = disturbances_.noise_grey * std::sqrt(exposure_.amplified());
+    shot.noise_grey = site_.disturbances.noise_grey * std::sqrt(exposure_.amplified());
     shot.noise_seed = moment.noise_seed;
     HallImage taken = camera_.take(shot);
     exposure_.taken(taken.mean_light * moment.brightness);
@@ -60,7 +60,6 @@ class ForwardEye final : public Eye {
   }
 
  private:
-  Disturbances disturbances_;
   Site site_;
   CameraModel given_;
   CameraModel true_;
@@ -71,8 +70,9 @@ class ForwardEye final : public Eye {
 }  // namespace
 
 std::unique_ptr<Eye> make_forward_eye(const Site& site, const EyeOwner& owner,
-                                      const std::shared_ptr<const FloorSource>& floor, Random light) {
-  return std::make_unique<ForwardEye>(site, owner, *floor, light);
+                                      const std::shared_ptr<const FloorSource>& floor,
+                                      const Photographed& photographed, Random light) {
+  return std::make_unique<ForwardEye>(site, owner, *floor, photographed, light);
 }
 
 }  // namespace weft::agents::sim

@@ -6,6 +6,7 @@
 #include "agents/bodies/sim/base.hpp"
 #include "agents/bodies/sim/eye.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
+#include "agents/bodies/sim/hall/hall_photographs.hpp"
 #include "agents/bodies/sim/hand.hpp"
 #include "agents/bodies/sim/truth.hpp"
 #include "agents/bodies/sim/wave.hpp"
@@ -41,7 +42,7 @@ Shake shake_from(const Disturbances& d, Random random) {
 class SimBody final : public SimulatedBody {
  public:
   SimBody(const SimBodyConfig& config, const RobotStart& start, const std::shared_ptr<const FloorSource>& floor,
-          std::optional<TruthFile> truth);
+          const Photographed& hall, std::optional<TruthFile> truth);
 
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
@@ -79,7 +80,8 @@ class SimBody final : public SimulatedBody {
 };
 
 SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
-                 const std::shared_ptr<const FloorSource>& floor, std::optional<TruthFile> truth)
+                 const std::shared_ptr<const FloorSource>& floor, const Photographed& hall,
+                 std::optional<TruthFile> truth)
     : site_(config.site),
       seed_(seed_of(config.seed, start)),
       day_(config.day),
@@ -93,7 +95,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       truth_(std::move(truth)) {
   const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
   eye_ = start.camera == RobotStart::Camera::floor ? make_floor_eye(site_, owner, floor, light_now())
-                                                   : make_forward_eye(site_, owner, floor, light_now());
+                                                   : make_forward_eye(site_, owner, floor, hall, light_now());
 }
 
 Random SimBody::light_now() const {
@@ -233,6 +235,14 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
   if (!floor) {
     return fail(floor.error());
   }
+  Photographed hall;
+  if (config.hall_dir) {
+    auto photographed = read_hall_photographs(*config.hall_dir);
+    if (!photographed) {
+      return fail(photographed.error());
+    }
+    hall = std::move(*photographed);
+  }
   std::optional<TruthFile> truth;
   if (config.truth_path) {
     auto opened = TruthFile::open(*config.truth_path);
@@ -241,7 +251,7 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
     }
     truth = std::move(*opened);
   }
-  return std::unique_ptr<SimulatedBody>(std::make_unique<SimBody>(now, *start, *floor, std::move(truth)));
+  return std::unique_ptr<SimulatedBody>(std::make_unique<SimBody>(now, *start, *floor, hall, std::move(truth)));
 }
 
 }  // namespace weft::agents::sim

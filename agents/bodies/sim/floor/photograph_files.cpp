@@ -92,43 +92,6 @@ bool is_picture(const fs::path& path) {
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-Result<std::vector<fs::path>> pictures_in(const std::string& folder) {
-  std::error_code error;
-  std::vector<fs::path> pictures;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (is_picture(entry.path())) {
-      pictures.push_back(entry.path());
-    }
-  }
-  if (error) {
-    return fail(ErrorCode::not_found, "floors folder " + folder + ": " + error.message());
-  }
-  if (pictures.empty()) {
-    return fail(ErrorCode::not_found, "floors folder " + folder + ": no .png or .jpg in it");
-  }
-  std::sort(pictures.begin(), pictures.end());
-  return pictures;
-}
-
-/// As a grey camera sees it under light of that colour. Empty: no picture.
-cv::Mat read_grey(const fs::path& path, double light_warmth) {
-  try {
-    if (light_warmth == 0.0) return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-    const cv::Mat colours = cv::imread(path.string(), cv::IMREAD_COLOR);
-    if (colours.empty()) return {};
-    // The weights of ITU-R BT.601, as IMREAD_GRAYSCALE has them, under light that is more red or more blue.
-    const double blue = 0.114 * (1.0 - light_warmth);
-    const double green = 0.587;
-    const double red = 0.299 * (1.0 + light_warmth);
-    const double sum = blue + green + red;
-    cv::Mat grey;
-    cv::transform(colours, grey, cv::Matx13d(blue / sum, green / sum, red / sum));
-    return grey;
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
 Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel, double light_warmth) {
   const cv::Mat grey = read_grey(path, light_warmth);
   if (grey.empty()) {
@@ -148,10 +111,46 @@ Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel, do
 
 }  // namespace
 
+Result<std::vector<fs::path>> pictures_in(const std::string& folder, const std::string& what) {
+  std::error_code error;
+  std::vector<fs::path> pictures;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (is_picture(entry.path())) {
+      pictures.push_back(entry.path());
+    }
+  }
+  if (error) {
+    return fail(ErrorCode::not_found, what + folder + ": " + error.message());
+  }
+  if (pictures.empty()) {
+    return fail(ErrorCode::not_found, what + folder + ": no .png or .jpg in it");
+  }
+  std::sort(pictures.begin(), pictures.end());
+  return pictures;
+}
+
+cv::Mat read_grey(const fs::path& path, double light_warmth) {
+  try {
+    if (light_warmth == 0.0) return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+    const cv::Mat colours = cv::imread(path.string(), cv::IMREAD_COLOR);
+    if (colours.empty()) return {};
+    // The weights of ITU-R BT.601, as IMREAD_GRAYSCALE has them, under light that is more red or more blue.
+    const double blue = 0.114 * (1.0 - light_warmth);
+    const double green = 0.587;
+    const double red = 0.299 * (1.0 + light_warmth);
+    const double sum = blue + green + red;
+    cv::Mat grey;
+    cv::transform(colours, grey, cv::Matx13d(blue / sum, green / sum, red / sum));
+    return grey;
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
                                                  double light_warmth,
                                                  const std::function<void(const std::string&)>& warn) {
-  auto pictures = pictures_in(folder);
+  auto pictures = pictures_in(folder, "floors folder ");
   if (!pictures) {
     return fail(pictures.error());
   }

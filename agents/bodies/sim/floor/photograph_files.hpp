@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -19,5 +20,10 @@ struct Photograph {
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
                                                  double light_warmth,
                                                  const std::function<void(const std::string&)>& warn);
+
+/// Sorted. not_found: the folder, as `what` calls it, or there is none in it.
+Result<std::vector<std::filesystem::path>> pictures_in(const std::string& folder, const std::string& what);
+/// As a grey camera sees it under light of that colour. Empty: damaged, or no picture.
+cv::Mat read_grey(const std::filesystem::path& path, double light_warmth);
 
 }  // namespace weft::agents::sim

@@ -4,7 +4,7 @@
 
 namespace weft::agents::sim {
 
-Hall::Hall(const Site& site, const FloorSource& floor)
-    : quads_(interior_of(site)), scene_(quads_), textures_(floor, site.floor.seed) {}
+Hall::Hall(const Site& site, const FloorSource& floor, const Photographed& photographed)
+    : quads_(interior_of(site)), scene_(quads_), textures_(floor, site.floor.seed, photographed) {}
 
 }  // namespace weft::agents::sim

@@ -13,7 +13,7 @@ namespace weft::agents::sim {
 /// A hall as cameras that look around see it; shared by all of them, one thread each.
 class Hall {
  public:
-  Hall(const Site& site, const FloorSource& floor);
+  Hall(const Site& site, const FloorSource& floor, const Photographed& photographed);
 
   const std::vector<Quad>& quads() const { return quads_; }
   const QuadScene& scene() const { return scene_; }

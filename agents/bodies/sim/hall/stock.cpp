@@ -53,6 +53,8 @@ void add_load(Rack& rack, const Box& box, const Slot& slot, Random random) {
   if (random.chance(0.12)) return;
   const double set_back = random.uniform(0.0, 0.12);
   const double depth = box.width_m - 0.1 - set_back;
+  constexpr double least_m = 0.1;  // a rack for pipes and boards holds nothing else
+  if (depth < least_m || slot.width_m < least_m) return;
   const double y = (random.chance(0.5) ? 0.5 : -0.5) * set_back;
   rack.add(slot.x, y, slot.z, slot.width_m, depth, kPalletM, look(Stuff::pallet, random.uniform(80.0, 120.0)));
   const double height = std::min(slot.height_m - kPalletM - 0.08, random.uniform(0.35, 1.3));

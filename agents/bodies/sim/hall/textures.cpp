@@ -36,10 +36,13 @@ Texture::Texture(int side, std::vector<std::uint8_t> texels) : top_(std::countr_
   }
 }
 
-Textures::Textures(const FloorSource& floor, std::uint64_t seed) {
+Textures::Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed) {
   for (std::size_t i = 0; i < kStuffs; ++i) {
     const auto stuff = static_cast<Stuff>(i);
-    if (stuff == Stuff::load) {
+    const auto given = photographed.find(stuff);
+    if (given != photographed.end()) {
+      of_[i] = given->second;
+    } else if (stuff == Stuff::load) {
       of_[i] = draw_loads(seed);
     } else if (stuff == Stuff::sign) {
       of_[i] = draw_signs(seed);

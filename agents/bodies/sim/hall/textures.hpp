@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <map>
 #include <vector>
 
 #include "agents/bodies/sim/floor/source.hpp"
@@ -81,22 +81,20 @@ struct Sampler {
   }
 };
 
+/// Textures of a stuff in place of those that are drawn; none is empty.
+using Photographed = std::map<Stuff, std::vector<Texture>>;
+
 /// What each stuff looks like. A texture of cloth, concrete or the like has its size in metres and goes on from quad
 /// to quad; the picture of a load or a sign fills its quad.
 class Textures {
  public:
   static constexpr double kTexelM = 0.005;
 
-  /// Procedural; `floor` is what the site's floor cameras see, too.
-  Textures(const FloorSource& floor, std::uint64_t seed);
+  /// Procedural but for what was photographed; `floor` is what the site's floor cameras see, too.
+  Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed);
 
-  /// Valid as long as this is, and until textures are replaced.
+  /// Valid as long as this is.
   Sampler of(const Quad& quad) const;
-
-  /// Photographs in place of what is drawn: `fitted`: each fills its quad; else 5 mm a texel.
-  void replace(Stuff stuff, std::vector<Texture> textures) {
-    of_[static_cast<std::size_t>(stuff)] = std::move(textures);
-  }
 
  private:
   std::array<std::vector<Texture>, kStuffs> of_;

@@ -112,7 +112,8 @@ TEST(HallCamera, DrawsThingsWhereTheCameraModelPutsThem) {
     }
     double gloss() const override { return 0.0; }
   };
-  HallCamera eye(camera, {}, std::make_shared<const Hall>(site, Grey()), {}, HallLight(site, Random(1)));
+  HallCamera eye(camera, {}, std::make_shared<const Hall>(site, Grey(), Photographed{}), {},
+                 HallLight(site, Random(1)));
   HallShot shot;
   const Pose3 site_from_camera = lift(Pose2{4.0, 6.0, 0.0}) * camera.robot_from_camera;
   shot.site_from_camera.fill(site_from_camera);

@@ -51,6 +51,15 @@ TEST(Stock, AsMuchChangesAsIsSaid) {
   EXPECT_NEAR(share, 0.7, 0.12);
 }
 
+TEST(Stock, ARackThatIsTooNarrowHoldsNothing) {
+  Box narrow = rack();
+  narrow.width_m = 0.12;
+  std::vector<Quad> quads;
+  add_rack(narrow, empty_site(), quads);
+  EXPECT_TRUE(loads_of(quads).empty());
+  EXPECT_FALSE(quads.empty()) << "its uprights stand there";
+}
+
 TEST(Stock, StandsWithinItsRack) {
   for (const Quad& quad : stocked(empty_site())) {
     for (const auto& [u, v] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}}) {
