@@ -22,8 +22,9 @@ void look(const sim::QuadScene& scene, const CameraModel& camera, const Pose3& s
     sim::RayPacket rays;
     for (std::size_t i = 0; i < sim::kRays; ++i) {
       const auto at = static_cast<int>(i);
+      const int below = at / kColumns;
       const double u = (at % kColumns + 0.5) * camera.width / kColumns;
-      const double v = (row + at / kColumns + 0.5) * camera.height / kRows;
+      const double v = (row + below + 0.5) * camera.height / kRows;
       const Eigen::Vector3f way =
           turn * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0).cast<float>();
       rays.x[i] = way.x();

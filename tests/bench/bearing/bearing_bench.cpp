@@ -17,6 +17,7 @@ using namespace weft;
 using namespace weft::agents;
 
 constexpr int kPlaces = 21;  // 0.2 m apart, the chart's centre in the middle
+constexpr int kMiddle = kPlaces / 2;
 constexpr double kFirstM = 5.0;
 
 /// An aisle that was taught, and views of a robot that drives through it 3 cm aside.
@@ -35,7 +36,7 @@ const Aisle& aisle() {
     Aisle aisle;
     std::vector<ChartPlace<BearingContent>> around;
     for (int i = 0; i < kPlaces; ++i) {
-      const double ahead_m = 0.2 * (i - kPlaces / 2);
+      const double ahead_m = 0.2 * (i - kMiddle);
       aisle.taught.push_back(aisle.lookout.from({kFirstM + 0.2 * i, 6.0, 0.0}));
       aisle.contents.push_back(*aisle.method.extract({}, aisle.taught.back()));
       PlaceId id;
@@ -54,7 +55,7 @@ const Aisle& aisle() {
 
 /// Where the view was taken, along the chart.
 double seen_at_m(std::size_t i) {
-  return 0.2 * (static_cast<double>(i) - kPlaces / 2) + 0.07;
+  return 0.2 * (static_cast<double>(i) - kMiddle) + 0.07;
 }
 
 void whole_step(benchmark::State& state) {
@@ -72,7 +73,7 @@ void whole_step(benchmark::State& state) {
         a.method.locate(a.chart, {AlongPath{seen_at_m(at) + 0.03, 0.01}}, Step{AlongPath{}, true, {}}, *content);
     if (!located.fix) continue;
     ++fixes;
-    const double told_m = 0.2 * (static_cast<double>(located.fix->place.index) - kPlaces / 2) +
+    const double told_m = 0.2 * (static_cast<double>(located.fix->place.index) - kMiddle) +
                           std::get<AlongPath>(located.fix->place_from_robot).distance_m;
     squares += (told_m - seen_at_m(at)) * (told_m - seen_at_m(at));
   }
