@@ -36,13 +36,16 @@ class Charted<M> {
     if (belief_) belief_ = method_->believed(*chart_, *belief_, estimate);
   }
 
-  void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate) {
+  /// `without`: places of that experience are left out.
+  void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate,
+               const std::optional<ExperienceId>& without = std::nullopt) {
     const Made now{estimate.place, map.revision, map.places.size(), map.edges.size()};
     if (belief_ && made_of_.same_map(now) && inside_.contains(estimate.place)) return;
     made_of_ = now;
     inside_.clear();
     std::vector<ChartPlace<Content>> around;
     for (const Reached& reached : breadth_first(map, estimate.place, chart_hops, chart_places)) {
+      if (reached.id.experience == without) continue;
       const auto content = decoded.find(*map.place(reached.id), bytes);
       around.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
       if (reached.depth <= chart_hops / 2) inside_.insert(reached.id);

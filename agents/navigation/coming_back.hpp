@@ -4,8 +4,7 @@
 
 #include "agents/navigation/agreement.hpp"
 #include "agents/navigation/belief.hpp"
-#include "agents/navigation/charted.hpp"
-#include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/localised_around.hpp"
 #include "agents/navigation/teacher.hpp"
 
 namespace weft::agents {
@@ -61,19 +60,8 @@ class ComingBack {
     return likeliest;
   }
 
-  /// What looks most alike may stand a place or two further on: then it is looked at from there.
-  OrRefusal<Fix> localised(Estimate at, const Content& content) {
-    constexpr int most_looks = 3;
-    Charted<M> charted(method_);
-    for (int look = 0;; ++look) {
-      charted.forget();
-      charted.prepare(map_, bytes_, decoded_, at);
-      const auto located = charted.locate(content);
-      if (!located.fix)
-        return tl::unexpected(located.refusals.empty() ? Refusal{"nothing_near"} : located.refusals.front());
-      if (located.fix->place == at.place || look == most_looks) return *located.fix;
-      at = {located.fix->place, located.fix->place_from_robot, 0.0};
-    }
+  OrRefusal<Fix> localised(const Estimate& at, const Content& content) {
+    return localised_around(method_, map_, bytes_, decoded_, at, content);
   }
 
   const M& method_;

@@ -10,6 +10,7 @@
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/localised_around.hpp"
 #include "agents/navigation/route_ahead.hpp"
 #include "agents/navigation/teacher.hpp"
 
@@ -39,7 +40,12 @@ class Stitcher {
     if (!config_.stitch.enabled) return found;
     std::set<ExperienceId> joined;
     std::uint32_t tries = config_.stitch.tries;
-    for (const Candidate& candidate : worth_comparing(map, teacher, kept.id)) {
+    const std::vector<Candidate> near = worth_comparing(map, teacher, kept.id);
+    if constexpr (ChartsItself<M>) {
+      if (!near.empty() && std::holds_alternative<AlongPath>(near.front().place_from_robot))
+        return located(map, bytes, decoded, near.front(), kept.id, content);
+    }
+    for (const Candidate& candidate : near) {
       if (tries == 0 || found.edges.size() >= config_.stitch.most_a_place) break;
       if (joined.contains(candidate.place.experience)) continue;
       const auto other = decoded.find(*map.place(candidate.place), bytes);
@@ -96,6 +102,32 @@ class Stitcher {
       return candidate.cost > stitch.reach_m + sigmas * spread_of(candidate.place_from_robot).metres;
     });
     return near;
+  }
+
+  /// Two contents alone do not say how far apart along a path they are: the method does, in a chart of that path.
+  Found located(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Candidate& candidate,
+                const PlaceId& kept, const Content& content) requires ChartsItself<M> {
+    Found found;
+    const OrRefusal<Fix> fix = localised_around(
+        *method_, map, bytes, decoded, {candidate.place, candidate.place_from_robot, 0.0}, content, kept.experience);
+    if (!fix) {
+      found.refusals.push_back(fix.error());
+      return found;
+    }
+    const auto there_from_place = between(config_.belief, map, candidate.place, fix->place, config_.locate.most_hops);
+    const Spread spread = spread_of(candidate.place_from_robot);
+    const std::optional<Refusal> refusal =
+        there_from_place
+            ? agreement(candidate.place_from_robot, compose(*there_from_place, fix->place_from_robot),
+                        config_.stitch.agree_m + 2.0 * spread.metres, config_.stitch.agree_rad + 2.0 * spread.radians)
+            : Refusal{"fix_not_joined"};
+    if (refusal) {
+      found.refusals.push_back(*refusal);
+      return found;
+    }
+    found.edges.push_back(edge(fix->place, kept, fix->evidence));
+    found.fix = fix.value();
+    return found;
   }
 
   OrRefusal<Related> verified(const Window& map, const Content& other, const Content& content,

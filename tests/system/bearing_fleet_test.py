@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""One uncalibrated camera that looks ahead, through the whole service: a robot is taught a loop over DDS, a spot of it is
+labelled, the robot is sent there, and the simulation's truth says where it came to stand. Each program of another DDS
+vendor; nobody but this test knows the truth."""
+import json
+import math
+import pathlib
+import tempfile
+import time
+
+from command import BIN, ROOT, Case, Running, main
+
+SCENES = ROOT / 'deploy/sites/bearing'
+DOMAIN = 152  # of this test alone
+
+
+class BearingFleet(Case):
+    def weft(self, *words, seconds=90):
+        ended, said, wrong = self.run_command(BIN / 'weft', '--domain', DOMAIN, '--dds', 'fastdds', *words,
+                                              seconds=seconds)
+        self.assertEqual(ended, 0, f'{words}: {said}{wrong}')
+        return said
+
+    def poll(self, asked, seconds, *words):
+        """Asks until the answer has what is asked for; the answer."""
+        end = time.monotonic() + seconds
+        while True:
+            said = self.weft(*words)
+            if asked in said:
+                return said
+            self.assertLess(time.monotonic(), end, f'no "{asked}" in {seconds} s; at last:\n{said}')
+            time.sleep(0.2)
+
+    def pose(self, truth):
+        last = json.loads(truth.read_text().splitlines()[-1])
+        return last['x'], last['y'], last['heading']
+
+    def test_taught_labelled_sent(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            truth = folder / 'truth.jsonl'
+            server = [BIN / 'weft-server', '--store', folder / 'map', '--domain', DOMAIN, '--dds', 'fastdds']
+            agent = [BIN / 'weft-agent', '--name', 'r1', '--state', folder / 'r1', '--site', SCENES / 'oval.toml',
+                     '--method', 'bearing', '--domain', DOMAIN, '--dds', 'cyclonedds', '--truth', truth, '--pace', '2']
+            with Running(folder / 'server.log', *server), Running(folder / 'agent.log', *agent) as robot:
+                self.assertTrue(robot.says('server: epoch', 60), robot.text())
+                self.weft('teach', 'r1', 'start', '--as', 'oval', '--along', SCENES / 'oval.line')
+                self.poll(':12 ', 60, 'robots')  # some way on
+                self.weft('map', 'label', 'here', '--robot', 'r1', 'shelf')
+                shelf = self.pose(truth)
+                self.poll('hand_done', 120, 'robots')
+                self.weft('teach', 'r1', 'stop')
+                info = self.weft('map', 'info')
+                self.assertRegex(info, r'stitches +1\b', 'the loop is closed')
+                self.weft('goal', 'send', '--to', 'shelf', '--robot', 'r1')
+                self.poll('succeeded', 120, 'goal', 'list')
+                x, y, heading = self.pose(truth)
+                # The robot was rolling when the place was kept: up to a spacing on.
+                self.assertLess(math.hypot(x - shelf[0], y - shelf[1]), 0.3)
+                turned = math.remainder(heading - shelf[2], 2 * math.pi)
+                self.assertLess(abs(turned), 0.3)
+                self.assertEqual(robot.stop(), 0)
+
+
+if __name__ == '__main__':
+    main()
