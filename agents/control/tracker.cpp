@@ -62,7 +62,7 @@ Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_pat
                                      robot_from_path.at(soon_at - half_m).pose.heading);
   if (!moving.knows_aside) {
     constexpr double most_rad_s = 0.15;
-    const double more = -config.steering.heading_integral_1_s2 * error.heading_rad * seconds(moving.elapsed);
+    const double more = -config.steering.heading_integral_1_s2 * tracked.error.heading_rad * seconds(moving.elapsed);
     turning_rad_s_ = std::clamp(turning_rad_s_ + more, -most_rad_s, most_rad_s);
   }
   const double angular = std::clamp(

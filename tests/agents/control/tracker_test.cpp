@@ -142,5 +142,31 @@ TEST(Tracker, ABadBoundIsNamed) {
   EXPECT_NE(issues[0].message.find("lag_s"), std::string::npos);
 }
 
+/// A robot that is only known to be turned, on a way whose bends were told wrong by so many radians a metre: the path
+/// is laid out through it. How it is turned in the end.
+double turned_at_last(bool knows_aside, double told_wrong_rad_m) {
+  const TrackerConfig config;
+  Tracker tracker;
+  double turned_rad = 0.1;
+  double speed_m_s = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    std::vector<Pose2> path;
+    for (int k = -2; k < 15; ++k)
+      path.push_back(Pose2{0.0, 0.0, -turned_rad} * exp2({0.2 * k, 0.0, told_wrong_rad_m * 0.2 * k}));
+    const Tracked tracked =
+        tracker.track(config, Spline::through(path).value(), 0.5, {speed_m_s, knows_aside, from_seconds(elapsed_s)});
+    speed_m_s = tracked.command.linear_m_s;
+    // The way is straight in truth.
+    turned_rad += tracked.command.angular_rad_s * elapsed_s;
+  }
+  return turned_rad;
+}
+
+TEST(Tracker, WhereNobodyKnowsHowFarAsideWhatBendsGetWrongIsMadeUpFor) {
+  EXPECT_GT(std::abs(turned_at_last(true, 0.05)), 0.004) << "the gain alone leaves a part of it";
+  EXPECT_NEAR(turned_at_last(false, 0.05), 0.0, 0.001);
+  EXPECT_NEAR(turned_at_last(false, -0.05), 0.0, 0.001);
+}
+
 }  // namespace
 }  // namespace weft::agents
