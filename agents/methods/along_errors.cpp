@@ -27,7 +27,8 @@ void AlongErrors::Error::learn(double off, double known, double measured, double
   constexpr double never_surer = 0.01;  // wheels wear and floors differ
   const double spread = known + measured + least_variance;
   const double sigma = std::sqrt(variance);
-  value += sigma * part / spread * off;
+  constexpr double most = 5.0;  // sigmas: fixes of the wrong place may not make wheels what none are
+  value = std::clamp(value + sigma * part / spread * off, -most, most);
   variance = std::max(never_surer, variance * (1.0 - std::min(1.0, part * part / spread)));
   part *= (1.0 - known / spread) * sigma / std::sqrt(variance);
 }

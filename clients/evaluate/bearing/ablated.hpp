@@ -9,8 +9,9 @@
 
 namespace weft::evaluate::bearing {
 
-/// `bearing` with one of its two parts taken away (Krajnik et al. 2018, IV-A): the profile is replayed without
-/// looking, or the robot steers by what it sees alone and knows no bends.
+/// `bearing` with parts taken away, steered as Krajnik et al. 2018 do: turning as taught, and against the heading
+/// seen. The distance stays the wheels'; or (IV-B) the profile is replayed without looking, or the robot steers by
+/// what it sees alone and knows no bends.
 class Ablated {
  public:
   static constexpr std::string_view name = agents::Bearing::name;

@@ -9,14 +9,6 @@
 namespace weft::evaluate::bearing {
 namespace {
 
-/// NaN, which stands for not having come so far, is the largest.
-double median_of(std::vector<double> values) {
-  if (values.empty()) return Score::kNothing;
-  std::sort(values.begin(), values.end(), [](double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; });
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 double worst_of(const std::vector<double>& values) {
   double worst = values.empty() ? Score::kNothing : 0.0;
   for (const double value : values) worst = std::isnan(value) ? value : std::max(worst, value);
@@ -46,6 +38,13 @@ std::string how_it_ended(const Rows& rows, Seeds seeds, const Trial& trial) {
 }
 
 }  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return Score::kNothing;
+  std::sort(values.begin(), values.end(), [](double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; });
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
 
 const std::vector<Bound>& bounds() {
   static const std::vector<Bound> all = {

@@ -30,6 +30,9 @@ std::vector<Judged> judge(const Rows& rows, Seeds seeds);
 /// Errors of all seeds after so many loops; NaN: not come so far.
 std::vector<double> errors_after(const Rows& rows, Seeds seeds, const std::string& trial, std::size_t loops);
 
+/// NaN, which stands for not having come so far, is the largest; of nothing NaN.
+double median_of(std::vector<double> values);
+
 /// Two tables: the bounds, and each trial with what ended it, l and the model's band.
 std::string tables_of(const Rows& rows, Seeds seeds);
 

@@ -33,7 +33,7 @@ struct Course {
 
   /// Where the place's path truly is, so far beyond it.
   Pose2 site_from_path(std::size_t place, double beyond_m) const;
-  /// The whole way, then so many times from where it closes.
+  /// So many times round: the whole way first, later from where it closes; ends there.
   Route loops(std::size_t count) const;
 };
 

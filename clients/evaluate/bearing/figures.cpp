@@ -39,11 +39,8 @@ Chart loops_chart(const Trial& trial, const Rows& rows, Seeds seeds) {
     std::vector<double> errors = errors_after(rows, seeds, trial.name, loop);
     std::erase_if(errors, [](double error) { return !std::isfinite(error); });
     if (errors.empty()) break;
-    std::sort(errors.begin(), errors.end());
     for (const double error : errors) all.dots.push_back({static_cast<double>(loop), error});
-    const std::size_t half = errors.size() / 2;
-    median.dots.push_back(
-        {static_cast<double>(loop), errors.size() % 2 == 1 ? errors[half] : 0.5 * (errors[half - 1] + errors[half])});
+    median.dots.push_back({static_cast<double>(loop), median_of(errors)});
   }
   chart.curves = {all, median};
   return chart;
@@ -87,8 +84,8 @@ Result<std::vector<std::string>> draw_figures(const AllShown& shown, const Rows&
   if (const auto done = draw("The first loop against the model", of_first, firsts, folder / "first-loop.png", drawn);
       !done)
     return fail(done.error());
-  if (const auto done = draw("Error after each loop", "method bearing, seeds " + words_of(seeds), loops,
-                             folder / "loops.png", drawn);
+  if (const auto done =
+          draw("Error after each loop", "method bearing, " + words_of(seeds), loops, folder / "loops.png", drawn);
       !done)
     return fail(done.error());
   if (const auto done = draw("One half of the method alone", of_first, ablation, folder / "ablation.png", drawn, map);

@@ -81,6 +81,15 @@ TEST(AlongErrors, OnAStraightWithoutFixesItThenErrsLess) {
   EXPECT_GT(std::sqrt(drive.believed().distance_variance_m2), std::abs(after_m) / 3.0);
 }
 
+TEST(AlongErrors, WrongFixesDoNotMakeWheelsWhatNoneAre) {
+  AlongErrors errors;
+  CommonErrors common = CommonErrors::Zero();
+  common(0, 0) = common(2, 1) = 0.1;
+  errors.learn({0.0, 0.01, 0.0, 0.01}, {1e3, 1e-4, 3.0, 1e-4}, common);
+  EXPECT_LE(errors.distance_error(), 5.0);
+  EXPECT_LE(errors.turn_error(), 5.0);
+}
+
 TEST(AlongErrors, WithoutFixesNothingIsLearnt) {
   const Step step = told();
   const Step same = AlongErrors{}.improved(step);
