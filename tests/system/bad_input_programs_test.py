@@ -9,10 +9,9 @@ import struct
 import tempfile
 import zlib
 
-from command import BIN, ROOT, Case, Running, main
+from command import BIN, NOBODYS_DOMAIN, PROGRAMS_DOMAIN as DOMAIN, ROOT, Case, Running, main
 
 DEMO = ROOT / 'deploy/sites/demo.toml'
-DOMAIN = 151          # of these tests alone
 
 
 def png(path, width, height):
@@ -138,7 +137,7 @@ class Photographs(WithFolder):
 
 class Peers(WithFolder):
     def test_an_unreachable_server_is_exit_three_with_advice(self):
-        self.refused(3, ['no server', '--domain', 'weft-server'], BIN / 'weft', '--domain', DOMAIN + 1, '--timeout', '1', 'robots')
+        self.refused(3, ['no server', '--domain', 'weft-server'], BIN / 'weft', '--domain', NOBODYS_DOMAIN, '--timeout', '1', 'robots')
 
     def test_an_agent_without_server_says_so_and_goes_on(self):
         argv = self.agent('--site', DEMO, '--server', '127.0.0.1:7', '--pace', '1')

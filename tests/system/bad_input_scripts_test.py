@@ -4,7 +4,7 @@ import os
 import pathlib
 import tempfile
 
-from command import ROOT, SIMULATE, Case, main
+from command import ROOT, SCRIPTS_DOMAIN, SIMULATE, Case, main
 
 RUN = ['/usr/bin/python3', ROOT / 'deploy/demonstration/run.py']   # deploy/demo without installing and building
 
@@ -43,7 +43,7 @@ class Site(Case):
                 (folder / 'wrong' / line).write_text((demo / line).read_text())
             number = text.splitlines().index('seed = 11') + 1
             self.refused(1, ['deploy/demo: ', f'wrong.toml:{number}: floor.sead', 'logs are in'],
-                         *RUN, '--site', folder / 'wrong.toml', '--out', folder / 'out', '--domain', '153')
+                         *RUN, '--site', folder / 'wrong.toml', '--out', folder / 'out', '--domain', SCRIPTS_DOMAIN)
 
 
 class Packages(Case):
