@@ -39,6 +39,19 @@ Shake shake_from(const Disturbances& d, Random random) {
   return {wave(d.vibration_rad, 1), wave(d.vibration_rad, 2), wave(d.vibration_m, 3)};
 }
 
+/// An eye and its rhythm.
+struct Looking {
+  std::unique_ptr<Eye> eye;
+  double fps = 0.0, fps_at_rest = 0.0;
+  double last_s = 0.0;
+
+  double period_s(bool at_rest) const { return 1.0 / (at_rest ? fps_at_rest : fps); }
+  /// Until its next image.
+  double wait_s(double now_s, bool at_rest) const {
+    return std::max(1e-3, last_s == now_s ? period_s(at_rest) : last_s + period_s(at_rest) - now_s);
+  }
+};
+
 class SimBody final : public SimulatedBody {
  public:
   SimBody(const SimBodyConfig& config, const RobotStart& start, const std::shared_ptr<const FloorSource>& floor,
@@ -49,7 +62,7 @@ class SimBody final : public SimulatedBody {
   void stop_hand() override;
   void put(const Pose2& site_from_robot, const Twist& moving) override;
   Pose2 site_from_robot() const override { return base_.site_from_robot(); }
-  std::vector<CameraModel> cameras() const override { return {eye_->given()}; }
+  std::vector<CameraModel> cameras() const override;
   std::string kind() const override { return "sim"; }
 
  private:
@@ -57,8 +70,9 @@ class SimBody final : public SimulatedBody {
   Random light_now() const;
   void next_run();
   Moment moment_now();
+  Looking& next_eye(bool at_rest);
   Duration stamp_now();
-  View view_now(SensorTime time);
+  View view_now(Eye& eye, SensorTime time);
 
   std::uint64_t hands_ = 0;
   std::uint64_t run_ = 0;  ///< one more when a hand begins or ends: another light, as teach and repeat have
@@ -73,7 +87,7 @@ class SimBody final : public SimulatedBody {
   Shake shake_;
   BoundedWave exposure_drift_;
   Random timing_;
-  std::unique_ptr<Eye> eye_;
+  std::vector<Looking> eyes_;
   std::optional<TruthFile> truth_;
   std::optional<Hand> hand_;
   bool hand_done_ = false;
@@ -94,8 +108,23 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
   const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
-  eye_ = start.camera == RobotStart::Camera::floor ? make_floor_eye(site_, owner, floor, light_now())
-                                                   : make_forward_eye(site_, owner, floor, hall, light_now());
+  using Camera = RobotStart::Camera;
+  if (start.camera != Camera::forward) {
+    const CameraSetup& camera = site_.camera;
+    eyes_.push_back({make_floor_eye(site_, owner, floor, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+  }
+  if (start.camera != Camera::floor) {
+    const ForwardCameraSetup& camera = site_.forward_camera;
+    eyes_.push_back({make_forward_eye(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+  }
+  constexpr double apart = 0.4;  // of a period: two cameras do not see at the same moment
+  if (eyes_.size() > 1) eyes_.back().last_s = -apart * eyes_.back().period_s(false);
+}
+
+std::vector<CameraModel> SimBody::cameras() const {
+  std::vector<CameraModel> all;
+  for (const Looking& looking : eyes_) all.push_back(looking.eye->given());
+  return all;
 }
 
 Random SimBody::light_now() const {
@@ -104,7 +133,7 @@ Random SimBody::light_now() const {
 
 void SimBody::next_run() {
   ++run_;
-  eye_->light_up(light_now());
+  for (const Looking& looking : eyes_) looking.eye->light_up(light_now());
 }
 
 Result<void> SimBody::drive_by_hand(const std::vector<SitePoint>& along) {
@@ -166,22 +195,30 @@ Duration SimBody::stamp_now() {
   return std::max(last_stamp_ + std::chrono::microseconds(100), from_seconds(now_s_ + jitter));
 }
 
-View SimBody::view_now(SensorTime time) {
+View SimBody::view_now(Eye& eye, SensorTime time) {
   View view;
   view.frame = frame_;
   view.time = time;
-  view.camera = eye_->name();
-  view.calibration = eye_->given().id;
-  view.data = eye_->look(moment_now());
+  view.camera = eye.name();
+  view.calibration = eye.given().id;
+  view.data = eye.look(moment_now());
   return view;
+}
+
+Looking& SimBody::next_eye(bool at_rest) {
+  return *std::min_element(eyes_.begin(), eyes_.end(), [&](const Looking& a, const Looking& b) {
+    return a.wait_s(now_s_, at_rest) < b.wait_s(now_s_, at_rest);
+  });
 }
 
 Result<Sample> SimBody::step(const Twist& command) {
   Sample sample;
   sample.motion.command = hand_ ? hand_->command(base_.site_from_robot(), now_s_) : command;
-  const double period_s = 1.0 / (at_rest(command) ? site_.camera.fps_at_rest : site_.camera.fps);
+  Looking& looks = next_eye(at_rest(command));
+  const double period_s = looks.wait_s(now_s_, at_rest(command));
   base_.advance(sample.motion.command, period_s);
   now_s_ += period_s;
+  looks.last_s = now_s_;
   ++frame_;
   const Duration stamp = stamp_now();
   sample.motion.elapsed = stamp - last_stamp_;
@@ -198,7 +235,7 @@ Result<Sample> SimBody::step(const Twist& command) {
   sample.hand_done = hand_done_;
   const bool dropped = timing_.chance(site_.disturbances.dropped_frames);
   if (!dropped) {
-    sample.view = view_now(sample.time);
+    sample.view = view_now(*looks.eye, sample.time);
   }
   if (sample.hand && hand_done_) {
     next_run();

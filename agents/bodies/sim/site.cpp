@@ -124,8 +124,10 @@ void add_robots(const Table& root, Site& site) {
     robot.name = table.text("name", required, 64);
     robot.site_from_robot = pose_in(table);
     robot.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 0, INT64_MAX));
-    robot.camera = table.choice("camera", "floor", {"floor", "forward"}) == "floor" ? RobotStart::Camera::floor
-                                                                                    : RobotStart::Camera::forward;
+    const std::string camera = table.choice("camera", "floor", {"floor", "forward", "both"});
+    robot.camera = camera == "both"      ? RobotStart::Camera::both
+                   : camera == "forward" ? RobotStart::Camera::forward
+                                         : RobotStart::Camera::floor;
     if (robot.name.find_first_of("\"\\\n\r\t") != std::string::npos) {
       table.refuse("name", "must not hold quotes, backslashes or control characters");
     }
@@ -168,7 +170,8 @@ CameraSetup camera_in(const Table& table) {
   return c;
 }
 
-ForwardCameraSetup forward_camera_in(const Table& table) {
+/// As often as the floor's camera, if it does not say otherwise.
+ForwardCameraSetup forward_camera_in(const Table& table, const CameraSetup& floor) {
   ForwardCameraSetup c;
   c.width = static_cast<int>(table.integer("width_px", c.width, 64, 4096));
   c.height = static_cast<int>(table.integer("height_px", c.height, 64, 4096));
@@ -185,6 +188,8 @@ ForwardCameraSetup forward_camera_in(const Table& table) {
   c.longest_exposure_s = 1e-3 * table.number("longest_exposure_ms", 1e3 * c.longest_exposure_s, 0.1, 100.0);
   c.most_gain = table.number("most_gain", c.most_gain, 1.0, 1000.0);
   c.headlight = table.number("headlight", c.headlight, 0.0, 100.0);
+  c.fps = table.number("fps", floor.fps, 1.0, 200.0);
+  c.fps_at_rest = table.number("fps_at_rest", floor.fps_at_rest, 0.1, 200.0);
   return c;
 }
 
@@ -293,7 +298,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.ambient = root.number("ambient", site.ambient, 0.05, 20.0);
   site.floor = floor_in(root.table("floor"));
   site.camera = camera_in(root.table("camera"));
-  site.forward_camera = forward_camera_in(root.table("forward_camera"));
+  site.forward_camera = forward_camera_in(root.table("forward_camera"), site.camera);
   site.hall = hall_in(root.table("hall"));
   for (const Table& table : root.tables("person", 0, 100))
     site.movers.push_back(mover_in(table, Mover::Kind::person));

@@ -37,7 +37,7 @@ struct Lamp {
 };
 
 struct RobotStart {
-  enum class Camera : std::uint8_t { floor, forward };
+  enum class Camera : std::uint8_t { floor, forward, both };
   std::string name;
   Pose2 site_from_robot;
   std::uint64_t seed = 0;  ///< added to the run's seed: other wheels, another calibration
@@ -75,6 +75,7 @@ struct ForwardCameraSetup {
   double longest_exposure_s = 0.02;  ///< from there on it amplifies
   double most_gain = 40.0;
   double headlight = 0.0;  ///< light on what is 2 m ahead, 1: as the floor's mean
+  double fps = 30.0, fps_at_rest = 2.0;
 };
 
 /// What the floor camera does not see of a hall.

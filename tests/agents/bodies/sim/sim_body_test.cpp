@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "agents/bodies/sim/calibration.hpp"
@@ -47,6 +48,30 @@ std::vector<Sample> run(Body& body, int steps, const Twist& command) {
     samples.push_back(*sample);
   }
   return samples;
+}
+
+TEST(SimBody, TwoCamerasSeeInTurnEachAtItsOwnRate) {
+  SimBodyConfig config = config_of(quick_site());
+  config.site.robots.front().camera = RobotStart::Camera::both;
+  config.site.camera.fps = 30.0;
+  config.site.forward_camera.fps = 10.0;
+  config.site.forward_camera.width = 64;
+  config.site.forward_camera.height = 64;
+  config.site.disturbances.dropped_frames = 0.0;
+  auto body = body_of(config);
+  const std::vector<CameraModel> cameras = body->cameras();
+  ASSERT_EQ(cameras.size(), 2U);
+  std::map<std::string, int> images;
+  double driven_s = 0.0;
+  for (const Sample& sample : run(*body, 40, {0.3, 0.0})) {
+    ASSERT_TRUE(sample.view);
+    ++images[sample.view->calibration];
+    EXPECT_GT(sample.motion.elapsed, Duration::zero());
+    driven_s += seconds(sample.motion.elapsed);
+  }
+  EXPECT_EQ(images.at(cameras[0].id), 30);
+  EXPECT_EQ(images.at(cameras[1].id), 10);
+  EXPECT_NEAR(driven_s, 1.0, 0.05);
 }
 
 TEST(SimBody, RepeatsBitForBit) {
