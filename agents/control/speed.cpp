@@ -29,14 +29,15 @@ double SpeedControl::update(const SpeedConfig& config, double wanted_m_s, double
     reset();
     return 0.0;
   }
-  set_m_s_ = std::min(wanted_m_s, set_m_s_ + config.acceleration_m_s2 * elapsed_s);
-  const double error = set_m_s_ - measured_m_s;
+  const double before_m_s = set_m_s_.value_or(std::max(0.0, measured_m_s));
+  set_m_s_ = std::min(wanted_m_s, before_m_s + config.acceleration_m_s2 * elapsed_s);
+  const double error = *set_m_s_ - measured_m_s;
   // While it speeds up the base lags behind; that is no lasting error.
-  if (set_m_s_ >= wanted_m_s) {
+  if (*set_m_s_ >= wanted_m_s) {
     integral_m_s_ = std::clamp(integral_m_s_ + config.integral_1_s * error * elapsed_s, -config.integral_limit_m_s,
                                config.integral_limit_m_s);
   }
-  return std::max(0.0, set_m_s_ + config.proportional * error + integral_m_s_);
+  return std::max(0.0, *set_m_s_ + config.proportional * error + integral_m_s_);
 }
 
 }  // namespace weft::agents

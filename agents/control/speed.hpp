@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "agents/control/spline.hpp"
 #include "agents/control/steering.hpp"
 
@@ -21,7 +23,8 @@ double speed_at(const SpeedConfig& config, const Spline& path, double along_m, c
                 double limit_m_s);
 
 /// Proportional-integral speed control (Gadd & Newman III-D): makes up for a base that does not do what it is told.
-/// Acceleration of the command is limited; braking is not held up. A value: the state between samples.
+/// Acceleration of the command is limited, from what the base does when control begins; braking is not held up. A
+/// value: the state between samples.
 class SpeedControl {
  public:
   /// The command for the wanted and the measured speed; all m/s, elapsed in seconds. Never negative for wanted >= 0.
@@ -30,7 +33,7 @@ class SpeedControl {
 
  private:
   double integral_m_s_ = 0.0;
-  double set_m_s_ = 0.0;  // the wanted speed after the acceleration limit
+  std::optional<double> set_m_s_;  // the wanted speed after the acceleration limit; none: control begins
 };
 
 }  // namespace weft::agents

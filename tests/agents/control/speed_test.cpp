@@ -47,6 +47,13 @@ TEST(SpeedAt, ErrorsSlowButNeverStop) {
   EXPECT_NEAR(speed_at(config, path, 0.0, {3.0, 1.5}, 0.6), config.slowest_m_s, 1e-9);
 }
 
+TEST(SpeedControl, BeginsWithTheSpeedOfTheBase) {
+  const SpeedConfig config;
+  SpeedControl control;
+  EXPECT_NEAR(control.update(config, 0.6, 0.5, 0.1), 0.5 + config.acceleration_m_s2 * 0.1, 0.05)
+      << "who takes over a rolling robot does not stop it first";
+}
+
 TEST(SpeedControl, AccelerationIsLimitedAndBrakingIsNot) {
   const SpeedConfig config;
   SpeedControl control;
