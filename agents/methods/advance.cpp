@@ -51,4 +51,19 @@ Step joined(const Step& first, const Step& second) {
   return both;
 }
 
+Motion joined(const Motion& first, const Motion& second) {
+  if (first.elapsed <= Duration::zero()) return second;
+  Motion both;
+  both.elapsed = first.elapsed + second.elapsed;
+  const double share = seconds(second.elapsed) / seconds(both.elapsed);
+  const auto mean = [share](double a, double b) { return a + share * (b - a); };
+  both.command = {mean(first.command.linear_m_s, second.command.linear_m_s),
+                  mean(first.command.angular_rad_s, second.command.angular_rad_s)};
+  if (first.wheels && second.wheels) {
+    both.wheels = WheelStep{first.wheels->distance_m + second.wheels->distance_m,
+                            first.wheels->heading_rad + second.wheels->heading_rad};
+  }
+  return both;
+}
+
 }  // namespace weft::agents

@@ -15,4 +15,7 @@ CommonErrors corrected(const CommonErrors& common, const Relation& before, const
 /// Two steps, one after the other, as one.
 Step joined(const Step& first, const Step& second);
 
+/// Two motions, one after the other, as one: the command in force on the mean, wheels where both have them.
+Motion joined(const Motion& first, const Motion& second);
+
 }  // namespace weft::agents

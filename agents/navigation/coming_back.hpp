@@ -39,8 +39,8 @@ class ComingBack {
       }
     }
     const double sigma_m = spread_of(found->place_from_robot).metres;
-    if (sigma_m > config_.stitch.reach_m)
-      return tl::unexpected(Refusal{"unsure_how_far", sigma_m, config_.stitch.reach_m});
+    if (sigma_m > config_.stitch.sure_m)
+      return tl::unexpected(Refusal{"unsure_how_far", sigma_m, config_.stitch.sure_m});
     return found;
   }
 

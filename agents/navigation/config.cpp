@@ -59,6 +59,7 @@ void each_stitch(Config& stitch, const In& in) {
   in("agree_m", stitch.agree_m, Low::open, 0, 0.5);
   in("agree_rad", stitch.agree_rad, Low::open, 0, 0.5);
   in("trusted_sigma_m", stitch.trusted_sigma_m, Low::open, 0, 1);
+  in("sure_m", stitch.sure_m, Low::open, 0, 1);
   in("drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);
   in("merge_m", stitch.merge_m, Low::open, 0, 10);

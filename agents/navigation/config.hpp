@@ -51,6 +51,7 @@ struct StitchConfig {
   double agree_m = 0.08;           ///< predicted and related must agree within this; (0, 0.5]
   double agree_rad = 0.06;         ///< (0, 0.5]
   double trusted_sigma_m = 0.08;   ///< a prediction less certain needs a second stitch that agrees; (0, 1]
+  double sure_m = 0.2;             ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
   double drivable_m = 0.6;         ///< places farther apart cannot be driven across; (0, 3]
   double drivable_rad = 0.5;       ///< headings that differ by more than this cannot be driven across; (0, 3.2]
   double merge_m = 2.0;            ///< a change over to the other place's way takes no longer than this; (0, 10]

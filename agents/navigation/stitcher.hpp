@@ -114,6 +114,12 @@ class Stitcher {
       found.refusals.push_back(fix.error());
       return found;
     }
+    // Who cannot say how far along it is, joins nothing: what looks alike may be metres on.
+    const double sigma_m = spread_of(fix->place_from_robot).metres;
+    if (sigma_m > config_.stitch.sure_m) {
+      found.refusals.push_back({"unsure_how_far", sigma_m, config_.stitch.sure_m});
+      return found;
+    }
     const auto there_from_place = between(config_.belief, map, candidate.place, fix->place, config_.locate.most_hops);
     const Spread spread = spread_of(candidate.place_from_robot);
     const std::optional<Refusal> refusal =

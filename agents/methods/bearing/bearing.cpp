@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/perception/corner_tracks.hpp"
+#include "agents/perception/nearing.hpp"
 #include "agents/perception/opencv_view.hpp"
 
 namespace weft::agents {
@@ -86,6 +87,12 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
     return tl::unexpected(Refusal{"no_majority", vote->above_chance, config_.anywhere_above_chance});
   if (!guess && vote->runner_up > config_.anywhere_runner_up)
     return tl::unexpected(Refusal{"ambiguous", vote->runner_up, config_.anywhere_runner_up});
+  if (!guess) {
+    const auto nearing = nearing_of(a.features, b.features, vote->agreeing, a.focal_px);
+    const double bound = config_.anywhere_nearing + (nearing ? 2.0 * std::sqrt(nearing->variance) : 0.0);
+    if (nearing && std::abs(nearing->share) > bound)
+      return tl::unexpected(Refusal{"further_off", nearing->share, bound});
+  }
   AlongPath a_from_b{0.0, config_.unknown_along_sigma_m * config_.unknown_along_sigma_m};
   if (guess) {
     const auto along = std::get<AlongPath>(compose(*guess, AlongPath{}));

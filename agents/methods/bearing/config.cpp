@@ -29,6 +29,7 @@ void each_setting(Config& config, Visit&& visit) {
   visit("focal_share", config.focal_share, 0, 0.1);
   visit("anywhere_above_chance", config.anywhere_above_chance, 0, 50);
   visit("anywhere_runner_up", config.anywhere_runner_up, 0, 1);
+  visit("anywhere_nearing", config.anywhere_nearing, 0.01, 2);
   visit("unknown_along_sigma_m", config.unknown_along_sigma_m, 0.05, 10);
 }
 

@@ -36,6 +36,8 @@ struct BearingConfig {
   // Where nobody says where it is, every place may be it: one that is not looks alike by chance
   double anywhere_above_chance = 8.0;  ///< [0, 50] as vote.above_chance
   double anywhere_runner_up = 0.5;     ///< [0, 1] most of the next peak, over the winner's
+  double anywhere_nearing = 0.12;      ///< [0.01, 2] share of their distance by which things may be nearer or further
+                                       ///< off: down an aisle a place looks like one that is metres on
   double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
 };
 

@@ -68,6 +68,24 @@ std::optional<Further> further_of(const std::vector<Told>& told) {
   return further;
 }
 
+/// Whether the places agree on how the robot is turned: each alone is found a heading by chance now and then.
+bool agree(const std::vector<Told>& told) {
+  constexpr double near_rad = 0.06;
+  constexpr std::size_t too_few_to_say = 2;
+  if (told.size() <= too_few_to_say) return true;
+  std::vector<double> headings;
+  for (const Told& one : told) {
+    headings.push_back(one.stop->centre_from_place.heading_shift_rad +
+                       std::atan(one.vote.shift_px / one.stop->content->focal_px));
+  }
+  std::sort(headings.begin(), headings.end());
+  const double middle = headings[headings.size() / 2];
+  const auto with_it = std::count_if(headings.begin(), headings.end(), [&](double heading) {
+    return std::abs(wrap_angle(heading - middle)) <= near_rad;
+  });
+  return 2 * static_cast<std::size_t>(with_it) > headings.size();
+}
+
 }  // namespace
 
 Bearing::Chart Bearing::chart(const std::vector<ChartPlace<Content>>& around) const {
@@ -115,6 +133,10 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   }
   if (near.empty()) located.refusals.push_back({"nothing_near", 0.0, config_.neighbours_m});
   if (told.empty()) return located;
+  if (!agree(told)) {
+    located.refusals.push_back({"headings_differ", static_cast<double>(told.size()), 0.0});
+    return located;
+  }
 
   const std::optional<Further> further = further_of(told);
   const double ahead_m = further ? further->ahead_m : 0.0;
