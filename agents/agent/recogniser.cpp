@@ -28,7 +28,7 @@ std::optional<msg::Recognise> Recogniser::due(SteadyTime now) {
   wait_ = std::min(2 * wait_, Duration(kLongestWait));
   msg::Recognise question;
   question.request = request_;
-  question.method = method_;
+  question.method = open_->method;
   question.content_format = open_->content_format;
   question.seen = open_->seen;
   question.most = kProposals;

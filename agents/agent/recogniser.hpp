@@ -15,7 +15,7 @@ namespace weft::agents {
 class Recogniser {
  public:
   /// `first_request` is random for each incarnation, so that answers to an earlier one are not taken for ours.
-  Recogniser(std::string method, std::uint64_t first_request) : method_(std::move(method)), request_(first_request) {}
+  explicit Recogniser(std::uint64_t first_request) : request_(first_request) {}
 
   /// What the navigator wants to know now; null: nothing.
   void want(const Question* open, SteadyTime now);
@@ -36,7 +36,6 @@ class Recogniser {
   const std::string& among() const { return among_; }
 
  private:
-  std::string method_;
   std::optional<Question> open_;
   std::uint64_t request_;
   SteadyTime ask_at_{};

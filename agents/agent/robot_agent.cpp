@@ -75,7 +75,7 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       session_(hello(config), now),
       spooler_(std::move(spooler)),
       replica_(everything(config), (random_.next() >> 1U) | 1U, now),
-      recogniser_(std::string(navigator_->method()), random_.next() >> 1U),
+      recogniser_(random_.next() >> 1U),
       cache_(config.content_cache_bytes, config.bytes_per_second),
       budget_(config.bytes_per_second, burst(config.bytes_per_second), now),
       search_at_(now),
@@ -90,7 +90,7 @@ AgentOutput RobotAgent::tick(SteadyTime now) {
 AgentOutput RobotAgent::body_failed(const Error& error, SteadyTime now) {
   fault_ = error.message;
   navigator_->stop();
-  if (teaching_.has_value()) stop_teaching("the body failed: " + error.message);
+  if (teaching_.has_value()) stop_teaching("the body failed: " + error.message, now);
   task_.set(msg::RoutePhase::failed, fault_, now);
   output_.notes.push_back("body failed: " + error.message);
   return finish(now);
@@ -108,7 +108,7 @@ void RobotAgent::pump(SteadyTime now) {
   if (batches) {
     for (Batch& batch : *batches) send(msg::ExperienceBatch{.header = {}, .batch = std::move(batch)});
   } else {
-    abandon_teaching(batches.error().message);
+    abandon_teaching(batches.error().message, now);
   }
   if (std::optional<msg::ContentRequest> request = cache_.due(now)) send(std::move(*request));
   while (spooler_.has_chunks()) {

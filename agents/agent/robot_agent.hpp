@@ -31,7 +31,8 @@ struct Teaching {
     ending  ///< waits for one more view: the last place
   };
   Phase phase = Phase::preparing;
-  ExperienceId experience;
+  ExperienceId experience;           ///< of the first method
+  std::vector<ExperienceId> others;  ///< of the methods beside it
   std::string name;
   std::optional<PlaceId> seed;
   std::vector<SitePoint> along;
@@ -43,11 +44,17 @@ struct Teaching {
   std::optional<CommandKey> next_part;  ///< who waits for the hand to take up another line of the same run
 };
 
+/// What the experience of a method beside the first one is called; none of a run without a name.
+std::string name_of_other(const std::string& name, const std::string& method);
+
 /// A run that is taught and spooled, while the server has not acknowledged all of it.
 struct HandingIn {
   ExperienceId experience;
+  std::vector<ExperienceId> others;
   CommandKey asked_by;
   SteadyTime deadline{};
+
+  bool has(ExperienceId other) const;
 };
 
 /// A place that is wanted where the robot stands, without its being taught.
@@ -134,8 +141,8 @@ class RobotAgent final : public Agent {
   void begin_teaching();
   void end_teaching(SteadyTime now);
   void finish_handing_in(SteadyTime now);
-  void stop_teaching(const std::string& reason);
-  void abandon_teaching(const std::string& reason);
+  void stop_teaching(const std::string& reason, SteadyTime now);
+  void abandon_teaching(const std::string& reason, SteadyTime now);
   void keep(const std::vector<Kept>& kept, SteadyTime now);
   void prepare_localising(SteadyTime now);
   void start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed, SteadyTime now);

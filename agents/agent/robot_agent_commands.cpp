@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "agents/agent/robot_agent.hpp"
+#include "core/network/change.hpp"
 
 namespace weft::agents {
 namespace {
@@ -36,6 +37,13 @@ void RobotAgent::teach_start(const msg::AgentCommand& command, const CommandKey&
   handing_in_.reset();
   teaching.experience = new_experience();
   teaching.name = command.name;
+  const std::vector<std::string> methods = navigator_->teaches();
+  for (std::size_t i = 1; i < methods.size(); ++i) {
+    teaching.others.push_back(new_experience());
+    if (name_of_other(command.name, methods[i]).size() <= kLongestName) continue;
+    return refuse(key, "'" + command.name + "' is too long for a name to which -" + methods[i] +
+                           " is added: " + std::to_string(kLongestName) + " characters are the most");
+  }
   teaching.seed = command.seed;
   for (const msg::AgentCommand::Point& point : command.along) teaching.along.push_back({point.x, point.y});
   teaching.started_by = key;

@@ -62,7 +62,7 @@ msg::RobotDescription RobotAgent::description() {
   msg::RobotDescription description;
   description.name = config_.name;
   description.body = config_.body;
-  description.methods = {std::string(navigator_->method())};
+  description.methods = navigator_->drives();
   description.footprint_radius_m = config_.footprint_radius_m;
   description.can_be_taught_along = config_.can_be_taught_along;
   description.cameras = config_.cameras;

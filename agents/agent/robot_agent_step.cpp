@@ -153,7 +153,8 @@ void RobotAgent::want_contents(SteadyTime now) {
   } else {
     focus = replica_.definition().centre;
   }
-  cache_.want(proposed_first(nearest_first(replica_.window(), focus, task_.route(), 0)), now);
+  const std::vector<std::string> methods = navigator_->teaches();
+  cache_.want(proposed_first(nearest_first(replica_.window(), methods, focus, task_.route(), 0)), now);
 }
 
 }  // namespace weft::agents

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "agents/agent/robot_agent.hpp"
@@ -13,6 +14,14 @@ constexpr Duration kHandingInAtMost = 15s;  ///< then say that it is not yet don
 constexpr Duration kSearchAtMost = 60s;     ///< then say that it was in vain
 constexpr Duration kBetweenSearches = 10s;  ///< of one's own accord
 }  // namespace
+
+bool HandingIn::has(ExperienceId other) const {
+  return other == experience || std::find(others.begin(), others.end(), other) != others.end();
+}
+
+std::string name_of_other(const std::string& name, const std::string& method) {
+  return name.empty() ? std::string{} : name + "-" + method;
+}
 
 void RobotAgent::work(SteadyTime now) {
   prepare_teaching(now);
@@ -36,8 +45,8 @@ void RobotAgent::prepare_teaching(SteadyTime now) {
   }
   if (teaching_->phase != Teaching::Phase::preparing) return;
   const MapView map{replica_.window(), cache_};
-  const bool ready =
-      !teaching_->seed.has_value() || (replica_.is_settled() && is_covered(map, *teaching_->seed, kSeedHops));
+  const bool ready = !teaching_->seed.has_value() ||
+                     (replica_.is_settled() && is_covered(map, navigator_->teaches(), *teaching_->seed, kSeedHops));
   if (!ready) {
     if (now < teaching_->deadline) return;
     refuse(teaching_->started_by, "the map around " + to_string(*teaching_->seed) +
@@ -85,8 +94,12 @@ AgentOutput RobotAgent::hand_answered(const Result<void>& answer, SteadyTime now
 
 void RobotAgent::begin_teaching() {
   teaching_->phase = Teaching::Phase::on;
-  navigator_->begin_teach({.experience = teaching_->experience, .robot = config_.self});
+  navigator_->begin_teach({.experience = teaching_->experience, .robot = config_.self, .others = teaching_->others});
   spooler_.begin(teaching_->experience, teaching_->name);
+  const std::vector<std::string> methods = navigator_->teaches();
+  for (std::size_t i = 0; i < teaching_->others.size(); ++i) {
+    spooler_.begin(teaching_->others[i], name_of_other(teaching_->name, methods[i + 1]));
+  }
   msg::AgentReply done;
   done.done = true;
   done.experience = teaching_->experience;
@@ -104,7 +117,7 @@ void RobotAgent::end_teaching(SteadyTime now) {
   }
   if (const std::optional<CommandKey> asked_by = teaching_->stopped_by; asked_by.has_value()) {
     if (done.done) {
-      handing_in_ = HandingIn{teaching_->experience, *asked_by, now + kHandingInAtMost};
+      handing_in_ = HandingIn{teaching_->experience, teaching_->others, *asked_by, now + kHandingInAtMost};
     } else {
       reply(*asked_by, done);
     }
@@ -115,7 +128,10 @@ void RobotAgent::end_teaching(SteadyTime now) {
 
 /// "Stopped" is said when the map has all of it, so that whoever asked can go on with it.
 void RobotAgent::finish_handing_in(SteadyTime now) {
-  const bool pending = spooler_.is_pending(handing_in_->experience);
+  const std::vector<ExperienceId>& others = handing_in_->others;
+  const bool pending =
+      spooler_.is_pending(handing_in_->experience) ||
+      std::any_of(others.begin(), others.end(), [this](ExperienceId other) { return spooler_.is_pending(other); });
   if (pending && now < handing_in_->deadline) return;
   msg::AgentReply done;
   done.done = true;
@@ -126,8 +142,10 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
   reply(key, done);
 }
 
-void RobotAgent::stop_teaching(const std::string& reason) {
+void RobotAgent::stop_teaching(const std::string& reason, SteadyTime now) {
   std::ignore = navigator_->end_teach(MapView{replica_.window(), cache_});
+  // What has been taught until then stays, as far as the spool takes it.
+  std::ignore = spooler_.seal("teaching broke off", now);
   output_.hand_stop = true;
   teaching_failed_ = reason;
   output_.notes.push_back(reason);
@@ -141,18 +159,18 @@ void RobotAgent::stop_teaching(const std::string& reason) {
   teaching_.reset();
 }
 
-void RobotAgent::abandon_teaching(const std::string& reason) {
-  if (teaching_.has_value()) stop_teaching("teaching ended: " + reason);
+void RobotAgent::abandon_teaching(const std::string& reason, SteadyTime now) {
+  if (teaching_.has_value()) stop_teaching("teaching ended: " + reason, now);
 }
 
 void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {
   if (!teaching_.has_value()) return;
   for (const Kept& one : kept) {
     cache_.put(one.place.content.hash, one.content);
-    if (Result<void> added = spooler_.add(one, now); !added) return abandon_teaching(added.error().message);
+    if (Result<void> added = spooler_.add(one, now); !added) return abandon_teaching(added.error().message, now);
   }
   if (kept.empty() || keeping_.empty()) return;
-  if (Result<void> flushed = spooler_.flush(now); !flushed) return abandon_teaching(flushed.error().message);
+  if (Result<void> flushed = spooler_.flush(now); !flushed) return abandon_teaching(flushed.error().message, now);
   for (const CommandKey& key : std::exchange(keeping_, {})) {
     msg::AgentReply done;
     done.done = true;
@@ -199,8 +217,9 @@ void RobotAgent::prepare_localising(SteadyTime now) {
   }
   const MapView map{replica_.window(), cache_};
   // Without a seed there is something to ask from the first view on, whatever has come of the map.
-  const bool covered =
-      localising_->seed.has_value() ? is_covered(map, *localising_->seed, kSeedHops) : !map.window.places.empty();
+  const bool covered = localising_->seed.has_value()
+                           ? is_covered(map, navigator_->teaches(), *localising_->seed, kSeedHops)
+                           : !map.window.places.empty();
   if ((!replica_.is_settled() || !covered) && now < localising_->deadline) return;
   const bool empty =
       map.window.places.empty() || (localising_->seed.has_value() && map.window.place(*localising_->seed) == nullptr);

@@ -48,49 +48,62 @@ void Spooler::begin(ExperienceId experience, const std::string& name) {
   open.batch.sequence = 1;
   open.batch.robot = self_;
   open.batch.name = name;
-  open_ = std::move(open);
+  open_.insert_or_assign(experience, std::move(open));
 }
 
 Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
-  if (open_->batch.places.empty()) open_->since = now;
-  open_->batch.method = kept.place.method;
-  open_->batch.places.push_back(kept.place);
-  open_->batch.edges.insert(open_->batch.edges.end(), kept.edges.begin(), kept.edges.end());
-  open_->contents.push_back(kept.content);
-  ++open_->places;
-  if (open_->batch.places.size() >= config_.batch_places) return flush(now);
+  const auto found = open_.find(kept.place.id.experience);
+  if (found == open_.end()) {
+    return fail(ErrorCode::conflict, "experience " + to_string(kept.place.id.experience) + " is not open any more");
+  }
+  Open& open = found->second;
+  if (open.batch.places.empty()) open.since = now;
+  open.batch.method = kept.place.method;
+  open.batch.places.push_back(kept.place);
+  open.batch.edges.insert(open.batch.edges.end(), kept.edges.begin(), kept.edges.end());
+  open.contents.push_back(kept.content);
+  ++open.places;
+  if (open.batch.places.size() >= config_.batch_places) return flush(open, now);
   return {};
 }
 
-Result<void> Spooler::flush(SteadyTime now) {
-  if (!open_.has_value() || (open_->batch.places.empty() && !open_->batch.seal)) return {};
-  Batch& batch = open_->batch;
-  if (Result<void> appended = spool_->append(batch, open_->contents); !appended) {
-    open_.reset();
+/// What is sealed, or cannot be spooled, is open no more: `open` is gone then.
+Result<void> Spooler::flush(Open& open, SteadyTime now) {
+  Batch& batch = open.batch;
+  if (batch.places.empty() && !batch.seal) return {};
+  if (Result<void> appended = spool_->append(batch, open.contents); !appended) {
+    open_.erase(ExperienceId(batch.experience));
     return appended;
   }
   pending_.push_back({.batch = batch, .send_at = now, .wait = config_.retry});
   if (batch.seal) {
     unsealed_.erase(batch.experience);
-    open_.reset();
+    open_.erase(ExperienceId(batch.experience));
     return {};
   }
   unsealed_[batch.experience] = batch.sequence;
   ++batch.sequence;
   batch.places.clear();
   batch.edges.clear();
-  open_->contents.clear();
+  open.contents.clear();
   return {};
 }
 
-Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
-  if (!open_.has_value()) return {};
-  if (open_->places == 0) {
-    open_.reset();
-    return {};
+Result<void> Spooler::flush(SteadyTime now) {
+  Result<void> all;
+  for (auto at = open_.begin(); at != open_.end();) {
+    Open& open = (at++)->second;
+    if (Result<void> flushed = flush(open, now); !flushed) all = flushed;
   }
-  open_->batch.seal = true;
-  open_->batch.seal_reason = reason;
+  return all;
+}
+
+Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
+  std::erase_if(open_, [](const auto& entry) { return entry.second.places == 0; });
+  for (auto& [experience, open] : open_) {
+    open.batch.seal = true;
+    open.batch.seal_reason = reason;
+  }
   return flush(now);
 }
 
@@ -136,8 +149,7 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   }
   drop(ack.experience, UINT64_MAX);
   unsealed_.erase(ack.experience);
-  heard.refused = open_.has_value() && open_->batch.experience == ack.experience;
-  if (heard.refused) open_.reset();
+  heard.refused = open_.erase(ack.experience) > 0;
   heard.reason = "the server refused batch " + std::to_string(ack.refused_sequence) + ": " + ack.refusal;
   return heard;
 }
@@ -167,9 +179,10 @@ void Spooler::queue_contents(Pending& pending, SteadyTime now) {
 
 Result<std::vector<Batch>> Spooler::due(SteadyTime now) {
   std::vector<Batch> batches;
-  const bool aged = open_.has_value() && !open_->batch.places.empty() && now - open_->since >= config_.batch_age;
-  if (aged) {
-    if (Result<void> flushed = flush(now); !flushed) return fail(flushed.error());
+  for (auto at = open_.begin(); at != open_.end();) {
+    Open& open = (at++)->second;
+    if (open.batch.places.empty() || now - open.since < config_.batch_age) continue;
+    if (Result<void> flushed = flush(open, now); !flushed) return fail(flushed.error());
   }
   std::size_t in_flight = 0;
   for (Pending& pending : pending_) {
@@ -191,7 +204,8 @@ Result<std::optional<msg::Chunk>> Spooler::next_chunk(Budget& budget, SteadyTime
 std::optional<SteadyTime> Spooler::next() const {
   std::optional<SteadyTime> next;
   const auto sooner = [&next](SteadyTime at) { next = next.has_value() ? std::min(*next, at) : at; };
-  if (open_.has_value() && !open_->batch.places.empty()) sooner(open_->since + config_.batch_age);
+  for (const auto& [experience, open] : open_)
+    if (!open.batch.places.empty()) sooner(open.since + config_.batch_age);
   std::size_t in_flight = 0;
   for (const Pending& pending : pending_) {
     if (in_flight++ == config_.in_flight) break;

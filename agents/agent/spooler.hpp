@@ -33,16 +33,16 @@ class Spooler {
   static Result<Spooler> open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now);
 
   void begin(ExperienceId experience, const std::string& name);
-  bool is_open() const { return open_.has_value(); }
-  /// exhausted and other errors of the spool: the experience ends before this batch; the caller stops teaching.
+  /// To the experience that it is of, which is open. exhausted and other errors of the spool: that experience ends
+  /// before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
-  /// Closes the batch under way, so that its places are in the spool when this returns.
+  /// Closes the batches under way, so that their places are in the spool when this returns.
   Result<void> flush(SteadyTime now);
-  /// Closes the experience. One without any place leaves no trace.
+  /// Closes every experience that is open. One without any place leaves no trace.
   Result<void> seal(const std::string& reason, SteadyTime now);
 
   struct Heard {
-    bool refused = false;  ///< of the experience being taught: teaching is over
+    bool refused = false;  ///< of an experience being taught: teaching is over
     std::string reason;    ///< of any refusal
     std::vector<AckRecord> acknowledged;
   };
@@ -64,28 +64,29 @@ class Spooler {
   bool is_pending(ExperienceId experience) const;
 
  private:
-  struct Pending {
-    Batch batch;
-    SteadyTime send_at;
-    Duration wait{};
-    bool contents_queued = false;
-  };
   struct Open {
     Batch batch;  ///< under way
     std::vector<Bytes> contents;
     SteadyTime since;
     std::uint32_t places = 0;  ///< of the experience so far
   };
+  struct Pending {
+    Batch batch;
+    SteadyTime send_at;
+    Duration wait{};
+    bool contents_queued = false;
+  };
 
   Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self);
   Result<void> seal_what_a_crash_left_open(SteadyTime now);
+  Result<void> flush(Open& open, SteadyTime now);
   void queue_contents(Pending& pending, SteadyTime now);
   void drop(ExperienceId experience, std::uint64_t through);
 
   storage::Spool* spool_;
   SpoolerConfig config_;
   RobotId self_;
-  std::optional<Open> open_;
+  std::map<ExperienceId, Open> open_;
   std::deque<Pending> pending_;
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;

@@ -12,16 +12,23 @@ bool has_content(const MapView& map, const PlaceId& id) {
   const Place* const place = map.window.place(id);
   return place != nullptr && map.contents.find(place->content.hash) != nullptr;
 }
+
+bool can_read(const std::vector<std::string>& methods, const Place& place) {
+  return std::find(methods.begin(), methods.end(), place.method) != methods.end();
+}
 }  // namespace
 
-std::vector<ContentRef> nearest_first(const Window& window, const std::optional<PlaceId>& focus,
-                                      const std::optional<Route>& route, std::uint32_t route_at) {
+std::vector<ContentRef> nearest_first(const Window& window, const std::vector<std::string>& methods,
+                                      const std::optional<PlaceId>& focus, const std::optional<Route>& route,
+                                      std::uint32_t route_at) {
   std::vector<ContentRef> contents;
   contents.reserve(window.places.size());
   std::vector<bool> taken(window.places.size(), false);
   const auto take_at = [&](std::size_t position) {
-    if (position < taken.size() && !taken[position]) contents.push_back(window.places.value_at(position).content);
-    if (position < taken.size()) taken[position] = true;
+    if (position >= taken.size() || taken[position]) return;
+    taken[position] = true;
+    const Place& place = window.places.value_at(position);
+    if (can_read(methods, place)) contents.push_back(place.content);
   };
   const auto take = [&](const PlaceId& id) { take_at(window.places.position(id)); };
   if (route.has_value()) {
@@ -35,11 +42,13 @@ std::vector<ContentRef> nearest_first(const Window& window, const std::optional<
   return contents;
 }
 
-bool is_covered(const MapView& map, const PlaceId& place, std::uint32_t hops) {
+bool is_covered(const MapView& map, const std::vector<std::string>& methods, const PlaceId& place,
+                std::uint32_t hops) {
   const auto all = static_cast<std::uint32_t>(map.window.places.size());
   const std::vector<PlaceId> around = neighbourhood(map.window, place, hops, all);
-  return !around.empty() &&
-         std::all_of(around.begin(), around.end(), [&](const PlaceId& id) { return has_content(map, id); });
+  return !around.empty() && std::all_of(around.begin(), around.end(), [&](const PlaceId& id) {
+    return has_content(map, id) || !can_read(methods, *map.window.place(id));
+  });
 }
 
 bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::uint32_t count) {

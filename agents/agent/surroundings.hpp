@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "agents/navigation/map_view.hpp"
@@ -11,12 +12,15 @@
 namespace weft::agents {
 
 /// The window's contents in the order in which the robot needs them: its route from `route_at` on, then outwards from
-/// `focus` by hops, then the rest by id. No repeats.
-std::vector<ContentRef> nearest_first(const Window& window, const std::optional<PlaceId>& focus,
-                                      const std::optional<Route>& route, std::uint32_t route_at);
+/// `focus` by hops, then the rest by id. No repeats, and none of places that none of `methods` can read.
+std::vector<ContentRef> nearest_first(const Window& window, const std::vector<std::string>& methods,
+                                      const std::optional<PlaceId>& focus, const std::optional<Route>& route,
+                                      std::uint32_t route_at);
 
-/// Whether the window reaches `hops` around `place` with all its contents: enough to look for oneself there.
-bool is_covered(const MapView& map, const PlaceId& place, std::uint32_t hops);
+/// Whether the window reaches `hops` around `place` with all contents that one of `methods` reads: enough to look for
+/// oneself there.
+bool is_covered(const MapView& map, const std::vector<std::string>& methods, const PlaceId& place,
+                std::uint32_t hops);
 
 /// Whether the next `count` places of the route from `at` on are there with their contents.
 bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::uint32_t count);

@@ -30,8 +30,9 @@ bool Curiosity::is_due(bool has_places_to_try) const {
   return has_moved || (!is_open_ && !has_places_to_try && samples_ > patience);
 }
 
-void Curiosity::ask(Signature seen, std::uint32_t content_format) {
-  asked_ = Question{.number = ++number_, .seen = std::move(seen), .content_format = content_format, .after = 0};
+void Curiosity::ask(Signature seen, std::string_view method, std::uint32_t content_format) {
+  asked_ = Question{
+      .number = ++number_, .seen = std::move(seen), .method = method, .content_format = content_format, .after = 0};
   is_open_ = true;
   asked_from_robot_ = {};
   samples_ = 0;

@@ -28,7 +28,7 @@ void shorten(std::vector<Pose2>& path, double metres) {
 
 }  // namespace
 
-void Follower::follow(const Route& route) {
+void Follower::follow(const Route& route, std::uint32_t from) {
   const bool same_end = route_ && route_->id == route.id && route_->places == route.places;
   if (same_end && route_->released == route.released && route_->ended == route.ended) {
     route_ = route;
@@ -41,6 +41,7 @@ void Follower::follow(const Route& route) {
     stuck_ = {};
     turning_to_.reset();
   }
+  if (!at_ && from > 0) at_ = from;
   route_ = route;
   arrived_ = false;
   at_end_ = false;

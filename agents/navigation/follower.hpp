@@ -15,8 +15,8 @@ class Follower {
  public:
   explicit Follower(const NavigationConfig& config) : config_(config) {}
 
-  /// A new route, or a new version: goes on from where the robot is.
-  void follow(const Route& route);
+  /// A new route, or a new version: goes on from where the robot is, which is not before place `from`.
+  void follow(const Route& route, std::uint32_t from = 0);
   void stop();
   const std::optional<Route>& route() const { return route_; }
   /// Places of the route near the robot, which localising prefers.

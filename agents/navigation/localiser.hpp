@@ -78,6 +78,11 @@ class Localiser {
     belief_.stand(estimate);
     charted_.forget();
   }
+  /// Taken over from someone else, as good as it says: no search any more.
+  void believe(const Estimate& told) {
+    set(Fix{told.place, told.place_from_robot, {}});
+    stand(told);
+  }
   void forget() {
     belief_.forget();
     charted_.forget();
@@ -199,7 +204,8 @@ class Localiser {
     if (curiosity_.is_stale()) seek_.proposed().clear();
     const bool has_places = !seek_.proposed().empty();
     if (curiosity_.is_due(has_places)) {
-      if (std::optional<Signature> here = method_->sign(seen)) curiosity_.ask(*std::move(here), M::content_format);
+      if (std::optional<Signature> here = method_->sign(seen))
+        curiosity_.ask(*std::move(here), M::name, M::content_format);
     } else if (!has_places && curiosity_.may_go_on()) {
       curiosity_.ask_on();
     }

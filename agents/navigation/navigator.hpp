@@ -41,6 +41,7 @@ struct Navigated {
 struct TeachStart {
   ExperienceId experience;
   RobotId robot;
+  std::vector<ExperienceId> others = {};  ///< of the methods that the navigator teaches beside the first
 };
 
 /// What a robot that looks for itself without a seed sees, as its method signs it. Whoever has all contents can say
@@ -53,6 +54,7 @@ struct TeachStart {
 struct Question {
   std::uint64_t number = 0;  ///< another question has another
   Signature seen;
+  std::string_view method;  ///< that signed
   std::uint32_t content_format = 0;
   std::uint32_t after = 0;  ///< so many places were proposed for this signature before, in vain
 };
@@ -63,6 +65,10 @@ class Navigator {
  public:
   virtual ~Navigator() = default;
   virtual std::string_view method() const = 0;
+  /// The methods that it teaches with, each an experience of its own.
+  virtual std::vector<std::string> teaches() const { return {std::string(method())}; }
+  /// What edges may need for it to drive them: its methods, and the changes from one to the other.
+  virtual std::vector<std::string> drives() const { return {std::string(method())}; }
 
   /// One sample of the body. `hand`: someone else drives.
   virtual Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
@@ -89,6 +95,8 @@ class Navigator {
   virtual void forget_taught(const Window& map) = 0;
   /// Where it is, is not known any more; the route stays.
   virtual void forget_where() = 0;
+  /// Where it is, by someone who knows: believed until it is seen otherwise, and for as long as `blind_m` allows.
+  virtual void believe(const Estimate& told) = 0;
 
   /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
   /// this finds where the experience joins the map.
@@ -112,8 +120,10 @@ class Navigator {
   /// cannot say.
   virtual Result<TaughtWay> taught_way() const = 0;
 
-  /// A new route or a new version of it; the robot never passes `route.released`.
-  virtual void follow(const Route& route) = 0;
+  /// A new route or a new version of it; the robot never passes `route.released`. `from`: the index of a place that
+  /// it is known to have passed.
+  virtual void follow(const Route& route, std::uint32_t from) = 0;
+  void follow(const Route& route) { follow(route, 0); }
   /// Forget the route and stand.
   virtual void stop() = 0;
 };

@@ -27,7 +27,8 @@ class NavigatorOf final : public Navigator {
         decoded_(method_, config.locate.decoded_contents),
         localiser_(method_, config),
         stitcher_(method_, config),
-        follower_(config) {}
+        follower_(config),
+        own_(M::name) {}
   NavigatorOf(const NavigatorOf&) = delete;  // its parts point to method_
   NavigatorOf& operator=(const NavigatorOf&) = delete;
 
@@ -168,7 +169,12 @@ class NavigatorOf final : public Navigator {
     return fail(ErrorCode::refused, "nothing has been taught since its agent started");
   }
 
-  void follow(const Route& route) override { follower_.follow(route); }
+  void believe(const Estimate& told) override {
+    if (teacher_) return;
+    localiser_.believe(told);
+  }
+
+  void follow(const Route& route, std::uint32_t from) override { follower_.follow(route, from); }
   void stop() override { follower_.stop(); }
 
  private:
@@ -178,7 +184,8 @@ class NavigatorOf final : public Navigator {
   bool stand_on_what_stays(const Window& before, const Window& after) {
     const auto all = static_cast<std::uint32_t>(before.places.size());
     for (const Reached& reached : breadth_first(before, estimate()->place, all, all)) {
-      if (after.place(reached.id) == nullptr) continue;
+      const Place* const stays = after.place(reached.id);
+      if (stays == nullptr || stays->method != M::name) continue;
       const Relation there_from_robot = compose(inverse(reached.centre_from_place), estimate()->place_from_robot);
       localiser_.stand({reached.id, there_from_robot, estimate()->blind_m});
       return true;
@@ -269,7 +276,7 @@ class NavigatorOf final : public Navigator {
     if (!finder_ || (finder_->samples_since_attempt() < every && !teacher_->due())) return;
     const Pointer content = seen(navigated);
     if (!content) return;
-    const auto outcome = finder_->attempt(*content, map.window, map.contents, decoded_, {});
+    const auto outcome = finder_->attempt(*content, own_.map(map.window), map.contents, decoded_, {});
     navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
     if (!outcome.fix) return;
     navigated.fix = outcome.fix;
@@ -322,14 +329,21 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  /// As fast as where it is was driven when it was taught; where a hand stood or began, at a walk's slowest.
+  /// As fast as was driven hereabouts when it was taught: a run that began or ended here stood, a route goes on.
   double taught_speed(const MapView& map, const Estimate& believed) {
     if constexpr (Replays<M>) {
       constexpr double slowest_m_s = 0.2;
-      const Place* const place = own_.map(map.window).place(believed.place);
-      if (place == nullptr) return config_.follow.speed_m_s;
-      const auto content = decoded_.find(*place, map.contents);
-      if (content) return std::max(slowest_m_s, M::driven(**content).linear_m_s);
+      constexpr std::uint32_t either_way = 4;  // places
+      const Window& window = own_.map(map.window);
+      const std::uint32_t at = believed.place.index;
+      std::optional<double> fastest_m_s;
+      for (std::uint32_t index = at - std::min(at, either_way); index <= at + either_way; ++index) {
+        const Place* const place = window.place({believed.place.experience, index});
+        if (place == nullptr) continue;
+        const auto content = decoded_.find(*place, map.contents);
+        if (content) fastest_m_s = std::max(fastest_m_s.value_or(slowest_m_s), M::driven(**content).linear_m_s);
+      }
+      return fastest_m_s.value_or(config_.follow.speed_m_s);
     }
     return config_.follow.speed_m_s;
   }

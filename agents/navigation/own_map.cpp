@@ -6,6 +6,27 @@ namespace weft::agents {
 
 namespace {
 
+bool is_of(const Window& window, std::string_view method) {
+  return std::all_of(window.places.begin(), window.places.end(),
+                     [&](const auto& entry) { return entry.second.method == method; });
+}
+
+Window part_of(const Window& window, std::string_view method) {
+  Window part;
+  part.revision = window.revision;
+  for (const auto& [id, place] : window.places) {
+    if (place.method == method) part.places.emplace(id, place);
+  }
+  for (const auto& [label, id] : window.labels) {
+    if (part.place(id) != nullptr) part.labels.emplace(label, id);
+  }
+  for (const auto& [id, edge] : window.edges) {
+    if (part.place(id.a) != nullptr && part.place(id.b) != nullptr) part.edges.emplace(id, edge);
+  }
+  index_edges(part);
+  return part;
+}
+
 void insert(Window& window, const std::vector<Edge>& edges) {
   for (const Edge& edge : edges) {
     if (window.place(edge.id.a) == nullptr || window.place(edge.id.b) == nullptr) continue;
@@ -17,7 +38,7 @@ void insert(Window& window, const std::vector<Edge>& edges) {
 }  // namespace
 
 void OwnMap::clear() {
-  *this = OwnMap{};
+  *this = OwnMap(method_);
 }
 
 void OwnMap::add(const Place& place, const std::vector<Edge>& edges) {
@@ -38,16 +59,18 @@ bool OwnMap::has(const PlaceId& place) const {
 }
 
 void OwnMap::update(const Window& window, bool done) {
-  if (places_.empty()) return;
-  if (done && window.place(places_.back().id) != nullptr) return clear();
+  if (done && !places_.empty() && window.place(places_.back().id) != nullptr) clear();
   const Seen now{window.revision, window.places.size(), window.edges.size()};
-  if (joined_ && now == seen_) return;
+  if (now == seen_ && (joined_ || places_.empty())) return;
   seen_ = now;
   join(window);
 }
 
 void OwnMap::join(const Window& window) {
-  joined_ = window;
+  joined_.reset();
+  if (!is_of(window, method_)) joined_ = part_of(window, method_);
+  if (places_.empty()) return;
+  if (!joined_) joined_ = window;
   for (const Place& place : places_) joined_->places.emplace(place.id, place);
   insert(*joined_, edges_);
 }

@@ -1,15 +1,20 @@
 #pragma once
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "agents/navigation/navigator.hpp"
 #include "core/network/window.hpp"
 
 namespace weft::agents {
 
-/// The window joined with the places that this robot has taught and that the window does not hold yet. While there
-/// are none it is the window itself.
+/// The map of one method: the window without what others need to see, joined with the places that this robot has
+/// taught and that the window does not hold yet. Where nothing is to be left out or joined it is the window itself.
 class OwnMap {
  public:
+  explicit OwnMap(std::string_view method) : method_(method) {}
+
+  /// Forgets the own places.
   void clear();
   /// A place and edges to places of this map. `anchor`: a join that the robot believes but does not hand in.
   void add(const Place& place, const std::vector<Edge>& edges);
@@ -24,15 +29,17 @@ class OwnMap {
  private:
   void join(const Window& window);
 
+  std::string_view method_;  // static text
   std::vector<Place> places_;
   std::vector<Edge> edges_;
-  std::optional<Window> joined_;
+  std::optional<Window> joined_;  // none: the window itself
   struct Seen {
     Revision revision;
     std::size_t places = 0;
     std::size_t edges = 0;
     bool operator==(const Seen&) const = default;
-  } seen_;  // the window that joined_ is made of
+  };
+  std::optional<Seen> seen_;  // the window that joined_ is made of
 };
 
 }  // namespace weft::agents

@@ -123,7 +123,8 @@ std::optional<Joint> joint(const NavigationConfig& config, const Window& window,
                            const Estimate& estimate, std::uint32_t from) {
   const auto all = static_cast<std::uint32_t>(route.places.size());
   const std::optional<std::uint32_t> own = own_index(route, estimate.place, from);
-  if (!own) return nearest_joined(config, window, route, estimate, std::min(from, all), all);
+  // What has just been passed is joined to the robot, too, where the map does not say what comes next.
+  if (!own) return nearest_joined(config, window, route, estimate, from > around_at ? from - around_at : 0, all);
   if (apart(*own, from) <= around_at) return Joint{*own, Metric2{}};
   // A route round a loop: the place may be on it much later, and beside where the route is now.
   const std::optional<Joint> beside =

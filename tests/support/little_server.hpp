@@ -45,7 +45,10 @@ class LittleServer final : public agents::Contents {
 
   /// The shortest route, released to its end.
   Route route(const PlaceId& from, const PlaceId& to, const std::string& method) const {
-    const Result<Path> path = shortest_path(snapshot_, from, to, {method});
+    return route(from, to, std::set<std::string>{method});
+  }
+  Route route(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods) const {
+    const Result<Path> path = shortest_path(snapshot_, from, to, methods);
     if (!path) {
       ADD_FAILURE() << path.error().message;
       return {};

@@ -2,14 +2,12 @@
 """One uncalibrated camera that looks ahead, through the whole service: a robot is taught a loop over DDS, a spot of it is
 labelled, the robot is sent there, and the simulation's truth says where it came to stand. Each program of another DDS
 vendor; nobody but this test knows the truth."""
-import json
 import math
 import pathlib
 import re
 import tempfile
-import time
 
-from command import BEARING_DOMAIN as DOMAIN, BIN, ROOT, Case, Running, main
+from command import BEARING_DOMAIN as DOMAIN, BIN, ROOT, Fleet, Running, main
 
 SCENES = ROOT / 'deploy/sites/bearing'
 
@@ -20,23 +18,9 @@ def is_some_way_on(robots):
     return place is not None and int(place.group(1)) >= 12
 
 
-class BearingFleet(Case):
-    def weft(self, *words, seconds=90):
-        ended, said, wrong = self.run_command(BIN / 'weft', '--domain', DOMAIN, '--dds', 'fastdds', *words,
-                                              seconds=seconds)
-        self.assertEqual(ended, 0, f'{words}: {said}{wrong}')
-        return said
-
-    def poll(self, holds, seconds, *words):
-        """Asks until the answer is as it should be."""
-        end = time.monotonic() + seconds
-        while not holds(said := self.weft(*words)):
-            self.assertLess(time.monotonic(), end, f'not in {seconds} s; at last:\n{said}')
-            time.sleep(0.1)
-
-    def pose(self, truth):
-        last = json.loads(truth.read_text().splitlines()[-1])
-        return last['x'], last['y'], last['heading']
+class BearingFleet(Fleet):
+    domain = DOMAIN
+    vendor = 'fastdds'
 
     def test_taught_labelled_sent(self):
         with tempfile.TemporaryDirectory() as name:

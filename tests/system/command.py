@@ -1,4 +1,5 @@
 """Runs a command as a person would, and holds its mistakes to one line."""
+import json
 import os
 import pathlib
 import signal
@@ -10,7 +11,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / 'build/release/bin'
 # A DDS domain for each suite, since suites run side by side; 100 to 149 are the unit and contract tests' own.
-PROGRAMS_DOMAIN, NOBODYS_DOMAIN, BEARING_DOMAIN, SCRIPTS_DOMAIN = 151, 154, 152, 153
+PROGRAMS_DOMAIN, NOBODYS_DOMAIN, BEARING_DOMAIN, SCRIPTS_DOMAIN, TWO_CAMERAS_DOMAIN = 151, 154, 152, 153, 155
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
 
@@ -59,6 +60,29 @@ class Running:
     def stop(self):
         self.child.send_signal(signal.SIGTERM)
         return self.child.wait(30)
+
+
+class Fleet(Case):
+    """Asks a server of that domain as an operator would, and the simulation for the truth."""
+    domain = None
+    vendor = 'cyclonedds'
+
+    def weft(self, *words, seconds=90):
+        ended, said, wrong = self.run_command(BIN / 'weft', '--domain', self.domain, '--dds', self.vendor, *words,
+                                              seconds=seconds)
+        self.assertEqual(ended, 0, f'{words}: {said}{wrong}')
+        return said
+
+    def poll(self, holds, seconds, *words):
+        """Asks until the answer is as it should be."""
+        end = time.monotonic() + seconds
+        while not holds(said := self.weft(*words)):
+            self.assertLess(time.monotonic(), end, f'not in {seconds} s; at last:\n{said}')
+            time.sleep(0.1)
+
+    def pose(self, truth):
+        last = json.loads(truth.read_text().splitlines()[-1])
+        return last['x'], last['y'], last['heading']
 
 
 def main():

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -12,6 +13,7 @@
 #include "agents/methods/floor/floor.hpp"
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator_of.hpp"
+#include "agents/navigation/several.hpp"
 
 namespace weft::agents {
 namespace {
@@ -26,9 +28,43 @@ Result<AnyMethod> made(const Config& config, const CameraModel& camera) {
   return AnyMethod(std::move(*method));
 }
 
-Result<AnyMethod> make_method(const Options& options, const CameraModel& camera) {
-  if (options.method == Bearing::name) return made<Bearing>(options.bearing, camera);
-  return made<Floor>(options.floor, camera);
+Result<AnyMethod> make_method(const Options& options, const Equipped& equipped) {
+  if (equipped.method == Bearing::name) return made<Bearing>(options.bearing, equipped.camera);
+  return made<Floor>(informed(options.floor, equipped.known), equipped.camera);
+}
+
+Result<std::unique_ptr<Navigator>> make_one(const Options& options, const Equipped& equipped) {
+  Result<AnyMethod> method = make_method(options, equipped);
+  if (!method) return fail(method.error());
+  return std::visit(
+      [&](auto&& chosen) -> Result<std::unique_ptr<Navigator>> {
+        return agents::make_navigator(std::forward<decltype(chosen)>(chosen), options.navigation);
+      },
+      std::move(*method));
+}
+
+std::vector<std::string> methods_of(const Options& options) {
+  std::vector<std::string> methods;
+  std::istringstream text(options.method);
+  for (std::string method; std::getline(text, method, ',');) methods.push_back(method);
+  return methods;
+}
+
+bool looks_down(const CameraModel& camera) {
+  constexpr double steep = 0.34;  // 20 degrees below level
+  return (camera.robot_from_camera.rotation * Eigen::Vector3d::UnitZ()).z() < -steep;
+}
+
+/// A body with one camera has no choice.
+Result<CameraModel> camera_for(const std::string& method, const std::vector<CameraModel>& cameras) {
+  if (cameras.empty()) return fail(ErrorCode::invalid, "the body has no camera");
+  const bool down = method == Floor::name;
+  const auto found = std::find_if(cameras.begin(), cameras.end(),
+                                  [down](const CameraModel& camera) { return looks_down(camera) == down; });
+  if (found != cameras.end()) return *found;
+  if (cameras.size() == 1) return cameras.front();
+  return fail(ErrorCode::invalid, "no camera of the body looks " + std::string(down ? "down" : "ahead") +
+                                      ", as method " + method + " needs it");
 }
 
 Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::function<void(const std::string&)>& warn) {
@@ -73,11 +109,11 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
   return replay::make_replay_body(config);
 }
 
-Result<CameraModel> make_camera(const Options& options, const Body& body,
-                                const std::function<void(const std::string&)>& warn, CalibrationSigma* known) {
-  const std::vector<CameraModel> cameras = body.cameras();
-  if (cameras.empty()) return fail(ErrorCode::invalid, "the body has no camera");
-  CameraModel told = cameras.front();
+namespace {
+
+/// What is known of the camera that the body tells of.
+Result<CameraModel> calibrated(const Options& options, CameraModel told,
+                               const std::function<void(const std::string&)>& warn, CalibrationSigma& known) {
   if (options.mount.has_value()) told.robot_from_camera = *options.mount;
   if (!options.calibration.has_value()) return told;
   const std::string& name = *options.calibration;
@@ -90,22 +126,47 @@ Result<CameraModel> make_camera(const Options& options, const Body& body,
                                         " pixels, the body's has " + size(told.width, told.height) +
                                         "; calibrate at the size that is driven with");
   }
-  if (known != nullptr) *known = file->camera.sigma;
+  known = file->camera.sigma;
   CameraModel camera = camera_model_from(file->camera, told.id, told.robot_from_camera);
   if (options.mount.has_value()) camera.robot_from_camera = *options.mount;
   return camera;
 }
 
-Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera) {
-  const NavigationConfig& config = options.navigation;
-  if (const std::vector<Error> wrong = check(config); !wrong.empty()) return fail(wrong.front());
-  Result<AnyMethod> method = make_method(options, camera);
-  if (!method) return fail(method.error());
-  return std::visit(
-      [&](auto&& chosen) -> Result<std::unique_ptr<Navigator>> {
-        return agents::make_navigator(std::forward<decltype(chosen)>(chosen), config);
-      },
-      std::move(*method));
+}  // namespace
+
+Result<std::vector<Equipped>> make_cameras(const Options& options, const Body& body,
+                                           const std::function<void(const std::string&)>& warn) {
+  std::vector<Equipped> all;
+  for (const std::string& method : methods_of(options)) {
+    const Result<CameraModel> told = camera_for(method, body.cameras());
+    if (!told) return fail(told.error());
+    const bool is_taken =
+        std::any_of(all.begin(), all.end(), [&](const Equipped& other) { return other.camera.id == told->id; });
+    if (is_taken) {
+      return fail(ErrorCode::invalid, "method " + options.method + ": the body has one camera, " + told->id +
+                                          "; each method needs one of its own");
+    }
+    Equipped equipped{method, *told, {}};
+    if (all.empty()) {
+      const Result<CameraModel> camera = calibrated(options, *told, warn, equipped.known);
+      if (!camera) return fail(camera.error());
+      equipped.camera = *camera;
+    }
+    all.push_back(std::move(equipped));
+  }
+  return all;
+}
+
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const std::vector<Equipped>& equipped) {
+  if (const std::vector<Error> wrong = check(options.navigation); !wrong.empty()) return fail(wrong.front());
+  std::vector<Looking> all;
+  for (const Equipped& one : equipped) {
+    Result<std::unique_ptr<Navigator>> navigator = make_one(options, one);
+    if (!navigator) return navigator;
+    all.push_back({one.camera.id, std::move(*navigator)});
+  }
+  if (all.size() == 1) return std::move(all.front().navigator);
+  return make_several(std::move(all), options.navigation);
 }
 
 }  // namespace weft::agents

@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "agents/agent/process/options.hpp"
 #include "agents/bodies/body.hpp"
@@ -13,15 +14,20 @@ namespace weft::agents {
 /// The body that the options name. Errors are the body's own: no such file, site, recording or robot in it.
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
 
-/// What is known of the body's camera: the calibration file of the options, where there is one; its mount is the
-/// body's when the file has none. not_found, invalid: of the file; its images would be of another size. `known`, if
-/// not null: how well, as the file says.
-Result<CameraModel> make_camera(const Options& options, const Body& body,
-                                const std::function<void(const std::string&)>& warn,
-                                CalibrationSigma* known = nullptr);
+/// A camera of the body's, as far as it is known, and the method that looks through it.
+struct Equipped {
+  std::string method;
+  CameraModel camera;
+  CalibrationSigma known;
+};
 
-/// The navigator of the method that the options name, for that camera.
-/// invalid: the calibration or a setting of the method breaks its bound.
-Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const CameraModel& camera);
+/// The methods that the options name, each with its camera: of a body that has several, the one that looks where the
+/// method wants to. The calibration file of the options is the first one's; its mount is the body's when the file has
+/// none. not_found, invalid: of the file; its images would be of another size; no camera looks there.
+Result<std::vector<Equipped>> make_cameras(const Options& options, const Body& body,
+                                           const std::function<void(const std::string&)>& warn);
+
+/// One navigator for all of that. invalid: a calibration or a setting of a method breaks its bound.
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const std::vector<Equipped>& equipped);
 
 }  // namespace weft::agents

@@ -27,7 +27,8 @@ struct Flag {
 constexpr std::array kFlags = {
     Flag{"name", Kind::text, "The robot's name, 1 to 64 of [A-Za-z0-9_.-]. Required"},
     Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
-    Flag{"method", Kind::text, "How it navigates: floor (a camera looks down) or bearing (ahead) [floor]"},
+    Flag{"method", Kind::text,
+         "How it navigates: floor (a camera looks down), bearing (ahead), or floor,bearing with both [floor]"},
     Flag{"body", Kind::text, "sim | replay [sim]"},
     Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
     Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
@@ -135,7 +136,7 @@ Options read(const Sources& from) {
   Options options;
   options.name = from.text("name", "");
   options.state = from.text("state", "");
-  options.method = from.choice("method", "floor", {"floor", "bearing"});
+  options.method = from.choice("method", "floor", {"floor", "bearing", "floor,bearing"});
   options.body = from.choice("body", "sim", {"sim", "replay"});
   options.servers = from.texts("server", {"127.0.0.1"});
   const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";

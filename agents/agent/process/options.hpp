@@ -17,8 +17,8 @@ namespace weft::agents {
 /// All settings of the process. A flag wins over the file, the file over the default.
 struct Options {
   std::string name;
-  std::string state;  ///< directory
-  std::string method;
+  std::string state;   ///< directory
+  std::string method;  ///< or two, with a comma between: each has a camera of its own
   std::string body;
 
   std::vector<std::string> servers;

@@ -47,8 +47,8 @@ std::string addresses(const Options& options) {
   return words + ", domain " + std::to_string(options.domain);
 }
 
-AgentConfig config_of(const Options& options, const RobotId& self, const Body& body, const CameraModel& camera,
-                      const std::string& vendor) {
+AgentConfig config_of(const Options& options, const RobotId& self, const Body& body,
+                      const std::vector<Equipped>& equipped, const std::string& vendor) {
   AgentConfig config;
   config.self = self;
   config.incarnation = random_from_machine().next() | 1U;
@@ -57,10 +57,13 @@ AgentConfig config_of(const Options& options, const RobotId& self, const Body& b
   config.vendor = vendor;
   config.body = body.kind();
   config.can_be_taught_along = config.body == "sim";
-  config.cameras.push_back({.id = camera.id,
-                            .width = static_cast<std::uint32_t>(camera.width),
-                            .height = static_cast<std::uint32_t>(camera.height),
-                            .calibration = options.calibration.value_or(camera.id)});
+  for (const Equipped& one : equipped) {
+    const bool has_file = config.cameras.empty() && options.calibration.has_value();
+    config.cameras.push_back({.id = one.camera.id,
+                              .width = static_cast<std::uint32_t>(one.camera.width),
+                              .height = static_cast<std::uint32_t>(one.camera.height),
+                              .calibration = has_file ? *options.calibration : one.camera.id});
+  }
   config.footprint_radius_m = options.footprint_radius_m;
   config.window_hops = options.window_hops;
   config.window_cap = options.window_cap;
@@ -101,18 +104,15 @@ Result<void> run(const Options& options) {
   const auto warn = [&log](const std::string& text) { log.warn("{}", text); };
   Result<std::unique_ptr<Body>> body = make_body(options, warn);
   if (!body) return fail(body.error());
-  CalibrationSigma known;
-  const Result<CameraModel> camera = make_camera(options, **body, warn, &known);
-  if (!camera) return fail(camera.error());
-  Options told = options;
-  told.floor = informed(options.floor, known);
-  Result<std::unique_ptr<Navigator>> navigator = make_navigator(told, *camera);
+  const Result<std::vector<Equipped>> equipped = make_cameras(options, **body, warn);
+  if (!equipped) return fail(equipped.error());
+  Result<std::unique_ptr<Navigator>> navigator = make_navigator(options, *equipped);
   if (!navigator) return fail(navigator.error());
   Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
   if (!opened) return fail(opened.error());
   bus::Link link(std::move(*opened));
 
-  const AgentConfig config = config_of(options, *self, **body, *camera, link.bus().vendor());
+  const AgentConfig config = config_of(options, *self, **body, *equipped, link.bus().vendor());
   const SteadyTime now{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
   Result<std::unique_ptr<Agent>> agent = start(config, std::move(*navigator), **spool, random_from_machine(), now);
   if (!agent) return fail(agent.error());

@@ -242,7 +242,7 @@ TEST(Surroundings, RouteFirstThenOutwardsFromTheRobot) {
   const Window window = make_window(rig.server.snapshot, WindowDefinition{});
   Route route = a_route(laid, 10, 1);
   route.places = {{laid, 8}, {laid, 9}};
-  const auto order = nearest_first(window, PlaceId{laid, 3}, route, 0);
+  const auto order = nearest_first(window, {"marks"}, PlaceId{laid, 3}, route, 0);
   ASSERT_EQ(order.size(), 10U);
   const auto is = [&](std::size_t i, std::uint32_t index) {
     return order[i].hash == window.place({laid, index})->content.hash;

@@ -22,7 +22,8 @@ class RecogniseOfAgent : public testing::Test {
   }
   /// What the navigator wants to know from now on.
   void wonder(std::uint64_t number, std::uint32_t after) {
-    rig.script->question = Question{.number = number, .seen = {0.5F, 0.25F}, .content_format = 3, .after = after};
+    rig.script->question =
+        Question{.number = number, .seen = {0.5F, 0.25F}, .method = "marks", .content_format = 3, .after = after};
   }
   PlaceId place(std::uint32_t index) const { return {laid, index}; }
   void answer(const msg::Recognise& asked, const std::vector<PlaceId>& places) {

@@ -16,11 +16,15 @@ class ScriptedNavigator final : public Navigator {
  public:
   explicit ScriptedNavigator(std::shared_ptr<Script> script) : script_(std::move(script)) {}
   std::string_view method() const override { return "marks"; }
+  std::vector<std::string> teaches() const override { return script_->teaches; }
 
   Navigated step(const View* view, std::uint64_t frame, SensorTime, const Motion&, bool, const MapView&) override {
     Navigated answer = script_->answer;
     const bool keeps = script_->keep_wanted || (script_->teaching && script_->keep_each_step);
-    if (view != nullptr && keeps) answer.kept.push_back(keep(frame));
+    if (view == nullptr || !keeps) return answer;
+    for (std::size_t method = 0; method < script_->teaches.size(); ++method)
+      answer.kept.push_back(keep(frame, method));
+    ++script_->index;
     return answer;
   }
   bool map_changed(const Window& before, const Window& after) override {
@@ -50,7 +54,8 @@ class ScriptedNavigator final : public Navigator {
     if (!script_->joins) return tl::unexpected(script_->joins.error());
     script_->taught.push_back(start);
     script_->index = 0;
-    Kept kept = keep(0);
+    Kept kept = keep(0, 0);
+    ++script_->index;
     kept.edges = *script_->joins;
     for (Edge& edge : kept.edges) edge.id.b = kept.place.id;
     return kept;
@@ -64,19 +69,21 @@ class ScriptedNavigator final : public Navigator {
   }
   std::optional<PlaceId> suspected() const override { return script_->suspected; }
   Result<TaughtWay> taught_way() const override { return script_->way; }
-  void follow(const Route& route) override { script_->followed.push_back(route); }
+  void believe(const Estimate& told) override { script_->estimate = told; }
+  void follow(const Route& route, std::uint32_t) override { script_->followed.push_back(route); }
   void stop() override { ++script_->stops; }
 
  private:
-  Kept keep(std::uint64_t frame) {
+  Kept keep(std::uint64_t frame, std::size_t method) {
     script_->keep_wanted = false;
     const TeachStart& start = script_->taught.back();
+    const ExperienceId experience = method == 0 ? start.experience : start.others[method - 1];
     Kept kept;
-    kept.content = some_content(start.experience.value + script_->index, script_->content_bytes);
-    kept.place = a_place(start.experience, script_->index, start.robot, kept.content);
+    kept.content = some_content(experience.value + script_->index, script_->content_bytes);
+    kept.place = a_place(experience, script_->index, start.robot, kept.content);
+    kept.place.method = script_->teaches[method];
     kept.place.frame = frame;
-    if (script_->index > 0) kept.edges.push_back(an_edge({start.experience, script_->index - 1}, kept.place.id));
-    ++script_->index;
+    if (script_->index > 0) kept.edges.push_back(an_edge({experience, script_->index - 1}, kept.place.id));
     return kept;
   }
   std::shared_ptr<Script> script_;

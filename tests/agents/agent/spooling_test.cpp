@@ -42,6 +42,40 @@ TEST(Spooling, WhatIsTaughtArrivesWholeAndLeavesTheDisk) {
   EXPECT_EQ(acknowledged, rig.script->index);
 }
 
+TEST(Spooling, SeveralMethodsHandInAnExperienceEach) {
+  Rig rig;
+  rig.script->teaches = {"marks", "more"};
+  rig.run(4s);
+  msg::AgentCommand start = rig.command(Kind::teach_start, 1);
+  start.name = "aisle";
+  rig.tell(start);
+  rig.run(3s);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(2s);
+  const TeachStart& taught = rig.script->taught.front();
+  ASSERT_EQ(taught.others.size(), 1U);
+  expect_whole(rig, taught.experience, rig.script->index);
+  expect_whole(rig, taught.others.front(), rig.script->index);
+  EXPECT_EQ(rig.server.snapshot.experience(taught.experience)->name, "aisle");
+  EXPECT_EQ(rig.server.snapshot.experience(taught.others.front())->name, "aisle-more");
+  EXPECT_EQ(rig.server.snapshot.experience(taught.others.front())->method, "more");
+}
+
+TEST(Spooling, ANameThatIsTooLongForTheSecondMethodIsRefused) {
+  Rig rig;
+  rig.script->teaches = {"marks", "more"};
+  rig.run(4s);
+  msg::AgentCommand start = rig.command(Kind::teach_start, 1);
+  start.name = std::string(60, 'a');
+  rig.tell(start);
+  rig.run(1s);
+  const auto reply = rig.last<msg::AgentReply>();
+  ASSERT_TRUE(reply);
+  EXPECT_FALSE(reply->done);
+  EXPECT_NE(reply->reason.find("-more"), std::string::npos) << reply->reason;
+  EXPECT_TRUE(rig.script->taught.empty());
+}
+
 TEST(Spooling, BatchesAreOnDiskBeforeTheyAreSent) {
   Rig rig;
   rig.run(4s);

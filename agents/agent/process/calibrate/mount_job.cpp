@@ -8,6 +8,8 @@
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/equip.hpp"
 #include "agents/agent/process/words.hpp"
+#include "agents/methods/advance.hpp"
+#include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/mount_drive.hpp"
 
 namespace weft::agents {
@@ -35,6 +37,7 @@ Result<std::vector<SitePoint>> read_line(const std::string& file) {
 Options options_of(const MountJob& job) {
   Options options;
   options.name = job.robot;
+  options.method = Floor::name;
   options.body = job.site.empty() ? "replay" : "sim";
   options.site = job.site;
   options.seed = job.seed;
@@ -49,18 +52,21 @@ Options options_of(const MountJob& job) {
 
 using Warn = std::function<void(const std::string&)>;
 
-/// One time through the drive, whatever it is of.
-Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const Warn& warn,
-                  const std::function<void(const View*, const Motion&)>& take) {
+/// One time through the drive, whatever it is of, as one camera sees it.
+Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const std::string& camera,
+                  const Warn& warn, const std::function<void(const View*, const Motion&)>& take) {
   Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
   if (!body) return fail(body.error());
   if (!line.empty()) {
     if (const Result<void> led = (*body)->drive_by_hand(line); !led) return led;
   }
+  Motion since;
   for (;;) {
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return {};  // the recording is over; images that could not be read were warned of, and are blind
-    take(sample->view.has_value() ? &*sample->view : nullptr, sample->motion);
+    since = joined(since, sample->motion);
+    const bool is_its = !sample->view.has_value() || sample->view->calibration == camera;
+    if (is_its) take(sample->view.has_value() ? &*sample->view : nullptr, std::exchange(since, Motion{}));
     if (sample->hand_done) return {};
   }
 }
@@ -135,9 +141,9 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   };
   const Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
   if (!body) return fail(body.error());
-  CalibrationSigma known;
-  const Result<CameraModel> given = make_camera(options_of(job), **body, warn, &known);
-  if (!given) return fail(given.error());
+  const Result<std::vector<Equipped>> equipped = make_cameras(options_of(job), **body, warn);
+  if (!equipped) return fail(equipped.error());
+  const auto& [method, given, known] = equipped->front();
 
   MountDriveConfig config;
   config.prior.focal_share = known.focal_share.value_or(config.prior.focal_share);
@@ -150,7 +156,7 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   const PlayDrive again = [&](const std::function<void(const View*, const Motion&)>& take) -> Result<void> {
     ++pass;
     std::size_t images = 0;
-    Result<void> played = play(job, line, warn, [&](const View* view, const Motion& motion) {
+    Result<void> played = play(job, line, given.id, warn, [&](const View* view, const Motion& motion) {
       take(view, motion);
       ++images;
       if (output.now_s() - said_s < kBetweenLines) return;
@@ -160,7 +166,7 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
     warned = true;
     return played;
   };
-  const Result<MountDrive> found = calibrate_mount(*given, again, config);
+  const Result<MountDrive> found = calibrate_mount(given, again, config);
   if (!found) return fail(found.error());
 
   CameraCalibration camera = calibration_from(found->camera);

@@ -123,7 +123,7 @@ void Navigating::stitch(const Passage& passage, bool knows, Random& random, Tall
   Stitcher<Floor> stitcher(method_, config_);
   Teacher teacher(config_.teach, {ExperienceId{std::numeric_limits<std::uint32_t>::max()}, RobotId{}}, Floor::name,
                   Floor::content_format);
-  OwnMap own;
+  OwnMap own(Floor::name);
   for (const Look& look : passage.looks) {
     if (&look != &passage.looks.front()) teacher.advance(look.step);
     if (&look != &passage.looks.front() && &look != &last) continue;

@@ -69,11 +69,38 @@ TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
   other.fx = 455.0;
   other.body_from_camera.reset();
   options.calibration = folder.write("cam.yaml", camera_file_text(other, {}) + "timeshift_cam_imu: 0\n");
-  const auto camera = make_camera(options, **body, warn);
-  ASSERT_TRUE(camera.has_value()) << camera.error().message;
-  EXPECT_EQ(camera->fx, 455.0);
-  EXPECT_EQ(camera->robot_from_camera.translation, told.robot_from_camera.translation);  // the file has no mount
+  const auto equipped = make_cameras(options, **body, warn);
+  ASSERT_TRUE(equipped.has_value()) << equipped.error().message;
+  const CameraModel& camera = equipped->front().camera;
+  EXPECT_EQ(camera.fx, 455.0);
+  EXPECT_EQ(camera.robot_from_camera.translation, told.robot_from_camera.translation);  // the file has no mount
   EXPECT_NE(warnings.find("timeshift_cam_imu is not understood"), std::string::npos) << warnings;
+}
+
+TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
+  const Folder folder;
+  Options options = options_in(folder);
+  const auto warn = [](const std::string& text) { ADD_FAILURE() << text; };
+  options.site = std::string(WEFT_SITES) + "/two-cameras/hall.toml";
+  options.name = "r3";
+  options.method = "floor,bearing";
+  const auto body = make_body(options, warn);
+  ASSERT_TRUE(body) << body.error().message;
+  const auto both = make_cameras(options, **body, warn);
+  ASSERT_TRUE(both) << both.error().message;
+  ASSERT_EQ(both->size(), 2U);
+  EXPECT_EQ((*both)[0].camera.id, (*body)->cameras()[0].id) << "the one that looks down";
+  EXPECT_EQ((*both)[1].camera.id, (*body)->cameras()[1].id);
+  const auto navigator = make_navigator(options, *both);
+  ASSERT_TRUE(navigator);
+  EXPECT_EQ((*navigator)->drives(), (std::vector<std::string>{"floor", "bearing", "bearing+floor"}));
+
+  options.method = "bearing";
+  EXPECT_EQ(make_cameras(options, **body, warn)->front().camera.id, (*body)->cameras()[1].id);
+
+  options.method = "floor,bearing";
+  options.name = "r1";
+  expect_refused(options, "each method needs one of its own");
 }
 
 TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "agents/navigation/config.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "core/network/window.hpp"
+
+/// How a robot that sees by several methods changes from one to another (docs/decisions/027).
+namespace weft::agents {
+
+/// What an edge between a place of each method needs of a robot: both, whichever way it is driven. A name like any
+/// method's: who can drive it says so, nobody else has to know that it is two.
+std::string change_between(std::string_view one, std::string_view other);
+
+/// Where the robot is by the map of another method: the place of `method` that the fewest hops of the window join to
+/// the believed one, near enough to be seen from here. None: the two maps are not joined there.
+std::optional<Estimate> as_seen_by(std::string_view method, const NavigationConfig& config, const Window& window,
+                                   const Estimate& known);
+
+/// Whether two estimates of the same moment may both be right, by the window's way from one to the other. A place
+/// that no way leads to agrees with nothing.
+bool agree(const NavigationConfig& config, const Window& window, const Estimate& one, const Estimate& other);
+
+/// The method of the route's next place after `at`, at its end of the last one; empty where the window does not have
+/// it.
+std::string_view next_method(const Window& window, const Route& route, std::uint32_t at);
+
+/// Edges between two experiences that one robot is taught at once, by two methods: where it was by the one when it
+/// kept a place of the other. They wait until the server has the older place, and then go along with the next place
+/// kept. A value.
+class Joins {
+ public:
+  explicit Joins(const StitchConfig& config) : config_(config) {}
+
+  void clear() { *this = Joins(config_); }
+  /// `kept` has just been kept where `older` is known; not each of them is joined.
+  void note(const Estimate& older, std::string_view older_method, const Place& kept);
+  /// Those of that experience whose older place `window` has, to go along with one of its places.
+  std::vector<Edge> take(const Window& window, const ExperienceId& experience);
+
+ private:
+  StitchConfig config_;
+  std::optional<PlaceId> last_;  ///< older place of the last edge
+  std::vector<Edge> waiting_;
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,237 @@
+#include "agents/navigation/several.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "agents/methods/advance.hpp"
+#include "agents/methods/dead_reckoning.hpp"
+#include "agents/navigation/hand_over.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr double kFreshM = 0.5;  ///< travelled since its last fix: who knows no better does not take over
+/// A camera that gives nothing for so long while the robot moves is blind.
+constexpr Duration kSilent = std::chrono::milliseconds(300);
+constexpr Duration kBetweenHints = std::chrono::seconds(1);
+
+struct Part {
+  std::string camera;
+  std::unique_ptr<Navigator> navigator;
+  Motion since;            ///< its last step
+  Navigated last;          ///< what that led to
+  Duration since_hint{};   ///< since it was told where it is
+  ExperienceId teaches{};  ///< none: is not being taught
+
+  bool is_silent() const {
+    const bool moves = since.command != Twist{} || (since.wheels && since.wheels->distance_m != 0.0);
+    return moves && since.elapsed >= kSilent;
+  }
+  bool knows() const { return navigator->estimate() && !last.lost; }
+};
+
+class Several final : public Navigator {
+ public:
+  Several(std::vector<Looking> all, const NavigationConfig& config) : config_(config), joins_(config.stitch) {
+    for (Looking& one : all) parts_.push_back({std::move(one.camera), std::move(one.navigator), {}, {}, {}, {}});
+  }
+
+  std::string_view method() const override { return active().navigator->method(); }
+  std::vector<std::string> teaches() const override {
+    std::vector<std::string> all;
+    for (const Part& part : parts_) all.emplace_back(part.navigator->method());
+    return all;
+  }
+  std::vector<std::string> drives() const override {
+    std::vector<std::string> all = teaches();
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) all.push_back(change_between(all[i], all[j]));
+    return all;
+  }
+
+  Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
+                 const MapView& map) override {
+    for (Part& part : parts_) {
+      part.since = joined(part.since, motion);
+      part.since_hint += motion.elapsed;
+    }
+    Navigated all;
+    for (Part& part : parts_) {
+      const bool sees = view != nullptr && view->calibration == part.camera;
+      if (!sees && !part.is_silent()) continue;
+      part.last =
+          part.navigator->step(sees ? view : nullptr, frame, time, std::exchange(part.since, Motion{}), hand, map);
+      if (part.last.fix) all.fix = part.last.fix;
+      all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
+      take_kept(part, std::move(part.last.kept), map, all.kept);
+    }
+    if (!is_taught()) {
+      tell_who_does_not_know(map.window);
+      choose(map.window, hand);
+    }
+    const Navigated& drives = active().last;
+    all.command = drives.command;
+    all.following = drives.following;
+    all.route_at = drives.route_at;
+    all.route_freed = drives.route_freed;
+    all.lost = drives.lost;
+    all.reason = drives.reason;
+    return all;
+  }
+
+  void begin_teach(const TeachStart& start) override {
+    joins_.clear();
+    route_.reset();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (i > start.others.size()) break;
+      parts_[i].teaches = i == 0 ? start.experience : start.others[i - 1];
+      parts_[i].navigator->begin_teach({parts_[i].teaches, start.robot, {}});
+    }
+  }
+
+  std::vector<Kept> end_teach(const MapView& map) override {
+    std::vector<Kept> all;
+    for (Part& part : parts_) take_kept(part, part.navigator->end_teach(map), map, all);
+    for (Part& part : parts_) part.teaches = {};
+    return all;
+  }
+
+  void keep_place() override { parts_.front().navigator->keep_place(); }
+  OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) override {
+    return active().navigator->keep_alone(start, map);
+  }
+
+  bool map_changed(const Window& before, const Window& after) override {
+    bool stays = true;
+    for (Part& part : parts_) {
+      const bool its = part.navigator->map_changed(before, after);
+      if (&part == &active()) stays = its;
+    }
+    return stays;
+  }
+  void forget_taught(const Window& map) override {
+    for (Part& part : parts_) part.navigator->forget_taught(map);
+  }
+  void forget_where() override {
+    for (Part& part : parts_) part.navigator->forget_where();
+  }
+  void believe(const Estimate& told) override { active().navigator->believe(told); }
+
+  void seek(const std::optional<PlaceId>& seed) override {
+    for (Part& part : parts_) part.navigator->seek(seed);
+  }
+  std::optional<Estimate> estimate() const override { return active().navigator->estimate(); }
+  const Question* question() const override {
+    const Part* const asks = who_asks();
+    return asks != nullptr ? asks->navigator->question() : nullptr;
+  }
+  void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {
+    if (const Part* const asks = who_asks()) asks->navigator->propose(question, places);
+  }
+  std::optional<PlaceId> suspected() const override {
+    for (const Part& part : parts_)
+      if (const auto suspected = part.navigator->suspected()) return suspected;
+    return std::nullopt;
+  }
+  std::optional<MountReport> mount() const override {
+    for (const Part& part : parts_)
+      if (auto report = part.navigator->mount()) return report;
+    return std::nullopt;
+  }
+  Result<TaughtWay> taught_way() const override { return parts_.front().navigator->taught_way(); }
+
+  void follow(const Route& route, std::uint32_t from) override {
+    route_ = route;
+    active().navigator->follow(route, from);
+  }
+  void stop() override {
+    route_.reset();
+    for (Part& part : parts_) part.navigator->stop();
+  }
+
+ private:
+  Part& active() { return parts_[active_]; }
+  const Part& active() const { return parts_[active_]; }
+  bool is_taught() const { return bool(parts_.front().teaches); }
+
+  const Part* who_asks() const {
+    const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                    [](const Part& part) { return part.navigator->question() != nullptr; });
+    return found != parts_.end() ? &*found : nullptr;
+  }
+
+  /// Places of `part`, with what joins them to those of the first one.
+  void take_kept(Part& part, std::vector<Kept> kept, const MapView& map, std::vector<Kept>& all) {
+    Part& first = parts_.front();
+    const std::optional<Estimate> there = first.navigator->estimate();
+    for (Kept& one : kept) {
+      if (&part != &first && there && there->place.experience == first.teaches) {
+        const Step since = dead_reckon({}, first.since, {});
+        agents::CommonErrors common = CommonErrors::Zero();
+        joins_.note({there->place, advanced(there->place_from_robot, since, common), there->blind_m},
+                    first.navigator->method(), one.place);
+      }
+      const std::vector<Edge> ready = joins_.take(map.window, one.place.id.experience);
+      one.edges.insert(one.edges.end(), ready.begin(), ready.end());
+      all.push_back(std::move(one));
+    }
+  }
+
+  /// By who knows best: it drives, or has seen last where it is.
+  void tell_who_does_not_know(const Window& window) {
+    const Part* best = active().knows() ? &active() : nullptr;
+    for (const Part& part : parts_)
+      if (best == nullptr && part.knows()) best = &part;
+    if (best == nullptr) return;
+    for (Part& part : parts_) {
+      if (&part == best || part.knows() || part.since_hint < kBetweenHints) continue;
+      auto hint = as_seen_by(part.navigator->method(), config_, window, *best->navigator->estimate());
+      if (!hint) continue;
+      hint->blind_m = std::max(hint->blind_m, kFreshM + 0.01);  // it has not seen it itself
+      if (hint->blind_m < config_.follow.blind_limit_m) part.navigator->believe(*hint);
+      part.since_hint = {};
+    }
+  }
+
+  /// Who drives from now on.
+  void choose(const Window& window, bool hand) {
+    if (!route_ || hand) {
+      const auto knows = std::find_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.knows(); });
+      if (!active().knows() && knows != parts_.end()) active_ = static_cast<std::size_t>(knows - parts_.begin());
+      return;
+    }
+    const std::uint32_t at = active().last.route_at;
+    const std::string_view method = next_method(window, *route_, at);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (i == active_ || parts_[i].navigator->method() != method || !may_take_over(parts_[i], window)) continue;
+      active().navigator->stop();
+      // As fast as the robot rolls, and not before where it has been.
+      parts_[i].navigator->follow(*route_, at);
+      parts_[i].last.command = active().last.command;
+      parts_[i].last.following = active().last.following;
+      parts_[i].last.route_at = at;
+      parts_[i].last.route_freed = active().last.route_freed;
+      active_ = i;
+      return;
+    }
+  }
+
+  bool may_take_over(const Part& part, const Window& window) const {
+    if (!part.knows() || part.navigator->estimate()->blind_m > kFreshM) return false;
+    return !active().knows() || agree(config_, window, *active().navigator->estimate(), *part.navigator->estimate());
+  }
+
+  NavigationConfig config_;
+  std::vector<Part> parts_;
+  std::size_t active_ = 0;  ///< who drives
+  std::optional<Route> route_;
+  Joins joins_;
+};
+
+}  // namespace
+
+std::unique_ptr<Navigator> make_several(std::vector<Looking> all, const NavigationConfig& config) {
+  return std::make_unique<Several>(std::move(all), config);
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,179 @@
+// What several navigators are as one, with navigators that do as they are told.
+#include "agents/navigation/several.hpp"
+
+#include <gtest/gtest.h>
+
+#include "agents/navigation/hand_over.hpp"
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr ExperienceId kFloor{1};
+constexpr ExperienceId kAhead{2};
+
+struct Told {
+  std::optional<Estimate> estimate;
+  Navigated answer;
+  std::vector<Motion> motions;
+  int blind = 0;
+  std::vector<std::uint32_t> followed_from;
+  std::vector<Estimate> hints;
+  std::vector<TeachStart> taught;
+  int stops = 0;
+};
+
+class Part final : public Navigator {
+ public:
+  Part(std::string_view method, Told& told) : method_(method), told_(told) {}
+  std::string_view method() const override { return method_; }
+  Navigated step(const View* view, std::uint64_t, SensorTime, const Motion& motion, bool, const MapView&) override {
+    told_.motions.push_back(motion);
+    if (view == nullptr) ++told_.blind;
+    return told_.answer;
+  }
+  void begin_teach(const TeachStart& start) override { told_.taught.push_back(start); }
+  std::vector<Kept> end_teach(const MapView&) override { return {}; }
+  void keep_place() override {}
+  OrRefusal<Kept> keep_alone(const TeachStart&, const MapView&) override { return tl::unexpected(Refusal{"no"}); }
+  bool map_changed(const Window&, const Window&) override { return true; }
+  void forget_taught(const Window&) override {}
+  void forget_where() override { told_.estimate.reset(); }
+  void believe(const Estimate& estimate) override { told_.hints.push_back(estimate); }
+  void seek(const std::optional<PlaceId>&) override {}
+  std::optional<Estimate> estimate() const override { return told_.estimate; }
+  Result<TaughtWay> taught_way() const override { return fail(ErrorCode::refused, "none"); }
+  void follow(const Route&, std::uint32_t from) override { told_.followed_from.push_back(from); }
+  void stop() override { ++told_.stops; }
+
+ private:
+  std::string_view method_;
+  Told& told_;
+};
+
+class NoContents final : public Contents {
+ public:
+  std::shared_ptr<const Bytes> find(const ContentHash&) const override { return nullptr; }
+};
+
+class SeveralNavigators : public testing::Test {
+ protected:
+  SeveralNavigators() {
+    std::vector<Looking> all;
+    all.push_back({"down", std::make_unique<Part>("floor", floor)});
+    all.push_back({"ahead", std::make_unique<Part>("bearing", ahead)});
+    robot = make_several(std::move(all), {});
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      add({kFloor, i}, "floor");
+      add({kAhead, i}, "bearing");
+      Edge change;
+      change.id = {{kFloor, i}, {kAhead, i}};
+      change.a_from_b = Metric2{};
+      window.edges.emplace(change.id, change);
+    }
+    index_edges(window);
+    route.places = {{kFloor, 0}, {kFloor, 1}, {kAhead, 1}, {kAhead, 2}};
+    route.relations.assign(3, Metric2{Pose2{0.2, 0.0, 0.0}});
+    route.released = 3;
+  }
+  void add(const PlaceId& id, const std::string& method) {
+    Place place;
+    place.id = id;
+    place.method = method;
+    window.places.emplace(id, place);
+  }
+  Navigated see(const std::string& camera, Duration elapsed = 50ms) {
+    View view;
+    view.calibration = camera;
+    return robot->step(camera.empty() ? nullptr : &view, ++frame, {}, {elapsed, {0.5, 0.0}, std::nullopt}, false,
+                       {window, contents});
+  }
+
+  Told floor, ahead;
+  std::unique_ptr<Navigator> robot;
+  Window window;
+  NoContents contents;
+  Route route;
+  std::uint64_t frame = 0;
+};
+
+TEST_F(SeveralNavigators, EachGetsItsViewsAndAllMotionSinceItsLastOne) {
+  see("down");
+  see("ahead");
+  see("down");
+  ASSERT_EQ(floor.motions.size(), 2U);
+  EXPECT_EQ(floor.motions.back().elapsed, 100ms) << "the other camera's time is its own, too";
+  ASSERT_EQ(ahead.motions.size(), 1U);
+  EXPECT_EQ(ahead.motions.back().elapsed, 100ms);
+}
+
+TEST_F(SeveralNavigators, ACameraThatIsSilentWhileTheRobotMovesIsBlind) {
+  for (int i = 0; i < 8; ++i) see("down");
+  EXPECT_EQ(ahead.blind, 1);
+  EXPECT_EQ(floor.blind, 0);
+  for (int i = 0; i < 8; ++i) see("");
+  EXPECT_GE(floor.blind, 1) << "frames that were dropped, one after the other";
+}
+
+TEST_F(SeveralNavigators, SaysWhatItCanDrive) {
+  EXPECT_EQ(robot->teaches(), (std::vector<std::string>{"floor", "bearing"}));
+  EXPECT_EQ(robot->drives(), (std::vector<std::string>{"floor", "bearing", "bearing+floor"}));
+}
+
+TEST_F(SeveralNavigators, AreTaughtAnExperienceEach) {
+  robot->begin_teach({kFloor, {}, {kAhead}});
+  ASSERT_EQ(floor.taught.size(), 1U);
+  ASSERT_EQ(ahead.taught.size(), 1U);
+  EXPECT_EQ(floor.taught.front().experience, kFloor);
+  EXPECT_EQ(ahead.taught.front().experience, kAhead);
+}
+
+TEST_F(SeveralNavigators, WhoKnowsTellsWhoDoesNot) {
+  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  for (int i = 0; i < 30; ++i) see(i % 2 == 0 ? "down" : "ahead");
+  ASSERT_EQ(ahead.hints.size(), 1U) << "once a second";
+  EXPECT_EQ(ahead.hints.front().place, (PlaceId{kAhead, 1}));
+  EXPECT_GT(ahead.hints.front().blind_m, 0.5) << "told is not seen";
+}
+
+TEST_F(SeveralNavigators, TheNextOneTakesOverAtTheChange) {
+  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAhead, 0}, AlongPath{}, 0.1};
+  floor.answer.command = {0.5, 0.0};
+  ahead.answer.command = {0.4, 0.1};
+  see("down");
+  robot->follow(route, 0);
+  EXPECT_EQ(floor.followed_from, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(see("ahead").command, floor.answer.command) << "the other drives";
+  EXPECT_EQ(robot->method(), "floor");
+
+  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAhead, 1}, AlongPath{}, 0.1};
+  floor.answer.route_at = 1;
+  EXPECT_EQ(see("down").command, floor.answer.command) << "until it has a command of its own the robot rolls on";
+  EXPECT_EQ(robot->method(), "bearing");
+  EXPECT_EQ(ahead.followed_from, (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(floor.stops, 1);
+  ahead.answer.route_at = 1;
+  const Navigated now = see("ahead");
+  EXPECT_EQ(now.command, ahead.answer.command);
+  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 1}));
+}
+
+TEST_F(SeveralNavigators, WhoHasNotSeenWhereItIsDoesNotTakeOver) {
+  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAhead, 1}, AlongPath{}, 0.9};
+  floor.answer.route_at = 1;
+  see("down");
+  robot->follow(route, 0);
+  see("down");
+  EXPECT_EQ(robot->method(), "floor") << "0.9 m without a fix";
+  ahead.estimate = Estimate{{kAhead, 3}, AlongPath{0.4, 0.0, 0.0, 0.0}, 0.0};
+  window.edges.erase_all({EdgeId{{kFloor, 3}, {kAhead, 3}}});
+  index_edges(window);
+  see("down");
+  EXPECT_EQ(robot->method(), "floor") << "nothing says that both may be right";
+}
+
+}  // namespace
+}  // namespace weft::agents
