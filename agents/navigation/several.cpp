@@ -96,7 +96,10 @@ class Several final : public Navigator {
     return all;
   }
 
-  void keep_place() override { parts_.front().navigator->keep_place(); }
+  /// Whoever sees something worth keeping first.
+  void keep_place() override {
+    for (Part& part : parts_) part.navigator->keep_place();
+  }
   OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) override {
     return active().navigator->keep_alone(start, map);
   }
