@@ -45,27 +45,20 @@ class HallCamera {
   HallImage take(const HallShot& shot);
 
  private:
-  /// What shading a quad needs.
-  struct Face {
-    Sampler look;
-    float grey;  ///< of a texel of 1
-    Eigen::Vector3f normal;
-    QuadLight light;
-  };
   /// What moves, where it is when an image is taken.
   struct Moving {
     struct Sphere {
       Eigen::Vector3f middle = Eigen::Vector3f::Zero();
       float radius_m = 0.0F;
     };
-    std::vector<Face> faces;
+    std::vector<ShadedFace> faces;
     QuadScene scene;
     std::vector<Sphere> around;  ///< each mover
 
     static Sphere around_of(std::span<const Quad> quads);
     bool may_be_met(const Eigen::Vector3f& eye, const Eigen::Vector3f& way, float focal_px) const;
   };
-  std::vector<Face> faces_of(const std::vector<Quad>& quads, const std::vector<QuadLight>& light) const;
+  std::vector<ShadedFace> faces_of(const std::vector<Quad>& quads, const std::vector<QuadLight>& light) const;
   /// One of the looks through each pixel.
   struct Sample {
     Eigen::Vector3f eye = Eigen::Vector3f::Zero();
@@ -74,7 +67,7 @@ class HallCamera {
   };
   void look(const HallShot& shot, const Moving& moving);
   void look_through(std::size_t from, const Sample& sample, const Moving& moving);
-  float seen(const Face& face, const RayPacket& rays, std::size_t i, float off_axis2) const;
+  void shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from, std::uint32_t which);
   HallImage develop(const HallShot& shot) const;
 
   CameraModel camera_;
@@ -82,8 +75,10 @@ class HallCamera {
   std::shared_ptr<const Hall> hall_;
   std::vector<Mover> movers_;
   HallLight light_;
-  std::vector<Face> faces_;
-  std::vector<float> ray_x_, ray_y_;  ///< normalised, without distortion; in blocks of 4 x 4 pixels
+  std::vector<ShadedFace> faces_;
+  ShadeFace shade_face_ = shade_face();
+  std::vector<float> ray_x_, ray_y_;       ///< normalised, without distortion; in blocks of 4 x 4 pixels
+  std::vector<float> off_axis2_, length_;  ///< of such a ray
   std::vector<float> vignette_;
   std::vector<float> seen_;  ///< of the image being made, in blocks
   std::vector<float> noise_;

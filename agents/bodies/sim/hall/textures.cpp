@@ -54,18 +54,31 @@ Textures::Textures(const FloorSource& floor, std::uint64_t seed, const Photograp
   }
 }
 
-Sampler Textures::of(const Quad& quad) const {
+ShadedFace Textures::of(const Quad& quad) const {
   const std::vector<Texture>& textures = of_[static_cast<std::size_t>(quad.stuff)];
   const Texture& texture = textures[quad.pattern % textures.size()];
   const float across_m = quad.across.norm();
   const float up_m = quad.up.norm();
+  ShadedFace face;
+  face.levels = texture.levels();
+  face.grey = quad.grey / 128.0F;
+  const Eigen::Vector3f normal = quad.normal();
+  std::copy_n(normal.data(), 3, face.normal);
   if (is_fitted(quad.stuff)) {
     const auto side = static_cast<float>(texture.side());
     // Row 0 of a picture is its top.
-    return {&texture, side, -side, 0.0F, side, side / std::max(across_m, up_m)};
+    face.per_u = side;
+    face.per_v = -side;
+    face.at_v = side;
+    face.per_m = side / std::max(across_m, up_m);
+    return face;
   }
-  constexpr float per_m = 1.0F / static_cast<float>(kTexelM);
-  return {&texture, across_m * per_m, up_m * per_m, offset_of(quad.pattern, 0), offset_of(quad.pattern, 1), per_m};
+  face.per_m = 1.0F / static_cast<float>(kTexelM);
+  face.per_u = across_m * face.per_m;
+  face.per_v = up_m * face.per_m;
+  face.at_u = offset_of(quad.pattern, 0);
+  face.at_v = offset_of(quad.pattern, 1);
+  return face;
 }
 
 Texture floor_texture(const FloorSource& floor) {

@@ -41,8 +41,8 @@ TEST(HallPhotographs, HaveOneMean) {
   photograph(folder.path() / "sign" / "a.png", 30);
   const auto read = read_hall_photographs(folder.path().string());
   ASSERT_TRUE(read);
-  constexpr float whole = 1000.0F;  // texels: the last halving
-  EXPECT_NEAR(read->at(Stuff::sign).front().at(0.0F, 0.0F, whole), 128.0F, 3.0F);
+  const TexelLevels levels = read->at(Stuff::sign).front().levels();
+  EXPECT_NEAR(levels.texels[levels.from[levels.top]], 128, 3) << "the last halving";
 }
 
 TEST(HallPhotographs, ChangeWhatARobotSees) {
