@@ -171,7 +171,7 @@ CommonErrors common_errors(const FloorConfig& c, const Pose2& moved) {
   errors.col(4) = c.turn_sigma * Eigen::Vector3d(0.0, 0.0, xi.z());
   errors.col(5) = c.curve_sigma * Eigen::Vector3d(0.0, 0.0, xi.x());
   // They have no tails, and add up: stated by their RMS, a region of 95 % of a long way would hold all.
-  constexpr double without_tails = 0.82;
+  constexpr double without_tails = 0.75;
   return without_tails * errors;
 }
 
@@ -181,8 +181,8 @@ CommonErrors common_errors(const FloorConfig& c, const Pose2& moved) {
 Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const CommonErrors& common,
                                 Floor::Odometry& s) {
   // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
-  const double alike = 0.16 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
-  constexpr double heading_drift = 0.00027;  // rad over a metre, growing by its root, however sharp the floor
+  const double alike = 0.24 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
+  constexpr double heading_drift = 0.00033;  // rad over a metre, growing by its root, however sharp the floor
   const Eigen::Matrix3d before = carried(s.keyframe_covariance, moved);
   Eigen::Matrix3d covariance = positive_part(alike * fit.covariance.topLeftCorner<3, 3>() - before);
   s.keyframe_covariance = before + covariance;
