@@ -6,34 +6,16 @@
 #include "agents/methods/advance.hpp"
 #include "agents/methods/dead_reckoning.hpp"
 #include "agents/navigation/hand_over.hpp"
+#include "agents/navigation/parts.hpp"
 
 namespace weft::agents {
 namespace {
 
-constexpr double kFreshM = 0.5;  ///< travelled since its last fix: who knows no better does not take over
-/// A camera that gives nothing for so long while the robot moves is blind.
-constexpr Duration kSilent = std::chrono::milliseconds(300);
-constexpr Duration kBetweenHints = std::chrono::seconds(1);
-
-struct Part {
-  std::string camera;
-  std::unique_ptr<Navigator> navigator;
-  Motion since;            ///< its last step
-  Navigated last;          ///< what that led to
-  Duration since_hint{};   ///< since it was told where it is
-  ExperienceId teaches{};  ///< none: is not being taught
-
-  bool is_silent() const {
-    const bool moves = since.command != Twist{} || (since.wheels && since.wheels->distance_m != 0.0);
-    return moves && since.elapsed >= kSilent;
-  }
-  bool knows() const { return navigator->estimate() && !last.lost; }
-};
-
 class Several final : public Navigator {
  public:
   Several(std::vector<Looking> all, const NavigationConfig& config) : config_(config), joins_(config.stitch) {
-    for (Looking& one : all) parts_.push_back({std::move(one.camera), std::move(one.navigator), {}, {}, {}, {}});
+    for (Looking& one : all)
+      parts_.push_back({.camera = std::move(one.camera), .navigator = std::move(one.navigator)});
   }
 
   std::string_view method() const override { return active().navigator->method(); }
@@ -66,7 +48,7 @@ class Several final : public Navigator {
       take_kept(part, std::move(part.last.kept), map, all.kept);
     }
     if (!is_taught()) {
-      tell_who_does_not_know(map.window);
+      tell_who_does_not_know(parts_, active_, config_, map.window);
       choose(map.window, hand);
     }
     const Navigated& drives = active().last;
@@ -180,22 +162,6 @@ class Several final : public Navigator {
     }
   }
 
-  /// By who knows best: it drives, or has seen last where it is.
-  void tell_who_does_not_know(const Window& window) {
-    const Part* best = active().knows() ? &active() : nullptr;
-    for (const Part& part : parts_)
-      if (best == nullptr && part.knows()) best = &part;
-    if (best == nullptr) return;
-    for (Part& part : parts_) {
-      if (&part == best || part.knows() || part.since_hint < kBetweenHints) continue;
-      auto hint = as_seen_by(part.navigator->method(), config_, window, *best->navigator->estimate());
-      if (!hint) continue;
-      hint->blind_m = std::max(hint->blind_m, kFreshM + 0.01);  // it has not seen it itself
-      if (hint->blind_m < config_.follow.blind_limit_m) part.navigator->believe(*hint);
-      part.since_hint = {};
-    }
-  }
-
   /// Who drives from now on.
   void choose(const Window& window, bool hand) {
     if (!route_ || hand) {
@@ -204,28 +170,21 @@ class Several final : public Navigator {
       return;
     }
     const std::uint32_t at = active().last.route_at;
-    const std::string_view method = next_method(window, *route_, at);
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (i == active_ || parts_[i].navigator->method() != method || !may_take_over(parts_[i], window)) continue;
-      active().navigator->stop();
-      // As fast as the robot rolls, and not before where it has been.
-      parts_[i].navigator->follow(*route_, at);
-      parts_[i].last.command = active().last.command;
-      parts_[i].last.following = active().last.following;
-      parts_[i].last.route_at = at;
-      parts_[i].last.route_freed = active().last.route_freed;
-      active_ = i;
-      return;
-    }
-  }
-
-  bool may_take_over(const Part& part, const Window& window) const {
-    if (!part.knows() || part.navigator->estimate()->blind_m > kFreshM) return false;
-    return !active().knows() || agree(config_, window, *active().navigator->estimate(), *part.navigator->estimate());
+    const auto next = successor(parts_, active_, config_, window, *route_, at);
+    if (!next) return;
+    Part& drives = parts_[*next];
+    active().navigator->stop();
+    drives.navigator->follow(*route_, at);
+    // As fast as the robot rolls, and not before where it has been.
+    drives.last.command = active().last.command;
+    drives.last.following = active().last.following;
+    drives.last.route_at = at;
+    drives.last.route_freed = active().last.route_freed;
+    active_ = *next;
   }
 
   NavigationConfig config_;
-  std::vector<Part> parts_;
+  Parts parts_;
   std::size_t active_ = 0;  ///< who drives
   std::optional<Route> route_;
   Joins joins_;

@@ -1,0 +1,51 @@
+#include "agents/navigation/parts.hpp"
+
+#include <algorithm>
+
+#include "agents/navigation/hand_over.hpp"
+
+namespace weft::agents {
+namespace {
+
+constexpr double kFreshM = 0.5;  ///< travelled since its last fix: who knows no better does not take over
+constexpr Duration kSilent = std::chrono::milliseconds(300);
+constexpr Duration kBetweenHints = std::chrono::seconds(1);
+
+bool may_take_over(const Part& part, const Part& active, const NavigationConfig& config, const Window& window) {
+  if (!part.knows() || part.navigator->estimate()->blind_m > kFreshM) return false;
+  return !active.knows() || agree(config, window, *active.navigator->estimate(), *part.navigator->estimate());
+}
+
+}  // namespace
+
+bool Part::is_silent() const {
+  const bool moves = since.command != Twist{} || (since.wheels && since.wheels->distance_m != 0.0);
+  return moves && since.elapsed >= kSilent;
+}
+
+void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window) {
+  const Part* best = parts[active].knows() ? &parts[active] : nullptr;
+  for (const Part& part : parts)
+    if (best == nullptr && part.knows()) best = &part;
+  if (best == nullptr) return;
+  for (Part& part : parts) {
+    if (&part == best || part.knows() || part.since_hint < kBetweenHints) continue;
+    auto hint = as_seen_by(part.navigator->method(), config, window, *best->navigator->estimate());
+    if (!hint) continue;
+    hint->blind_m = std::max(hint->blind_m, kFreshM + 0.01);  // it has not seen it itself
+    if (hint->blind_m < config.follow.blind_limit_m) part.navigator->believe(*hint);
+    part.since_hint = {};
+  }
+}
+
+std::optional<std::size_t> successor(const Parts& parts, std::size_t active, const NavigationConfig& config,
+                                     const Window& window, const Route& route, std::uint32_t at) {
+  const std::string_view method = next_method(window, route, at);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_meant = i != active && parts[i].navigator->method() == method;
+    if (is_meant && may_take_over(parts[i], parts[active], config, window)) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace weft::agents
