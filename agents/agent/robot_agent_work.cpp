@@ -143,7 +143,8 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
 }
 
 void RobotAgent::stop_teaching(const std::string& reason, SteadyTime now) {
-  std::ignore = navigator_->end_teach(MapView{replica_.window(), cache_});
+  for (const Kept& last : navigator_->end_teach(MapView{replica_.window(), cache_}))
+    std::ignore = spooler_.add(last, now);
   // What has been taught until then stays, as far as the spool takes it.
   std::ignore = spooler_.seal("teaching broke off", now);
   output_.hand_stop = true;
@@ -175,7 +176,7 @@ void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {
     msg::AgentReply done;
     done.done = true;
     done.place = kept.back().place.id;
-    done.experience = teaching_->experience;
+    done.experience = kept.back().place.id.experience;
     reply(key, done);
   }
 }

@@ -329,21 +329,27 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  /// As fast as was driven hereabouts when it was taught: a run that began or ended here stood, a route goes on.
+  /// As fast as was driven here when it was taught; where a run stood, as it began or ended, as fast as hereabouts: a
+  /// route goes on.
   double taught_speed(const MapView& map, const Estimate& believed) {
     if constexpr (Replays<M>) {
       constexpr double slowest_m_s = 0.2;
       constexpr std::uint32_t either_way = 4;  // places
       const Window& window = own_.map(map.window);
       const std::uint32_t at = believed.place.index;
-      std::optional<double> fastest_m_s;
-      for (std::uint32_t index = at - std::min(at, either_way); index <= at + either_way; ++index) {
+      const auto driven_m_s = [&](std::uint32_t index) -> std::optional<double> {
         const Place* const place = window.place({believed.place.experience, index});
-        if (place == nullptr) continue;
+        if (place == nullptr) return std::nullopt;
         const auto content = decoded_.find(*place, map.contents);
-        if (content) fastest_m_s = std::max(fastest_m_s.value_or(slowest_m_s), M::driven(**content).linear_m_s);
-      }
-      return fastest_m_s.value_or(config_.follow.speed_m_s);
+        return content ? std::optional(M::driven(**content).linear_m_s) : std::nullopt;
+      };
+      const std::optional<double> here_m_s = driven_m_s(at);
+      if (!here_m_s) return config_.follow.speed_m_s;
+      if (*here_m_s >= slowest_m_s) return *here_m_s;
+      double fastest_m_s = slowest_m_s;
+      for (std::uint32_t index = at - std::min(at, either_way); index <= at + either_way; ++index)
+        fastest_m_s = std::max(fastest_m_s, driven_m_s(index).value_or(slowest_m_s));
+      return fastest_m_s;
     }
     return config_.follow.speed_m_s;
   }

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kFreshM = 0.5;  ///< travelled since its last fix: who knows no better does not take over
 constexpr Duration kSilent = std::chrono::milliseconds(300);
+constexpr Duration kSilentAtRest = std::chrono::seconds(2);
 constexpr Duration kBetweenHints = std::chrono::seconds(1);
 
 bool may_take_over(const Part& part, const Part& active, const NavigationConfig& config, const Window& window) {
@@ -20,7 +21,7 @@ bool may_take_over(const Part& part, const Part& active, const NavigationConfig&
 
 bool Part::is_silent() const {
   const bool moves = since.command != Twist{} || (since.wheels && since.wheels->distance_m != 0.0);
-  return moves && since.elapsed >= kSilent;
+  return since.elapsed >= (moves ? kSilent : kSilentAtRest);
 }
 
 void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window) {

@@ -19,7 +19,7 @@ struct Part {
   ExperienceId teaches = {};  ///< none: is not being taught
 
   bool knows() const { return navigator->estimate() && !last.lost; }
-  /// Its camera has given nothing for so long while the robot moves that it counts as blind.
+  /// Its camera has given nothing for so long that it counts as blind; longer at rest, when images are rare.
   bool is_silent() const;
 };
 using Parts = std::vector<Part>;

@@ -78,21 +78,22 @@ class Several final : public Navigator {
     return all;
   }
 
-  /// Whoever sees something worth keeping first.
-  void keep_place() override {
-    for (Part& part : parts_) part.navigator->keep_place();
-  }
+  /// Of the first method: whoever names a place knows which robots can go there.
+  void keep_place() override { parts_.front().navigator->keep_place(); }
   OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) override {
     return active().navigator->keep_alone(start, map);
   }
 
   bool map_changed(const Window& before, const Window& after) override {
-    bool stays = true;
+    bool has_fallen = false;
+    bool stands = false;
     for (Part& part : parts_) {
-      const bool its = part.navigator->map_changed(before, after);
-      if (&part == &active()) stays = its;
+      const bool stays = part.navigator->map_changed(before, after);
+      if (!stays) part.navigator->forget_where();
+      has_fallen = has_fallen || !stays;
+      stands = stands || part.navigator->estimate().has_value();
     }
-    return stays;
+    return stands || !has_fallen;
   }
   void forget_taught(const Window& map) override {
     for (Part& part : parts_) part.navigator->forget_taught(map);
@@ -103,15 +104,25 @@ class Several final : public Navigator {
   void believe(const Estimate& told) override { active().navigator->believe(told); }
 
   void seek(const std::optional<PlaceId>& seed) override {
-    for (Part& part : parts_) part.navigator->seek(seed);
+    // Who knows goes on knowing while another one looks for itself.
+    const bool all_know = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.knows(); });
+    for (Part& part : parts_)
+      if (seed || all_know || !part.knows()) part.navigator->seek(seed);
   }
   std::optional<Estimate> estimate() const override { return active().navigator->estimate(); }
+  /// Of the first one that asks; numbered so that an answer finds back to it.
   const Question* question() const override {
-    const Part* const asks = who_asks();
-    return asks != nullptr ? asks->navigator->question() : nullptr;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const Question* const open = parts_[i].navigator->question();
+      if (open == nullptr) continue;
+      asked_ = *open;
+      asked_->number = open->number * parts_.size() + i;
+      return &*asked_;
+    }
+    return nullptr;
   }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {
-    if (const Part* const asks = who_asks()) asks->navigator->propose(question, places);
+    parts_[question % parts_.size()].navigator->propose(question / parts_.size(), places);
   }
   std::optional<PlaceId> suspected() const override {
     for (const Part& part : parts_)
@@ -126,12 +137,17 @@ class Several final : public Navigator {
   Result<TaughtWay> taught_way() const override { return parts_.front().navigator->taught_way(); }
 
   void follow(const Route& route, std::uint32_t from) override {
+    if (!route_ || route_->id != route.id || route_->places != route.places) forget_drives();
     route_ = route;
     active().navigator->follow(route, from);
   }
   void stop() override {
     route_.reset();
-    for (Part& part : parts_) part.navigator->stop();
+    forget_drives();
+    for (Part& part : parts_) {
+      part.last.command = {};
+      part.navigator->stop();
+    }
   }
 
  private:
@@ -139,10 +155,13 @@ class Several final : public Navigator {
   const Part& active() const { return parts_[active_]; }
   bool is_taught() const { return bool(parts_.front().teaches); }
 
-  const Part* who_asks() const {
-    const auto found = std::find_if(parts_.begin(), parts_.end(),
-                                    [](const Part& part) { return part.navigator->question() != nullptr; });
-    return found != parts_.end() ? &*found : nullptr;
+  /// What was said of another route is not to be said of the next one. A robot that rolls goes on rolling.
+  void forget_drives() {
+    for (Part& part : parts_) {
+      part.last.following = Following::none;
+      part.last.route_at = part.last.route_freed = 0;
+      part.last.reason = {};
+    }
   }
 
   /// Places of `part`, with what joins them to those of the first one.
@@ -164,9 +183,11 @@ class Several final : public Navigator {
 
   /// Who drives from now on.
   void choose(const Window& window, bool hand) {
-    if (!route_ || hand) {
+    if (!route_ || hand || !active().navigator->estimate()) {
       const auto knows = std::find_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.knows(); });
-      if (!active().knows() && knows != parts_.end()) active_ = static_cast<std::size_t>(knows - parts_.begin());
+      if (active().knows() || knows == parts_.end()) return;
+      active_ = static_cast<std::size_t>(knows - parts_.begin());
+      if (route_) active().navigator->follow(*route_, 0);
       return;
     }
     const std::uint32_t at = active().last.route_at;
@@ -188,6 +209,7 @@ class Several final : public Navigator {
   std::size_t active_ = 0;  ///< who drives
   std::optional<Route> route_;
   Joins joins_;
+  mutable std::optional<Question> asked_;  // what `question` points to
 };
 
 }  // namespace

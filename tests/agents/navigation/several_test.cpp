@@ -20,6 +20,9 @@ struct Told {
   std::vector<std::uint32_t> followed_from;
   std::vector<Estimate> hints;
   std::vector<TeachStart> taught;
+  std::optional<Question> question;
+  std::vector<std::uint64_t> proposed;
+  int sought = 0;
   int stops = 0;
 };
 
@@ -40,7 +43,9 @@ class Part final : public Navigator {
   void forget_taught(const Window&) override {}
   void forget_where() override { told_.estimate.reset(); }
   void believe(const Estimate& estimate) override { told_.hints.push_back(estimate); }
-  void seek(const std::optional<PlaceId>&) override {}
+  void seek(const std::optional<PlaceId>&) override { ++told_.sought; }
+  const Question* question() const override { return told_.question ? &*told_.question : nullptr; }
+  void propose(std::uint64_t number, const std::vector<PlaceId>&) override { told_.proposed.push_back(number); }
   std::optional<Estimate> estimate() const override { return told_.estimate; }
   Result<TaughtWay> taught_way() const override { return fail(ErrorCode::refused, "none"); }
   void follow(const Route&, std::uint32_t from) override { told_.followed_from.push_back(from); }
@@ -158,6 +163,47 @@ TEST_F(SeveralNavigators, TheNextOneTakesOverAtTheChange) {
   const Navigated now = see("ahead");
   EXPECT_EQ(now.command, ahead.answer.command);
   EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 1}));
+}
+
+TEST_F(SeveralNavigators, NothingIsSaidOfTheRouteBefore) {
+  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
+  floor.answer.following = Following::arrived;
+  floor.answer.route_at = 3;
+  floor.answer.command = {0.5, 0.0};
+  robot->follow(route, 0);
+  EXPECT_EQ(see("down").following, Following::arrived);
+  Route other = route;
+  other.id.bytes[0] = 7;
+  robot->follow(other, 0);
+  const Navigated now = see("ahead");
+  EXPECT_EQ(now.following, Following::none) << "the one that drives has not been asked yet";
+  EXPECT_EQ(now.route_at, 0U);
+  see("down");
+  robot->stop();
+  EXPECT_EQ(see("ahead").command, Twist{}) << "stopped is stopped, whoever sees next";
+}
+
+TEST_F(SeveralNavigators, AnAnswerFindsBackToWhoAsked) {
+  ahead.question = Question{.number = 1, .seen = {}, .method = "bearing"};
+  const std::uint64_t of_ahead = robot->question()->number;
+  floor.question = Question{.number = 1, .seen = {}, .method = "floor"};
+  EXPECT_NE(robot->question()->number, of_ahead);
+  robot->propose(of_ahead, {{kAhead, 2}});
+  EXPECT_TRUE(floor.proposed.empty());
+  EXPECT_EQ(ahead.proposed, (std::vector<std::uint64_t>{1}));
+}
+
+TEST_F(SeveralNavigators, WhoKnowsIsHeardAlsoWithARoute) {
+  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
+  robot->follow(route, 0);
+  floor.estimate.reset();
+  ahead.estimate = Estimate{{kAhead, 0}, AlongPath{}, 0.0};
+  see("down");
+  ASSERT_TRUE(robot->estimate());
+  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 0}));
+  robot->seek(std::nullopt);
+  EXPECT_EQ(ahead.sought, 0) << "it knows";
+  EXPECT_EQ(floor.sought, 1);
 }
 
 TEST_F(SeveralNavigators, WhoHasNotSeenWhereItIsDoesNotTakeOver) {
