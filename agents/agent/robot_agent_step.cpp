@@ -103,7 +103,7 @@ void RobotAgent::recentre(SteadyTime now) {
   std::optional<PlaceId> centre;
   if (window.place(focus_) != nullptr) {
     centre = focus_;
-  } else if (const auto durable = spooler_.newest_durable(); durable && durable->experience == focus_.experience) {
+  } else if (const auto durable = spooler_.newest_durable(focus_.experience); durable) {
     centre = durable;
   }
   if (!centre.has_value()) return;

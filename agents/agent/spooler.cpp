@@ -42,7 +42,13 @@ Result<void> Spooler::seal_what_a_crash_left_open(SteadyTime now) {
   return {};
 }
 
+std::optional<PlaceId> Spooler::newest_durable(ExperienceId experience) const {
+  const auto found = newest_durable_.find(experience);
+  return found != newest_durable_.end() ? std::optional(found->second) : std::nullopt;
+}
+
 void Spooler::begin(ExperienceId experience, const std::string& name) {
+  std::erase_if(newest_durable_, [this](const auto& entry) { return !open_.contains(entry.first); });
   Open open;
   open.batch.experience = experience;
   open.batch.sequence = 1;
@@ -122,7 +128,7 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
     if (!batch.places.empty()) {
       record.first = batch.places.front().id.index;
       record.places = static_cast<std::uint32_t>(batch.places.size());
-      newest_durable_ = batch.places.back().id;
+      newest_durable_[batch.experience] = batch.places.back().id;
     }
     heard.acknowledged.push_back(record);
   }

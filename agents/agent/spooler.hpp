@@ -58,8 +58,8 @@ class Spooler {
   bool has_chunks() const { return !chunks_.empty(); }
   std::optional<SteadyTime> next() const;
 
-  /// The newest place of this robot's experiences that the server is known to have.
-  std::optional<PlaceId> newest_durable() const { return newest_durable_; }
+  /// The newest place of that experience of this robot's that the server is known to have.
+  std::optional<PlaceId> newest_durable(ExperienceId experience) const;
   /// Whether anything of the experience is still to be acknowledged.
   bool is_pending(ExperienceId experience) const;
 
@@ -90,7 +90,7 @@ class Spooler {
   std::deque<Pending> pending_;
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;
-  std::optional<PlaceId> newest_durable_;
+  std::map<ExperienceId, PlaceId> newest_durable_;  ///< of those that may still grow, or did last
 };
 
 }  // namespace weft::agents

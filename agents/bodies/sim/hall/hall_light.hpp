@@ -14,11 +14,6 @@ namespace weft::agents::sim {
 /// file has them.
 struct QuadLight {
   std::array<float, 4> at{};
-  float between(float u, float v) const {
-    const float below = at[0] + u * (at[1] - at[0]);
-    const float above = at[2] + u * (at[3] - at[2]);
-    return below + v * (above - below);
-  }
 };
 
 /// The lamps of one run over a hall: each as bright as `random` makes it within the stated change; those that have
