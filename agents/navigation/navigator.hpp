@@ -22,6 +22,14 @@ struct Kept {
   std::vector<Edge> edges;  ///< odometry to the place before, stitches to places of the window
 };
 
+/// A place that the robot has come by and knows better now.
+struct Lesson {
+  PlaceId place;
+  ContentHash made_of;  ///< the content that it was learned upon: another one there by now makes it void
+  std::uint32_t content_format = 0;
+  Bytes content;
+};
+
 /// `stopped` may go on by itself; `failed` has given up on this route.
 enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
@@ -29,6 +37,7 @@ enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, 
 struct Navigated {
   Twist command;  ///< zero when a hand drives, when standing, and when lost
   std::vector<Kept> kept;
+  std::vector<Lesson> lessons;  ///< each is worth being shared
   std::optional<Fix> fix;
   std::vector<Refusal> refusals;  ///< of this sample
   Following following = Following::none;

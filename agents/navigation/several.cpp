@@ -1,6 +1,7 @@
 #include "agents/navigation/several.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "agents/methods/advance.hpp"
@@ -46,6 +47,8 @@ class Several final : public Navigator {
       if (part.last.fix) all.fix = part.last.fix;
       all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
       take_kept(part, std::move(part.last.kept), map, all.kept);
+      std::move(part.last.lessons.begin(), part.last.lessons.end(), std::back_inserter(all.lessons));
+      part.last.lessons.clear();
     }
     if (!is_taught()) {
       tell_who_does_not_know(parts_, active_, config_, map.window);
