@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -52,6 +53,17 @@ class SharedRow {
     std::vector<T> one;
     one.push_back(std::move(value));
     append(std::move(one));
+  }
+  /// `values` by where they go, all of them within the row. Chunks without any stay shared.
+  void replace(const std::map<std::size_t, T>& values) {
+    for (auto at = values.begin(); at != values.end();) {
+      const std::size_t chunk = at->first / kChunk;
+      const std::size_t held = std::min(kChunk, size_ - chunk * kChunk);
+      auto copy = std::make_shared<T[]>(held);
+      std::copy_n(chunks_[chunk].get(), held, copy.get());
+      for (; at != values.end() && at->first / kChunk == chunk; ++at) copy[at->first % kChunk] = at->second;
+      chunks_[chunk] = std::move(copy);
+    }
   }
   /// Chunks before the first one that goes stay shared.
   template <class Goes>

@@ -28,6 +28,10 @@ struct AppendBatch {
   Batch batch;
   ContentHash hash;
 };
+/// Places that the map has, as they are known from now on; each replaces what was known of it.
+struct PutPlaces {
+  std::vector<Place> places;
+};
 /// A place of no experience: the label goes.
 struct PutLabel {
   std::string label;
@@ -83,8 +87,8 @@ using RevisionNote = msg::RevisionNote;
 /// one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in its
 /// step.
 struct Transaction {
-  std::vector<std::variant<PutContent, AppendBatch, PutLabel, SealExperience, TakeOut, BringBack, RollBack, PutGoal,
-                           PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
+  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, SealExperience, TakeOut, BringBack, RollBack,
+                           PutGoal, PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -95,7 +99,8 @@ struct RevisionChanges {
   Removal added;  ///< by batches
   Removal taken_out;
   Removal brought_back;
-  std::set<std::string> labels;  ///< that it set, or took away
+  std::vector<Place> known_anew;  ///< places that it had as they were learned
+  std::set<std::string> labels;   ///< that it set, or took away
 };
 
 /// Everything a server needs to resume. Contents stay on disk.
@@ -137,7 +142,7 @@ class MapStore {
   virtual Result<Stored> open() = 0;
   /// Durable when it returns; on an error nothing of it is there.
   /// stale: another server has opened the store since. exhausted: disk full. conflict: batch sequence or hash,
-  /// or a content that is neither stored nor in the transaction.
+  /// a content that is neither stored nor in the transaction, or what is known anew of a place that is not stored.
   virtual Result<Commit> commit(const Transaction& transaction) = 0;
   virtual bool has_content(const ContentHash& hash) const = 0;
   /// Expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.

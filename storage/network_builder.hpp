@@ -28,7 +28,7 @@ class NetworkBuilder {
   };
 
   void add(Head head);
-  /// In any order. An edge that is added again replaces the earlier one.
+  /// In any order. A place or an edge that is added again replaces the earlier one.
   void add(Place place);
   void add(Edge edge, Revision since = {});
   /// A row that is there and cannot be read; named, and so is what hangs on it.

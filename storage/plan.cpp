@@ -52,10 +52,17 @@ class Planner {
                                            " must come first; send from there on");
     }
     if (auto fits = check_places(batch, known); !fits) return fail(fits.error());
+    if (auto fits = check_known_anew(batch.learned); !fits) return fail(fits.error());
     for (const Edge& edge : batch.edges) offered_edges_.insert(edge.id);
     known.durable_through = batch.sequence;
     known.places += batch.places.size();
     batches_[{batch.experience, batch.sequence}] = append.hash;
+    plan_.changes_network = true;
+    return true;
+  }
+
+  Result<bool> operator()(const PutPlaces& put) {
+    if (auto fits = check_known_anew(put.places); !fits) return fail(fits.error());
     plan_.changes_network = true;
     return true;
   }
@@ -177,14 +184,34 @@ class Planner {
                                              " does not continue the experience; the next index is " +
                                              std::to_string(next));
       }
-      if (!contents_.contains(place.content.hash) && !offered_.contains(place.content.hash)) {
-        return fail(ErrorCode::conflict, name_of(batch) + ": content " + to_string(place.content.hash) +
-                                             " of place " + to_string(place.id) +
-                                             " is neither stored nor in the transaction");
-      }
+      if (auto there = check_content(place); !there) return there;
       ++next;
     }
     return {};
+  }
+
+  Result<void> check_known_anew(const std::vector<Place>& places) const {
+    for (const Place& place : places) {
+      const std::string name = "place " + to_string(place.id) + ", known anew";
+      if (!is_stored(place.id.experience, place.id.index)) {
+        return fail(ErrorCode::conflict, name + ": it is not stored");
+      }
+      if (is_deleted({place.id.experience, place.id.index, place.id.index})) {
+        return fail(ErrorCode::conflict, name + ": it was deleted for good");
+      }
+      if (place.entity_version < 2) {
+        return fail(ErrorCode::invalid, name + ": entity version " + std::to_string(place.entity_version) +
+                                            "; it is at least the second");
+      }
+      if (auto there = check_content(place); !there) return there;
+    }
+    return {};
+  }
+
+  Result<void> check_content(const Place& place) const {
+    if (contents_.contains(place.content.hash) || offered_.contains(place.content.hash)) return {};
+    return fail(ErrorCode::conflict, "content " + to_string(place.content.hash) + " of place " + to_string(place.id) +
+                                         " is neither stored nor in the transaction");
   }
 
   const Transaction& transaction_;
@@ -200,6 +227,14 @@ class Planner {
 }  // namespace
 
 namespace {
+
+void needs_of(const std::vector<Place>& known_anew, Needs& needs) {
+  for (const Place& place : known_anew) {
+    needs.experiences.insert(place.id.experience);
+    needs.moved_in.insert(place.id.experience);
+    needs.contents.insert(place.content.hash);
+  }
+}
 
 void needs_of(const Removal& removal, Needs& needs) {
   for (const Stretch& stretch : removal.places) {
@@ -225,7 +260,9 @@ Needs needs_of(const Transaction& transaction) {
         needs.experiences.insert(append.batch.experience);
         needs.batches.insert({append.batch.experience, append.batch.sequence});
         for (const Place& place : append.batch.places) needs.contents.insert(place.content.hash);
+        needs_of(append.batch.learned, needs);
       },
+      [&](const PutPlaces& put) { needs_of(put.places, needs); },
       [&](const PutLabel& put) {
         needs.experiences.insert(put.place.experience);
         needs.moved_in.insert(put.place.experience);
@@ -279,10 +316,16 @@ RevisionNote note_of(const Transaction& transaction, Revision newest) {
       [&](const AppendBatch& append) {
         const Batch& batch = append.batch;
         const auto stitches = std::ranges::count(batch.edges, Origin::stitch, &Edge::origin);
-        add("batch", name_of(batch) + ": " + std::to_string(batch.places.size()) + " places, " +
-                         std::to_string(stitches) + " stitches");
+        const bool only_learned = batch.places.empty() && !batch.learned.empty();
+        add(only_learned ? "learned" : "batch",
+            name_of(batch) + ": " +
+                (only_learned ? ""
+                              : std::to_string(batch.places.size()) + " places, " + std::to_string(stitches) +
+                                    " stitches" + (batch.learned.empty() ? "" : ", ")) +
+                (batch.learned.empty() ? "" : std::to_string(batch.learned.size()) + " places known better"));
         if (note.who.empty()) note.who = to_string(batch.robot);
       },
+      [&](const PutPlaces& put) { add("places", std::to_string(put.places.size()) + " places known anew"); },
       [&](const PutLabel& put) {
         add("label", put.label + (put.place.experience ? " is " + to_string(put.place) : " goes"));
       },

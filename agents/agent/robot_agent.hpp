@@ -125,6 +125,10 @@ class RobotAgent final : public Agent {
   Result<void> hand_in_alone(const TeachStart& start, const Kept& kept, const std::string& name, SteadyTime now);
   void give_up_keeping(SteadyTime now);
 
+  // What it has come to know better of the map's places (robot_agent_lessons.cpp).
+  void note_lessons(std::vector<Lesson> lessons, SensorTime seen_at);
+  void hand_in_lessons(SteadyTime now);
+
   // Looking for itself anywhere (robot_agent_recognise.cpp).
   void look_at(std::vector<PlaceId> places, SteadyTime now);
   void follow_search(bool has_fix, SteadyTime now);
@@ -194,8 +198,13 @@ class RobotAgent final : public Agent {
   std::vector<CommandKey> keeping_;  ///< who waits for the next kept place
   SteadyTime keeping_until_{};
   std::optional<KeepingAlone> keeping_alone_;
-  std::string teaching_failed_;  ///< why teaching ended by itself; until the next command
-  bool stopped_ = false;         ///< by an operator
+  struct Learned {
+    Place place;
+    Bytes content;
+  };
+  std::map<PlaceId, Learned> lessons_;  ///< until its drive has ended
+  std::string teaching_failed_;         ///< why teaching ended by itself; until the next command
+  bool stopped_ = false;                ///< by an operator
   bool lost_ = false;
   std::string fault_;
   bool follow_pending_ = false;  ///< the route waits for the map or for a localisation

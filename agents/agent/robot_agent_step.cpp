@@ -24,12 +24,13 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   frame_ = sample.frame;
   speed_m_s_ = speed(sample.motion);
   const View* const view = sample.view.has_value() ? &*sample.view : nullptr;
-  const Navigated navigated = navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand,
-                                               MapView{replica_.window(), cache_});
+  Navigated navigated = navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand,
+                                         MapView{replica_.window(), cache_});
   lost_ = navigated.lost;
   stands_for_ = navigated.reason;
   command_ = navigated.command;
   keep(navigated.kept, now);
+  note_lessons(std::move(navigated.lessons), sample.time);
   if (teaching_.has_value()) {
     teaching_->hand_done = sample.hand_done;
     if (teaching_->phase == Teaching::Phase::ending && view != nullptr) end_teaching(now);

@@ -29,6 +29,7 @@ void RobotAgent::work(SteadyTime now) {
     end_teaching(now);
   }
   give_up_keeping(now);
+  hand_in_lessons(now);
   if (handing_in_.has_value()) finish_handing_in(now);
   prepare_localising(now);
   search_when_of_use(now);

@@ -32,7 +32,8 @@ Result<void> Spooler::seal_what_a_crash_left_open(SteadyTime now) {
     seal.name = last.name;
     seal.method = last.method;
     seal.seal = true;
-    seal.seal_reason = "the agent was restarted while it was being taught";
+    seal.seal_reason =
+        last.places.empty() ? "the agent was restarted" : "the agent was restarted while it was being taught";
     seals.emplace(last.experience, std::move(seal));
   }
   for (auto& [experience, seal] : seals) {
@@ -76,7 +77,7 @@ Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
 /// What is sealed, or cannot be spooled, is open no more: `open` is gone then.
 Result<void> Spooler::flush(Open& open, SteadyTime now) {
   Batch& batch = open.batch;
-  if (batch.places.empty() && !batch.seal) return {};
+  if (batch.places.empty() && batch.learned.empty() && !batch.seal) return {};
   if (Result<void> appended = spool_->append(batch, open.contents); !appended) {
     open_.erase(ExperienceId(batch.experience));
     return appended;
@@ -90,6 +91,7 @@ Result<void> Spooler::flush(Open& open, SteadyTime now) {
   unsealed_[batch.experience] = batch.sequence;
   ++batch.sequence;
   batch.places.clear();
+  batch.learned.clear();
   batch.edges.clear();
   open.contents.clear();
   return {};
@@ -102,6 +104,24 @@ Result<void> Spooler::flush(SteadyTime now) {
     if (Result<void> flushed = flush(open, now); !flushed) all = flushed;
   }
   return all;
+}
+
+Result<void> Spooler::learned(std::vector<Place> places, std::vector<Bytes> contents, ExperienceId fresh,
+                              SteadyTime now) {
+  if (places.empty()) return {};
+  if (!lessons_.has_value()) {
+    lessons_.emplace();
+    lessons_->batch.experience = fresh;
+    lessons_->batch.sequence = 1;
+    lessons_->batch.robot = self_;
+    lessons_->batch.name = "lessons";
+    lessons_->batch.method = places.front().method;
+  }
+  lessons_->batch.learned = std::move(places);
+  lessons_->contents = std::move(contents);
+  const Result<void> flushed = flush(*lessons_, now);
+  if (!flushed) lessons_.reset();
+  return flushed;
 }
 
 Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
@@ -140,10 +160,10 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   if (forget > 0) std::ignore = spool_->acknowledged(ack.experience, forget);
   for (const Pending& pending : pending_) {
     if (pending.batch.experience != ack.experience || pending.batch.sequence != ack.durable_through + 1) continue;
-    for (const Place& place : pending.batch.places) {
+    for_each_place(pending.batch, [&](const Place& place) {
       const bool missing = std::find(ack.missing.begin(), ack.missing.end(), place.content.hash) != ack.missing.end();
       if (missing) chunks_.push(place.content.hash, 0, now);
-    }
+    });
   }
   if (ack.refused_sequence == 0) return heard;
   for (const Pending& pending : pending_) {
@@ -155,6 +175,11 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   }
   drop(ack.experience, UINT64_MAX);
   unsealed_.erase(ack.experience);
+  heard.lessons = lessons_.has_value() && lessons_->batch.experience == ack.experience;
+  if (heard.lessons) {
+    std::ignore = spool_->acknowledged(ack.experience, lessons_->batch.sequence);
+    lessons_.reset();
+  }
   heard.refused = open_.erase(ack.experience) > 0;
   heard.reason = "the server refused batch " + std::to_string(ack.refused_sequence) + ": " + ack.refusal;
   return heard;
@@ -180,7 +205,7 @@ void Spooler::server_restarted(SteadyTime now) {
 
 void Spooler::queue_contents(Pending& pending, SteadyTime now) {
   pending.contents_queued = true;
-  for (const Place& place : pending.batch.places) chunks_.push(place.content.hash, 0, now);
+  for_each_place(pending.batch, [&](const Place& place) { chunks_.push(place.content.hash, 0, now); });
 }
 
 Result<std::vector<Batch>> Spooler::due(SteadyTime now) {

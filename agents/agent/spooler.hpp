@@ -36,6 +36,10 @@ class Spooler {
   /// To the experience that it is of, which is open. exhausted and other errors of the spool: that experience ends
   /// before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
+  /// Places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the spool
+  /// when this returns. All of them until the agent ends are of one experience without places of its own; `fresh` is
+  /// its id when there is none yet. Errors of the spool: nothing of it is handed in.
+  Result<void> learned(std::vector<Place> places, std::vector<Bytes> contents, ExperienceId fresh, SteadyTime now);
   /// Closes the batches under way, so that their places are in the spool when this returns.
   Result<void> flush(SteadyTime now);
   /// Closes every experience that is open. One without any place leaves no trace.
@@ -43,6 +47,7 @@ class Spooler {
 
   struct Heard {
     bool refused = false;  ///< of an experience being taught: teaching is over
+    bool lessons = false;  ///< what was refused is what was learned of places, no place
     std::string reason;    ///< of any refusal
     std::vector<AckRecord> acknowledged;
   };
@@ -87,6 +92,7 @@ class Spooler {
   SpoolerConfig config_;
   RobotId self_;
   std::map<ExperienceId, Open> open_;
+  std::optional<Open> lessons_;  ///< the experience of what is learned
   std::deque<Pending> pending_;
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;

@@ -39,6 +39,19 @@ class Draft {
     if (edge.id.b.experience != edge.id.a.experience) touch_stitches(edge.id.b.experience).push_back(shared);
   }
 
+  void learn(const std::vector<Place>& learned) {
+    std::map<ExperienceId, std::map<std::size_t, Place>> by_experience;
+    for (const Place& place : learned) {
+      const Experience& experience = touch(place.id.experience);
+      const Place* const known = experience.place(place.id.index);
+      if (known == nullptr) continue;
+      const auto at = std::ranges::lower_bound(experience.places, place.id.index, {},
+                                               [](const Place& one) { return one.id.index; });
+      by_experience[place.id.experience].emplace(at - experience.places.begin(), place);
+    }
+    for (const auto& [id, places] : by_experience) touch(id).places.replace(places);
+  }
+
   Snapshot::Experiences take() {
     for (const ExperienceId id : stitched_) index_stitches(*touched_.at(id));
     for (auto& [id, experience] : touched_) experiences_[id] = std::move(experience);
@@ -73,6 +86,22 @@ std::shared_ptr<const Snapshot::Labels> share(Snapshot::Labels labels) {
 
 }  // namespace
 
+void set_places(Batch& batch, std::vector<Place> all) {
+  const auto is_learned = [&](const Place& place) { return place.id.experience != batch.experience; };
+  const auto first = std::ranges::find_if(all, is_learned);
+  batch.learned.assign(first, all.end());
+  all.erase(first, all.end());
+  batch.places = std::move(all);
+}
+
+Batch in_time(const Snapshot& snapshot, Batch batch) {
+  std::erase_if(batch.learned, [&](const Place& place) {
+    const Place* const known = snapshot.place(place.id);
+    return known == nullptr || known->entity_version + 1 != place.entity_version;
+  });
+  return batch;
+}
+
 Snapshot with(const Snapshot& snapshot, const Batch& batch) {
   Draft draft(snapshot);
   Experience& experience = draft.touch(batch.experience);
@@ -94,6 +123,7 @@ Snapshot with(const Snapshot& snapshot, const Batch& batch) {
   // All of them come after the chain so far: the batch continues the experience.
   std::sort(hops.begin(), hops.end(), [](const Edge& first, const Edge& second) { return first.id < second.id; });
   experience.chain.append(std::move(hops));
+  draft.learn(batch.learned);
   if (batch.seal) {
     experience.sealed = true;
     experience.seal_reason = batch.seal_reason;

@@ -21,10 +21,22 @@ struct Batch {
   std::string name;  ///< the experience's label
   std::string method;
   std::vector<Place> places;  ///< contiguous, continuing the experience
-  std::vector<Edge> edges;    ///< odometry chain continuing the experience, and stitches
-  bool seal = false;          ///< nothing follows
+  /// Places of other experiences as they are known better now: their next entity version. They travel and are stored
+  /// behind the batch's own places.
+  std::vector<Place> learned;
+  std::vector<Edge> edges;  ///< odometry chain continuing the experience, and stitches
+  bool seal = false;        ///< nothing follows
   std::string seal_reason;
 };
+
+/// Its own places, then what it has learned.
+template <class Visit>
+void for_each_place(const Batch& batch, Visit&& visit) {
+  for (const Place& place : batch.places) visit(place);
+  for (const Place& place : batch.learned) visit(place);
+}
+/// Takes what is of other experiences from behind `places` to `learned`. `all`: as they travel.
+void set_places(Batch& batch, std::vector<Place> all);
 
 /// SHA-256 of the batch's canonical bytes: same sequence and hash is a repeat, another hash is refused.
 ContentHash hash(const Batch& batch);
@@ -32,6 +44,10 @@ ContentHash hash(const Batch& batch);
 /// Every reason for which a batch cannot join the snapshot, for intake: wrong or missing ids, gaps, cycles in
 /// odometry, relations that are none, ends that do not exist, sizes out of bounds. Empty means it fits.
 std::vector<Error> check(const Snapshot& snapshot, const Batch& batch);
+
+/// The batch without what it has learned too late: places that are gone, or that somebody else has come to know
+/// better meanwhile.
+Batch in_time(const Snapshot& snapshot, Batch batch);
 
 /// The snapshot with the batch joined, one revision on; without stitches to places that have been taken out. Caller
 /// has checked it.

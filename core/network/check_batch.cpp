@@ -18,6 +18,7 @@ class Checker {
     check_head();
     if (!errors_.empty()) return std::move(errors_);  // sizes are bounded only from here on
     for (std::size_t i = 0; i < batch_.places.size(); ++i) check_place(i);
+    for (const Place& place : batch_.learned) check_learned(place);
     for (const Edge& edge : batch_.edges) check_edge(edge);
     check_chain();
     return std::move(errors_);
@@ -52,7 +53,7 @@ class Checker {
     check_text("name", batch_.name, 0, kLongestName);
     check_text("method", batch_.method, 1, kLongestName);
     check_text("seal reason", batch_.seal_reason, 0, kLongestReason);
-    check_most("places", batch_.places.size(), kBatchPlaces);
+    check_most("places", batch_.places.size() + batch_.learned.size(), kBatchPlaces);
     check_most("edges", batch_.edges.size(), kBatchEdges);
     if (known_ == nullptr) return;
     if (first_new_ > 0 && known_->place(first_new_ - 1) == nullptr) {
@@ -76,6 +77,29 @@ class Checker {
     }
     if (place.entity_version == 0) wrong(ErrorCode::invalid, name + ": entity version is 0, counts from 1");
     if (place.method != batch_.method) wrong(ErrorCode::invalid, name + " has another method than its batch");
+    check_content(place, name);
+  }
+
+  /// Whether it comes in time shows when the batch joins.
+  void check_learned(const Place& place) {
+    const std::string name = "learned place " + to_string(place.id);
+    if (place.id.experience == batch_.experience) {
+      return wrong(ErrorCode::invalid, name + " is of the batch's own experience, which is known from its places");
+    }
+    if (!exists(place.id)) return wrong(ErrorCode::not_found, name + " does not exist");
+    if (!learned_.insert(place.id).second) wrong(ErrorCode::invalid, name + " is there twice");
+    if (place.entity_version < 2) {
+      wrong(ErrorCode::invalid, name + ": entity version is " + std::to_string(place.entity_version) +
+                                    "; what is learned is at least the second");
+    }
+    const Place* const known = snapshot_.place(place.id);
+    if (known != nullptr && known->method != place.method) {
+      wrong(ErrorCode::invalid, name + " has method " + known->method + ", not " + place.method);
+    }
+    check_content(place, name);
+  }
+
+  void check_content(const Place& place, const std::string& name) {
     if (place.robot != batch_.robot) wrong(ErrorCode::invalid, name + " is of another robot");
     if (!place.content.hash) wrong(ErrorCode::invalid, name + " has no content hash");
     if (place.content.size == 0 || place.content.size > kLargestContent) {
@@ -165,6 +189,7 @@ class Checker {
   std::uint32_t first_new_ = 0;
   std::set<EdgeId> pairs_;
   std::set<std::uint32_t> chained_;
+  std::set<PlaceId> learned_;
   std::vector<Error> errors_;
 };
 

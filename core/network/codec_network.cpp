@@ -74,8 +74,8 @@ Bytes encode(const Batch& batch) {
     out.id(batch.robot);
     out.text(batch.name);
     out.text(batch.method);
-    out.count(batch.places.size());
-    for (const Place& place : batch.places) fields::write(out, place);
+    out.count(batch.places.size() + batch.learned.size());
+    for_each_place(batch, [&](const Place& place) { fields::write(out, place); });
     out.count(batch.edges.size());
     for (const Edge& edge : batch.edges) fields::write(out, edge);
     out.flag(batch.seal);
@@ -99,8 +99,9 @@ Result<Batch> decode_batch(ByteView bytes) {
     batch.robot = in.id<RobotId>("robot");
     batch.name = in.text("name");
     batch.method = in.text("method");
-    batch.places.resize(in.count("places", fields::kPlaceLeast));
-    for (Place& place : batch.places) place = fields::read_place(in);
+    std::vector<Place> places(in.count("places", fields::kPlaceLeast));
+    for (Place& place : places) place = fields::read_place(in);
+    set_places(batch, std::move(places));
     batch.edges.resize(in.count("edges", fields::kEdgeLeast));
     for (Edge& edge : batch.edges) edge = fields::read_edge(in);
     batch.seal = in.flag("seal");

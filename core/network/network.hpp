@@ -23,8 +23,8 @@ struct ContentRef {
 /// A node of the network. Never edited: superseded or retired by a later revision.
 struct Place {
   PlaceId id;
-  std::uint32_t entity_version = 1;
-  std::string method;  ///< whose content this is
+  std::uint32_t entity_version = 1;  ///< one more each time the place is known better
+  std::string method;                ///< whose content this is
   std::uint32_t content_format = 1;
   ContentRef content;
   RobotId robot;

@@ -13,7 +13,9 @@ idl::ExperienceBatch to_idl(const msg::ExperienceBatch& message) {
   wire.robot(batch.robot.bytes);
   wire.name(batch.name);
   wire.method(batch.method);
-  wire.places(list_to_idl<idl::Place>(batch.places));
+  std::vector<Place> places;
+  for_each_place(batch, [&](const Place& place) { places.push_back(place); });
+  wire.places(list_to_idl<idl::Place>(places));
   wire.edges(list_to_idl<idl::Edge>(batch.edges));
   wire.seal(batch.seal);
   wire.seal_reason(batch.seal_reason);
@@ -32,7 +34,7 @@ Result<msg::ExperienceBatch> from_idl(const idl::ExperienceBatch& wire) {
   reading.require(batch.robot == value.header.sender, "robot", "must be the sender");
   batch.name = reading.text("name", wire.name(), kNameLength);
   batch.method = reading.text("method", wire.method(), kNameLength);
-  batch.places = list_from_idl<Place>(wire.places(), reading, "places", kBatchPlaces);
+  set_places(batch, list_from_idl<Place>(wire.places(), reading, "places", kBatchPlaces));
   batch.edges = list_from_idl<Edge>(wire.edges(), reading, "edges", kBatchEdges);
   batch.seal = wire.seal();
   batch.seal_reason = reading.text("seal_reason", wire.seal_reason(), kTextLength);

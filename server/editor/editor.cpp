@@ -16,6 +16,7 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
   }
   if (!edit.out.empty()) transaction.changes.emplace_back(storage::TakeOut{edit.out});
   if (!edit.back.empty()) transaction.changes.emplace_back(storage::BringBack{edit.back});
+  if (!edit.known_anew.empty()) transaction.changes.emplace_back(storage::PutPlaces{edit.known_anew});
   for (const auto& [label, place] : edit.labels) transaction.changes.emplace_back(storage::PutLabel{label, place});
   transaction.changes.emplace_back(storage::PutEvent{{.at = {},
                                                       .kind = "map." + edit.kind,
@@ -96,7 +97,7 @@ std::set<PlaceId> Editor::in_use() const {
 }
 
 Result<Snapshot> Editor::edited(const Edit& edit, Revision revision) const {
-  const bool only_out = edit.back.empty() && edit.labels.empty() && edit.to.value == 0;
+  const bool only_out = edit.back.empty() && edit.known_anew.empty() && edit.labels.empty() && edit.to.value == 0;
   if (only_out) return without(context_.snapshots.current(), edit.out);
   return context_.store.snapshot_at(revision, context_.snapshots.current());
 }

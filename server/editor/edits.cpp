@@ -59,6 +59,17 @@ void undo_label(const std::string& label, const Snapshot& now, const Snapshot& t
   if (place_of(label, then) == is && was != is) edit.labels[label] = was;
 }
 
+/// What the revision made of places, as far as they are still known so.
+void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, const Snapshot& before, Edit& edit) {
+  for (const Place& place : learned) {
+    const Place* const is = now.place(place.id);
+    const Place* const was = before.place(place.id);
+    if (is == nullptr || was == nullptr || *is != place) continue;
+    edit.known_anew.push_back(*was);
+    edit.known_anew.back().entity_version = is->entity_version + 1;  // what is learned meanwhile comes too late
+  }
+}
+
 }  // namespace
 
 std::string to_text(const Edit& edit) {
@@ -66,6 +77,7 @@ std::string to_text(const Edit& edit) {
   std::vector<std::string> parts;
   if (!edit.out.empty()) parts.push_back(counted(edit.out) + " out of the map");
   if (!edit.back.empty()) parts.push_back(counted(edit.back) + " in the map again");
+  if (!edit.known_anew.empty()) parts.push_back(counted(edit.known_anew.size(), "place") + " known as before");
   for (const auto& [label, place] : edit.labels) {
     parts.push_back("label " + label + (place.experience ? " at " + to_string(place) + " again" : " gone"));
   }
@@ -127,11 +139,12 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
   append(out, changes->brought_back);
   edit.out = present(snapshot, out);
   edit.back = absent(snapshot, changes->taken_out);
-  if (!changes->labels.empty()) {
+  if (!changes->labels.empty() || !changes->known_anew.empty()) {
     const Result<Snapshot> then = store.snapshot_at(revision, snapshot);
     if (!then) return fail(then.error());
     const Result<Snapshot> before = store.snapshot_at(changes->note.base, *then);
     if (!before) return fail(before.error());
+    undo_known_anew(changes->known_anew, snapshot, *before, edit);
     for (const std::string& label : changes->labels) undo_label(label, snapshot, *then, *before, edit);
   }
   if (edit.empty()) {

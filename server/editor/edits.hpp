@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/network/removal.hpp"
 #include "core/protocol/messages.hpp"
@@ -13,11 +14,12 @@ namespace weft::server {
 struct Edit {
   Removal out;
   Removal back;
+  std::vector<Place> known_anew;          ///< places as they are known from now on
   std::map<std::string, PlaceId> labels;  ///< a place of no experience: the label goes
   Revision to;                            ///< not 0: a rollback, and nothing else
   std::string kind;                       ///< for the log
   std::string cause;                      ///< what was asked for, in words
-  bool empty() const { return out.empty() && back.empty() && labels.empty() && to.value == 0; }
+  bool empty() const { return out.empty() && back.empty() && known_anew.empty() && labels.empty() && to.value == 0; }
 };
 
 /// For people: "12 places and 3 stitches leave the map".

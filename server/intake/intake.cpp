@@ -68,12 +68,14 @@ Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, con
     return fail(ErrorCode::conflict, "it came before with another hash, and that one waits for its contents");
   }
   if (batch.sequence > line.durable_through + kAhead) return fail(ErrorCode::exhausted, "too far ahead");
-  for (const Place& place : batch.places) {
-    if (place.content.size == 0 || place.content.size > msg::kContentBytes) {
-      return fail(ErrorCode::invalid, "content of place " + to_string(place.id) + " has " +
-                                          std::to_string(place.content.size) + " bytes; 1 to " +
-                                          std::to_string(msg::kContentBytes) + " are taken");
-    }
+  const Place* wrong = nullptr;
+  for_each_place(batch, [&](const Place& place) {
+    if (place.content.size == 0 || place.content.size > msg::kContentBytes) wrong = &place;
+  });
+  if (wrong != nullptr) {
+    return fail(ErrorCode::invalid, "content of place " + to_string(wrong->id) + " has " +
+                                        std::to_string(wrong->content.size) + " bytes; 1 to " +
+                                        std::to_string(msg::kContentBytes) + " are taken");
   }
   std::map<ContentHash, std::uint64_t> needs = contents_needed(batch);
   if (const Result<void> room = make_room(needs); !room) return room;
@@ -94,21 +96,21 @@ void Intake::expect(const ContentHash& content, std::uint64_t size) {
 /// sets damaged contents aside. True: something is to be asked for again.
 bool Intake::expect_what_went(Waiting& waiting) {
   bool any = false;
-  for (const Place& place : waiting.batch.places) {
+  for_each_place(waiting.batch, [&](const Place& place) {
     const ContentRef& content = place.content;
-    if (waiting.needs.contains(content.hash) || context_.store.has_content(content.hash)) continue;
+    if (waiting.needs.contains(content.hash) || context_.store.has_content(content.hash)) return;
     waiting.needs.emplace(content.hash, content.size);
     expect(content.hash, content.size);
     any = true;
-  }
+  });
   return any;
 }
 
 std::map<ContentHash, std::uint64_t> Intake::contents_needed(const Batch& batch) const {
   std::map<ContentHash, std::uint64_t> needs;
-  for (const Place& place : batch.places) {
+  for_each_place(batch, [&](const Place& place) {
     if (!context_.store.has_content(place.content.hash)) needs.emplace(place.content.hash, place.content.size);
-  }
+  });
   return needs;
 }
 
@@ -205,6 +207,7 @@ std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
       answer(experience, line);
       return joined;
     }
+    leave_out_what_is_late(next->second.batch);
     if (const Result<void> done = commit(line, next->second, now); !done) {
       const bool never_fits = done.error().code == ErrorCode::conflict || done.error().code == ErrorCode::invalid;
       if (never_fits) {
@@ -215,15 +218,26 @@ std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
       return joined;
     }
     seal_abandoned(next->second, now);
-    joined.push_back(next->second.batch);
+    joined.push_back(std::move(next->second.batch));
     forget(line, sequence);
   }
 }
 
+/// Two robots that learn beside each other: the first one counts, the second one learns anew upon it. The batch keeps
+/// the hash under which it was handed in.
+void Intake::leave_out_what_is_late(Batch& batch) {
+  const std::size_t handed_in = batch.learned.size();
+  batch = in_time(context_.snapshots.current(), std::move(batch));
+  const std::size_t late = handed_in - batch.learned.size();
+  if (late > 0) context_.counters["intake: places learned too late"] += late;
+}
+
 Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
   storage::Transaction transaction;
+  std::set<ContentHash> named;
+  for_each_place(waiting.batch, [&](const Place& place) { named.insert(place.content.hash); });
   for (const auto& [content, size] : waiting.needs) {
-    if (context_.store.has_content(content)) continue;
+    if (!named.contains(content) || context_.store.has_content(content)) continue;
     transaction.changes.emplace_back(storage::PutContent{
         .hash = content, .kind = msg::ContentKind::content, .bytes = *incoming_.at(content).done});
   }

@@ -66,6 +66,7 @@ class Intake {
   bool expect_what_went(Waiting& waiting);
   bool is_ready(const Waiting& waiting) const;
   std::vector<Batch> advance(ExperienceId experience, Now now);
+  void leave_out_what_is_late(Batch& batch);
   Result<void> commit(Line& line, const Waiting& waiting, Now now);
   void seal_abandoned(const Waiting& waiting, Now now);
   void refuse(Line& line, const Batch& batch, const ContentHash& hash, const Error& why, Now now);

@@ -26,7 +26,17 @@ static ContentSizes sizes_in(const Snapshot& snapshot) {
 Shelf::Shelf(Context& context) : context_(context), sizes_(sizes_in(context.snapshots.current())) {}
 
 void Shelf::joined(const Batch& batch) {
-  for (const Place& place : batch.places) sizes_.add(place.content.hash, place.content.size);
+  for_each_place(batch, [&](const Place& place) { sizes_.add(place.content.hash, place.content.size); });
+}
+
+/// Contents of a map of the past can be asked for again after an undo: the store has them.
+std::optional<std::uint64_t> Shelf::size_of(const ContentHash& hash) {
+  if (const std::optional<std::uint64_t> known = sizes_.find(hash)) return known;
+  if (!context_.store.has_content(hash)) return std::nullopt;
+  const Result<storage::StoredContent> stored = context_.store.stored_content(hash);
+  if (!stored || stored->size == 0) return std::nullopt;
+  sizes_.add(hash, stored->size);
+  return stored->size;
 }
 
 void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
@@ -41,7 +51,7 @@ void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
     asker.budget_at = now;
   }
   for (const msg::ContentRequest::Item& item : request.items) {
-    const std::optional<std::uint64_t> size = sizes_.find(item.hash);
+    const std::optional<std::uint64_t> size = size_of(item.hash);
     if (!size) {
       ++context_.counters["library: content that nobody handed in"];
       continue;

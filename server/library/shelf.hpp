@@ -32,6 +32,7 @@ class Shelf {
     SteadyTime budget_at;
   };
 
+  std::optional<std::uint64_t> size_of(const ContentHash& hash);
   void refill(Asker& asker, SteadyTime now) const;
   void serve(const PeerId& peer, Asker& asker, Now now);
   std::shared_ptr<const storage::StoredContent> fetch(const ContentHash& hash, Now now);

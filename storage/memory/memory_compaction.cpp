@@ -29,6 +29,7 @@ class MemoryCompaction {
     mark();
     for (auto step = disk_.history.rbegin(); step != disk_.history.rend(); ++step) {
       if (auto* const batch = std::get_if<Batch>(&step->change)) thin(*batch, step->revision);
+      if (auto* const put = std::get_if<PutPlaces>(&step->change)) thin(put->places, step->revision);
     }
     thin_labels();
     for (MemoryDisk::Step& step : disk_.history) {
@@ -81,6 +82,15 @@ class MemoryCompaction {
       if (goes && --disk_.edges[edge.id] == 0) disk_.edges.erase(edge.id);
       return goes;
     });
+    thin(batch.learned, revision);
+  }
+
+  /// What was known of places between the first time and the last stays only where a kept map has it.
+  void thin(std::vector<Place>& known_anew, Revision revision) {
+    std::erase_if(known_anew, [&](const Place& place) {
+      const bool is_latest = known_.try_emplace(place.id, retention_).first->second.keeps(revision.value);
+      return !is_latest || is_deleted(place.id);
+    });
   }
 
   void thin_labels() {
@@ -106,12 +116,15 @@ class MemoryCompaction {
     std::erase_if(removal.stitches, [&](const EdgeId& stitch) { return !disk_.edges.contains(stitch); });
   }
 
+  static void use(const std::vector<Place>& places, std::set<ContentHash>& used) {
+    for (const Place& place : places) used.insert(place.content.hash);
+  }
+
   void drop_contents() {
     std::set<ContentHash> used;
     for (const MemoryDisk::Step& step : disk_.history) {
-      const auto* const batch = std::get_if<Batch>(&step.change);
-      if (batch == nullptr) continue;
-      for (const Place& place : batch->places) used.insert(place.content.hash);
+      if (const auto* const batch = std::get_if<Batch>(&step.change)) use(batch->places, used);
+      if (const auto* const known = known_anew(step)) use(*known, used);
     }
     std::erase_if(disk_.contents, [&](const auto& entry) {
       const auto& [hash, content] = entry;
@@ -126,6 +139,7 @@ class MemoryCompaction {
   std::map<ExperienceId, std::vector<MovedStretch>> places_;
   std::map<EdgeId, std::vector<Moved>> stitches_;
   std::map<EdgeId, LatestRetention> latest_;
+  std::map<PlaceId, LatestRetention> known_;
   JobProgress progress_;
 };
 

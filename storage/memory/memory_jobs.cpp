@@ -20,6 +20,7 @@ class Check {
     for (const MemoryDisk::Step& step : disk_.history) {
       if (const auto* const batch = std::get_if<Batch>(&step.change)) look(*batch);
       if (const auto* const put = std::get_if<PutLabel>(&step.change)) look(*put);
+      if (const auto* const known = known_anew(step)) look(*known);
     }
     for (const auto& [id, facts] : disk_.experiences) look(id, facts);
     if (disk_.notes.size() != disk_.revision.value) found("revision: the notes have a gap");
@@ -41,16 +42,19 @@ class Check {
       found("batch " + std::to_string(batch.sequence) + " of experience " + to_string(batch.experience) +
             ": its hash is not stored");
     }
-    for (const Place& place : batch.places) {
-      if (disk_.contents.contains(place.content.hash)) continue;
-      found("place " + to_string(place.id) + ": its content " + to_string(place.content.hash) + " is not stored");
-    }
+    look(batch.places);
     for (const Edge& edge : batch.edges) {
       for (const PlaceId& end : {edge.id.a, edge.id.b}) {
         if (has_place(end)) continue;
         found("edge " + to_string(edge.id.a) + " - " + to_string(edge.id.b) + ": its place " + to_string(end) +
               " is not stored");
       }
+    }
+  }
+  void look(const std::vector<Place>& places) {
+    for (const Place& place : places) {
+      if (disk_.contents.contains(place.content.hash)) continue;
+      found("place " + to_string(place.id) + ": its content " + to_string(place.content.hash) + " is not stored");
     }
   }
   void look(const PutLabel& put) {

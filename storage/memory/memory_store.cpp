@@ -51,6 +51,7 @@ class Writer {
     for (const Edge& edge : append.batch.edges) ++disk_.edges[edge.id];
     disk_.batch_hashes[{append.batch.experience, append.batch.sequence}] = append.hash;
   }
+  void operator()(const PutPlaces& put) const { remember(put); }
   void operator()(const PutLabel& put) const { remember(put); }
   void operator()(const SealExperience& seal) const { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
   void operator()(const TakeOut& out) const { remember(out); }
@@ -102,7 +103,9 @@ class Replay {
     }
     for (const Place& place : batch.places) is_in_ ? builder_.add(place) : builder_.add_absent(place.id);
     for (const Edge& edge : batch.edges) is_in_ ? builder_.add(edge, at_) : builder_.add_absent(edge.id);
+    know_anew(batch.learned);
   }
+  void operator()(const PutPlaces& put) { know_anew(put.places); }
   void operator()(const MemoryDisk::Seal& seal) {
     NetworkBuilder::Head& head = heads_.at(seal.experience);
     head.sealed = true;
@@ -125,6 +128,11 @@ class Replay {
   }
 
  private:
+  void know_anew(const std::vector<Place>& places) {
+    if (!is_in_) return;
+    for (const Place& place : places) builder_.add(place);
+  }
+
   NetworkBuilder& builder_;
   const Lineage& lineage_;
   Revision at_;
@@ -265,6 +273,8 @@ class MemoryStore final : public MapStore {
       if (const auto* out = std::get_if<TakeOut>(&step.change)) append(changes.taken_out, out->what);
       if (const auto* back = std::get_if<BringBack>(&step.change)) append(changes.brought_back, back->what);
       if (const auto* put = std::get_if<PutLabel>(&step.change)) changes.labels.insert(put->label);
+      const std::vector<Place>* const known = known_anew(step);
+      if (known != nullptr) changes.known_anew.insert(changes.known_anew.end(), known->begin(), known->end());
     }
     return changes;
   }
@@ -320,6 +330,12 @@ class MemoryStore final : public MapStore {
 };
 
 }  // namespace
+
+const std::vector<Place>* known_anew(const MemoryDisk::Step& step) {
+  if (const auto* const batch = std::get_if<Batch>(&step.change)) return &batch->learned;
+  if (const auto* const put = std::get_if<PutPlaces>(&step.change)) return &put->places;
+  return nullptr;
+}
 
 std::unique_ptr<MapStore> make_memory_store(std::shared_ptr<MemoryDisk> disk) {
   return std::make_unique<MemoryStore>(std::move(disk));

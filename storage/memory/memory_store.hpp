@@ -35,7 +35,7 @@ struct MemoryDisk {
   std::uint64_t content_bytes = 0;
   struct Step {
     Revision revision;
-    std::variant<Batch, Seal, PutLabel, TakeOut, BringBack> change;
+    std::variant<Batch, Seal, PutPlaces, PutLabel, TakeOut, BringBack> change;
   };
   std::vector<Step> history;           ///< in order of commit
   std::vector<RevisionNote> notes;     ///< of revision 1, 2, ...
@@ -52,6 +52,9 @@ struct MemoryDisk {
   std::vector<msg::Event> events;
   std::map<std::string, std::shared_ptr<const Bytes>> preparations;  ///< by methods
 };
+
+/// The places that the step knows anew; null: none.
+const std::vector<Place>* known_anew(const MemoryDisk::Step& step);
 
 /// MapStore for tests and the simulation: as strict as the engines on disk, with faults on demand. A commit costs
 /// what it adds.

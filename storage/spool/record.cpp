@@ -41,17 +41,19 @@ Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& co
   for (const Bytes& content : contents) {
     record.contents.emplace(hash_bytes(content), std::make_shared<const Bytes>(content));
   }
-  for (const Place& place : batch.places) {
-    if (record.contents.contains(place.content.hash)) continue;
-    SharedBytes earlier = held(place.content.hash);
-    if (earlier == nullptr) {
-      return fail(ErrorCode::invalid, "spool: batch " + std::to_string(batch.sequence) + " of experience " +
-                                          to_string(batch.experience) + ": content " + to_string(place.content.hash) +
-                                          " of place " + to_string(place.id) + " is neither given nor held");
+  const Place* missing = nullptr;
+  for_each_place(batch, [&](const Place& place) {
+    if (record.contents.contains(place.content.hash)) return;
+    if (SharedBytes earlier = held(place.content.hash)) {
+      record.contents.emplace(place.content.hash, std::move(earlier));
+    } else {
+      missing = &place;
     }
-    record.contents.emplace(place.content.hash, std::move(earlier));
-  }
-  return record;
+  });
+  if (missing == nullptr) return record;
+  return fail(ErrorCode::invalid, "spool: batch " + std::to_string(batch.sequence) + " of experience " +
+                                      to_string(batch.experience) + ": content " + to_string(missing->content.hash) +
+                                      " of place " + to_string(missing->id) + " is neither given nor held");
 }
 
 std::optional<Result<void>> compare(const Batch& pending, const Batch& batch) {

@@ -59,6 +59,21 @@ struct PlaceRow {
   Result<Place> place;
 };
 
+Result<void> check_place_row(const PlaceRow& row, const std::string& name, const Lookup& lookup, Findings& findings) {
+  if (!row.place) {
+    findings.push_back(name + ": " + row.place.error().message);
+    return {};
+  }
+  if (row.place->id != row.id) {
+    findings.push_back(name + ": the row of another place");
+    return {};
+  }
+  const Result<bool> stored = lookup.has_content(row.place->content.hash);
+  if (!stored) return fail(stored.error());
+  if (!*stored) findings.push_back(name + ": its content " + to_string(row.place->content.hash) + " is not stored");
+  return {};
+}
+
 class PlaceCheck final : public MapCheck<PlaceRow> {
  public:
   using MapCheck::MapCheck;
@@ -88,7 +103,7 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
       if (auto done = check_hop(before, row.id, findings); !done) return done;
     }
     check_revision(row.revision, name, findings);
-    return check_row(row, name, findings);
+    return check_place_row(row, name, lookup_, findings);
   }
 
   /// What comes after the last row is the experience's to notice.
@@ -115,22 +130,31 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
     return {};
   }
 
-  Result<void> check_row(const PlaceRow& row, const std::string& name, Findings& findings) const {
-    if (!row.place) {
-      findings.push_back(name + ": " + row.place.error().message);
-      return {};
-    }
-    if (row.place->id != row.id) {
-      findings.push_back(name + ": the row of another place");
-      return {};
-    }
-    const Result<bool> stored = lookup_.has_content(row.place->content.hash);
-    if (!stored) return fail(stored.error());
-    if (!*stored) findings.push_back(name + ": its content " + to_string(row.place->content.hash) + " is not stored");
-    return {};
+  std::optional<PlaceId> last_;
+};
+
+/// What is known anew of places.
+class PlaceAnewCheck final : public MapCheck<PlaceRow> {
+ public:
+  using MapCheck::MapCheck;
+
+ private:
+  PlaceRow read(const Query& row) override {
+    ++done_;
+    return {place_id(row, 0), row.number(2), decode_guarded(row.blob(3), decode_place)};
   }
 
-  std::optional<PlaceId> last_;
+  Result<void> look(const PlaceRow& row, Findings& findings) override {
+    const Result<bool> deleted = lookup_.is_deleted(row.id);
+    if (!deleted) return fail(deleted.error());
+    if (*deleted) return {};
+    const std::string name = "place " + to_string(row.id) + ", known since revision " + std::to_string(row.revision);
+    const Result<bool> there = lookup_.has_place(row.id);
+    if (!there) return fail(there.error());
+    if (!*there) findings.push_back(name + ": the place itself is not stored");
+    check_revision(row.revision, name, findings);
+    return check_place_row(row, name, lookup_, findings);
+  }
 };
 
 struct EdgeRow {
@@ -293,6 +317,9 @@ Result<void> add(const Parts& parts, CheckParts& to, const char* table, const st
 
 Result<void> add_map_checks(const Parts& parts, CheckParts& to) {
   Result<void> done = add<PlaceCheck>(parts, to, "place", {"experience", "place"}, "revision, row");
+  if (done) {
+    done = add<PlaceAnewCheck>(parts, to, "place_anew", {"experience", "place", "revision"}, "row");
+  }
   if (done) {
     done =
         add<EdgeCheck>(parts, to, "edge", {"a_experience", "a_place", "b_experience", "b_place", "revision"}, "row");

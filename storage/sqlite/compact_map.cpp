@@ -175,6 +175,54 @@ class DeletePlaces final : public CompactPart {
   std::optional<Stretch> now_;
 };
 
+/// What was known of places between the first time and the last, where no kept map has it. From the newest row of a
+/// place to the oldest.
+class DeletePlacesAnew final : public CompactPart {
+ public:
+  DeletePlacesAnew(Scan scan, Lookup lookup, Statement drop)
+      : scan_(std::move(scan)), lookup_(std::move(lookup)), drop_(std::move(drop)) {}
+
+  Result<bool> step(Compaction& compaction) override {
+    lookup_.forget();
+    std::vector<std::pair<PlaceId, std::uint64_t>> rows;
+    const Result<bool> more =
+        scan_.next(kMarkPiece, [&](const Query& row) { rows.emplace_back(place_id(row, 0), row.number(2)); });
+    if (!more) return fail(more.error());
+    done_ += rows.size();
+    std::vector<std::pair<PlaceId, std::uint64_t>> gone;
+    for (const auto& row : rows) {
+      if (place_ != row.first) {
+        place_ = row.first;
+        rows_.emplace(compaction.retention());
+      }
+      const bool is_latest = rows_->keeps(row.second);  // asked of every row: it counts them
+      const Result<bool> deleted = lookup_.is_deleted(row.first);
+      if (!deleted) return fail(deleted.error());
+      if (!is_latest || *deleted) gone.push_back(row);
+    }
+    if (gone.empty()) return more;
+    const auto done = compaction.write([&](StoreRow&) -> Result<void> {
+      for (const auto& [id, revision] : gone) {
+        Query query(drop_);
+        query << id.experience.value << std::uint64_t{id.index} << revision;
+        if (auto ran = query.run(); !ran) return ran;
+      }
+      return {};
+    });
+    if (!done) return fail(done.error());
+    return more;
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  Scan scan_;
+  Lookup lookup_;
+  Statement drop_;
+  std::optional<PlaceId> place_;
+  std::optional<LatestRetention> rows_;
+  std::uint64_t done_ = 0;
+};
+
 /// What a label meant before its last meaning in every kept map. From the newest to the oldest.
 class DeleteLabels final : public CompactPart {
  public:
@@ -271,6 +319,10 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
                        " AND revision = ?"));
   auto marks = need(Scan::make(database, "deleted_places", {"experience", "first_place"}, "last_place"));
   auto drop_places = need(database.prepare("DELETE FROM place WHERE experience = ? AND place BETWEEN ? AND ?"));
+  auto anew = need(Scan::make(database, "place_anew", {"experience", "place", "revision"}, "", Scan::Order::down));
+  auto anew_lookup = need(Lookup::make(database));
+  auto drop_anew =
+      need(database.prepare("DELETE FROM place_anew WHERE experience = ? AND place = ? AND revision = ?"));
   auto labels = need(Scan::make(database, "label", {"label", "revision"}, "", Scan::Order::down));
   auto drop_label = need(database.prepare("DELETE FROM label WHERE label = ? AND revision = ?"));
   auto drop_moved_places = need(database.prepare(kDropMovedPlaces));
@@ -280,6 +332,7 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
       std::make_unique<MarkPlaces>(std::move(*places), std::move(*place_lookup), std::move(*clear), std::move(*put)));
   to.push_back(std::make_unique<DeleteEdges>(std::move(*edges), std::move(*edge_lookup), std::move(*drop_edge)));
   to.push_back(std::make_unique<DeletePlaces>(std::move(*marks), std::move(*drop_places)));
+  to.push_back(std::make_unique<DeletePlacesAnew>(std::move(*anew), std::move(*anew_lookup), std::move(*drop_anew)));
   to.push_back(std::make_unique<DeleteLabels>(std::move(*labels), std::move(*drop_label)));
   to.push_back(std::make_unique<DeleteMoves>(std::move(*drop_moved_places), std::move(*drop_moved_stitches)));
   return {};

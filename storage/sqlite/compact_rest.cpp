@@ -57,14 +57,21 @@ class DeleteContents final : public CompactPart {
     if (!scan_) {
       if (auto begun = begin(); !begun) return fail(begun.error());
     }
-    const Result<bool> more = is_collecting_ ? collect() : sweep(compaction);
+    const Result<bool> more = phase_ == Phase::contents ? sweep(compaction) : collect();
     if (!more || *more) return more;
     scan_.reset();
-    is_collecting_ = !is_collecting_;
-    if (!is_collecting_) {
-      std::ranges::sort(used_);
-      return true;
+    switch (phase_) {
+      case Phase::places:
+        phase_ = Phase::places_anew;
+        return true;
+      case Phase::places_anew:
+        phase_ = Phase::contents;
+        std::ranges::sort(used_);
+        return true;
+      case Phase::contents:
+        break;
     }
+    phase_ = Phase::places;
     return ++pass_ < passes_ && !is_blind_;
   }
   std::uint64_t done() const override { return done_; }
@@ -72,16 +79,29 @@ class DeleteContents final : public CompactPart {
  private:
   Result<void> begin() {
     if (passes_ == 0) {
-      const auto places = parts_.database.number("SELECT coalesce(sum(places), 0) FROM experience");
+      const auto places = parts_.database.number(
+          "SELECT (SELECT coalesce(sum(places), 0) FROM experience) + (SELECT count(*) FROM place_anew)");
       if (!places) return fail(places.error());
       passes_ = *places / kPlacesAPass + 1;
     }
-    if (is_collecting_) used_.clear();
-    auto scan = is_collecting_ ? Scan::make(parts_.database, "place", {"experience", "place"}, "row")
-                               : Scan::make(parts_.database, "content", {"rowid"}, "hash, kind, size, quarantined");
+    if (phase_ == Phase::places) used_.clear();
+    auto scan = scan_of_phase();
     if (!scan) return fail(scan.error());
     scan_ = std::move(*scan);
     return {};
+  }
+
+  Result<Scan> scan_of_phase() const {
+    const Database& database = parts_.database;
+    switch (phase_) {
+      case Phase::places:
+        return Scan::make(database, "place", {"experience", "place"}, "revision, row");
+      case Phase::places_anew:
+        return Scan::make(database, "place_anew", {"experience", "place", "revision"}, "row");
+      case Phase::contents:
+        break;
+    }
+    return Scan::make(database, "content", {"rowid"}, "hash, kind, size, quarantined");
   }
 
   bool is_of_pass(std::uint64_t prefix) const { return ((prefix >> 32U) * passes_) >> 32U == pass_; }
@@ -89,7 +109,7 @@ class DeleteContents final : public CompactPart {
   Result<bool> collect() {
     return scan_->next(kRowsAStep, [&](const Query& row) {
       ++done_;
-      const Result<Place> place = decode_guarded(row.blob(2), decode_place);
+      const Result<Place> place = decode_guarded(row.blob(3), decode_place);
       if (!place) {
         is_blind_ = true;  // it may name any of them
       } else if (const std::uint64_t prefix = prefix_of(place->content.hash); is_of_pass(prefix)) {
@@ -144,7 +164,8 @@ class DeleteContents final : public CompactPart {
   const Parts& parts_;
   Statement drop_;
   std::optional<Scan> scan_;
-  bool is_collecting_ = true;
+  enum class Phase { places, places_anew, contents };
+  Phase phase_ = Phase::places;
   bool is_blind_ = false;
   std::uint64_t pass_ = 0;
   std::uint64_t passes_ = 0;

@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "core/network/codec.hpp"
 #include "storage/sqlite/loader.hpp"
 #include "storage/sqlite/row_reading.hpp"
 
@@ -80,6 +81,22 @@ Result<void> read_moved(const Database& database, std::uint64_t revision, Revisi
       revision);
 }
 
+Result<void> read_known_anew(const Database& database, std::uint64_t revision, std::vector<Place>& places) {
+  Result<void> damaged;
+  auto done = for_each_row(
+      database, "SELECT row FROM place_anew WHERE revision = ? ORDER BY experience, place",
+      [&](const Query& row) {
+        Result<Place> place = decode_guarded(row.blob(0), decode_place);
+        if (place) {
+          places.push_back(std::move(*place));
+        } else {
+          damaged = fail(place.error());
+        }
+      },
+      revision);
+  return done ? damaged : done;
+}
+
 }  // namespace
 
 Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, Revision oldest,
@@ -104,6 +121,7 @@ Result<RevisionChanges> load_changes(const Database& database, Revision revision
   }
   if (done) done = read_added(database, revision.value, changes.added);
   if (done) done = read_moved(database, revision.value, changes);
+  if (done) done = read_known_anew(database, revision.value, changes.known_anew);
   if (!done) return fail(done.error());
   done = for_each_row(
       database, "SELECT label FROM label WHERE revision = ?",

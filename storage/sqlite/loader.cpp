@@ -51,6 +51,22 @@ Result<void> load_places(const Database& database, const Scope& scope, const Lin
                          });
 }
 
+/// In the order of revisions, after the places themselves. One that is damaged leaves what was known before.
+Result<void> load_places_anew(const Database& database, const Scope& scope, const Lineage& lineage,
+                              NetworkBuilder& builder) {
+  return for_each_row_of(scope, database, "SELECT experience, place, row, revision FROM place_anew", "experience",
+                         " ORDER BY experience, place, revision", [&](const Query& row) {
+                           const PlaceId id = place_id(row, 0);
+                           if (!lineage.contains(row.number(3))) return;
+                           Result<Place> place = decode_guarded(row.blob(2), decode_place);
+                           if (place && place->id == id) return builder.add(std::move(*place));
+                           builder.add_damage("place " + to_string(id) + ", as it is known since revision " +
+                                              std::to_string(row.number(3)) + ": " +
+                                              (place ? "the row of another place" : place.error().message) +
+                                              "; what was known before is served");
+                         });
+}
+
 Result<void> load_edges(const Database& database, const Scope& scope, const Lineage& lineage,
                         NetworkBuilder& builder) {
   const std::string select = "SELECT a_experience, a_place, b_experience, b_place, row, revision FROM edge";
@@ -145,6 +161,7 @@ Result<void> load_network(const Database& database, const Scope& scope, const Li
   if (done) done = load_deleted(database, scope, builder);
   if (done) done = load_moves(database, scope, lineage, builder);
   if (done) done = load_places(database, scope, lineage, builder);
+  if (done) done = load_places_anew(database, scope, lineage, builder);
   if (done) done = load_edges(database, scope, lineage, builder);
   if (done) done = load_labels(database, lineage, builder);
   return done;

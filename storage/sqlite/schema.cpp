@@ -148,6 +148,16 @@ CREATE TABLE preparation (
 CREATE INDEX edge_by_b ON edge (b_experience) WHERE a_experience <> b_experience;
 ALTER TABLE content ADD COLUMN sum INTEGER;
 )sql",
+    R"sql(
+CREATE TABLE place_anew (
+  experience INTEGER NOT NULL,
+  place      INTEGER NOT NULL,
+  revision   INTEGER NOT NULL,
+  row        BLOB NOT NULL,
+  PRIMARY KEY (experience, place, revision)
+) WITHOUT ROWID;
+CREATE INDEX place_anew_by_revision ON place_anew (revision);
+)sql",
 };
 
 Error is_foreign(const std::filesystem::path& file, const std::string& why) {

@@ -181,7 +181,9 @@ class SqliteStore final : public MapStore {
         parts_->quarantined.erase(put->hash);
         if (used) used->insert(put->hash);
       } else if (const auto* append = std::get_if<AppendBatch>(&change); append != nullptr && used) {
-        for (const Place& place : append->batch.places) used->insert(place.content.hash);
+        for_each_place(append->batch, [&](const Place& place) { used->insert(place.content.hash); });
+      } else if (const auto* anew = std::get_if<PutPlaces>(&change); anew != nullptr && used) {
+        for (const Place& place : anew->places) used->insert(place.content.hash);
       } else if (std::holds_alternative<TakeOut>(change) || std::holds_alternative<BringBack>(change)) {
         ++parts_->moves;
       }

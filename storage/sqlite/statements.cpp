@@ -31,6 +31,8 @@ Result<Statements> Statements::prepare(const Database& database) {
        " places = places + excluded.places"},
       {&Statements::put_batch, "INSERT INTO batch (experience, sequence, revision, hash) VALUES (?, ?, ?, ?)"},
       {&Statements::put_place, "INSERT INTO place (experience, place, revision, row) VALUES (?, ?, ?, ?)"},
+      {&Statements::put_place_anew,
+       "INSERT OR REPLACE INTO place_anew (experience, place, revision, row) VALUES (?, ?, ?, ?)"},
       {&Statements::put_edge,
        "INSERT OR REPLACE INTO edge (a_experience, a_place, b_experience, b_place, revision, row)"
        " VALUES (?, ?, ?, ?, ?, ?)"},

@@ -22,6 +22,7 @@ std::vector<Table> tables() {
   const std::vector<std::string> stitch{"revision", "a_experience", "a_place", "b_experience", "b_place", "is_back"};
   return {
       {"place", "places", {"experience", "place"}, "length(row) + 16"},
+      {"place_anew", "places", {"experience", "place", "revision"}, "length(row) + 24"},
       {"edge", "edges", {"a_experience", "a_place", "b_experience", "b_place", "revision"}, "length(row) + 32"},
       {"experience", "experiences", {"id"}, "length(name) + length(method) + length(seal_reason) + 48"},
       {"batch", "batches", {"experience", "sequence"}, "52"},

@@ -27,12 +27,8 @@ class Writer {
   Result<void> operator()(const AppendBatch& append) const {
     const Batch& batch = append.batch;
     if (auto done = put_experience(batch); !done) return done;
-    for (const Place& place : batch.places) {
-      const Bytes bytes = guard_row(encode(place));
-      Query query(statements_.put_place);
-      query << place.id.experience.value << std::uint64_t{place.id.index} << row_.revision.value << ByteView(bytes);
-      if (auto done = query.run(); !done) return done;
-    }
+    if (auto done = put_places(statements_.put_place, batch.places); !done) return done;
+    if (auto done = put_places(statements_.put_place_anew, batch.learned); !done) return done;
     for (const Edge& edge : batch.edges) {
       if (auto done = put_edge(edge); !done) return done;
     }
@@ -40,6 +36,8 @@ class Writer {
     query << batch.experience.value << batch.sequence << row_.revision.value << append.hash;
     return query.run();
   }
+
+  Result<void> operator()(const PutPlaces& put) const { return put_places(statements_.put_place_anew, put.places); }
 
   Result<void> operator()(const PutLabel& put) const {
     Query query(statements_.put_label);
@@ -113,6 +111,16 @@ class Writer {
           << std::uint64_t{batch.seal} << std::string_view(batch.seal_reason) << batch.sequence
           << std::uint64_t{batch.places.size()};
     return query.run();
+  }
+
+  Result<void> put_places(const Statement& statement, const std::vector<Place>& places) const {
+    for (const Place& place : places) {
+      const Bytes bytes = guard_row(encode(place));
+      Query query(statement);
+      query << place.id.experience.value << std::uint64_t{place.id.index} << row_.revision.value << ByteView(bytes);
+      if (auto done = query.run(); !done) return done;
+    }
+    return {};
   }
 
   Result<void> put_edge(const Edge& edge) const {

@@ -145,6 +145,76 @@ TEST(Batch, EveryIssueIsNamedNotOnlyTheFirst) {
   EXPECT_EQ(check(f.snapshot, f.batch).size(), 3U);
 }
 
+/// Place `index` of the first experience as the batch's robot knows it better.
+Place learned_by(const Fixture& f, std::uint32_t index, std::uint32_t version = 2) {
+  Place place = *f.snapshot.place({ExperienceId{100}, index});
+  place.entity_version = version;
+  place.content.hash.bytes[5] ^= 1U;
+  place.robot = f.batch.robot;
+  return place;
+}
+
+TEST(Batch, PlacesOfOthersCanBeKnownBetter) {
+  Fixture f;
+  f.batch.learned = {learned_by(f, 1), learned_by(f, 3)};
+  EXPECT_THAT(check(f.snapshot, f.batch), IsEmpty());
+  Batch lessons = f.batch;
+  lessons.places.clear();
+  lessons.edges.clear();
+  EXPECT_THAT(check(f.snapshot, lessons), IsEmpty()) << "without any place of its own";
+  const Snapshot joined = with(f.snapshot, f.batch);
+  EXPECT_EQ(*joined.place({ExperienceId{100}, 1}), f.batch.learned[0]);
+  EXPECT_EQ(*joined.place({ExperienceId{100}, 2}), *f.snapshot.place({ExperienceId{100}, 2}));
+  EXPECT_EQ(*joined.place({ExperienceId{100}, 3}), f.batch.learned[1]);
+  EXPECT_EQ(joined.place_count(), 9U);
+  EXPECT_EQ(f.snapshot.place({ExperienceId{100}, 1})->entity_version, 1U) << "the old snapshot stays as it is";
+}
+
+TEST(Batch, WhatIsLearnedWronglyIsNamed) {
+  const std::vector<Malformed> malformed{
+      {"first version", [](Batch& b) { b.learned[0].entity_version = 1; }, ErrorCode::invalid, "at least the second"},
+      {"own experience", [](Batch& b) { b.learned[0].id = kNew1; }, ErrorCode::invalid, "the batch's own experience"},
+      {"nowhere", [](Batch& b) { b.learned[0].id.index = 99; }, ErrorCode::not_found, "does not exist"},
+      {"twice", [](Batch& b) { b.learned.push_back(b.learned[0]); }, ErrorCode::invalid, "is there twice"},
+      {"method", [](Batch& b) { b.learned[0].method = "floor"; }, ErrorCode::invalid, "has method marks, not floor"},
+      {"robot", [](Batch& b) { b.learned[0].robot.bytes[0] ^= 1U; }, ErrorCode::invalid, "of another robot"},
+      {"content", [](Batch& b) { b.learned[0].content.size = 0; }, ErrorCode::invalid, "content size 0"},
+      {"too many", [](Batch& b) { b.learned.resize(kBatchPlaces); }, ErrorCode::invalid, "1004 places"},
+  };
+  for (const Malformed& kind : malformed) {
+    Fixture f;
+    f.batch.learned = {learned_by(f, 1)};
+    kind.damage(f.batch);
+    EXPECT_THAT(check(f.snapshot, f.batch),
+                testing::Contains(testing::AllOf(testing::Field(&Error::code, kind.code),
+                                                 testing::Field(&Error::message, HasSubstr(kind.named)))))
+        << kind.what;
+  }
+}
+
+TEST(Batch, OfTwoWhoLearnBesideEachOtherTheFirstCounts) {
+  Fixture f;
+  f.batch.learned = {learned_by(f, 1), learned_by(f, 3)};
+  const Snapshot meanwhile = with(f.snapshot, in_time(f.snapshot, f.batch));
+  Batch late = f.batch;
+  late.learned = {learned_by(f, 1), learned_by(f, 2), learned_by(f, 4, 3)};
+  const Batch rest = in_time(meanwhile, late);
+  ASSERT_EQ(rest.learned.size(), 1U);
+  EXPECT_EQ(rest.learned.front().id.index, 2U);
+}
+
+TEST(Batch, WhatIsLearnedTravelsBehindItsPlaces) {
+  Fixture f;
+  f.batch.learned = {learned_by(f, 1), learned_by(f, 3)};
+  const Result<Batch> back = decode_batch(encode(f.batch));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->places, f.batch.places);
+  EXPECT_EQ(back->learned, f.batch.learned);
+  Batch other = f.batch;
+  other.learned.pop_back();
+  EXPECT_NE(hash(other), hash(f.batch));
+}
+
 TEST(Batch, WhatContradictsTheMapIsAConflict) {
   Fixture f;
   const Snapshot joined = with(f.snapshot, f.batch);

@@ -47,6 +47,19 @@ TEST(SharedRow, CopiesShareFullChunksAndLeaveEachOtherAlone) {
   EXPECT_NE(&before[512], &after[512]) << "the chunk that was not full";
 }
 
+TEST(SharedRow, ReplacesWithoutTouchingItsCopies) {
+  const Numbers before(count(0, 600));
+  Numbers after = before;
+  after.replace({{0, "a"}, {255, "b"}, {599, "c"}});
+  std::vector<std::string> expected = count(0, 600);
+  expected[0] = "a";
+  expected[255] = "b";
+  expected[599] = "c";
+  EXPECT_EQ(read(after), expected);
+  EXPECT_EQ(read(before), count(0, 600));
+  EXPECT_EQ(&before[300], &after[300]) << "a chunk without any stays shared";
+}
+
 TEST(SharedRow, ErasesInTheMiddle) {
   const Numbers before(count(0, 1000));
   Numbers after = before;

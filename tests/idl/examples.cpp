@@ -194,6 +194,7 @@ void add_network(std::vector<Example>& all) {
               "loop",
               "floor",
               {place(1), place(2)},
+              {},
               {edge(metric2(), Origin::odometry), edge(AlongPath{2.0, 0.5, -0.1, 0.02}, Origin::stitch)},
               true,
               "stopped"};

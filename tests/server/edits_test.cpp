@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/network/codec.hpp"
 #include "tests/server/arranged_site.hpp"
 
 /// Edits of the map, and what becomes of those who drive on what is edited.
@@ -105,6 +106,76 @@ TEST_F(Edits, ALabelThatWasMovedGoesBack) {
   const Revision moved = revision();
   EXPECT_EQ(to_revision(Kind::undo, moved).outcome, msg::Outcome::done);
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(39));
+}
+
+/// r2 has learned of these places of the run.
+Handed learned_by(Peer& robot, std::uint64_t experience, std::uint64_t sequence, const std::vector<Place>& known) {
+  Handed handed;
+  handed.batch.experience = {experience};
+  handed.batch.sequence = sequence;
+  handed.batch.robot = robot.id;
+  handed.batch.name = "lessons";
+  handed.batch.method = "marks";
+  for (const Place& place : known) {
+    handed.contents.emplace_back(Bytes(50, static_cast<std::uint8_t>(experience + place.id.index)));
+    Place anew = place;
+    ++anew.entity_version;
+    anew.content = {hash_bytes(handed.contents.back()), handed.contents.back().size()};
+    anew.robot = robot.id;
+    handed.batch.learned.push_back(anew);
+  }
+  return handed;
+}
+
+TEST_F(Edits, WhatWasLearnedOnADriveIsOneRevisionThatCanBeUndone) {
+  site.arrive(r2, std::nullopt);
+  const auto known = [&](std::uint32_t index) { return *site.service().snapshot().place(run.place(index)); };
+  const Place before = known(3);
+  const Handed lessons = learned_by(r2, 77, 1, {known(3), known(4)});
+  site.hand_in(r2, lessons);
+  EXPECT_EQ(known(3), lessons.batch.learned[0]);
+  const Revision learned = revision();
+  site.hand_in(r2, learned_by(r2, 77, 2, {known(4)}));
+  const Place newest = known(4);
+
+  const msg::OperatorReply undone = to_revision(Kind::undo, learned);
+  EXPECT_EQ(undone.outcome, msg::Outcome::done) << undone.message;
+  EXPECT_THAT(undone.message, HasSubstr("1 place known as before"));
+  EXPECT_EQ(known(3).content, before.content);
+  EXPECT_EQ(known(3).entity_version, 3U) << "a lesson upon the undone one comes too late";
+  EXPECT_EQ(known(4), newest) << "somebody has learned more since";
+  EXPECT_EQ(to_revision(Kind::undo, undone.revision).outcome, msg::Outcome::done) << "an undo can be undone";
+  EXPECT_EQ(known(3).content, lessons.batch.learned[0].content);
+  site.restart();
+  EXPECT_EQ(known(3).content, lessons.batch.learned[0].content);
+}
+
+TEST_F(Edits, ContentsOfAMapOfThePastAreLentAgain) {
+  site.arrive(r2, std::nullopt);
+  const Place before = *site.service().snapshot().place(run.place(3));
+  site.hand_in(r2, learned_by(r2, 77, 1, {before}));
+  const Revision learned = revision();
+  site.restart();
+  site.arrive(r2, std::nullopt);
+  EXPECT_EQ(to_revision(Kind::undo, learned).outcome, msg::Outcome::done);
+  site.hush();
+  site.say(msg::ContentRequest{.header = r2.header(), .to = {}, .items = {{before.content.hash, 0}}});
+  EXPECT_THAT(site.heard<msg::Chunk>(), SizeIs(1));
+}
+
+TEST_F(Edits, OfTwoRobotsThatLearnBesideEachOtherTheFirstCounts) {
+  site.arrive(r2, std::nullopt);
+  const Place known = *site.service().snapshot().place(run.place(3));
+  const Place other = *site.service().snapshot().place(run.place(5));
+  site.hand_in(r1, learned_by(r1, 76, 1, {known}));
+  const Place first = *site.service().snapshot().place(run.place(3));
+  const Handed late = learned_by(r2, 77, 1, {known, other});
+  site.hand_in(r2, late);
+  EXPECT_EQ(site.last<msg::BatchAck>()->durable_through, 1U) << "that is no fault of the second one's";
+  EXPECT_EQ(*site.service().snapshot().place(run.place(3)), first);
+  EXPECT_EQ(*site.service().snapshot().place(run.place(5)), late.batch.learned[1]);
+  EXPECT_FALSE(site.disk->contents.contains(late.batch.learned[0].content.hash)) << "nobody names it";
+  EXPECT_EQ(site.counted("intake: places learned too late"), 1U);
 }
 
 TEST_F(Edits, NonsenseIsRefusedByName) {

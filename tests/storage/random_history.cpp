@@ -22,6 +22,11 @@ std::optional<RandomHistory::Step> RandomHistory::draw_batch(const Snapshot& now
   if (joined.experience && joined.experience != run.experience()) {
     delivery.batch.edges.push_back(stitch(joined, delivery.batch.places.back().id));
   }
+  if (joined.experience && joined.experience != run.experience() && random_.below(2) == 0) {
+    const Bytes better = content(random_, 150);
+    delivery.batch.learned.push_back(known_anew(*now.place(joined), better, delivery.batch.robot));
+    delivery.contents.push_back(better);
+  }
   if (!check(now, delivery.batch).empty()) {  // a rollback or a removal has ended it
     std::erase_if(runs_, [&](const Run& one) { return one.experience() == delivery.batch.experience; });
     return std::nullopt;

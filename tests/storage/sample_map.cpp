@@ -87,6 +87,14 @@ Edge stitch(const PlaceId& older, const PlaceId& newer) {
   return edge;
 }
 
+Place known_anew(const Place& place, const Bytes& better, const RobotId& by) {
+  Place anew = place;
+  ++anew.entity_version;
+  anew.content = {hash_bytes(better), better.size()};
+  anew.robot = by;
+  return anew;
+}
+
 Goal goal(std::uint64_t number, const PlaceId& to) {
   Goal goal;
   goal.id = goal_id(number);

@@ -38,6 +38,8 @@ class Run {
 };
 
 Edge stitch(const PlaceId& older, const PlaceId& newer);
+/// The place as a robot knows it better, with the content `better`.
+Place known_anew(const Place& place, const Bytes& better, const RobotId& by);
 Goal goal(std::uint64_t number, const PlaceId& to);
 Route route(std::uint64_t number, const PlaceId& from, const PlaceId& to);
 

@@ -184,6 +184,18 @@ TEST_F(SqliteDamage, DamagedPlaceIsLeftOutAndTheRestIsServed) {
   EXPECT_EQ(stored_.quarantined.size(), 1U);
 }
 
+TEST_F(SqliteDamage, OfAPlaceWhatWasKnownBeforeIsServedWhenWhatIsKnownNowIsDamaged) {
+  const Bytes better(100, 0x41);
+  const Place taught = first_.batch.places[1];
+  const Place anew = sample::known_anew(taught, better, sample::robot(2));
+  ASSERT_TRUE(
+      store_->commit({{PutContent{hash_bytes(better), msg::ContentKind::content, better}, PutPlaces{{anew}}}}));
+  damage("UPDATE place_anew SET row = substr(row, 1, 30) || x'5a' || substr(row, 32)");
+  EXPECT_EQ(*stored_.snapshot.place(taught.id), taught);
+  EXPECT_TRUE(is_named("place " + to_string(taught.id) + ", as it is known since revision 4"));
+  EXPECT_EQ(stored_.quarantined.size(), 1U);
+}
+
 TEST_F(SqliteDamage, WhatHungOnADamagedPlaceIsNamed) {
   damage("UPDATE place SET row = zeroblob(60) WHERE experience = 17 AND place = 3");
   EXPECT_EQ(stored_.snapshot.stitch_count(), 0U);

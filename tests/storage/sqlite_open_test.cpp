@@ -92,7 +92,8 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP INDEX edge_by_b; DROP TABLE revision; DROP TABLE moved_places; DROP TABLE moved_stitch;"
+          "DROP TABLE place_anew; DROP INDEX edge_by_b; DROP TABLE revision; DROP TABLE moved_places; DROP TABLE "
+          "moved_stitch;"
           "DROP TABLE deleted_places; DROP TABLE preparation; ALTER TABLE store DROP COLUMN floor;"
           "ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 1");
   const auto store = open_sqlite(directory.path());
@@ -118,7 +119,7 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP INDEX edge_by_b; DROP TABLE deleted_places; DROP TABLE preparation;"
+          "DROP TABLE place_anew; DROP INDEX edge_by_b; DROP TABLE deleted_places; DROP TABLE preparation;"
           "ALTER TABLE store DROP COLUMN floor; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 2");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
@@ -139,13 +140,33 @@ TEST(SqliteOpen, AStoreOfTheThirdSchemaIsMigratedAndItsContentsAreServed) {
     ASSERT_TRUE((*store)->open());
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
-  run_sql(directory.path() / "map.sqlite",
-          "DROP INDEX edge_by_b; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 3");
+  run_sql(
+      directory.path() / "map.sqlite",
+      "DROP TABLE place_anew; DROP INDEX edge_by_b; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 3");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
   ASSERT_TRUE((*store)->open());
   EXPECT_EQ((*store)->content(hash).value(), delivery.contents[0]);
   EXPECT_EQ((*store)->stored_content(hash)->size, delivery.contents[0].size());
+}
+
+TEST(SqliteOpen, AStoreOfTheFourthSchemaIsMigratedAndItsPlacesCanBeKnownBetter) {
+  const TemporaryDirectory directory;
+  const auto delivery = sample::Run(0x11, 1).next(2);
+  {
+    const auto store = open_sqlite(directory.path());
+    ASSERT_TRUE((*store)->open());
+    ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
+  }
+  run_sql(directory.path() / "map.sqlite", "DROP TABLE place_anew; PRAGMA user_version = 4");
+  const auto store = open_sqlite(directory.path());
+  ASSERT_TRUE(store) << store.error().message;
+  ASSERT_TRUE((*store)->open());
+  const Bytes better(100, 0x41);
+  const Place anew = sample::known_anew(delivery.batch.places[1], better, sample::robot(2));
+  ASSERT_TRUE(
+      (*store)->commit({{PutContent{anew.content.hash, msg::ContentKind::content, better}, PutPlaces{{anew}}}}));
+  EXPECT_EQ(*(*store)->snapshot_at({2}, {})->place(anew.id), anew);
 }
 
 TEST(SqliteOpen, SecondProcessOnTheSameStoreIsToldWhoHasIt) {

@@ -203,9 +203,9 @@ std::vector<msg::Message> FakeServer::advance(ExperienceId experience) {
   std::uint64_t& through = durable_through[experience];
   for (auto next = waiting_.find({experience, through + 1}); next != waiting_.end();
        next = waiting_.find({experience, through + 1})) {
-    for (const Place& place : next->second.places) {
+    for_each_place(next->second, [&](const Place& place) {
       if (!contents.contains(place.content.hash)) ack.missing.push_back(place.content.hash);
-    }
+    });
     if (!ack.missing.empty()) break;
     snapshot = with(snapshot, next->second);
     times_joined[experience] += static_cast<int>(next->second.places.size());

@@ -54,6 +54,35 @@ TEST_P(MapCompaction, WhatIsOutSinceLongAgoGoesWithItsContents) {
   EXPECT_EQ(stored_.snapshot.experience(run.experience())->extent, 8U);
 }
 
+TEST_P(MapCompaction, OfWhatWasKnownOfAPlaceTheFirstAndTheLastStay) {
+  sample::Run run(0x11, 1);
+  const auto taught = run.next(2);
+  commit(sample::transaction(taught));
+  Place place = taught.batch.places[1];
+  std::vector<Bytes> contents;
+  for (std::uint8_t round = 0; round < 4; ++round) {
+    contents.emplace_back(Bytes(100, round));
+    place = sample::known_anew(place, contents.back(), sample::robot(2));
+    commit({{PutContent{place.content.hash, msg::ContentKind::content, contents.back()}, PutPlaces{{place}}}});
+  }
+  compact(4);  // where the third lesson is known
+  EXPECT_TRUE(store_->has_content(taught.batch.places[1].content.hash));
+  EXPECT_FALSE(store_->has_content(hash_bytes(contents[0])));
+  EXPECT_FALSE(store_->has_content(hash_bytes(contents[1])));
+  EXPECT_TRUE(store_->has_content(hash_bytes(contents[2])));
+  EXPECT_TRUE(store_->has_content(hash_bytes(contents[3])));
+  EXPECT_EQ(at(4).place(place.id)->content.hash, hash_bytes(contents[2]));
+  EXPECT_EQ(at(5).place(place.id)->content.hash, hash_bytes(contents[3]));
+  expect_sound();
+  commit({{TakeOut{{{{run.experience(), 1, 1}}, {}}}}});
+  compact(6);
+  EXPECT_FALSE(store_->has_content(hash_bytes(contents[3]))) << "it goes with its place";
+  EXPECT_EQ(
+      refusal({{PutContent{place.content.hash, msg::ContentKind::content, contents.back()}, PutPlaces{{place}}}}),
+      ErrorCode::conflict);
+  expect_sound();
+}
+
 TEST_P(MapCompaction, OlderRevisionsAreRefusedNamingTheOldest) {
   sample::Run run(0x11, 1);
   for (int i = 0; i < 6; ++i) commit(sample::transaction(run.next(2)));

@@ -58,6 +58,66 @@ TEST_P(MapHistory, AStitchThatIsTakenOutCanBeMadeAnew) {
   EXPECT_EQ(stored_.snapshot.stitch_count(), 1U);
 }
 
+/// A run whose place 1 is learned twice, by another robot's batch and by an edit.
+struct Learned {
+  sample::Run run{0x11, 1};
+  sample::Run lessons{0x22, 2};
+  Bytes better = Bytes(100, 0x41);
+  Bytes best = Bytes(120, 0x42);
+  sample::Delivery taught = run.next(3);
+  Place second = sample::known_anew(taught.batch.places[1], better, sample::robot(2));
+  Place third = sample::known_anew(second, best, sample::robot(3));
+
+  sample::Delivery lesson() {
+    sample::Delivery delivery = lessons.next(0);
+    delivery.batch.learned = {second};
+    delivery.contents = {better};
+    return delivery;
+  }
+  Transaction edit() const {
+    return {{PutContent{hash_bytes(best), msg::ContentKind::content, best}, PutPlaces{{third}}}};
+  }
+};
+
+TEST_P(MapHistory, APlaceThatIsKnownBetterIsSeenAsItWasKnownAtEachRevision) {
+  Learned all;
+  commit(sample::transaction(all.taught));
+  commit(sample::transaction(all.lesson()));
+  commit(all.edit());
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(*at(1).place(all.second.id), all.taught.batch.places[1]);
+    EXPECT_EQ(*at(2).place(all.second.id), all.second);
+    EXPECT_EQ(*at(3).place(all.second.id), all.third);
+    EXPECT_EQ(*at(2, at(3)).place(all.second.id), all.second);
+    EXPECT_EQ(*at(3, at(1)).place(all.second.id), all.third);
+    EXPECT_EQ(at(3).place_count(), 3U);
+    EXPECT_EQ(changes(2).known_anew, std::vector{all.second});
+    EXPECT_EQ(changes(3).known_anew, std::vector{all.third});
+    EXPECT_TRUE(changes(2).added.empty()) << "a batch of lessons adds no place";
+    EXPECT_EQ(store_->log({2}, 1).value().front().kind, "learned");
+    restart();
+    EXPECT_EQ(*stored_.snapshot.place(all.second.id), all.third);
+  }
+  commit({{RollBack{{2}}}});
+  EXPECT_EQ(*at(4).place(all.second.id), all.second);
+  restart();
+  EXPECT_EQ(*stored_.snapshot.place(all.second.id), all.second);
+}
+
+TEST_P(MapHistory, OnlyWhatIsStoredIsKnownAnew) {
+  Learned all;
+  commit(sample::transaction(all.taught));
+  EXPECT_EQ(refusal({{PutPlaces{{all.second}}}}), ErrorCode::conflict) << "its content is not there";
+  const PutContent content{hash_bytes(all.better), msg::ContentKind::content, all.better};
+  Place wrong = all.second;
+  wrong.id.index = 7;
+  EXPECT_EQ(refusal({{content, PutPlaces{{wrong}}}}), ErrorCode::conflict);
+  wrong = all.second;
+  wrong.entity_version = 1;
+  EXPECT_EQ(refusal({{content, PutPlaces{{wrong}}}}), ErrorCode::invalid);
+  EXPECT_FALSE(store_->has_content(content.hash)) << "nothing half written";
+}
+
 TEST_P(MapHistory, RollbackIsARevisionAndLosesNothing) {
   sample::Run run(0x11, 1);
   commit(sample::transaction(run.next(3)));
