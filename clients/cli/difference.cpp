@@ -25,7 +25,7 @@ Map united(const Map& from, const Map& to) {
 }  // namespace
 
 bool NetworkDifference::empty() const {
-  return places_added.empty() && places_removed.empty() && stitches_added.empty() && stitches_removed.empty() &&
+  return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() && stitches_removed.empty() &&
          labels_added.empty() && labels_moved.empty() && labels_removed.empty();
 }
 
@@ -34,7 +34,12 @@ NetworkDifference compare(const Window& from, const Window& to) {
   found.from = from.revision;
   found.to = to.revision;
   for (const auto& [id, place] : to.places) {
-    if (from.place(id) == nullptr) found.places_added.push_back(id);
+    const Place* const before = from.place(id);
+    if (before == nullptr) {
+      found.places_added.push_back(id);
+    } else if (before->content != place.content) {
+      found.places_anew.push_back(id);
+    }
   }
   for (const auto& [id, place] : from.places) {
     if (to.place(id) == nullptr) found.places_removed.push_back(id);

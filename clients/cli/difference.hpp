@@ -10,6 +10,7 @@ namespace weft::cli {
 struct NetworkDifference {
   Revision from, to;
   std::vector<PlaceId> places_added, places_removed;
+  std::vector<PlaceId> places_anew;  ///< in both, with another content
   std::vector<EdgeId> stitches_added, stitches_removed;
   std::vector<std::string> labels_added, labels_moved, labels_removed;
   bool empty() const;

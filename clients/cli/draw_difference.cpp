@@ -10,6 +10,7 @@ namespace {
 constexpr Colour kSame = {0.70, 0.72, 0.75};
 constexpr Colour kCame = {0.00, 0.45, 0.70};
 constexpr Colour kWent = {0.84, 0.37, 0.00};
+constexpr Colour kAnew = {0.00, 0.62, 0.45};
 
 std::string revision(const Window& network) {
   return std::to_string(network.revision.value);
@@ -30,7 +31,8 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
   const NetworkDifference difference = compare(from, to);
   canvas->title("Weft network, revision " + revision(from) + " to " + revision(to),
                 std::to_string(difference.places_added.size()) + " places came, " +
-                    std::to_string(difference.places_removed.size()) + " went; " +
+                    std::to_string(difference.places_removed.size()) + " went, " +
+                    std::to_string(difference.places_anew.size()) + " known anew; " +
                     std::to_string(difference.stitches_added.size()) + " stitches came, " +
                     std::to_string(difference.stitches_removed.size()) + " went" + note);
   // What changed lies upon what did not.
@@ -47,6 +49,7 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
       if ((was != is) == changed) canvas->dot(at(id), changed ? 4.0 : 3.2, ink(was, is));
     }
   }
+  for (const PlaceId& id : difference.places_anew) canvas->dot(at(id), 4.0, kAnew);
   for (const auto& [label, place] : both.labels) {
     if (both.place(place) == nullptr) continue;
     const auto before = from.labels.find(label);
@@ -59,6 +62,7 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
   canvas->legend_line("in both revisions", kSame, 5.0);
   canvas->legend_line("came: in revision " + revision(to) + " alone", kCame, 5.0);
   canvas->legend_line("went: in revision " + revision(from) + " alone", kWent, 5.0, true);
+  if (!difference.places_anew.empty()) canvas->legend_line("places that are known anew", kAnew, 5.0);
   return canvas->finish();
 }
 

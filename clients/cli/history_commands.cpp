@@ -94,6 +94,7 @@ void print(const NetworkDifference& found, const Output& output) {
   table.add({"stitches", count(found.stitches_added.size()), count(found.stitches_removed.size())});
   table.add({"labels", names(found.labels_added), names(found.labels_removed)});
   table.print(output.out);
+  if (!found.places_anew.empty()) output.out << "places known anew: " << found.places_anew.size() << '\n';
   if (!found.labels_moved.empty()) output.out << "labels moved: " << names(found.labels_moved) << '\n';
   if (found.empty()) output.out << "the same map\n";
 }
@@ -126,7 +127,10 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
     const nlohmann::json document = {
         {"from", found.from.value},
         {"to", found.to.value},
-        {"places", {{"came", list(found.places_added)}, {"went", list(found.places_removed)}}},
+        {"places",
+         {{"came", list(found.places_added)},
+          {"went", list(found.places_removed)},
+          {"known_anew", list(found.places_anew)}}},
         {"stitches", {{"came", list(found.stitches_added)}, {"went", list(found.stitches_removed)}}},
         {"labels",
          {{"came", list(found.labels_added)},

@@ -79,11 +79,29 @@ TEST(Compare, FindsPlacesStitchesAndLabels) {
   EXPECT_EQ(united(from, to).places.size(), to.places.size());
 }
 
+TEST(Compare, FindsPlacesThatAreKnownAnew) {
+  const std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
+  const Window from = at(batches, batches.size());
+  EXPECT_TRUE(compare(from, from).empty());
+  Window to = from;
+  Place anew = from.places.begin()->second;
+  ++anew.entity_version;
+  anew.content.hash.bytes[0] ^= 1U;
+  to.places.insert_or_assign(anew.id, anew);
+  const NetworkDifference found = compare(from, to);
+  EXPECT_EQ(found.places_anew, std::vector{anew.id});
+  EXPECT_FALSE(found.empty());
+  EXPECT_TRUE(found.places_added.empty());
+}
+
 TEST(DrawDifference, MakesAPicture) {
   const std::vector<Batch> batches = two_loops({0xA1}, {0xB2}, {}, {});
   Window from = at(batches, batches.size() - 1);
   const Window to = at(batches, batches.size());
   from.labels["dock"] = from.places.begin()->first;
+  Place older = from.places.begin()->second;
+  older.content.hash.bytes[0] ^= 1U;
+  from.places.insert_or_assign(older.id, older);
   const std::filesystem::path file = folder() / "difference.png";
   const Result<void> drawn = draw_difference(from, to, "", file.string());
   ASSERT_TRUE(drawn) << drawn.error().message;
