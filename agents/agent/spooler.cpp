@@ -5,6 +5,13 @@
 
 namespace weft::agents {
 
+namespace {
+bool has(const Batch& batch, const PlaceId& place) {
+  return batch.experience == place.experience && !batch.places.empty() &&
+         batch.places.front().id.index <= place.index && place.index <= batch.places.back().id.index;
+}
+}  // namespace
+
 Spooler::Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self)
     : spool_(&spool), config_(config), self_(self) {}
 
@@ -74,8 +81,28 @@ Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
   return {};
 }
 
+/// A restarted agent is not to find an edge to a place that was in memory alone.
+Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
+  for (const Edge& edge : batch.edges) {
+    const auto named = open_.find(edge.id.a.experience);
+    if (edge.id.a.experience == batch.experience || named == open_.end()) continue;
+    if (!has(named->second.batch, edge.id.a)) continue;
+    if (Result<void> spooled = spool(named->second, now); !spooled) return spooled;
+  }
+  return {};
+}
+
 /// What is sealed, or cannot be spooled, is open no more: `open` is gone then.
 Result<void> Spooler::flush(Open& open, SteadyTime now) {
+  const ExperienceId experience = open.batch.experience;
+  if (Result<void> spooled = flush_what_it_names(open.batch, now); !spooled) {
+    open_.erase(experience);
+    return spooled;
+  }
+  return spool(open, now);
+}
+
+Result<void> Spooler::spool(Open& open, SteadyTime now) {
   Batch& batch = open.batch;
   if (batch.places.empty() && batch.learned.empty() && !batch.seal) return {};
   if (Result<void> appended = spool_->append(batch, open.contents); !appended) {
@@ -98,10 +125,13 @@ Result<void> Spooler::flush(Open& open, SteadyTime now) {
 }
 
 Result<void> Spooler::flush(SteadyTime now) {
+  std::vector<ExperienceId> open;
+  for (const auto& [experience, one] : open_) open.push_back(experience);
   Result<void> all;
-  for (auto at = open_.begin(); at != open_.end();) {
-    Open& open = (at++)->second;
-    if (Result<void> flushed = flush(open, now); !flushed) all = flushed;
+  for (const ExperienceId experience : open) {
+    const auto found = open_.find(experience);
+    if (found == open_.end()) continue;
+    if (Result<void> flushed = flush(found->second, now); !flushed) all = flushed;
   }
   return all;
 }
@@ -185,6 +215,16 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   return heard;
 }
 
+/// Until the server has all that its edges name.
+bool Spooler::waits(const Pending& pending) const {
+  const Batch& batch = pending.batch;
+  return std::any_of(batch.edges.begin(), batch.edges.end(), [&](const Edge& edge) {
+    return edge.id.a.experience != batch.experience &&
+           std::any_of(pending_.begin(), pending_.end(),
+                       [&](const Pending& other) { return has(other.batch, edge.id.a); });
+  });
+}
+
 bool Spooler::is_pending(ExperienceId experience) const {
   return std::any_of(pending_.begin(), pending_.end(),
                      [&](const Pending& pending) { return pending.batch.experience == experience; });
@@ -209,14 +249,19 @@ void Spooler::queue_contents(Pending& pending, SteadyTime now) {
 }
 
 Result<std::vector<Batch>> Spooler::due(SteadyTime now) {
-  std::vector<Batch> batches;
-  for (auto at = open_.begin(); at != open_.end();) {
-    Open& open = (at++)->second;
-    if (open.batch.places.empty() || now - open.since < config_.batch_age) continue;
-    if (Result<void> flushed = flush(open, now); !flushed) return fail(flushed.error());
+  std::vector<ExperienceId> old;
+  for (const auto& [experience, open] : open_) {
+    if (!open.batch.places.empty() && now - open.since >= config_.batch_age) old.push_back(experience);
   }
+  for (const ExperienceId experience : old) {
+    const auto open = open_.find(experience);
+    if (open == open_.end()) continue;
+    if (Result<void> flushed = flush(open->second, now); !flushed) return fail(flushed.error());
+  }
+  std::vector<Batch> batches;
   std::size_t in_flight = 0;
   for (Pending& pending : pending_) {
+    if (waits(pending)) continue;
     if (in_flight++ == config_.in_flight) break;
     if (pending.send_at > now) continue;
     batches.push_back(pending.batch);
@@ -239,6 +284,7 @@ std::optional<SteadyTime> Spooler::next() const {
     if (!open.batch.places.empty()) sooner(open.since + config_.batch_age);
   std::size_t in_flight = 0;
   for (const Pending& pending : pending_) {
+    if (waits(pending)) continue;
     if (in_flight++ == config_.in_flight) break;
     sooner(pending.send_at);
   }

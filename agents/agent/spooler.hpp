@@ -26,7 +26,8 @@ struct SpoolerConfig {
 
 /// Takes what teaching keeps to the server. A batch is in the robot's own spool before it is sent, and is sent again
 /// until the server has it on disk. Of an experience that is not sealed, the last batch stays in the spool even when
-/// acknowledged: it is from there that a restarted agent knows what it has to seal.
+/// acknowledged: it is from there that a restarted agent knows what it has to seal. A batch with an edge to a place
+/// of another experience that is under way is spooled after it, and sent when the server has it.
 class Spooler {
  public:
   /// Reads what is pending; experiences that a crash left open are sealed. Errors of the spool are passed on.
@@ -85,6 +86,9 @@ class Spooler {
   Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self);
   Result<void> seal_what_a_crash_left_open(SteadyTime now);
   Result<void> flush(Open& open, SteadyTime now);
+  Result<void> flush_what_it_names(const Batch& batch, SteadyTime now);
+  Result<void> spool(Open& open, SteadyTime now);
+  bool waits(const Pending& pending) const;
   void queue_contents(Pending& pending, SteadyTime now);
   void drop(ExperienceId experience, std::uint64_t through);
 

@@ -63,8 +63,8 @@ std::string_view next_method(const Window& window, const Route& route, std::uint
   return place != nullptr ? std::string_view(place->method) : std::string_view{};
 }
 
-void Joins::note(const Estimate& older, std::string_view older_method, const Place& kept) {
-  if (last_ == older.place) return;  // one is enough for each older place
+std::optional<Edge> Joins::join(const Estimate& older, std::string_view older_method, const Place& kept) {
+  if (last_ == older.place) return std::nullopt;  // one is enough for each older place
   last_ = older.place;
   Edge edge;
   edge.id = {older.place, kept.id};
@@ -72,17 +72,7 @@ void Joins::note(const Estimate& older, std::string_view older_method, const Pla
   edge.origin = Origin::stitch;
   edge.method = change_between(older_method, kept.method);
   edge.drivable = can_cross(config_, older.place_from_robot) ? Drivable::both : Drivable::none;
-  waiting_.push_back(std::move(edge));
-}
-
-std::vector<Edge> Joins::take(const Window& window, const ExperienceId& experience) {
-  std::vector<Edge> ready;
-  std::erase_if(waiting_, [&](const Edge& edge) {
-    const bool goes = edge.id.b.experience == experience && window.place(edge.id.a) != nullptr;
-    if (goes) ready.push_back(edge);
-    return goes;
-  });
-  return ready;
+  return edge;
 }
 
 }  // namespace weft::agents

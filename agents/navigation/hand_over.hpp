@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator.hpp"
@@ -30,22 +29,18 @@ bool agree(const NavigationConfig& config, const Window& window, const Estimate&
 std::string_view next_method(const Window& window, const Route& route, std::uint32_t at);
 
 /// Edges between two experiences that one robot is taught at once, by two methods: where it was by the one when it
-/// kept a place of the other. They wait until the server has the older place, and then go along with the next place
-/// kept. A value.
+/// kept a place of the other. A value.
 class Joins {
  public:
   explicit Joins(const StitchConfig& config) : config_(config) {}
 
   void clear() { *this = Joins(config_); }
-  /// `kept` has just been kept where `older` is known; not each of them is joined.
-  void note(const Estimate& older, std::string_view older_method, const Place& kept);
-  /// Those of that experience whose older place `window` has, to go along with one of its places.
-  std::vector<Edge> take(const Window& window, const ExperienceId& experience);
+  /// `kept` has just been kept where `older` is known. None: that one is joined already.
+  std::optional<Edge> join(const Estimate& older, std::string_view older_method, const Place& kept);
 
  private:
   StitchConfig config_;
   std::optional<PlaceId> last_;  ///< older place of the last edge
-  std::vector<Edge> waiting_;
 };
 
 }  // namespace weft::agents

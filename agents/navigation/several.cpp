@@ -46,7 +46,7 @@ class Several final : public Navigator {
           part.navigator->step(sees ? view : nullptr, frame, time, std::exchange(part.since, Motion{}), hand, map);
       if (part.last.fix) all.fix = part.last.fix;
       all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
-      take_kept(part, std::move(part.last.kept), map, all.kept);
+      take_kept(part, std::move(part.last.kept), all.kept);
       std::move(part.last.lessons.begin(), part.last.lessons.end(), std::back_inserter(all.lessons));
       part.last.lessons.clear();
     }
@@ -76,7 +76,7 @@ class Several final : public Navigator {
 
   std::vector<Kept> end_teach(const MapView& map) override {
     std::vector<Kept> all;
-    for (Part& part : parts_) take_kept(part, part.navigator->end_teach(map), map, all);
+    for (Part& part : parts_) take_kept(part, part.navigator->end_teach(map), all);
     for (Part& part : parts_) part.teaches = {};
     return all;
   }
@@ -168,18 +168,18 @@ class Several final : public Navigator {
   }
 
   /// Places of `part`, with what joins them to those of the first one.
-  void take_kept(Part& part, std::vector<Kept> kept, const MapView& map, std::vector<Kept>& all) {
+  void take_kept(Part& part, std::vector<Kept> kept, std::vector<Kept>& all) {
     Part& first = parts_.front();
     const std::optional<Estimate> there = first.navigator->estimate();
     for (Kept& one : kept) {
       if (&part != &first && there && there->place.experience == first.teaches) {
         const Step since = dead_reckon({}, first.since, {});
         agents::CommonErrors common = CommonErrors::Zero();
-        joins_.note({there->place, advanced(there->place_from_robot, since, common), there->blind_m},
-                    first.navigator->method(), one.place);
+        const auto edge =
+            joins_.join({there->place, advanced(there->place_from_robot, since, common), there->blind_m},
+                        first.navigator->method(), one.place);
+        if (edge) one.edges.push_back(*edge);
       }
-      const std::vector<Edge> ready = joins_.take(map.window, one.place.id.experience);
-      one.edges.insert(one.edges.end(), ready.begin(), ready.end());
       all.push_back(std::move(one));
     }
   }

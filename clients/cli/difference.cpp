@@ -25,8 +25,8 @@ Map united(const Map& from, const Map& to) {
 }  // namespace
 
 bool NetworkDifference::empty() const {
-  return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() && stitches_removed.empty() &&
-         labels_added.empty() && labels_moved.empty() && labels_removed.empty();
+  return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() &&
+         stitches_removed.empty() && labels_added.empty() && labels_moved.empty() && labels_removed.empty();
 }
 
 NetworkDifference compare(const Window& from, const Window& to) {

@@ -84,6 +84,10 @@ class ScriptedNavigator final : public Navigator {
     kept.place.method = script_->teaches[method];
     kept.place.frame = frame;
     if (script_->index > 0) kept.edges.push_back(an_edge({experience, script_->index - 1}, kept.place.id));
+    if (method > 0) {
+      kept.edges.push_back(an_edge({start.experience, script_->index}, kept.place.id));
+      kept.edges.back().origin = Origin::stitch;
+    }
     return kept;
   }
   std::shared_ptr<Script> script_;

@@ -20,7 +20,7 @@ struct Script {
   bool keep_each_step = true;
   std::size_t content_bytes = 100;
 
-  std::vector<std::string> teaches{"marks"};  ///< a place of each is kept at once
+  std::vector<std::string> teaches{"marks"};  ///< a place of each is kept at once, the first's joined to the others'
   std::vector<TeachStart> taught;
   bool teaching = false;
   bool keep_wanted = false;

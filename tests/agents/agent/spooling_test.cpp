@@ -61,6 +61,64 @@ TEST(Spooling, SeveralMethodsHandInAnExperienceEach) {
   EXPECT_EQ(rig.server.snapshot.experience(taught.others.front())->method, "more");
 }
 
+/// A run by two methods, each place of the second joined to one of the first: all joins arrive, those of the last
+/// places too, whoever was heard first.
+void expect_joined(const Rig& rig) {
+  const TeachStart& taught = rig.script->taught.front();
+  expect_whole(rig, taught.experience, rig.script->index);
+  expect_whole(rig, taught.others.front(), rig.script->index);
+  EXPECT_EQ(rig.server.snapshot.stitch_count(), rig.script->index);
+}
+
+TEST(Spooling, WhatJoinsTwoExperiencesWaitsUntilBothAreThere) {
+  Rig rig;
+  rig.script->teaches = {"marks", "more"};
+  std::optional<ExperienceId> late;
+  rig.lost_up = [&](const msg::Message& message) {  // what the first one hands in, for its first ten seconds
+    const auto* const batch = std::get_if<msg::ExperienceBatch>(&message);
+    return batch != nullptr && late == batch->batch.experience;
+  };
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(500ms);
+  late = rig.script->taught.front().experience;
+  rig.run(10s);
+  late.reset();
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(20s);
+  expect_joined(rig);
+}
+
+TEST(Spooling, WhatWasTaughtOutOfReachArrivesWithItsJoins) {
+  Rig rig;
+  rig.script->teaches = {"marks", "more"};
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.connected = false;
+  rig.run(6s);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(1s);
+  rig.connected = true;
+  rig.run(30s);
+  expect_joined(rig);
+}
+
+TEST(Spooling, NoJoinIsOnDiskBeforeWhatItJoins) {
+  Rig rig;
+  rig.script->teaches = {"marks", "more"};
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.connected = false;
+  for (int i = 0; i < 30; ++i) {
+    rig.run(Rig::kFrame);
+    std::set<PlaceId> on_disk;
+    for (const storage::SpoolRecord& record : rig.disk->records)
+      for (const Place& place : record.batch.places) on_disk.insert(place.id);
+    for (const storage::SpoolRecord& record : rig.disk->records)
+      for (const Edge& edge : record.batch.edges) ASSERT_TRUE(on_disk.contains(edge.id.a)) << to_string(edge.id.a);
+  }
+}
+
 TEST(Spooling, ANameThatIsTooLongForTheSecondMethodIsRefused) {
   Rig rig;
   rig.script->teaches = {"marks", "more"};

@@ -96,35 +96,25 @@ TEST(HandOver, TheNextPlaceSaysWhoDrives) {
   EXPECT_EQ(next_method({}, route, 0), "") << "not in the window";
 }
 
-TEST(Joins, WaitForTheServerToHaveTheOlderPlace) {
+TEST(Joins, SayWhatDrivingOverThemNeeds) {
   const Window window = two_runs();
   Joins joins({});
-  const PlaceId later{kFloor, 99};
-  joins.note({{kFloor, 4}, Metric2{Pose2{0.05, 0.0, 0.0}}, 0.0}, "floor", *window.place({kAhead, 4}));
-  joins.note({later, Metric2{}, 0.0}, "floor", *window.place({kAhead, 5}));
-  EXPECT_TRUE(joins.take(window, kFloor).empty()) << "they are edges of the newer place's experience";
-  const std::vector<Edge> ready = joins.take(window, kAhead);
-  ASSERT_EQ(ready.size(), 1U);
-  EXPECT_EQ(ready.front().id, (EdgeId{{kFloor, 4}, {kAhead, 4}}));
-  EXPECT_EQ(ready.front().method, "bearing+floor");
-  EXPECT_EQ(ready.front().origin, Origin::stitch);
-  EXPECT_EQ(ready.front().drivable, Drivable::both);
-  EXPECT_TRUE(joins.take(window, kAhead).empty()) << "once";
-
-  Window more = window;
-  Place place = *window.place({kFloor, 4});
-  place.id = later;
-  more.places.emplace(later, place);
-  EXPECT_EQ(joins.take(more, kAhead).size(), 1U);
+  const auto edge =
+      joins.join({{kFloor, 4}, Metric2{Pose2{0.05, 0.0, 0.0}}, 0.0}, "floor", *window.place({kAhead, 4}));
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->id, (EdgeId{{kFloor, 4}, {kAhead, 4}}));
+  EXPECT_EQ(edge->method, "bearing+floor");
+  EXPECT_EQ(edge->origin, Origin::stitch);
+  EXPECT_EQ(edge->drivable, Drivable::both);
 }
 
 TEST(Joins, OneForEachOlderPlace) {
   const Window window = two_runs();
   Joins joins({});
   const Estimate here{{kFloor, 4}, Metric2{}, 0.0};
-  joins.note(here, "floor", *window.place({kAhead, 4}));
-  joins.note(here, "floor", *window.place({kAhead, 5}));
-  EXPECT_EQ(joins.take(window, kAhead).size(), 1U);
+  EXPECT_TRUE(joins.join(here, "floor", *window.place({kAhead, 4})));
+  EXPECT_FALSE(joins.join(here, "floor", *window.place({kAhead, 5})));
+  EXPECT_TRUE(joins.join({{kFloor, 5}, Metric2{}, 0.0}, "floor", *window.place({kAhead, 5})));
 }
 
 }  // namespace
