@@ -9,6 +9,8 @@ namespace weft::cli {
 namespace {
 
 std::string where(const msg::RobotState& state) {
+  if (!state.localised && state.mode == msg::RobotMode::lost && state.place.experience)
+    return "lost by " + to_string(state.place);
   if (!state.localised) return "unknown";
   return to_string(state.place) + " +" + fixed(distance_m(state.place_from_robot), 2) + " m";
 }
@@ -28,6 +30,11 @@ std::string sent_to(const msg::RobotRow& row) {
 std::string held_by(const msg::RobotState& state) {
   return fixed(static_cast<double>(state.memory_bytes) / bytes_a_mib, 1) + " of " +
          fixed(static_cast<double>(state.memory_cap_bytes) / bytes_a_mib, 0) + " MiB";
+}
+
+std::string why(const msg::RobotRow& row) {
+  if (row.state.mode != msg::RobotMode::lost) return row.state.reason;
+  return row.state.reason + "; needs help: weft localise " + row.description.name + " --at LABEL";
 }
 
 }  // namespace
@@ -55,7 +62,7 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
   table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "REASON"});
   for (const msg::RobotRow& row : reply->robots) {
     table.add({row.description.name, msg::to_string(row.state.mode), where(row.state), doing(row.state),
-               fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), row.state.reason});
+               fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), why(row)});
   }
   table.print(output.out);
   return Exit::done;

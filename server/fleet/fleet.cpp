@@ -13,6 +13,12 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
 constexpr std::size_t kListed = 20;  ///< names in an error
+
+std::string call_for_help(const std::string& name, const msg::RobotState& state) {
+  std::string text = "it stands and needs help (" + state.reason + ")";
+  if (state.place.experience) text += "; it was last sure of itself by place " + to_string(state.place);
+  return text + "; if it does not find itself, see where it stands: weft localise " + name + " --at LABEL";
+}
 }  // namespace
 
 std::string unreachable_reason(const Robot& robot) {
@@ -128,7 +134,7 @@ void Fleet::changed(const Robot& robot, const msg::RobotState& next, Now now) {
   const bool was_faulted = robot.state && robot.state->mode == msg::RobotMode::faulted;
   const bool is_lost = next.mode == msg::RobotMode::lost;
   const bool is_faulted = next.mode == msg::RobotMode::faulted;
-  if (is_lost && !was_lost) note("robot.lost", robot, next.reason, now);
+  if (is_lost && !was_lost) note("robot.lost", robot, call_for_help(robot.name, next), now);
   if (was_lost && !is_lost) note("robot.found", robot, "it knows again where it is", now);
   if (is_faulted && !was_faulted) note("robot.faulted", robot, next.reason, now);
 }
