@@ -115,6 +115,7 @@ Replica::Heard Replica::on_patch(const msg::WindowPatch& part, SteadyTime now) {
   }
   before_ = std::exchange(window_, std::move(*applied));
   digest_ = patch->digest;
+  ++generation_;
   held_id_ = definition_id_;
   fresh_ = false;
   wait_ = kRetry;

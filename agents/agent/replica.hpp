@@ -38,6 +38,8 @@ class Replica {
   /// As it was before the last change.
   const Window& before() const { return before_; }
   const Digest& digest() const { return digest_; }
+  /// Another one after each change of the window, which can move within one revision.
+  std::uint64_t generation() const { return generation_; }
   /// The window is of the present definition; false until its first patch has come.
   bool is_settled() const { return held_id_ == definition_id_; }
   const Counters& counters() const { return counters_; }
@@ -59,6 +61,7 @@ class Replica {
   Window window_;
   Window before_;
   Digest digest_;
+  std::uint64_t generation_ = 0;
   bool fresh_ = false;  ///< what is held is of no use as a base
   std::optional<Parts> parts_;
   SteadyTime ask_at_;

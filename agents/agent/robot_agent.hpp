@@ -138,6 +138,8 @@ class RobotAgent final : public Agent {
   std::vector<PlaceId> always_held() const;
   std::vector<ContentRef> proposed_first(std::vector<ContentRef> contents) const;
 
+  MapView map_view() const { return {replica_.window(), cache_, replica_.generation()}; }
+
   // What takes longer than one message (robot_agent_work.cpp).
   void work(SteadyTime now);
   void prepare_teaching(SteadyTime now);

@@ -57,7 +57,7 @@ void RobotAgent::keep_place(const msg::AgentCommand& command, const CommandKey& 
 void RobotAgent::try_keep_alone(SteadyTime now) {
   if (!keeping_alone_.has_value() || teaching_.has_value()) return;
   const TeachStart start{.experience = new_experience(), .robot = config_.self};
-  const OrRefusal<Kept> kept = navigator_->keep_alone(start, MapView{replica_.window(), cache_});
+  const OrRefusal<Kept> kept = navigator_->keep_alone(start, map_view());
   if (!kept) {
     keeping_alone_->refused = kept.error().reason;
     return;

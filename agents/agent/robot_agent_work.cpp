@@ -45,7 +45,7 @@ void RobotAgent::prepare_teaching(SteadyTime now) {
     return;
   }
   if (teaching_->phase != Teaching::Phase::preparing) return;
-  const MapView map{replica_.window(), cache_};
+  const MapView map = map_view();
   const bool ready = !teaching_->seed.has_value() ||
                      (replica_.is_settled() && is_covered(map, navigator_->teaches(), *teaching_->seed, kSeedHops));
   if (!ready) {
@@ -217,7 +217,7 @@ void RobotAgent::prepare_localising(SteadyTime now) {
     }
     return;
   }
-  const MapView map{replica_.window(), cache_};
+  const MapView map = map_view();
   // Without a seed there is something to ask from the first view on, whatever has come of the map.
   const bool covered = localising_->seed.has_value()
                            ? is_covered(map, navigator_->teaches(), *localising_->seed, kSeedHops)
@@ -267,7 +267,7 @@ void RobotAgent::try_follow(SteadyTime now) {
     waits_for_ = "does not know where it is: looks for itself";
     follow_at_latest_ = now + kMapAtMost;
   } else {
-    const MapView map{replica_.window(), cache_};
+    const MapView map = map_view();
     const bool covered = replica_.is_settled() && is_covered(map, *task_.route(), 0, kRouteAhead);
     if (covered || now >= follow_at_latest_) {
       follow_pending_ = false;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <vector>
@@ -19,8 +20,8 @@ class Charted {
   void believed(const Estimate&) {}
 };
 
-/// Makes the chart anew when the robot has left its middle or the window has changed, and hands on to the method all
-/// motion since its last look.
+/// Makes the chart anew when the robot has left its middle or the map around it has changed, and hands on to the
+/// method all motion since its last look.
 template <ChartsItself M>
 class Charted<M> {
  public:
@@ -39,18 +40,20 @@ class Charted<M> {
   /// `without`: places of that experience are left out.
   void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate,
                const std::optional<ExperienceId>& without = std::nullopt) {
-    const Made now{estimate.place, map.revision, map.places.size(), map.edges.size()};
-    if (belief_ && made_of_.same_map(now) && inside_.contains(estimate.place)) return;
-    made_of_ = now;
+    const bool in_the_middle = belief_ && inside_.contains(estimate.place);
+    if (in_the_middle && made_of_.is_same(around(map, made_of_.places.front().id), bytes)) return;
+    made_of_ = {around(map, estimate.place), {}};
     inside_.clear();
-    std::vector<ChartPlace<Content>> around;
-    for (const Reached& reached : breadth_first(map, estimate.place, chart_hops, chart_places)) {
-      if (reached.id.experience == without) continue;
-      const auto content = decoded.find(*map.place(reached.id), bytes);
-      around.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
+    std::vector<ChartPlace<Content>> charted;
+    for (const Reached& reached : made_of_.places) {
       if (reached.depth <= chart_hops / 2) inside_.insert(reached.id);
+      if (reached.id.experience == without) continue;
+      const Place& place = *map.place(reached.id);
+      const auto content = decoded.find(place, bytes);
+      if (!content && !bytes.find(place.content.hash)) made_of_.missing.push_back(place.content.hash);
+      charted.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
     }
-    chart_ = method_->chart(around);
+    chart_ = method_->chart(charted);
     belief_ = method_->begin(*chart_, estimate);
     since_.reset();
   }
@@ -66,15 +69,21 @@ class Charted<M> {
  private:
   static constexpr std::uint32_t chart_hops = 12;
   static constexpr std::uint32_t chart_places = 200;
+  /// What a chart is made of. Not known by the window's revision: it changes far from here, and moves within one.
   struct Made {
-    PlaceId centre;
-    Revision revision;
-    std::size_t places = 0;
-    std::size_t edges = 0;
-    bool same_map(const Made& other) const {
-      return revision == other.revision && places == other.places && edges == other.edges;
+    std::vector<Reached> places;
+    std::vector<ContentHash> missing;  ///< had not arrived
+    bool is_same(const std::vector<Reached>& now, const Contents& bytes) const {
+      return std::equal(places.begin(), places.end(), now.begin(), now.end(),
+                        [](const Reached& a, const Reached& b) {
+                          return a.id == b.id && identical(a.centre_from_place, b.centre_from_place);
+                        }) &&
+             std::none_of(missing.begin(), missing.end(), [&](const ContentHash& hash) { return bytes.find(hash); });
     }
   };
+  static std::vector<Reached> around(const Window& map, const PlaceId& centre) {
+    return breadth_first(map, centre, chart_hops, chart_places);
+  }
 
   const M* method_;
   std::optional<typename M::Chart> chart_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 
 #include "core/bytes.hpp"
@@ -18,6 +19,8 @@ class Contents {
 struct MapView {
   const Window& window;
   const Contents& contents;
+  /// Another one whenever the window has changed: it can move within one revision.
+  std::uint64_t generation = 0;
 };
 
 }  // namespace weft::agents

@@ -44,7 +44,7 @@ class NavigatorOf final : public Navigator {
 
     Navigated navigated;
     if (!step.seen) navigated.refusals.push_back({step.blind_reason});
-    own_.update(map.window, !teacher_);
+    own_.update(map.window, map.generation, !teacher_);
     if (teacher_) {
       teacher_->advance(step);
       trials_->drive(teacher_->driven_m());
@@ -110,7 +110,7 @@ class NavigatorOf final : public Navigator {
     Kept kept = teacher.keep(method_.encode(*content), latest_->frame, latest_->time);
     OwnMap own = own_;
     own.add(kept.place, {});
-    own.update(map.window, false);
+    own.update(map.window, map.generation, false);
     own.anchor(anchor_edge(*estimate(), kept.place.id));
     auto found = Stitcher<M>(method_, config_)
                      .look(own.map(map.window), map.contents, decoded_, teacher, kept.place, *content);
@@ -241,7 +241,7 @@ class NavigatorOf final : public Navigator {
     const Pointer content = seen(navigated);
     if (!content) return trials_->missed(latest_->content->error().reason);
     Kept kept = keep_here(content);
-    own_.update(map.window, false);
+    own_.update(map.window, map.generation, false);
     if (anchor_) own_.anchor(anchor_edge(*anchor_, kept.place.id));
     anchor_.reset();
     auto found = stitcher_.look(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);

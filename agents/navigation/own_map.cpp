@@ -58,9 +58,9 @@ bool OwnMap::has(const PlaceId& place) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& own) { return own.id == place; });
 }
 
-void OwnMap::update(const Window& window, bool done) {
+void OwnMap::update(const Window& window, std::uint64_t generation, bool done) {
   if (done && !places_.empty() && window.place(places_.back().id) != nullptr) clear();
-  const Seen now{window.revision, window.places.size(), window.edges.size()};
+  const Seen now{window.revision, generation};
   if (now == seen_ && (joined_ || places_.empty())) return;
   seen_ = now;
   join(window);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -21,9 +22,9 @@ class OwnMap {
   void anchor(const Edge& edge);
   /// One of the places that were added.
   bool has(const PlaceId& place) const;
-  /// To be called with each new window before `map`. Once the window holds the last own place and teaching is over
-  /// (`done`), the own places are forgotten.
-  void update(const Window& window, bool done);
+  /// To be called with each new window before `map`; `generation` as in MapView. Once the window holds the last own
+  /// place and teaching is over (`done`), the own places are forgotten.
+  void update(const Window& window, std::uint64_t generation, bool done);
   const Window& map(const Window& window) const { return joined_ ? *joined_ : window; }
 
  private:
@@ -35,8 +36,7 @@ class OwnMap {
   std::optional<Window> joined_;  // none: the window itself
   struct Seen {
     Revision revision;
-    std::size_t places = 0;
-    std::size_t edges = 0;
+    std::uint64_t generation = 0;
     bool operator==(const Seen&) const = default;
   };
   std::optional<Seen> seen_;  // the window that joined_ is made of

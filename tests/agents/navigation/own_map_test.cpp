@@ -36,7 +36,7 @@ Window mixed() {
 TEST(OwnMap, LeavesOutWhatOtherMethodsSee) {
   OwnMap own("floor");
   const Window window = mixed();
-  own.update(window, true);
+  own.update(window, 1, true);
   const Window& seen = own.map(window);
   EXPECT_NE(seen.place(kOne), nullptr);
   EXPECT_EQ(seen.place(kOther), nullptr);
@@ -49,16 +49,31 @@ TEST(OwnMap, OfOneMethodIsTheWindowItself) {
   OwnMap own("floor");
   Window window;
   window.places.emplace(kOne, a_place(kOne, "floor"));
-  own.update(window, true);
+  own.update(window, 1, true);
   EXPECT_EQ(&own.map(window), &window) << "not a copy";
+}
+
+TEST(OwnMap, AWindowThatMovesWithinOneRevisionIsAnotherOne) {
+  OwnMap own("floor");
+  Window window = mixed();
+  own.update(window, 1, true);
+  const PlaceId further{ExperienceId{1}, 7};
+  window.places.erase_all({kOne});
+  window.edges.erase_all({EdgeId{kOne, kOther}});
+  window.places.emplace(further, a_place(further, "floor"));
+  window.edges.emplace({kOther, further}, an_edge(kOther, further));
+  index_edges(window);
+  own.update(window, 2, true);
+  EXPECT_NE(own.map(window).place(further), nullptr);
+  EXPECT_EQ(own.map(window).place(kOne), nullptr);
 }
 
 TEST(OwnMap, OwnPlacesAreJoinedUntilTheWindowHasThem) {
   OwnMap own("floor");
   Window window = mixed();
-  own.update(window, false);
+  own.update(window, 1, false);
   own.add(a_place(kOwn, "floor"), {an_edge(kOne, kOwn)});
-  own.update(window, false);
+  own.update(window, 1, false);
   EXPECT_TRUE(own.has(kOwn));
   EXPECT_NE(own.map(window).place(kOwn), nullptr);
   EXPECT_EQ(own.map(window).edges.size(), 1U);
@@ -66,7 +81,7 @@ TEST(OwnMap, OwnPlacesAreJoinedUntilTheWindowHasThem) {
 
   window.places.emplace(kOwn, a_place(kOwn, "floor"));
   index_edges(window);
-  own.update(window, true);
+  own.update(window, 2, true);
   EXPECT_FALSE(own.has(kOwn));
   EXPECT_NE(own.map(window).place(kOwn), nullptr) << "the window's";
   EXPECT_EQ(own.map(window).place(kOther), nullptr);

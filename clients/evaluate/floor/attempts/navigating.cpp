@@ -129,7 +129,7 @@ void Navigating::stitch(const Passage& passage, bool knows, Random& random, Tall
     if (&look != &passage.looks.front() && &look != &last) continue;
     const Kept kept = teacher.keep(method_.encode(*look.content), 0, {});
     own.add(kept.place, kept.edges);
-    own.update(map.window, false);
+    own.update(map.window, map.generation, false);
     if (&look != &last) {
       Edge anchor;
       anchor.id = {place.id, kept.place.id};
