@@ -128,16 +128,16 @@ class NavigatorOf final : public Navigator {
     if (teacher_ || !estimate()) return true;
     const PlaceId at = estimate()->place;
     const bool has_left = before.place(at) != nullptr && after.place(at) == nullptr && !own_.has(at);
-    return !has_left || stand_on_what_stays(before, after);
+    return !has_left || stand_on_what_stays(own_.over(before).map(before), after);
   }
 
   void forget_taught(const Window& map) override {
     if (teacher_) return;
     trials_.reset();
-    const Window known = own_.map(map);
+    const OwnMap known = own_.over(map);
     own_.clear();
     const bool is_there = !estimate() || map.place(estimate()->place) != nullptr;
-    if (!is_there && !stand_on_what_stays(known, map)) localiser_.forget();
+    if (!is_there && !stand_on_what_stays(known.map(map), map)) localiser_.forget();
   }
 
   void forget_where() override { localiser_.forget(); }
@@ -181,11 +181,12 @@ class NavigatorOf final : public Navigator {
   /// Who looks for where the robot is.
   const Localiser<M>& looks() const { return finder_ ? *finder_ : localiser_; }
 
-  bool stand_on_what_stays(const Window& before, const Window& after) {
-    const auto all = static_cast<std::uint32_t>(before.places.size());
-    for (const Reached& reached : breadth_first(before, estimate()->place, all, all)) {
+  /// `known`: a map of this method's own. Over the places of others a pose would become a distance.
+  bool stand_on_what_stays(const Window& known, const Window& after) {
+    const auto all = static_cast<std::uint32_t>(known.places.size());
+    for (const Reached& reached : breadth_first(known, estimate()->place, all, all)) {
       const Place* const stays = after.place(reached.id);
-      if (stays == nullptr || stays->method != M::name) continue;
+      if (stays == nullptr) continue;
       const Relation there_from_robot = compose(inverse(reached.centre_from_place), estimate()->place_from_robot);
       localiser_.stand({reached.id, there_from_robot, estimate()->blind_m});
       return true;

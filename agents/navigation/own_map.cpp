@@ -66,6 +66,13 @@ void OwnMap::update(const Window& window, std::uint64_t generation, bool done) {
   join(window);
 }
 
+OwnMap OwnMap::over(const Window& window) const {
+  OwnMap other = *this;
+  other.seen_.reset();
+  other.join(window);
+  return other;
+}
+
 void OwnMap::join(const Window& window) {
   joined_.reset();
   if (!is_of(window, method_)) joined_ = part_of(window, method_);

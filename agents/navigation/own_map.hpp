@@ -25,6 +25,8 @@ class OwnMap {
   /// To be called with each new window before `map`; `generation` as in MapView. Once the window holds the last own
   /// place and teaching is over (`done`), the own places are forgotten.
   void update(const Window& window, std::uint64_t generation, bool done);
+  /// The same over another window: as it was, or as it will be.
+  OwnMap over(const Window& window) const;
   const Window& map(const Window& window) const { return joined_ ? *joined_ : window; }
 
  private:

@@ -44,6 +44,34 @@ TEST_F(MapChanged, WhatComesBackIsStoodOnAgain) {
   EXPECT_LT(test::distance(believed, robot.world_from_robot()), 0.05);
 }
 
+TEST_F(MapChanged, APoseDoesNotMoveOverPlacesOfAnotherMethod) {
+  const PlaceId at{first, 10};
+  NavigatedRobot robot = localised_at(truth.at(at), at, 16);
+  ASSERT_EQ(robot.navigator().estimate()->place, at);
+  // By a place that another camera has seen, the other end of the hall is two hops away.
+  const auto with_another = [&](Window window) {
+    Place other = *window.place({first, 20});
+    other.id = {ExperienceId{99}, 0};
+    other.method = "bearing";
+    window.places.emplace(other.id, other);
+    for (const PlaceId& end : {at, PlaceId{second, 29}}) {
+      Edge edge;
+      edge.id = {end, other.id};
+      edge.a_from_b = AlongPath{0.1, 1e-4, 0.0, 1e-4};
+      edge.origin = Origin::stitch;
+      window.edges.insert_or_assign(edge.id, edge);
+    }
+    index_edges(window);
+    return window;
+  };
+  const Removal around{{{first, 7, 13}, {second, 0, 28}}, {}};
+  EXPECT_TRUE(robot.navigator().map_changed(with_another(window()), with_another(window_without(around))));
+  const Estimate moved = *robot.navigator().estimate();
+  EXPECT_TRUE(std::holds_alternative<Metric2>(moved.place_from_robot));
+  EXPECT_EQ(moved.place.experience, first);
+  EXPECT_LT(test::distance(truth.at(moved.place) * planar(moved.place_from_robot), robot.world_from_robot()), 0.1);
+}
+
 TEST_F(MapChanged, NothingMovesWhenItsPlaceStays) {
   const PlaceId at{first, 10};
   NavigatedRobot robot = localised_at(truth.at(at), at, 12);
