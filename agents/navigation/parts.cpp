@@ -1,7 +1,10 @@
 #include "agents/navigation/parts.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "agents/methods/advance.hpp"
+#include "agents/methods/dead_reckoning.hpp"
 #include "agents/navigation/hand_over.hpp"
 
 namespace weft::agents {
@@ -12,16 +15,44 @@ constexpr Duration kSilent = std::chrono::milliseconds(300);
 constexpr Duration kSilentAtRest = std::chrono::seconds(2);
 constexpr Duration kBetweenHints = std::chrono::seconds(1);
 
+Relation moved_by(const Motion& motion) {
+  return dead_reckon({}, motion, {}).previous_from_current;
+}
+
+bool rolls(const Motion& motion) {
+  return motion.command != Twist{} || (motion.wheels && motion.wheels->distance_m != 0.0);
+}
+
 bool may_take_over(const Part& part, const Part& active, const NavigationConfig& config, const Window& window) {
   if (!part.knows() || part.navigator->estimate()->blind_m > kFreshM) return false;
-  return !active.knows() || agree(config, window, *active.navigator->estimate(), *part.navigator->estimate());
+  return !active.knows() || agree(config, window, *active.now(), *part.now());
 }
 
 }  // namespace
 
-bool Part::is_silent() const {
-  const bool moves = since.command != Twist{} || (since.wheels && since.wheels->distance_m != 0.0);
-  return since.elapsed >= (moves ? kSilent : kSilentAtRest);
+std::optional<Estimate> Part::now() const {
+  std::optional<Estimate> here = navigator->estimate();
+  if (!here || since.elapsed <= Duration::zero()) return here;
+  const Step step = dead_reckon({}, since, {});
+  CommonErrors common = CommonErrors::Zero();
+  here->place_from_robot = advanced(here->place_from_robot, step, common);
+  here->blind_m += distance_m(step.previous_from_current);
+  return here;
+}
+
+void Part::moves(const Motion& motion) {
+  since = joined(since, motion);
+  since_hint += motion.elapsed;
+  rolls_unseen = rolls(motion) ? rolls_unseen + motion.elapsed : Duration::zero();
+}
+
+bool Part::is_due_blind() const {
+  return rolls_unseen >= kSilent || since.elapsed >= kSilentAtRest;
+}
+
+Motion Part::take_motion(bool sees) {
+  if (sees) rolls_unseen = {};
+  return std::exchange(since, Motion{});
 }
 
 void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window) {
@@ -31,8 +62,10 @@ void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationCo
   if (best == nullptr) return;
   for (Part& part : parts) {
     if (&part == best || part.knows() || part.since_hint < kBetweenHints) continue;
-    auto hint = as_seen_by(part.navigator->method(), config, window, *best->navigator->estimate());
+    auto hint = as_seen_by(part.navigator->method(), config, window, *best->now());
     if (!hint) continue;
+    // As of its own last step: of what has moved since then it will be told.
+    hint->place_from_robot = compose(hint->place_from_robot, inverse(moved_by(part.since)));
     hint->blind_m = std::max(hint->blind_m, kFreshM + 0.01);  // it has not seen it itself
     if (hint->blind_m < config.follow.blind_limit_m) part.navigator->believe(*hint);
     part.since_hint = {};

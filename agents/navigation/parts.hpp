@@ -13,14 +13,20 @@ namespace weft::agents {
 struct Part {
   std::string camera;
   std::unique_ptr<Navigator> navigator;
-  Motion since = {};          ///< its last step
-  Navigated last = {};        ///< what that led to
-  Duration since_hint = {};   ///< since it was told where it is
-  ExperienceId teaches = {};  ///< none: is not being taught
+  Motion since = {};           ///< its last step
+  Duration rolls_unseen = {};  ///< without a view of its camera, since the robot began to roll
+  Navigated last = {};         ///< what its last step led to
+  Duration since_hint = {};    ///< since it was told where it is
+  ExperienceId teaches = {};   ///< none: is not being taught
 
   bool knows() const { return navigator->estimate() && !last.lost; }
-  /// Its camera has given nothing for so long that it counts as blind; longer at rest, when images are rare.
-  bool is_silent() const;
+  /// Where it knows to be, carried on to now: it has been told of no motion since its last step.
+  std::optional<Estimate> now() const;
+  void moves(const Motion& motion);
+  /// It is to be told of the motion without a view: while the robot rolls with its camera silent, at each sample, as
+  /// a robot with this camera alone would be; at rest, when images are rare, now and then.
+  bool is_due_blind() const;
+  Motion take_motion(bool sees);
 };
 using Parts = std::vector<Part>;
 

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "agents/methods/advance.hpp"
-#include "agents/methods/dead_reckoning.hpp"
 #include "agents/navigation/hand_over.hpp"
 #include "agents/navigation/parts.hpp"
 
@@ -34,16 +32,12 @@ class Several final : public Navigator {
 
   Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
                  const MapView& map) override {
-    for (Part& part : parts_) {
-      part.since = joined(part.since, motion);
-      part.since_hint += motion.elapsed;
-    }
+    for (Part& part : parts_) part.moves(motion);
     Navigated all;
     for (Part& part : parts_) {
       const bool sees = view != nullptr && view->calibration == part.camera;
-      if (!sees && !part.is_silent()) continue;
-      part.last =
-          part.navigator->step(sees ? view : nullptr, frame, time, std::exchange(part.since, Motion{}), hand, map);
+      if (!sees && !part.is_due_blind()) continue;
+      part.last = part.navigator->step(sees ? view : nullptr, frame, time, part.take_motion(sees), hand, map);
       if (part.last.fix) all.fix = part.last.fix;
       all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
       take_kept(part, std::move(part.last.kept), all.kept);
@@ -170,14 +164,10 @@ class Several final : public Navigator {
   /// Places of `part`, with what joins them to those of the first one.
   void take_kept(Part& part, std::vector<Kept> kept, std::vector<Kept>& all) {
     Part& first = parts_.front();
-    const std::optional<Estimate> there = first.navigator->estimate();
+    const std::optional<Estimate> there = first.now();
     for (Kept& one : kept) {
       if (&part != &first && there && there->place.experience == first.teaches) {
-        const Step since = dead_reckon({}, first.since, {});
-        agents::CommonErrors common = CommonErrors::Zero();
-        const auto edge =
-            joins_.join({there->place, advanced(there->place_from_robot, since, common), there->blind_m},
-                        first.navigator->method(), one.place);
+        const auto edge = joins_.join(*there, first.navigator->method(), one.place);
         if (edge) one.edges.push_back(*edge);
       }
       all.push_back(std::move(one));

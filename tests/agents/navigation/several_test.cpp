@@ -87,10 +87,10 @@ class SeveralNavigators : public testing::Test {
     place.method = method;
     window.places.emplace(id, place);
   }
-  Navigated see(const std::string& camera, Duration elapsed = 50ms) {
+  Navigated see(const std::string& camera, Duration elapsed = 50ms, const Twist& command = {0.5, 0.0}) {
     View view;
     view.calibration = camera;
-    return robot->step(camera.empty() ? nullptr : &view, ++frame, {}, {elapsed, {0.5, 0.0}, std::nullopt}, false,
+    return robot->step(camera.empty() ? nullptr : &view, ++frame, {}, {elapsed, command, std::nullopt}, false,
                        {window, contents});
   }
 
@@ -113,11 +113,34 @@ TEST_F(SeveralNavigators, EachGetsItsViewsAndAllMotionSinceItsLastOne) {
 }
 
 TEST_F(SeveralNavigators, ACameraThatIsSilentWhileTheRobotMovesIsBlind) {
-  for (int i = 0; i < 8; ++i) see("down");
-  EXPECT_EQ(ahead.blind, 1);
+  for (int i = 0; i < 5; ++i) see("down");
+  EXPECT_EQ(ahead.blind, 0) << "250 ms are not late";
+  for (int i = 0; i < 3; ++i) see("down");
+  EXPECT_EQ(ahead.blind, 3) << "blind it is driven as if it were alone: at each sample";
+  Duration told{};
+  for (const Motion& motion : ahead.motions) told += motion.elapsed;
+  EXPECT_EQ(told, 400ms) << "no motion is lost";
   EXPECT_EQ(floor.blind, 0);
   for (int i = 0; i < 8; ++i) see("");
   EXPECT_GE(floor.blind, 1) << "frames that were dropped, one after the other";
+}
+
+TEST_F(SeveralNavigators, ACameraThatWasQuietAtRestIsNotLateWhenTheRobotStarts) {
+  for (int i = 0; i < 30; ++i) see("down", 50ms, {});
+  for (int i = 0; i < 4; ++i) see("down");
+  EXPECT_EQ(ahead.blind, 0);
+  see("ahead");
+  EXPECT_EQ(ahead.motions.back().elapsed, 35 * 50ms);
+}
+
+TEST_F(SeveralNavigators, WhoIsToldIsToldOfTheMotionOfBoth) {
+  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  for (int i = 0; i < 20; ++i) see(i % 2 == 0 ? "down" : "ahead");
+  ASSERT_EQ(ahead.hints.size(), 1U);
+  EXPECT_NEAR(planar(ahead.hints.front().place_from_robot).x, 0.025, 1e-9) << "since the floor's last view";
+  for (int i = 0; i < 20; ++i) see(i % 2 == 0 ? "ahead" : "down");
+  ASSERT_EQ(ahead.hints.size(), 2U);
+  EXPECT_NEAR(planar(ahead.hints.back().place_from_robot).x, -0.025, 1e-9) << "of this it will be told";
 }
 
 TEST_F(SeveralNavigators, SaysWhatItCanDrive) {
