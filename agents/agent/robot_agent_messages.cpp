@@ -63,7 +63,8 @@ void RobotAgent::on(const msg::BatchAck& ack, SteadyTime now) {
   output_.acks.insert(output_.acks.end(), heard.acknowledged.begin(), heard.acknowledged.end());
   if (!heard.reason.empty()) output_.notes.push_back(heard.reason);
   if (heard.refused) abandon_teaching(heard.reason, now);
-  if (!heard.reason.empty() && !heard.lessons) navigator_->forget_taught(replica_.window());
+  const bool of_what_was_taught = !heard.reason.empty() && !heard.lessons;
+  if (of_what_was_taught && !heard.refused) navigator_->forget_taught(replica_.window());
   if (!heard.reason.empty() && handing_in_.has_value() && handing_in_->has(ack.experience)) {
     refuse(handing_in_->asked_by, heard.reason);
     handing_in_.reset();

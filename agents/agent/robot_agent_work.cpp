@@ -115,6 +115,7 @@ void RobotAgent::end_teaching(SteadyTime now) {
     done.done = false;
     done.reason = sealed.error().message;
     teaching_failed_ = "teaching ended: " + done.reason;
+    navigator_->forget_taught(replica_.window());
   }
   if (const std::optional<CommandKey> asked_by = teaching_->stopped_by; asked_by.has_value()) {
     if (done.done) {
@@ -144,10 +145,11 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
 }
 
 void RobotAgent::stop_teaching(const std::string& reason, SteadyTime now) {
-  for (const Kept& last : navigator_->end_teach(MapView{replica_.window(), cache_}))
-    std::ignore = spooler_.add(last, now);
+  bool is_spooled = true;
+  for (const Kept& last : navigator_->end_teach(map_view())) is_spooled = bool(spooler_.add(last, now)) && is_spooled;
   // What has been taught until then stays, as far as the spool takes it.
-  std::ignore = spooler_.seal("teaching broke off", now);
+  is_spooled = bool(spooler_.seal("teaching broke off", now)) && is_spooled;
+  if (!is_spooled) navigator_->forget_taught(replica_.window());
   output_.hand_stop = true;
   teaching_failed_ = reason;
   output_.notes.push_back(reason);
@@ -161,8 +163,10 @@ void RobotAgent::stop_teaching(const std::string& reason, SteadyTime now) {
   teaching_.reset();
 }
 
+/// The server will never hear of some of it: the robot is not to go on as if it were there.
 void RobotAgent::abandon_teaching(const std::string& reason, SteadyTime now) {
   if (teaching_.has_value()) stop_teaching("teaching ended: " + reason, now);
+  navigator_->forget_taught(replica_.window());
 }
 
 void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {

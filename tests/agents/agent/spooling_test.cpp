@@ -256,6 +256,29 @@ TEST(Spooling, FullDiskEndsTeachingWithItsReason) {
   const auto state = rig.last<msg::RobotState>();
   EXPECT_EQ(state->mode, msg::RobotMode::idle);
   EXPECT_NE(state->reason.find("teaching ended"), std::string::npos);
+  EXPECT_GE(rig.script->forgot_taught, 1) << "the server will never hear of those places";
+}
+
+TEST(Spooling, DiskThatIsFullAtTheEndForgetsWhatTheServerWillNotHearOf) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.disk->faults.full = true;
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(1s);
+  EXPECT_GE(rig.script->forgot_taught, 1);
+}
+
+TEST(Spooling, DiskThatIsFullWhenTheBodyFailsForgetsToo) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  EXPECT_EQ(rig.script->forgot_taught, 0);
+  rig.disk->faults.full = true;
+  rig.take(rig.agent->body_failed({ErrorCode::unavailable, "no base"}, rig.now));
+  EXPECT_GE(rig.script->forgot_taught, 1);
 }
 
 }  // namespace
