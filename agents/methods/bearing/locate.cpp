@@ -68,22 +68,30 @@ std::optional<Further> further_of(const std::vector<Told>& told) {
   return further;
 }
 
-/// Whether the places agree on how the robot is turned: each alone is found a heading by chance now and then.
-bool agree(const std::vector<Told>& told) {
+/// Those that agree on how the robot is turned, if they are most of them: each alone is found a heading by chance now
+/// and then. In a bend places look in other directions, and each takes for a turn what of the robot's distance from
+/// the way lies across its own.
+std::vector<Told> agreeing(const std::vector<Told>& told) {
   constexpr double near_rad = 0.06;
+  constexpr double aside = 0.35;  // distance from the way over that of things: 1 m of 3 m
   constexpr std::size_t too_few_to_say = 2;
-  if (told.size() <= too_few_to_say) return true;
-  std::vector<double> headings;
-  for (const Told& one : told) {
-    headings.push_back(one.stop->centre_from_place.heading_shift_rad +
-                       std::atan(one.vote.shift_px / one.stop->content->focal_px));
-  }
-  std::sort(headings.begin(), headings.end());
-  const double middle = headings[headings.size() / 2];
-  const auto with_it = std::count_if(headings.begin(), headings.end(), [&](double heading) {
-    return std::abs(wrap_angle(heading - middle)) <= near_rad;
+  if (told.size() <= too_few_to_say) return told;
+  const auto place_rad = [](const Told& one) { return one.stop->centre_from_place.heading_shift_rad; };
+  const auto robot_rad = [&](const Told& one) {
+    return place_rad(one) + std::atan(one.vote.shift_px / one.stop->content->focal_px);
+  };
+  std::vector<Told> ordered = told;
+  const auto at = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), at, ordered.end(),
+                   [&](const Told& a, const Told& b) { return robot_rad(a) < robot_rad(b); });
+  const Told middle = *at;
+  std::vector<Told> agree = told;
+  std::erase_if(agree, [&](const Told& one) {
+    return std::abs(wrap_angle(robot_rad(one) - robot_rad(middle))) >
+           near_rad + aside * std::abs(wrap_angle(place_rad(one) - place_rad(middle)));
   });
-  return 2 * static_cast<std::size_t>(with_it) > headings.size();
+  if (2 * agree.size() <= told.size()) agree.clear();
+  return agree;
 }
 
 }  // namespace
@@ -133,8 +141,10 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   }
   if (near.empty()) located.refusals.push_back({"nothing_near", 0.0, config_.neighbours_m});
   if (told.empty()) return located;
-  if (!agree(told)) {
-    located.refusals.push_back({"headings_differ", static_cast<double>(told.size()), 0.0});
+  const std::size_t all = told.size();
+  told = agreeing(told);
+  if (told.empty()) {
+    located.refusals.push_back({"headings_differ", static_cast<double>(all), 0.0});
     return located;
   }
 

@@ -165,6 +165,53 @@ TEST_F(BearingLocateTest, WhereThePathBeginsItHasNeighboursOnOneSideOnly) {
   EXPECT_NEAR(along(located.fix->place_from_robot).distance_m, -0.05, 0.05);
 }
 
+TEST_F(BearingLocateTest, AHeadingThatTheOthersDoNotTellIsNone) {
+  // The nearest place says that the robot is turned by 0.3 rad, all others that it is not.
+  around_[10].content = std::make_shared<const BearingContent>(at(7.0, 6.0, -0.3));
+  const auto located =
+      method_.locate(method_.chart(around_), {AlongPath{0.0, 0.04}}, {AlongPath{}, true, {}}, at(7.0));
+  ASSERT_TRUE(located.fix);
+  EXPECT_NEAR(along(located.fix->place_from_robot).heading_shift_rad, 0.0, 0.03);
+}
+
+/// A bend to the left in a room of 7 x 6 m, taught every 0.15 m.
+class BearingBendTest : public testing::Test {
+ protected:
+  static agents::sim::Site room() {
+    agents::sim::Site site = test::aisle_site();
+    site.boxes.clear();
+    for (const double y : {3.0, 9.0})
+      site.boxes.push_back({agents::sim::Box::Kind::rack, "long", {12.0, y, 0.0}, 7.0, 0.8, 3.0});
+    for (const double x : {8.5, 15.5})
+      site.boxes.push_back({agents::sim::Box::Kind::rack, "short", {x, 6.0, M_PI / 2.0}, 4.6, 0.8, 3.0});
+    return site;
+  }
+  static Pose2 path_at(double along_m) { return Pose2{12.0, 5.0, 0.0} * exp2({along_m, 0.0, along_m / 0.95}); }
+  BearingContent at(const Pose2& site_from_robot) {
+    return method_.extract({}, lookout_.from(site_from_robot)).value_or(BearingContent{});
+  }
+
+  test::Lookout lookout_{room()};
+  Bearing method_ = *Bearing::make({}, lookout_.camera());
+};
+
+TEST_F(BearingBendTest, FarBesideTheWayItsHeadingIsTold) {
+  std::vector<ChartPlace<BearingContent>> around;
+  for (std::uint32_t i = 0; i <= 16; ++i) {
+    const double ahead_m = 0.15 * i - 1.2;
+    around.push_back({{ExperienceId{1}, i},
+                      0,
+                      AlongPath{ahead_m, 1e-4, ahead_m / 0.95},
+                      std::make_shared<const BearingContent>(at(path_at(ahead_m)))});
+  }
+  const Bearing::Chart chart = method_.chart(around);
+  for (const Pose2& aside : {Pose2{-0.4, -0.6, 0.2}, Pose2{-0.6, -0.4, 0.13}, Pose2{-0.6, 0.4, -0.13}}) {
+    const auto located =
+        method_.locate(chart, {AlongPath{0.0, 0.04}}, {AlongPath{}, true, {}}, at(path_at(0.0) * aside));
+    EXPECT_TRUE(located.fix) << located.refusals.back().reason;
+  }
+}
+
 TEST_F(BearingLocateTest, ItsBeliefIsWhatNavigationMakesOfIt) {
   const Bearing::Belief before{AlongPath{0.1, 0.04}};
   const Bearing::Belief now = method_.believed(chart_, before, {place(11), AlongPath{0.03, 1e-4, 0.02, 1e-4}, 0.0});
