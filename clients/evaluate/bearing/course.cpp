@@ -24,6 +24,10 @@ std::optional<Edge> closing_edge(const TaughtMap& map, const PlaceId& last) {
 
 }  // namespace
 
+double Course::round_m() const {
+  return length_m + planar(relations.back()).x - along_m[closes_at];
+}
+
 Pose2 Course::site_from_path(std::size_t place, double beyond_m) const {
   const std::size_t last = places.size() - 1;
   // The end may have been found to lie a little beyond where it comes back to.

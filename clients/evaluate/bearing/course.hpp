@@ -31,6 +31,8 @@ struct Course {
   std::vector<double> along_m;         ///< of each place, from the first
   double length_m = 0.0;               ///< from the first to the last
 
+  /// Once round, from where the way closes.
+  double round_m() const;
   /// Where the place's path truly is, so far beyond it.
   Pose2 site_from_path(std::size_t place, double beyond_m) const;
   /// So many times round: the whole way first, later from where it closes; ends there.

@@ -25,9 +25,9 @@ Chart path_chart(const Trial& trial, const Shown& shown) {
 }
 
 Chart first_loop_chart(const Trial& trial, const Shown& shown) {
-  Chart chart{trial.about, "along the taught way, m", "distance from where it believes to be, m", {}, false, {},
-              true};
-  chart.curves = {{"driven", shown.error, kBlue, Look::line, 1.6}, {"model", shown.model, kInk, Look::dashed, 1.6}};
+  Chart chart{trial.about, "along the taught way, m", "off where it believes to be, m", {}, false, {}, true};
+  chart.curves = {{"driven", shown.error, kBlue, Look::line, 1.6},
+                  {"model, distance by wheels alone", shown.model, kInk, Look::dashed, 1.6}};
   return chart;
 }
 

@@ -11,7 +11,11 @@ constexpr double kStepM = 0.02;
 double error_at(const std::vector<ErrorAt>& errors, double along_m) {
   const auto after =
       std::find_if(errors.begin(), errors.end(), [&](const ErrorAt& error) { return error.along_m >= along_m; });
-  return after == errors.end() ? errors.back().error_m : after->error_m;
+  if (after == errors.begin()) return after->error_m;
+  if (after == errors.end()) return errors.back().error_m;
+  const ErrorAt& before = *(after - 1);
+  const double share = (along_m - before.along_m) / (after->along_m - before.along_m);
+  return before.error_m + share * (after->error_m - before.error_m);
 }
 
 }  // namespace
@@ -34,16 +38,23 @@ std::vector<ErrorAt> modelled(const Course& course, const Eigen::Vector2d& first
   return errors;
 }
 
-std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course) {
-  std::vector<ErrorAt> errors;
-  for (const Deviation& deviation : repeated.along) {
-    const bool is_over = !repeated.after_loop.empty() && deviation.driven_m >= repeated.after_loop.front().driven_m;
-    if (is_over) break;
-    // Just before the beginning it believes to be at the end.
-    const bool is_before = deviation.along_m > 0.9 * course.length_m && errors.size() < 50;
-    errors.push_back({is_before ? deviation.along_m - course.length_m : deviation.along_m,
-                      deviation.path_from_robot.translation().norm()});
+std::vector<double> unwrapped(const std::vector<double>& along_m, double round_m) {
+  std::vector<double> all;
+  double before_m = 0.0;
+  for (const double here_m : along_m) {
+    before_m = here_m + round_m * std::round((before_m - here_m) / round_m);
+    all.push_back(before_m);
   }
+  return all;
+}
+
+std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course) {
+  std::vector<double> along_m;
+  for (const Deviation& deviation : repeated.along) along_m.push_back(deviation.along_m);
+  along_m = unwrapped(along_m, course.round_m());
+  std::vector<ErrorAt> errors;
+  for (std::size_t i = 0; i < along_m.size() && along_m[i] <= course.length_m; ++i)
+    errors.push_back({along_m[i], repeated.along[i].path_from_robot.translation().norm()});
   return errors;
 }
 

@@ -15,7 +15,11 @@ struct ErrorAt {
 /// x' = omega y, y' = -omega x - (v / l) y, from `first` (x ahead, y left) on; l is where what is seen stands.
 std::vector<ErrorAt> modelled(const Course& course, const Eigen::Vector2d& first, double landmark_m);
 
-/// The first loop as it was driven.
+/// Distances along a closed way, one after the other, as distances that go on where the way closes. The first one is
+/// about 0: what is believed to lie before the beginning is negative.
+std::vector<double> unwrapped(const std::vector<double>& along_m, double round_m);
+
+/// The first loop as it was driven, as far as the taught way goes.
 std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course);
 
 /// Most by which the driven loop lies outside the model, after its first metre (the robot turns towards the way).

@@ -52,6 +52,29 @@ TEST(BearingModel, FurtherLandmarksMeanSlowerConvergence) {
 TEST(BearingModel, TheBandIsTheLargestDifferenceAfterTheFirstMetre) {
   const std::vector<ErrorAt> model = {{0.0, 1.0}, {2.0, 0.5}, {4.0, 0.25}};
   EXPECT_NEAR(band_of({{0.5, 3.0}, {2.0, 0.6}, {4.0, 0.2}}, model), 0.1, 1e-12);
+  EXPECT_NEAR(band_of({{3.0, 0.375}}, model), 0.0, 1e-12) << "between two places it lies between theirs";
+}
+
+TEST(BearingModel, AlongAClosedWayGoesOnWhereItCloses) {
+  const std::vector<double> all = unwrapped({9.9, 0.1, 5.0, 9.8, 0.1, 9.9, 0.2}, 10.0);
+  const std::vector<double> wanted = {-0.1, 0.1, 5.0, 9.8, 10.1, 9.9, 10.2};
+  ASSERT_EQ(all.size(), wanted.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], wanted[i], 1e-12) << i;
+}
+
+TEST(BearingModel, TheFirstLoopEndsWhereTheTaughtWayEnds) {
+  const Course course = course_of(6.0, 2.0 * M_PI);
+  Repeated repeated;
+  for (const double along_m : {5.95, 0.0, 2.5, 4.5, 5.9, 0.05, 1.0}) {
+    Deviation deviation;
+    deviation.along_m = along_m;
+    repeated.along.push_back(deviation);
+  }
+  const std::vector<ErrorAt> first = first_loop_of(repeated, course);
+  ASSERT_EQ(first.size(), 5U);
+  for (std::size_t i = 1; i < first.size(); ++i) EXPECT_GT(first[i].along_m, first[i - 1].along_m);
+  EXPECT_NEAR(first.front().along_m, -0.05, 1e-12);
+  EXPECT_NEAR(first.back().along_m, 5.9, 1e-12);
 }
 
 TEST(BearingCourse, AWayIsWhereItsPlacesTrulyWereRoundTheEnd) {
