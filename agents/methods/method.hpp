@@ -1,6 +1,7 @@
 #pragma once
 #include <tl/expected.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -168,6 +169,28 @@ template <class M>
 concept Replays = Method<M> && requires(const typename M::Content& content) {
   { M::driven(content) } -> std::same_as<Twist>;
 };
+
+/// A method whose places become better known each time that a robot comes by. What it has learned of a place is a
+/// content like any other: every robot localises against it.
+template <class M>
+concept Learns = Method<M> && requires(const M& m, const typename M::Content& known, const typename M::Content& seen,
+                                       const Relation& known_from_seen) {
+  /// Of the contents that `encode` makes of what was learned; `content_format` is of those that were taught.
+  { M::learned_format } -> std::convertible_to<std::uint32_t>;
+  /// learn: the place as it is better known after one more pass, of which `seen` is the view nearest to it. None:
+  /// this view is not to be learned from.
+  { m.learn(known, seen, known_from_seen) } -> std::same_as<std::optional<typename M::Content>>;
+  /// Whether a robot sees so much more of `learned` than of `shared`, which it was learned upon, that all robots are
+  /// to have it. False of what was not learned upon `shared`, and soon false where nothing changes.
+  { m.is_worth_sharing(known, known) } -> std::same_as<bool>;
+};
+
+/// The newest format of contents that M reads.
+template <Method M>
+constexpr std::uint32_t newest_format() {
+  if constexpr (Learns<M>) return std::max<std::uint32_t>(M::content_format, M::learned_format);
+  return M::content_format;
+}
 
 /// A method that can say what another robot would have seen instead of a view, of the same camera and frame: with it
 /// teaching finds out whether a place will be found again before the robot leaves it. The others know only how they

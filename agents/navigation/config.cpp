@@ -81,6 +81,13 @@ void each_follow(Config& follow, const In& in) {
   in("settle_samples", follow.settle_samples, Low::closed, 0, 1000);
 }
 
+template <class Config, class In>
+void each_learn(Config& learn, const In& in) {
+  in("enabled", learn.enabled, Low::closed, 0, 1);
+  in("places", learn.places, Low::closed, 16, 100000);
+  in("sure_m", learn.sure_m, Low::open, 0, 5);
+}
+
 /// Everything but the controller's.
 template <class Config, class Section>
 void each_setting(Config& config, const Section& section) {
@@ -89,6 +96,7 @@ void each_setting(Config& config, const Section& section) {
   each_locate(config.locate, section("locate"));
   each_stitch(config.stitch, section("stitch"));
   each_follow(config.follow, section("follow"));
+  each_learn(config.learn, section("learn"));
 }
 
 /// Puts what the table says into a setting; the setting's own value is the default.

@@ -73,6 +73,13 @@ struct FollowConfig {
   std::uint32_t settle_samples = 30;  ///< to wait for a fix at the goal before going by what is believed; [0, 1000]
 };
 
+struct LearnConfig {
+  bool enabled = true;  ///< places that the robot drives by are learned from what it sees
+  std::uint32_t places =
+      2048;             ///< that it keeps what it has learned of, the least recently passed forgotten; [16, 100000]
+  double sure_m = 0.5;  ///< travelled since the fix before: a view that has shown less is not learned from; (0, 5]
+};
+
 /// All of teach, localise, follow. Checked once, fixed afterwards.
 struct NavigationConfig {
   TeachConfig teach;
@@ -80,15 +87,16 @@ struct NavigationConfig {
   LocateConfig locate;
   StitchConfig stitch;
   FollowConfig follow;
+  LearnConfig learn;
   TrackerConfig tracker;
 };
 
 /// Every bound that does not hold, each naming field, value and bound.
 std::vector<Error> check(const NavigationConfig& config);
 
-/// A table of parts: [teach], [belief], [locate], [stitch], [follow], [control], [control.steering], [control.speed],
-/// each with the settings above by their names, but for footprint_radius_m, which others need too. What is wrong is
-/// collected by the table.
+/// A table of parts: [teach], [belief], [locate], [stitch], [follow], [learn], [control], [control.steering],
+/// [control.speed], each with the settings above by their names, but for footprint_radius_m, which others need too.
+/// What is wrong is collected by the table.
 NavigationConfig read_navigation_config(const config::Table& table, const NavigationConfig& defaults);
 
 }  // namespace weft::agents

@@ -28,7 +28,8 @@ class DecodedContents {
       used_.splice(used_.begin(), used_, known->second);
       return used_.front().content;
     }
-    if (place.method != M::name || place.content_format != M::content_format) {
+    // Which of the older ones it still reads, the method says.
+    if (place.method != M::name || place.content_format > newest_format<M>()) {
       return tl::unexpected(Refusal{"other_method"});
     }
     const std::shared_ptr<const Bytes> found = bytes.find(place.content.hash);

@@ -8,6 +8,7 @@
 
 #include "agents/navigation/coming_back.hpp"
 #include "agents/navigation/follower.hpp"
+#include "agents/navigation/lessons.hpp"
 #include "agents/navigation/localiser.hpp"
 #include "agents/navigation/navigator.hpp"
 #include "agents/navigation/own_map.hpp"
@@ -28,6 +29,7 @@ class NavigatorOf final : public Navigator {
         localiser_(method_, config),
         stitcher_(method_, config),
         follower_(config),
+        lessons_(method_, config.learn),
         own_(M::name) {}
   NavigatorOf(const NavigatorOf&) = delete;  // its parts point to method_
   NavigatorOf& operator=(const NavigatorOf&) = delete;
@@ -40,6 +42,7 @@ class NavigatorOf final : public Navigator {
     const Step step = method_.observe(odometry_, view, motion);
     measure_speed(step, motion);
     localiser_.advance(step);
+    lessons_.advance(step);
     latest_ = Latest{view != nullptr ? std::optional(*view) : std::nullopt, frame, time, std::nullopt};
 
     Navigated navigated;
@@ -64,6 +67,7 @@ class NavigatorOf final : public Navigator {
     } else {
       drive(map, motion, navigated);
     }
+    if (config_.learn.enabled) learn(hand, map, navigated);
     return navigated;
   }
 
@@ -310,6 +314,16 @@ class NavigatorOf final : public Navigator {
     navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
   }
 
+  /// While it drives a route by itself and knows where it is.
+  void learn(bool hand, const MapView& map, Navigated& navigated) {
+    if constexpr (Learns<M>) {
+      if (hand || teacher_ || !follower_.route() || !estimate() || localiser_.seeking()) return lessons_.leave();
+      if (!navigated.fix) return;
+      if (auto lesson = lessons_.pass(*navigated.fix, **latest_->content, map, decoded_))
+        navigated.lessons.push_back(std::move(*lesson));
+    }
+  }
+
   void drive(const MapView& map, const Motion& motion, Navigated& navigated) {
     const std::optional<Estimate> believed = localiser_.estimate();
     Follower::Drive drive =
@@ -371,6 +385,7 @@ class NavigatorOf final : public Navigator {
   Localiser<M> localiser_;
   Stitcher<M> stitcher_;
   Follower follower_;
+  typename LessonsOrNone<M>::Type lessons_;
   std::optional<Teacher> teacher_;
   std::optional<PlaceTrials<M>> trials_;  // of what is taught, or was taught last
   std::optional<Localiser<M>> finder_;    // looks for where teaching began

@@ -88,6 +88,7 @@ void tell_turn(const std::vector<Row>& rows, double least_sigma, Nearing& nearin
   }
   nearing.turned_rad = turned;
   nearing.turned_variance_rad2 = sigma * sigma / weights;
+  nearing.spread_rad = sigma;
 }
 
 }  // namespace
@@ -120,7 +121,8 @@ std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const st
       return std::nullopt;
     fit.pitch_and_share = fit.normal.ldlt().solve(right);
   }
-  Nearing nearing{fit.pitch_and_share[1], sigma * sigma * fit.normal.inverse()(1, 1), 0.0, 0.0};
+  Nearing nearing{fit.pitch_and_share[1], sigma * sigma * fit.normal.inverse()(1, 1), 0.0, 0.0,
+                  fit.pitch_and_share[0]};
   tell_turn(rows, least_sigma, nearing);
   return nearing;
 }

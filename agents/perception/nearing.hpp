@@ -13,6 +13,9 @@ struct Nearing {
   double variance = 0.0;
   double turned_rad = 0.0;  ///< the second camera, to the left
   double turned_variance_rad2 = 0.0;
+  double pitch = 0.0;       ///< by which tangents of elevation have grown (downwards) beside that
+  double spread_rad = 0.0;  ///< standard deviation of single features about the turn: of a view from aside things
+                            ///< near and far have moved by different angles
 };
 
 /// From how far features that both views show (`same`) have moved away from the horizon: tangents of elevation,

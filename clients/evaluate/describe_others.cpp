@@ -49,6 +49,26 @@ CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds) {
   return sub;
 }
 
+CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds) {
+  CLI::App* const sub = app.add_subcommand(
+      "learning",
+      "What it is worth that places of the method bearing learn from robots that come by: a way is taught, then "
+      "driven "
+      "once a day while the stock changes, day and dark alternate, or nothing changes; with learning and without.\n"
+      "Prints a table and writes learning.csv.");
+  seeds = "1..3";
+  options.line = "lemniscate";
+  options.scenes = "deploy/sites/bearing";
+  options.out = "out/learning";
+  const auto option = flags_of(sub);
+  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another hand, calibration, light and noise [1..3]");
+  option("--days", options.days, "NAME", "Only these; a wrong name lists them [all]");
+  option("--line", options.line, "NAME", "The way: NAME.line in the site NAME.toml [lemniscate]");
+  option("--scenes", options.scenes, "DIR", "Sites and lines that are driven [deploy/sites/bearing]");
+  option("--out", options.out, "DIR", "Folder for learning.csv [out/learning]");
+  return sub;
+}
+
 CLI::App* describe(CLI::App& app, HeadingOptions& options) {
   CLI::App* const sub = app.add_subcommand(
       "heading",

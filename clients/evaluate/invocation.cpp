@@ -76,6 +76,8 @@ Parsed parse(int argc, const char* const* argv) {
   OdometryOptions odometry;
   BearingOptions bearing;
   std::string bearing_seeds;
+  LearningOptions learning;
+  std::string learning_seeds;
   HeadingOptions heading;
   GenerateOptions generate;
   std::string disturbances_seeds;
@@ -88,6 +90,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const foretold_sub = describe(app, foretold, foretold_seeds);
   const CLI::App* const odometry_sub = describe(app, odometry, odometry_seeds);
   const CLI::App* const bearing_sub = describe(app, bearing, bearing_seeds);
+  const CLI::App* const learning_sub = describe(app, learning, learning_seeds);
   const CLI::App* const heading_sub = describe(app, heading);
   describe(app, generate);
   try {
@@ -101,6 +104,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
   if (odometry_sub->parsed()) return with_seeds(app, odometry, odometry_seeds);
   if (bearing_sub->parsed()) return with_seeds(app, bearing, bearing_seeds);
+  if (learning_sub->parsed()) return with_seeds(app, learning, learning_seeds);
   if (heading_sub->parsed()) return heading;
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "clients/evaluate/bearing/learning.hpp"
 #include "clients/evaluate/bearing/study.hpp"
 #include "clients/evaluate/disturbances/study.hpp"
 #include "clients/evaluate/floor/attempts/attempts_study.hpp"
@@ -30,7 +31,8 @@ struct GenerateOptions {
 };
 
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
-                            ReplayOptions, OdometryOptions, BearingOptions, HeadingOptions, GenerateOptions, NotRun>;
+                            ReplayOptions, OdometryOptions, BearingOptions, LearningOptions, HeadingOptions,
+                            GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

@@ -33,6 +33,7 @@ CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds
 CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, HeadingOptions& options);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);
 

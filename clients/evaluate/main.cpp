@@ -99,6 +99,12 @@ int run(const evaluate::BearingOptions& options) {
   return finish(evaluate::bearing::study_bearing(options, around), options.out);
 }
 
+int run(const evaluate::LearningOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish_at_once(evaluate::bearing::study_learning(options, around),
+                        "learning.csv has what was measured; the next call begins anew");
+}
+
 int run(const evaluate::HeadingOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::heading::study_heading(options, around));

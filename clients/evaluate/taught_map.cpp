@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/network/codec.hpp"
 #include "core/network/search.hpp"
 
 namespace weft::evaluate {
@@ -21,10 +22,34 @@ Result<void> TaughtMap::take(ExperienceId experience, RobotId robot, std::string
   }
   if (const std::vector<Error> wrong = check(snapshot_, batch); !wrong.empty()) return fail(wrong.front());
   snapshot_ = with(snapshot_, batch);
+  look_at_all();
+  return {};
+}
+
+bool TaughtMap::take(const agents::Lesson& lesson) {
+  const Place* const place = snapshot_.place(lesson.place);
+  if (place == nullptr || place->content.hash != lesson.made_of) return false;
+  Experience learned = *snapshot_.experience(lesson.place.experience);
+  std::vector<Place> places(learned.places.begin(), learned.places.end());
+  for (Place& one : places) {
+    if (one.id != lesson.place) continue;
+    ++one.entity_version;
+    one.content_format = lesson.content_format;
+    one.content = {hash_bytes(lesson.content), lesson.content.size()};
+    contents_[one.content.hash] = std::make_shared<const Bytes>(lesson.content);
+  }
+  learned.places = SharedRow<Place>(std::move(places));
+  Snapshot::Experiences experiences = snapshot_.experiences();
+  experiences[lesson.place.experience] = std::make_shared<const Experience>(std::move(learned));
+  snapshot_ = Snapshot(Revision{snapshot_.revision().value + 1}, std::move(experiences), snapshot_.shared_labels());
+  look_at_all();
+  return true;
+}
+
+void TaughtMap::look_at_all() {
   WindowDefinition whole;
   whole.cap = 100'000;
   window_ = make_window(snapshot_, whole);
-  return {};
 }
 
 std::shared_ptr<const Bytes> TaughtMap::find(const ContentHash& hash) const {

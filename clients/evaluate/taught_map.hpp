@@ -19,6 +19,9 @@ class TaughtMap final : public agents::Contents {
   Result<void> take(ExperienceId experience, RobotId robot, std::string_view method,
                     const std::vector<agents::Kept>& kept);
 
+  /// Whether the place still has the content that this was learned upon; then it has the new one.
+  bool take(const agents::Lesson& lesson);
+
   std::shared_ptr<const Bytes> find(const ContentHash& hash) const override;
   agents::MapView view() const { return {window_, *this}; }
   const Snapshot& snapshot() const { return snapshot_; }
@@ -27,6 +30,8 @@ class TaughtMap final : public agents::Contents {
   Result<Route> route(const PlaceId& from, const PlaceId& to, std::string_view method) const;
 
  private:
+  void look_at_all();
+
   Snapshot snapshot_;
   Window window_;
   std::map<ContentHash, std::shared_ptr<const Bytes>> contents_;

@@ -21,6 +21,7 @@ class Bearing {
  public:
   static constexpr std::string_view name = "bearing";
   static constexpr std::uint32_t content_format = bearing_content_format;
+  static constexpr std::uint32_t learned_format = bearing_learned_format;
   using Content = BearingContent;
 
   struct Odometry {
@@ -73,6 +74,13 @@ class Bearing {
   Belief believed(const Chart& chart, const Belief&, const Estimate& estimate) const {
     return begin(chart, estimate);
   }
+
+  /// The features of the place with one more pass counted, without those that are hardly ever seen and with some of
+  /// the view's that it does not have, placed by what both show (learn.cpp). None: of another focal length, taken too
+  /// far before or behind or aside, or the heading is not sure.
+  std::optional<Content> learn(const Content& known, const Content& seen, const Relation& known_from_seen) const;
+  /// A robot that comes by sees that much more of `learned` (`BearingConfig::learn`).
+  bool is_worth_sharing(const Content& shared, const Content& learned) const;
 
   const BearingConfig& config() const { return config_; }
 

@@ -31,6 +31,21 @@ void each_setting(Config& config, Visit&& visit) {
   visit("anywhere_runner_up", config.anywhere_runner_up, 0, 1);
   visit("anywhere_nearing", config.anywhere_nearing, 0.01, 2);
   visit("unknown_along_sigma_m", config.unknown_along_sigma_m, 0.05, 10);
+  visit("learn_along_m", config.learn.along_m, 0.01, 0.5);
+  visit("learn_along_sigma_m", config.learn.along_sigma_m, 0.005, 1);
+  visit("learn_above_chance", config.learn.above_chance, 0, 50);
+  visit("learn_heading_rad", config.learn.heading_rad, 0.001, 0.5);
+  visit("learn_spread_rad", config.learn.spread_rad, 0.001, 0.2);
+  visit("learn_moved_px", config.learn.moved_px, 0.5, 50);
+  visit("learn_risen_px", config.learn.risen_px, 0.5, 50);
+  visit("learn_features", config.learn.features, 20, 2000);
+  visit("learn_newcomers", config.learn.newcomers, 0, 500);
+  visit("learn_few_passes", config.learn.few_passes, 2, 100);
+  visit("learn_hardly_ever", config.learn.hardly_ever, 0, 1);
+  visit("learn_seldom", config.learn.seldom, 0, 1);
+  visit("learn_fade_passes", config.learn.fade_passes, 4, 255);
+  visit("learn_stays", config.learn.stays, 0, 1);
+  visit("learn_worth", config.learn.worth, 0.01, 10);
 }
 
 /// Takes settings from a table, which collects what is wrong with them.

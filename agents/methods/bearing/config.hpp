@@ -8,6 +8,25 @@
 
 namespace weft::agents {
 
+/// How places learn from the views of robots that come by (learn.cpp). Bounds in brackets.
+struct BearingLearnConfig {
+  double along_m = 0.07;        ///< [0.01, 0.5] a view taken so far before or behind the place is learned from
+  double along_sigma_m = 0.05;  ///< [0.005, 1] as far as it is known where it was taken
+  double above_chance = 10.0;   ///< [0, 50] as vote.above_chance: the heading is sure
+  double heading_rad = 0.03;    ///< [0.001, 0.5] most between this heading and what all places around say
+  double spread_rad = 0.02;   ///< [0.001, 0.2] most by which turns that single features show differ: taken from aside
+  double moved_px = 8.0;      ///< [0.5, 50] a feature is seen where it is expected; across, for near and far
+  double risen_px = 4.0;      ///< [0.5, 50] and in height
+  int features = 450;         ///< [20, 2000] that a place has at most: what a vote costs grows with them
+  int newcomers = 100;        ///< [0, 500] features that come in with a pass
+  int few_passes = 6;         ///< [2, 100] a feature stays for so many, whatever becomes of it
+  double hardly_ever = 0.15;  ///< [0, 1] share of its passes; seen less often, it goes
+  double seldom = 0.33;       ///< [0, 1] seen less often, it makes room for newcomers
+  int fade_passes = 24;       ///< [4, 255] counts are halved when there are more: old evidence fades
+  double stays = 0.3;         ///< [0, 1] chance that what was new in one view is seen again
+  double worth = 0.25;        ///< [0.01, 10] by which share more of a place is to be seen to be worth sharing it
+};
+
 /// Settings of the method `bearing`. Symbols of Krajnik et al. 2018 stand beside the field's names; bounds in
 /// brackets.
 struct BearingConfig {
@@ -39,6 +58,8 @@ struct BearingConfig {
   double anywhere_nearing = 0.12;      ///< [0.01, 2] share of their distance by which things may be nearer or further
                                        ///< off: down an aisle a place looks like one that is metres on
   double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
+
+  BearingLearnConfig learn;  ///< keys begin with learn_
 };
 
 /// Every bound that does not hold.

@@ -16,20 +16,34 @@ std::int16_t grains(float pixels) {
       std::lround(std::clamp(static_cast<double>(pixels) / grain_px, -32767.0, 32767.0)));
 }
 
+Sightings sightings_from(ContentReader& in) {
+  Sightings sightings;
+  sightings.could = in.number<std::uint8_t>("feature.could");
+  if (sightings.could == 0) in.fault("feature.could", "is zero");
+  sightings.seen = in.number<std::uint8_t>("feature.seen");
+  if (sightings.seen > sightings.could) in.fault("feature.seen", "exceeds feature.could");
+  return sightings;
+}
+
 }  // namespace
 
 Bytes encode_bearing_content(const BearingContent& content) {
   ContentWriter out;
   out.number(magic);
-  out.number(bearing_content_format);
+  const bool is_learned = !content.sightings.empty();
+  out.number(is_learned ? bearing_learned_format : bearing_content_format);
   out.number(content.focal_px);
   out.number(content.driving.linear_m_s);
   out.number(content.driving.angular_rad_s);
   out.number(static_cast<std::uint16_t>(content.features.size()));
-  for (const UprightFeature& feature : content.features) {
+  for (std::size_t i = 0; i < content.features.size(); ++i) {
+    const UprightFeature& feature = content.features[i];
     out.number(grains(feature.pixel.x()));
     out.number(grains(feature.pixel.y()));
     for (const std::uint64_t word : feature.descriptor) out.number(word);
+    if (!is_learned) continue;
+    out.number(content.sightings[i].could);
+    out.number(content.sightings[i].seen);
   }
   return out.take();
 }
@@ -38,22 +52,25 @@ Result<BearingContent> decode_bearing_content(ByteView bytes) {
   ContentReader in(bytes, "bearing content");
   if (in.number<std::uint32_t>("magic") != magic) in.fault("magic", "is not that of a bearing content");
   const auto format = in.number<std::uint32_t>("format");
-  if (!in.faulty() && format > bearing_content_format)
+  if (!in.faulty() && format > bearing_learned_format)
     return fail(ErrorCode::newer, "bearing content: format " + std::to_string(format) + " is newer than " +
-                                      std::to_string(bearing_content_format) + "; update this program");
-  if (format != bearing_content_format) in.fault("format", "is unknown");
+                                      std::to_string(bearing_learned_format) + "; update this program");
+  const bool is_learned = format == bearing_learned_format;
+  if (!is_learned && format != bearing_content_format) in.fault("format", "is unknown");
   BearingContent content;
   content.focal_px = in.real("focal_px", 10.0, 1e4);
   content.driving.linear_m_s = in.real("driving.linear", -10.0, 10.0);
   content.driving.angular_rad_s = in.real("driving.angular", -20.0, 20.0);
   const auto count = in.number<std::uint16_t>("features.count");
   if (count > most_bearing_features) in.fault("features.count", "exceeds 4096");
+  if (is_learned && count == 0) in.fault("features.count", "is zero of a learned content");
   for (std::size_t i = 0; i < count && !in.faulty(); ++i) {
     UprightFeature feature;
     feature.pixel.x() = static_cast<float>(grain_px * in.number<std::int16_t>("feature.x"));
     feature.pixel.y() = static_cast<float>(grain_px * in.number<std::int16_t>("feature.y"));
     for (std::uint64_t& word : feature.descriptor) word = in.number<std::uint64_t>("feature.descriptor");
     content.features.push_back(feature);
+    if (is_learned) content.sightings.push_back(sightings_from(in));
   }
   if (!in.faulty() && !in.at_end()) in.fault("end", "is followed by more bytes");
   if (in.faulty()) return fail(ErrorCode::corrupt, in.message());

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "agents/perception/motion.hpp"
@@ -8,19 +10,28 @@
 
 namespace weft::agents {
 
+/// How often robots that came by have seen a feature of a place; the pass in which it came in counts.
+struct Sightings {
+  std::uint8_t could = 1;  ///< passes in which it would have lain within the image: at least `seen`
+  std::uint8_t seen = 1;
+  bool operator==(const Sightings&) const = default;
+};
+
 /// What `bearing` stores of a place (docs/formats/bearing-content.md): what was seen ahead, and how the robot was
 /// driving (the velocity profile of Krajnik et al. 2018, III-B).
 struct BearingContent {
   std::vector<UprightFeature> features;  ///< pixels from the image's middle, at `focal_px`
   double focal_px = 386.0;
   Twist driving;
+  std::vector<Sightings> sightings = {};  ///< of each feature; empty: as it was taught, nothing was learned yet
 };
 
-inline constexpr std::uint32_t bearing_content_format = 1;
+inline constexpr std::uint32_t bearing_content_format = 1;  ///< as it was taught: all robots read it
+inline constexpr std::uint32_t bearing_learned_format = 2;  ///< with sightings
 inline constexpr std::size_t most_bearing_features = 4096;
 
 Bytes encode_bearing_content(const BearingContent& content);
-/// corrupt: short, trailing or impossible values, naming field and offset; newer: a later format.
+/// Of either format. corrupt: short, trailing or impossible values, naming field and offset; newer: a later format.
 Result<BearingContent> decode_bearing_content(ByteView bytes);
 
 }  // namespace weft::agents

@@ -61,6 +61,10 @@ struct Repeated {
   std::vector<Deviation> along;       ///< a row a sample
   std::vector<Deviation> after_loop;  ///< at the end of each
   std::string ended;                  ///< why it stands; empty: all loops were driven
+  std::size_t looks = 0;              ///< views that were to tell where it is
+  std::size_t fixes = 0;              ///< those that did
+  double votes = 0.0;                 ///< of all these, for the place that was nearest
+  std::vector<agents::Lesson> lessons;
 };
 
 /// Where a robot is put down.

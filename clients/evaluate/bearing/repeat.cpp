@@ -64,6 +64,14 @@ std::size_t loops_done(const Course& course, std::uint32_t route_at) {
   return route_at < course.closes_at ? 0 : (route_at - course.closes_at) / loop;
 }
 
+void note(const Navigated& now, Repeated& repeated) {
+  if (now.fix || !now.refusals.empty()) ++repeated.looks;
+  repeated.lessons.insert(repeated.lessons.end(), now.lessons.begin(), now.lessons.end());
+  if (!now.fix) return;
+  ++repeated.fixes;
+  repeated.votes += now.fix->evidence.inliers;
+}
+
 /// False: stopped.
 Result<bool> follow(Repeating& robot, const Drive& drive, const Course& course, std::size_t loops,
                     Repeated& repeated) {
@@ -71,6 +79,7 @@ Result<bool> follow(Repeating& robot, const Drive& drive, const Course& course, 
     if (drive.asked_to_stop()) return false;
     const Result<Navigated> now = robot.step();
     if (!now) return fail(now.error());
+    note(*now, repeated);
     const std::optional<Deviation> deviation = robot.deviation();
     if (deviation) repeated.along.push_back(*deviation);
     const bool arrived = now->following == Following::arrived;

@@ -30,19 +30,6 @@ void no_encoders(Site& site) {
   site.base.has_encoders = false;
 }
 
-/// Starlight, and a lamp on the robot.
-void dark(Site& site) {
-  site.ambient = 0.02;
-  site.lamps.clear();
-  site.forward_camera.headlight = 2.0;
-}
-
-void half_of_the_lamps(Site& site) {
-  const std::vector<agents::sim::Lamp> lamps = site.lamps;
-  dark(site);
-  for (std::size_t i = 0; i < lamps.size(); i += 2) site.lamps.push_back(lamps[i]);
-}
-
 void other_stock_and_people(Site& site) {
   site.change.stock = 0.3;
   const auto walks = [&](std::vector<agents::SitePoint> way, double speed_m_s, double begins_m) {
@@ -54,6 +41,18 @@ void other_stock_and_people(Site& site) {
 }
 
 }  // namespace
+
+void dark(Site& site) {
+  site.ambient = 0.02;
+  site.lamps.clear();
+  site.forward_camera.headlight = 2.0;
+}
+
+void half_of_the_lamps(Site& site) {
+  const std::vector<agents::sim::Lamp> lamps = site.lamps;
+  dark(site);
+  for (std::size_t i = 0; i < lamps.size(); i += 2) site.lamps.push_back(lamps[i]);
+}
 
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site_name,
                          const std::string& line_name) {

@@ -20,6 +20,11 @@ struct Scene {
 /// not_found, invalid: names file and line.
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site, const std::string& line);
 
+/// Starlight, and a lamp on the robot.
+void dark(agents::sim::Site& site);
+/// The same with every second lamp.
+void half_of_the_lamps(agents::sim::Site& site);
+
 /// One of the experiments of Krajnik et al. 2018, or one that goes beyond.
 struct Trial {
   std::string name;

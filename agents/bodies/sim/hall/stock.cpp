@@ -64,12 +64,22 @@ void add_load(Rack& rack, const Box& box, const Slot& slot, Random random) {
            look(Stuff::load, random.uniform(85.0, 150.0), static_cast<std::uint32_t>(random.next())));
 }
 
+/// What decides on the load of a place: the rack, or the last time that it changed.
+Random stocked(const Box& box, const Site& site, std::uint64_t place) {
+  const Random of_change = Random(site.change.seed ^ hash_of(box.name));
+  constexpr std::uint64_t times = 1ULL << 40U;  // beyond all places
+  for (int time = site.change.stock_times; time >= 1; --time) {
+    Random this_time = time == 1 ? of_change : Random(of_change).fork(times + static_cast<std::uint64_t>(time));
+    Random changed = this_time.fork(place);
+    if (changed.chance(site.change.stock)) return changed.fork(1);
+  }
+  return Random(site.floor.seed ^ hash_of(box.name)).fork(place);
+}
+
 }  // namespace
 
 void add_rack(const Box& box, const Site& site, std::vector<Quad>& quads) {
   Rack rack(box, quads);
-  const Random of_rack = Random(site.floor.seed ^ hash_of(box.name));
-  const Random of_change = Random(site.change.seed ^ hash_of(box.name));
   const auto bays = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(box.length_m / kBayM)));
   const double bay_m = box.length_m / static_cast<double>(bays);
   const auto levels = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(box.height_m / 1.5)));
@@ -94,9 +104,7 @@ void add_rack(const Box& box, const Site& site, std::vector<Quad>& quads) {
         const Slot slot{x + kUprightM / 2 + pitch * (static_cast<double>(load) + 0.5), z, 0.9 * pitch,
                         level_m - kBeamM};
         const std::uint64_t place = (bay * 64 + level) * 8 + load;
-        Random changed = Random(of_change).fork(place);
-        const bool is_new = changed.chance(site.change.stock);
-        add_load(rack, box, slot, is_new ? changed.fork(1) : Random(of_rack).fork(place));
+        add_load(rack, box, slot, stocked(box, site, place));
       }
     }
   }

@@ -1,0 +1,237 @@
+// What a place keeps of what robots see that come by: features with counts of how often they were there, as Dayoub &
+// Duckett 2008 rehearse and forget views, Krajnik et al. 2017 rank features by how they do in matching, and Halodova
+// et al. 2019 exchange the worst of a map for those of the newest view.
+#include <algorithm>
+#include <cmath>
+
+#include "agents/methods/bearing/bearing.hpp"
+#include "agents/perception/nearing.hpp"
+
+namespace weft::agents {
+namespace {
+
+/// Where features of a place stand in a view and back, by what both show.
+class Moved {
+ public:
+  Moved(const Nearing& nearing, double focal_px) : nearing_(nearing), focal_px_(focal_px) {}
+
+  Eigen::Vector2f into_view(const Eigen::Vector2f& pixel) const {
+    const auto [azimuth, elevation] = seen_from(pixel);
+    const double half = 0.5 * nearing_.share;
+    const double turned = nearing_.turned_rad + half * std::sin(2.0 * azimuth + nearing_.turned_rad);
+    return pixel_of(azimuth + turned, ((1.0 + half) * elevation + nearing_.pitch) / (1.0 - half));
+  }
+  Eigen::Vector2f into_place(const Eigen::Vector2f& pixel) const {
+    const auto [azimuth, elevation] = seen_from(pixel);
+    const double half = 0.5 * nearing_.share;
+    const double turned = nearing_.turned_rad + half * std::sin(2.0 * azimuth - nearing_.turned_rad);
+    return pixel_of(azimuth - turned, ((1.0 - half) * elevation - nearing_.pitch) / (1.0 + half));
+  }
+
+ private:
+  struct Direction {
+    double azimuth, elevation;  // to the right, and its tangent downwards
+  };
+  Direction seen_from(const Eigen::Vector2f& pixel) const {
+    const auto x = static_cast<double>(pixel.x());
+    return {std::atan2(x, focal_px_), static_cast<double>(pixel.y()) / std::hypot(focal_px_, x)};
+  }
+  Eigen::Vector2f pixel_of(double azimuth, double elevation) const {
+    const double x = focal_px_ * std::tan(azimuth);
+    return Eigen::Vector2d(x, elevation * std::hypot(focal_px_, x)).cast<float>();
+  }
+
+  Nearing nearing_;
+  double focal_px_;
+};
+
+std::vector<Sightings> sightings_of(const BearingContent& content) {
+  return content.sightings.empty() ? std::vector<Sightings>(content.features.size()) : content.sightings;
+}
+
+double share_of(const Sightings& sightings) {
+  return static_cast<double>(sightings.seen) / sightings.could;
+}
+
+void count(Sightings& sightings, bool is_seen, int fade_passes) {
+  ++sightings.could;
+  if (is_seen) ++sightings.seen;
+  if (sightings.could <= fade_passes) return;
+  sightings.could = static_cast<std::uint8_t>((sightings.could + 1) / 2);
+  sightings.seen = static_cast<std::uint8_t>((sightings.seen + 1) / 2);
+}
+
+/// One pass by a place.
+class Learning {
+ public:
+  Learning(const BearingLearnConfig& config, const BearingContent& known, const BearingContent& seen,
+           const Moved& moved)
+      : config_(config), seen_(seen), moved_(moved), place_(known), is_known_(seen.features.size(), false) {
+    place_.sightings = sightings_of(known);
+  }
+
+  /// `half`: of the part of the image in which features are found.
+  void count_all(const std::vector<Match>& agreeing, const Eigen::Vector2f& half) {
+    std::vector<bool> is_seen(place_.features.size(), false);
+    for (const Match& match : agreeing) {
+      if (!stands_at(seen_.features[match.b], moved_.into_view(place_.features[match.a].pixel))) continue;
+      is_seen[match.a] = true;
+      is_known_[match.b] = true;
+    }
+    for (std::size_t i = 0; i < is_seen.size(); ++i) {
+      const Eigen::Vector2f at = moved_.into_view(place_.features[i].pixel);
+      const bool could = std::abs(at.x()) <= half.x() && std::abs(at.y()) <= half.y();
+      if (is_seen[i] || could) count(place_.sightings[i], is_seen[i], config_.fade_passes);
+    }
+  }
+
+  void drop_hardly_seen() {
+    drop(
+        [&](const Sightings& one) { return one.could >= config_.few_passes && share_of(one) < config_.hardly_ever; });
+  }
+
+  void take_newcomers() {
+    std::vector<UprightFeature> newcomers;
+    for (std::size_t i = 0; i < seen_.features.size(); ++i) {
+      if (newcomers.size() == static_cast<std::size_t>(config_.newcomers)) break;
+      if (is_known_[i] || is_there(seen_.features[i])) continue;
+      newcomers.push_back({moved_.into_place(seen_.features[i].pixel), seen_.features[i].descriptor});
+    }
+    make_room(newcomers.size());
+    for (const UprightFeature& newcomer : newcomers) {
+      if (place_.features.size() >= static_cast<std::size_t>(config_.features)) break;
+      place_.features.push_back(newcomer);
+      place_.sightings.push_back({});
+    }
+  }
+
+  BearingContent take() { return std::move(place_); }
+
+ private:
+  bool stands_at(const UprightFeature& feature, const Eigen::Vector2f& expected) const {
+    const Eigen::Vector2f off = feature.pixel - expected;
+    return std::abs(off.x()) <= config_.moved_px && std::abs(off.y()) <= config_.risen_px;
+  }
+
+  /// The place has it, though the vote took another one for it.
+  bool is_there(const UprightFeature& feature) const {
+    constexpr int alike_bits = 64;
+    for (const UprightFeature& one : place_.features) {
+      if (stands_at(feature, moved_.into_view(one.pixel)) &&
+          hamming(one.descriptor, feature.descriptor) <= alike_bits)
+        return true;
+    }
+    return false;
+  }
+
+  template <class Goes>
+  void drop(Goes&& goes) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < place_.features.size(); ++i) {
+      if (goes(place_.sightings[i])) continue;
+      place_.features[kept] = place_.features[i];
+      place_.sightings[kept++] = place_.sightings[i];
+    }
+    place_.features.resize(kept);
+    place_.sightings.resize(kept);
+  }
+
+  /// The least seen go, as far as they are seldom seen.
+  void make_room(std::size_t wanted) {
+    const auto most = static_cast<std::size_t>(config_.features);
+    if (place_.features.size() + wanted <= most) return;
+    std::size_t over = std::min(place_.features.size() + wanted - most, place_.features.size());
+    std::vector<double> shares;
+    for (const Sightings& one : place_.sightings) shares.push_back(share_of(one));
+    std::sort(shares.begin(), shares.end());
+    const double least = over == 0 ? 0.0 : std::min(shares[over - 1], config_.seldom);
+    drop([&](const Sightings& one) {
+      if (over == 0 || share_of(one) > least || share_of(one) >= config_.seldom) return false;
+      --over;
+      return true;
+    });
+  }
+
+  const BearingLearnConfig& config_;
+  const BearingContent& seen_;
+  const Moved& moved_;
+  BearingContent place_;
+  std::vector<bool> is_known_;  // of the view's features
+};
+
+/// How many features a robot that comes by will see, by the passes since `shared` was.
+class Outlook {
+ public:
+  explicit Outlook(double stays) : stays_(stays) {}
+
+  /// Those of `shared` that stayed in `learned`.
+  void add_old(const Sightings& then, const Sightings& now) {
+    const bool is_halved = now.could < then.could || now.seen < then.seen;
+    const double seen =
+        chance(is_halved ? now.seen : now.seen - then.seen, is_halved ? now.could : now.could - then.could);
+    shared += seen;
+    learned += seen;
+  }
+  void add_gone() { shared += chance(0, 1); }
+  void add_new(const Sightings& now) { learned += chance(now.seen - 1, now.could - 1); }
+
+  double shared = 0.0;
+  double learned = 0.0;
+
+ private:
+  double chance(int seen, int could) const {
+    constexpr double prior_passes = 0.25;
+    return (seen + prior_passes * stays_) / (could + prior_passes);
+  }
+  double stays_;
+};
+
+bool is_same(const UprightFeature& a, const UprightFeature& b) {
+  return a.pixel == b.pixel && a.descriptor == b.descriptor;
+}
+
+}  // namespace
+
+std::optional<Bearing::Content> Bearing::learn(const Content& known, const Content& seen,
+                                               const Relation& known_from_seen) const {
+  const BearingLearnConfig& learn = config_.learn;
+  const auto at = std::get<AlongPath>(compose(known_from_seen, AlongPath{}));
+  if (known.focal_px != seen.focal_px || std::abs(at.distance_m) > learn.along_m) return std::nullopt;
+  if (at.distance_variance_m2 > learn.along_sigma_m * learn.along_sigma_m) return std::nullopt;
+  const auto vote = vote_heading(known.features, seen.features, config_.width_px, config_.vote);
+  if (!vote || vote->above_chance < learn.above_chance) return std::nullopt;
+  const auto nearing = nearing_of(known.features, seen.features, vote->agreeing, known.focal_px);
+  if (!nearing || nearing->spread_rad > learn.spread_rad) return std::nullopt;
+  if (std::abs(wrap_angle(nearing->turned_rad - at.heading_shift_rad)) > learn.heading_rad) return std::nullopt;
+
+  const double scale = config_.focal_px / camera_.fx;
+  const Eigen::Vector2d half = 0.5 * scale * Eigen::Vector2d(camera_.width, camera_.height);
+  const double rim_px = 2.0 * config_.features.cell_widths * config_.width_px;  // what a descriptor sees
+  const Moved moved(*nearing, known.focal_px);
+  Learning pass(learn, known, seen, moved);
+  pass.count_all(vote->agreeing, (half.array() - rim_px).matrix().cast<float>());
+  pass.drop_hardly_seen();
+  pass.take_newcomers();
+  return pass.take();
+}
+
+bool Bearing::is_worth_sharing(const Content& shared, const Content& learned) const {
+  const std::vector<Sightings> then = sightings_of(shared);
+  Outlook outlook(config_.learn.stays);
+  std::size_t next = 0;  // of shared: learning keeps the order
+  for (std::size_t i = 0; i < learned.features.size(); ++i) {
+    std::size_t same = next;
+    while (same < shared.features.size() && !is_same(shared.features[same], learned.features[i])) ++same;
+    if (same == shared.features.size()) {
+      outlook.add_new(learned.sightings.empty() ? Sightings{} : learned.sightings[i]);
+      continue;
+    }
+    for (; next < same; ++next) outlook.add_gone();
+    outlook.add_old(then[same], learned.sightings.empty() ? Sightings{} : learned.sightings[i]);
+    next = same + 1;
+  }
+  for (; next < shared.features.size(); ++next) outlook.add_gone();
+  return outlook.learned > (1.0 + config_.learn.worth) * outlook.shared;
+}
+
+}  // namespace weft::agents

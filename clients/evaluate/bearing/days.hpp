@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "agents/bodies/sim/site.hpp"
+
+namespace weft::evaluate::bearing {
+
+/// On what a taught way is driven once.
+struct Day {
+  std::string about;
+  std::function<void(agents::sim::Site&)> as;  ///< what the site is like
+};
+
+/// One after the other, from the day after teaching on.
+struct Days {
+  std::string name;
+  std::string about;  ///< for tables
+  std::vector<Day> days;
+};
+const std::vector<Days>& all_days();
+
+}  // namespace weft::evaluate::bearing

@@ -1,0 +1,160 @@
+#include "clients/evaluate/bearing/learning.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include "clients/evaluate/bearing/days.hpp"
+#include "clients/evaluate/bearing/rows.hpp"
+#include "clients/evaluate/bearing/trials.hpp"
+#include "clients/evaluate/files.hpp"
+#include "clients/evaluate/table.hpp"
+
+namespace weft::evaluate::bearing {
+namespace {
+
+/// What a day was like.
+struct DayScore {
+  double votes = 0.0;    ///< a view that told where the robot is
+  double told = 0.0;     ///< share of views
+  double error_m = 0.0;  ///< mean, from where it believes to be on the taught way
+  double end_m = 0.0;    ///< at the end
+  double lessons = 0.0;
+  std::string ended;  ///< why it stands; empty: it came round
+};
+
+struct RowOfDay {
+  std::string days, day;
+  std::uint64_t seed = 0;
+  std::size_t number = 0;
+  bool learns = false;
+  DayScore score;
+};
+
+DayScore score_of(const Repeated& repeated) {
+  DayScore score;
+  score.votes = repeated.votes / static_cast<double>(std::max<std::size_t>(1, repeated.fixes));
+  score.told = static_cast<double>(repeated.fixes) / static_cast<double>(std::max<std::size_t>(1, repeated.looks));
+  for (const Deviation& one : repeated.along) score.error_m += one.path_from_robot.translation().norm();
+  score.error_m /= static_cast<double>(std::max<std::size_t>(1, repeated.along.size()));
+  score.end_m =
+      repeated.after_loop.empty() ? Score::kNothing : repeated.after_loop.back().path_from_robot.translation().norm();
+  score.lessons = static_cast<double>(repeated.lessons.size());
+  score.ended = repeated.ended;
+  return score;
+}
+
+Drive drive_on(const Scene& scene, std::uint64_t seed, std::uint64_t day, const Surroundings& around) {
+  Drive drive;
+  drive.body.site = scene.site;
+  drive.body.site.change.from_day = 1;
+  drive.body.site.change.seed = seed;
+  drive.body.robot = scene.site.robots.front().name;
+  drive.body.seed = seed;
+  drive.body.day = day;
+  drive.asked_to_stop = around.asked_to_stop;
+  return drive;
+}
+
+/// All days with learning or without. False: stopped.
+Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint64_t seed, bool learns,
+                  const Surroundings& around, std::vector<RowOfDay>& rows) {
+  const Pose2 a_little_aside{0.0, -0.1, 0.0};
+  for (std::size_t i = 0; i < days.days.size(); ++i) {
+    Drive drive = drive_on(scene, seed, i + 1, around);
+    days.days[i].as(drive.body.site);
+    const auto repeated = repeat(drive, course, {a_little_aside}, 1, Parts::all);
+    if (!repeated) return fail(repeated.error());
+    if (!*repeated) return false;
+    for (const agents::Lesson& lesson : (*repeated)->lessons)
+      if (learns) course.map.take(lesson);
+    rows.push_back({days.name, days.days[i].about, seed, i + 1, learns, score_of(**repeated)});
+  }
+  return true;
+}
+
+std::string csv_of(const std::vector<RowOfDay>& rows) {
+  std::ostringstream text;
+  text << "days,seed,learns,number,day,votes,told,error_m,end_m,lessons,ended\n";
+  for (const RowOfDay& row : rows) {
+    text << row.days << ',' << row.seed << ',' << row.learns << ',' << row.number << ",\"" << row.day << "\","
+         << row.score.votes << ',' << row.score.told << ',' << row.score.error_m << ',' << row.score.end_m << ','
+         << row.score.lessons << ",\"" << row.score.ended << "\"\n";
+  }
+  return text.str();
+}
+
+/// Means over the seeds, with learning beside without.
+std::string table_of(const std::vector<RowOfDay>& rows) {
+  struct Sum {
+    std::string about;
+    double seeds = 0.0, votes = 0.0, told = 0.0, error_m = 0.0, lessons = 0.0;
+  };
+  std::map<std::tuple<std::string, std::size_t, bool>, Sum> sums;
+  for (const RowOfDay& row : rows) {
+    Sum& sum = sums[{row.days, row.number, row.learns}];
+    sum.about = row.day;
+    sum.seeds += 1.0;
+    sum.votes += row.score.votes;
+    sum.told += row.score.told;
+    sum.error_m += row.score.error_m;
+    sum.lessons += row.score.lessons;
+  }
+  std::vector<std::vector<std::string>> table = {
+      {"days", "day", "votes", "with learning", "told, %", "with learning", "error, m", "with learning", "lessons"}};
+  for (const auto& [key, without] : sums) {
+    if (std::get<2>(key)) continue;
+    const auto with = sums.find({std::get<0>(key), std::get<1>(key), true});
+    if (with == sums.end()) continue;
+    const Sum& learned = with->second;
+    table.push_back({std::get<0>(key), std::to_string(std::get<1>(key)) + " " + without.about,
+                     cell(without.votes / without.seeds, 1), cell(learned.votes / learned.seeds, 1),
+                     cell(100.0 * without.told / without.seeds, 1), cell(100.0 * learned.told / learned.seeds, 1),
+                     cell(without.error_m / without.seeds, 3), cell(learned.error_m / learned.seeds, 3),
+                     cell(learned.lessons / learned.seeds, 0)});
+  }
+  return markdown_table(table, 2);
+}
+
+Result<std::vector<Days>> chosen(const std::string& one) {
+  if (one.empty()) return all_days();
+  std::string names;
+  for (const Days& days : all_days()) {
+    if (days.name == one) return std::vector{days};
+    names += (names.empty() ? "" : ", ") + days.name;
+  }
+  return fail(ErrorCode::invalid, "--days: there is no '" + one + "'; there are " + names);
+}
+
+}  // namespace
+
+Result<Ended> study_learning(const LearningOptions& options, const Surroundings& around) {
+  const Result<std::vector<Days>> some = chosen(options.days);
+  if (!some) return fail(some.error());
+  const Result<Scene> scene = read_scene(options.scenes, options.line, options.line);
+  if (!scene) return fail(scene.error());
+  if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
+  std::vector<RowOfDay> rows;
+  RowsMeasured progress(2 * some->size() * (options.seeds.last - options.seeds.first + 1), 0, around);
+  for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
+    const Result<std::optional<Course>> course = teach(drive_on(*scene, seed, 0, around), scene->line);
+    if (!course) return fail(course.error());
+    if (!*course) return Ended::stopped;
+    for (const Days& days : *some) {
+      for (const bool learns : {false, true}) {
+        const Result<bool> lived = live(days, *scene, **course, seed, learns, around, rows);
+        if (!lived) return fail(lived.error());
+        if (!*lived) return Ended::stopped;
+        if (const auto kept = write_text(options.out / "learning.csv", csv_of(rows)); !kept)
+          return fail(kept.error());
+        progress.row(days.name + (learns ? ", learning" : "") + ", seed " + std::to_string(seed));
+      }
+    }
+  }
+  around.out << table_of(rows) << std::flush;
+  return Ended::complete;
+}
+
+}  // namespace weft::evaluate::bearing
