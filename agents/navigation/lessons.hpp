@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "agents/navigation/config.hpp"
 #include "agents/navigation/decoded_contents.hpp"
 #include "agents/navigation/navigator.hpp"
 

@@ -188,6 +188,15 @@ TEST_F(SeveralNavigators, TheNextOneTakesOverAtTheChange) {
   EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 1}));
 }
 
+TEST_F(SeveralNavigators, WhatAnyOfThemHasLearnedIsPassedOnOnce) {
+  ahead.answer.lessons.push_back({.place = {kAhead, 2}, .made_of = {}, .content_format = 2, .content = {7}});
+  const Navigated now = see("ahead");
+  ASSERT_EQ(now.lessons.size(), 1U);
+  EXPECT_EQ(now.lessons.front().place, (PlaceId{kAhead, 2}));
+  EXPECT_EQ(now.lessons.front().content, Bytes{7});
+  EXPECT_TRUE(see("down").lessons.empty());
+}
+
 TEST_F(SeveralNavigators, NothingIsSaidOfTheRouteBefore) {
   floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
   floor.answer.following = Following::arrived;

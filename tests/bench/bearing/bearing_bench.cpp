@@ -27,8 +27,26 @@ struct Aisle {
   std::vector<View> taught, seen;
   std::vector<BearingContent> contents;
   Bearing::Chart chart;
+  Bearing::Chart learned;  ///< of places that have learned as much as they have room for
   Motion motion;
 };
+
+/// Where the stock changed so often that places have no room left.
+std::vector<ChartPlace<BearingContent>> learned_over_changes(const Aisle& aisle,
+                                                             std::vector<ChartPlace<BearingContent>> around) {
+  sim::Site site = test::aisle_site();
+  site.change.stock = 0.4;
+  for (site.change.seed = 1; site.change.seed <= 3; ++site.change.seed) {
+    test::Lookout lookout(site, site.change.seed);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const View view = lookout.from({kFirstM + 0.2 * static_cast<double>(i), 6.0, 0.0});
+      const auto learned =
+          aisle.method.learn(*around[i].content, *aisle.method.extract({}, view), AlongPath{0.0, 1e-4, 0.0, 1e-4});
+      if (learned) around[i].content = std::make_shared<const BearingContent>(*learned);
+    }
+  }
+  return around;
+}
 
 const Aisle& aisle() {
   static const Aisle made = [] {
@@ -46,6 +64,7 @@ const Aisle& aisle() {
       aisle.seen.push_back(aisle.lookout.from({kFirstM + 0.2 * i + 0.07, 6.03, 0.01}));
     }
     aisle.chart = aisle.method.chart(around);
+    aisle.learned = aisle.method.chart(learned_over_changes(aisle, around));
     aisle.motion.elapsed = from_seconds(0.1);
     aisle.motion.wheels = WheelStep{0.05, 0.0};
     return aisle;
@@ -58,7 +77,7 @@ double seen_at_m(std::size_t i) {
   return 0.2 * (static_cast<double>(i) - kMiddle) + 0.07;
 }
 
-void whole_step(benchmark::State& state) {
+void whole_step_in(benchmark::State& state, const Bearing::Chart& chart) {
   const Aisle& a = aisle();
   Bearing::Odometry odometry;
   std::size_t i = 0;
@@ -70,7 +89,7 @@ void whole_step(benchmark::State& state) {
     benchmark::DoNotOptimize(step);
     const auto content = a.method.extract(odometry, a.seen[at]);
     const auto located =
-        a.method.locate(a.chart, {AlongPath{seen_at_m(at) + 0.03, 0.01}}, Step{AlongPath{}, true, {}}, *content);
+        a.method.locate(chart, {AlongPath{seen_at_m(at) + 0.03, 0.01}}, Step{AlongPath{}, true, {}}, *content);
     if (!located.fix) continue;
     ++fixes;
     const double told_m = 0.2 * (static_cast<double>(located.fix->place.index) - kMiddle) +
@@ -80,7 +99,27 @@ void whole_step(benchmark::State& state) {
   state.counters["off_mm"] = 1e3 * std::sqrt(squares / static_cast<double>(std::max<std::size_t>(fixes, 1)));
   state.counters["fixes"] = static_cast<double>(fixes) / static_cast<double>(state.iterations());
 }
+void whole_step(benchmark::State& state) {
+  whole_step_in(state, aisle().chart);
+}
 BENCHMARK(whole_step)->Unit(benchmark::kMillisecond);
+
+void whole_step_where_places_have_learned(benchmark::State& state) {
+  whole_step_in(state, aisle().learned);
+}
+BENCHMARK(whole_step_where_places_have_learned)->Unit(benchmark::kMillisecond);
+
+void learn_from_a_view(benchmark::State& state) {
+  const Aisle& a = aisle();
+  std::vector<BearingContent> views;
+  for (const View& view : a.seen) views.push_back(*a.method.extract({}, view));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const std::size_t at = i++ % kPlaces;
+    benchmark::DoNotOptimize(a.method.learn(a.contents[at], views[at], AlongPath{0.07, 1e-4, 0.01, 1e-4}));
+  }
+}
+BENCHMARK(learn_from_a_view)->Unit(benchmark::kMillisecond);
 
 void extract(benchmark::State& state) {
   const Aisle& a = aisle();

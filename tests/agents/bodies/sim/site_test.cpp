@@ -323,6 +323,7 @@ speed_m_s = 2
 begins_m = 1.5
 [change]
 stock_percent = 30
+stock_times = 4
 lamps_failed_percent = 50
 )",
                                "small.toml");
@@ -336,6 +337,7 @@ lamps_failed_percent = 50
   EXPECT_EQ(site->movers[1].kind, Mover::Kind::forklift);
   EXPECT_EQ(site->movers[1].way.size(), 3U);
   EXPECT_EQ(site->change.stock, 0.3);
+  EXPECT_EQ(site->change.stock_times, 4);
   EXPECT_EQ(site->change.lamps_failed, 0.5);
 }
 

@@ -49,11 +49,50 @@ TEST(BearingContent, WhatIsImpossibleIsRefused) {
   bytes[0] ^= 1U;
   EXPECT_THAT(decode_bearing_content(bytes).error().message, HasSubstr("magic"));
   bytes = good;
-  bytes[4] = 2;
+  bytes[4] = 3;
   EXPECT_EQ(decode_bearing_content(bytes).error().code, ErrorCode::newer);
   BearingContent content = some_content();
   content.focal_px = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(decode_bearing_content(encode_bearing_content(content)).error().message, HasSubstr("focal_px"));
+}
+
+TEST(BearingContent, WhatWasNeverLearnedIsReadByEveryRobot) {
+  const Bytes bytes = encode_bearing_content(some_content());
+  EXPECT_EQ(bytes[4], 1);
+  EXPECT_EQ(bytes.size(), 34U + 30U * 36U);
+  EXPECT_TRUE(decode_bearing_content(bytes)->sightings.empty());
+}
+
+BearingContent learned_content() {
+  BearingContent content = some_content();
+  for (std::uint8_t i = 0; i < 30; ++i) content.sightings.push_back({static_cast<std::uint8_t>(i + 1), i});
+  return content;
+}
+
+TEST(BearingContent, SightingsComeBackAsTheyWere) {
+  const BearingContent content = learned_content();
+  const Bytes bytes = encode_bearing_content(content);
+  EXPECT_EQ(bytes[4], 2);
+  EXPECT_EQ(bytes.size(), 34U + 30U * 38U);
+  const auto again = decode_bearing_content(bytes);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->sightings, content.sightings);
+  ASSERT_EQ(again->features.size(), content.features.size());
+  EXPECT_EQ(again->features.back().pixel, content.features.back().pixel);
+  EXPECT_EQ(encode_bearing_content(*again), bytes);
+  for (std::size_t size = 0; size < bytes.size(); size += 7)
+    EXPECT_FALSE(decode_bearing_content(ByteView(bytes).first(size))) << size;
+}
+
+TEST(BearingContent, SightingsThatCannotBeAreRefused) {
+  BearingContent content = learned_content();
+  content.sightings[3] = {2, 3};
+  EXPECT_THAT(decode_bearing_content(encode_bearing_content(content)).error().message, HasSubstr("feature.seen"));
+  content.sightings[3] = {0, 0};
+  EXPECT_THAT(decode_bearing_content(encode_bearing_content(content)).error().message, HasSubstr("feature.could"));
+  Bytes bytes = encode_bearing_content(some_content());
+  bytes[4] = 2;
+  EXPECT_FALSE(decode_bearing_content(bytes)) << "it has none";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 
 #include "agents/bodies/sim/hall/quad_scene.hpp"
@@ -49,6 +51,24 @@ TEST(Stock, AsMuchChangesAsIsSaid) {
       std::count_if(before.begin(), before.end(), [&](const Quad& quad) { return is_in(quad, after); });
   const double share = static_cast<double>(stayed) / static_cast<double>(before.size());
   EXPECT_NEAR(share, 0.7, 0.12);
+}
+
+TEST(Stock, ChangesAgainAndAgain) {
+  Site changed = empty_site();
+  changed.change.stock = 0.3;
+  std::vector<Quad> before = loads_of(stocked(empty_site()));
+  const auto first = before;
+  for (int time = 1; time <= 4; ++time) {
+    changed.change.stock_times = time;
+    const std::vector<Quad> after = loads_of(stocked(changed));
+    const auto share = [&](const std::vector<Quad>& of) {
+      const auto stayed = std::count_if(of.begin(), of.end(), [&](const Quad& quad) { return is_in(quad, after); });
+      return static_cast<double>(stayed) / static_cast<double>(of.size());
+    };
+    EXPECT_NEAR(share(before), 0.7, 0.15) << time;
+    EXPECT_NEAR(share(first), std::pow(0.7, time), 0.15) << time;
+    before = after;
+  }
 }
 
 TEST(Stock, ARackThatIsTooNarrowHoldsNothing) {

@@ -1,0 +1,63 @@
+#include "agents/navigation/decoded_contents.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/network/codec.hpp"
+#include "tests/agents/navigation/learning_marks.hpp"
+
+namespace weft::agents {
+namespace {
+
+static_assert(Learns<LearningMarks> && !Learns<MarksMethod>);
+static_assert(newest_format<LearningMarks>() == 2 && newest_format<MarksMethod>() == 1);
+
+class OneContent final : public Contents {
+ public:
+  explicit OneContent(Bytes bytes) : bytes_(std::make_shared<const Bytes>(std::move(bytes))) {}
+  std::shared_ptr<const Bytes> find(const ContentHash&) const override { return bytes_; }
+
+ private:
+  std::shared_ptr<const Bytes> bytes_;
+};
+
+Place of_format(std::uint32_t format) {
+  Place place;
+  place.id = {ExperienceId{1}, 0};
+  place.method = "marks";
+  place.content_format = format;
+  return place;
+}
+
+template <class M>
+bool is_read(const M& method, std::uint32_t format, const Bytes& bytes) {
+  DecodedContents<M> decoded(method, 16);
+  return bool(decoded.find(of_format(format), OneContent(bytes)));
+}
+
+TEST(DecodedContents, OlderFormatsAreTheMethodsOwnBusiness) {
+  const Bytes bytes = MarksMethod{}.encode({});
+  EXPECT_TRUE(is_read(MarksMethod{}, 1, bytes));
+  EXPECT_TRUE(is_read(MarksMethod{}, 0, bytes));
+  EXPECT_TRUE(is_read(LearningMarks{}, 1, bytes)) << "as it was taught";
+  EXPECT_TRUE(is_read(LearningMarks{}, 2, bytes)) << "as it was learned";
+}
+
+TEST(DecodedContents, ANewerOneIsNotEvenAskedFor) {
+  const MarksMethod method;
+  DecodedContents<MarksMethod> decoded(method, 16);
+  const auto newer = decoded.find(of_format(2), OneContent(method.encode({})));
+  ASSERT_FALSE(newer);
+  EXPECT_EQ(newer.error().reason, "other_method");
+  EXPECT_FALSE(is_read(LearningMarks{}, 3, method.encode({})));
+}
+
+TEST(DecodedContents, WhatTheMethodRefusesIsDamaged) {
+  const MarksMethod method;
+  DecodedContents<MarksMethod> decoded(method, 16);
+  const auto other = decoded.find(of_format(1), OneContent({1, 2, 3}));
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().reason, "content_damaged");
+}
+
+}  // namespace
+}  // namespace weft::agents
