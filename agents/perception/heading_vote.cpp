@@ -35,11 +35,17 @@ using Candidates = std::vector<std::vector<std::uint32_t>>;
 Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                          const InPixels& px) {
   Candidates candidates(b.size());
+  std::vector<std::uint32_t> found(a.size());
   for (std::size_t j = 0; j < b.size(); ++j) {
-    for (std::uint32_t i = 0; i < a.size(); ++i) {
-      const Eigen::Vector2f apart = b[j].pixel - a[i].pixel;
-      if (std::abs(apart.x()) <= px.most_shift && std::abs(apart.y()) <= px.most_rise) candidates[j].push_back(i);
+    const Eigen::Vector2f here = b[j].pixel;
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < a.size(); ++i) {  // without a branch, which would be guessed wrong all the time
+      const Eigen::Vector2f apart = here - a[i].pixel;
+      found[count] = i;
+      count += static_cast<std::size_t>(std::abs(apart.x()) <= px.most_shift) &
+               static_cast<std::size_t>(std::abs(apart.y()) <= px.most_rise);
     }
+    candidates[j].assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
   }
   return candidates;
 }
