@@ -180,8 +180,8 @@ concept Learns = Method<M> && requires(const M& m, const typename M::Content& kn
   /// learn: the place as it is better known after one more pass, of which `seen` is the view nearest to it. None:
   /// this view is not to be learned from.
   { m.learn(known, seen, known_from_seen) } -> std::same_as<std::optional<typename M::Content>>;
-  /// Whether a robot sees so much more of `learned` than of `shared`, which it was learned upon, that all robots are
-  /// to have it. False of what was not learned upon `shared`, and soon false where nothing changes.
+  /// Whether a robot sees so much more of the second one, `learned`, than of the first, `shared`, upon which it was
+  /// learned, that all robots are to have it. Soon false where nothing changes.
   { m.is_worth_sharing(known, known) } -> std::same_as<bool>;
 };
 

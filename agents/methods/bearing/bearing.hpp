@@ -79,7 +79,7 @@ class Bearing {
   /// the view's that it does not have, placed by what both show (learn.cpp). None: of another focal length, taken too
   /// far before or behind or aside, or the heading is not sure.
   std::optional<Content> learn(const Content& known, const Content& seen, const Relation& known_from_seen) const;
-  /// A robot that comes by sees that much more of `learned` (`BearingConfig::learn`).
+  /// A robot that comes by sees that much more of `learned` (BearingLearnConfig::worth; worth.cpp).
   bool is_worth_sharing(const Content& shared, const Content& learned) const;
 
   const BearingConfig& config() const { return config_; }

@@ -27,6 +27,10 @@ Sightings sightings_from(ContentReader& in) {
 
 }  // namespace
 
+std::vector<Sightings> sightings_of(const BearingContent& content) {
+  return content.sightings.empty() ? std::vector<Sightings>(content.features.size()) : content.sightings;
+}
+
 Bytes encode_bearing_content(const BearingContent& content) {
   ContentWriter out;
   out.number(magic);

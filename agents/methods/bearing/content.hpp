@@ -26,6 +26,9 @@ struct BearingContent {
   std::vector<Sightings> sightings = {};  ///< of each feature; empty: as it was taught, nothing was learned yet
 };
 
+/// Of each feature, also of a place that was only taught.
+std::vector<Sightings> sightings_of(const BearingContent& content);
+
 inline constexpr std::uint32_t bearing_content_format = 1;  ///< as it was taught: all robots read it
 inline constexpr std::uint32_t bearing_learned_format = 2;  ///< with sightings
 inline constexpr std::size_t most_bearing_features = 4096;

@@ -45,20 +45,18 @@ class Moved {
   double focal_px_;
 };
 
-std::vector<Sightings> sightings_of(const BearingContent& content) {
-  return content.sightings.empty() ? std::vector<Sightings>(content.features.size()) : content.sightings;
-}
-
 double share_of(const Sightings& sightings) {
   return static_cast<double>(sightings.seen) / sightings.could;
 }
 
-void count(Sightings& sightings, bool is_seen, int fade_passes) {
-  ++sightings.could;
-  if (is_seen) ++sightings.seen;
-  if (sightings.could <= fade_passes) return;
-  sightings.could = static_cast<std::uint8_t>((sightings.could + 1) / 2);
-  sightings.seen = static_cast<std::uint8_t>((sightings.seen + 1) / 2);
+Sightings with_pass(const Sightings& before, bool is_seen, int fade_passes) {
+  int could = before.could + 1;
+  int seen = before.seen + (is_seen ? 1 : 0);
+  if (could > fade_passes) {
+    could = (could + 1) / 2;
+    seen = (seen + 1) / 2;
+  }
+  return {static_cast<std::uint8_t>(could), static_cast<std::uint8_t>(seen)};
 }
 
 /// One pass by a place.
@@ -81,7 +79,7 @@ class Learning {
     for (std::size_t i = 0; i < is_seen.size(); ++i) {
       const Eigen::Vector2f at = moved_.into_view(place_.features[i].pixel);
       const bool could = std::abs(at.x()) <= half.x() && std::abs(at.y()) <= half.y();
-      if (is_seen[i] || could) count(place_.sightings[i], is_seen[i], config_.fade_passes);
+      if (is_seen[i] || could) place_.sightings[i] = with_pass(place_.sightings[i], is_seen[i], config_.fade_passes);
     }
   }
 
@@ -159,37 +157,6 @@ class Learning {
   std::vector<bool> is_known_;  // of the view's features
 };
 
-/// How many features a robot that comes by will see, by the passes since `shared` was.
-class Outlook {
- public:
-  explicit Outlook(double stays) : stays_(stays) {}
-
-  /// Those of `shared` that stayed in `learned`.
-  void add_old(const Sightings& then, const Sightings& now) {
-    const bool is_halved = now.could < then.could || now.seen < then.seen;
-    const double seen =
-        chance(is_halved ? now.seen : now.seen - then.seen, is_halved ? now.could : now.could - then.could);
-    shared += seen;
-    learned += seen;
-  }
-  void add_gone() { shared += chance(0, 1); }
-  void add_new(const Sightings& now) { learned += chance(now.seen - 1, now.could - 1); }
-
-  double shared = 0.0;
-  double learned = 0.0;
-
- private:
-  double chance(int seen, int could) const {
-    constexpr double prior_passes = 0.25;
-    return (seen + prior_passes * stays_) / (could + prior_passes);
-  }
-  double stays_;
-};
-
-bool is_same(const UprightFeature& a, const UprightFeature& b) {
-  return a.pixel == b.pixel && a.descriptor == b.descriptor;
-}
-
 }  // namespace
 
 std::optional<Bearing::Content> Bearing::learn(const Content& known, const Content& seen,
@@ -213,25 +180,6 @@ std::optional<Bearing::Content> Bearing::learn(const Content& known, const Conte
   pass.drop_hardly_seen();
   pass.take_newcomers();
   return pass.take();
-}
-
-bool Bearing::is_worth_sharing(const Content& shared, const Content& learned) const {
-  const std::vector<Sightings> then = sightings_of(shared);
-  Outlook outlook(config_.learn.stays);
-  std::size_t next = 0;  // of shared: learning keeps the order
-  for (std::size_t i = 0; i < learned.features.size(); ++i) {
-    std::size_t same = next;
-    while (same < shared.features.size() && !is_same(shared.features[same], learned.features[i])) ++same;
-    if (same == shared.features.size()) {
-      outlook.add_new(learned.sightings.empty() ? Sightings{} : learned.sightings[i]);
-      continue;
-    }
-    for (; next < same; ++next) outlook.add_gone();
-    outlook.add_old(then[same], learned.sightings.empty() ? Sightings{} : learned.sightings[i]);
-    next = same + 1;
-  }
-  for (; next < shared.features.size(); ++next) outlook.add_gone();
-  return outlook.learned > (1.0 + config_.learn.worth) * outlook.shared;
 }
 
 }  // namespace weft::agents
