@@ -24,8 +24,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   frame_ = sample.frame;
   speed_m_s_ = speed(sample.motion);
   const View* const view = sample.view.has_value() ? &*sample.view : nullptr;
-  Navigated navigated =
-      navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand, map_view());
+  Navigated navigated = navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand, map_view());
   lost_ = navigated.lost;
   stands_for_ = navigated.reason;
   command_ = navigated.command;
