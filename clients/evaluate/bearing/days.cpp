@@ -10,6 +10,7 @@ namespace {
 using agents::sim::Site;
 
 constexpr int kDays = 6;
+constexpr int kManyDays = 24;  // hardly anything is left of what was taught
 
 Day by_day() {
   return {"day", [](Site&) {}};
@@ -23,9 +24,9 @@ Day restocked(int times) {
           }};
 }
 
-std::vector<Day> each(const std::function<Day(int)>& day) {
+std::vector<Day> each(const std::function<Day(int)>& day, int count = kDays) {
   std::vector<Day> days;
-  for (int i = 0; i < kDays; ++i) days.push_back(day(i));
+  for (int i = 0; i < count; ++i) days.push_back(day(i));
   return days;
 }
 
@@ -35,6 +36,7 @@ const std::vector<Days>& all_days() {
   static const std::vector<Days> all = {
       {"same", "nothing changes", each([](int) { return by_day(); })},
       {"stock", "30 % of the stock changes each day", each([](int i) { return restocked(i + 1); })},
+      {"stock-long", "the same for 24 days", each([](int i) { return restocked(i + 1); }, kManyDays)},
       {"stock-dark", "the same, every second day in the dark", each([](int i) {
          Day day = restocked(i + 1);
          if (i % 2 == 0) return day;
