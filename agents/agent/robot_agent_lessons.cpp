@@ -21,7 +21,7 @@ void RobotAgent::note_lessons(std::vector<Lesson> lessons, SensorTime seen_at) {
     anew.robot = config_.self;
     anew.frame = frame_;
     anew.seen_at = seen_at;
-    lessons_.insert_or_assign(anew.id, Learned{std::move(anew), std::move(lesson.content)});
+    lessons_.insert_or_assign(lesson.place, Learned{std::move(anew), std::move(lesson.content)});
     ++seen_["navigation: places known better"];
   }
 }

@@ -140,7 +140,7 @@ Result<void> Spooler::learned(std::vector<Place> places, std::vector<Bytes> cont
                               SteadyTime now) {
   if (places.empty()) return {};
   if (!lessons_.has_value()) {
-    lessons_.emplace();
+    lessons_ = Open{};
     lessons_->batch.experience = fresh;
     lessons_->batch.sequence = 1;
     lessons_->batch.robot = self_;

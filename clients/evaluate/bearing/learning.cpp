@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "clients/evaluate/bearing/chosen.hpp"
 #include "clients/evaluate/bearing/days.hpp"
 #include "clients/evaluate/bearing/rows.hpp"
 #include "clients/evaluate/bearing/trials.hpp"
@@ -46,24 +47,12 @@ DayScore score_of(const Repeated& repeated) {
   return score;
 }
 
-Drive drive_on(const Scene& scene, std::uint64_t seed, std::uint64_t day, const Surroundings& around) {
-  Drive drive;
-  drive.body.site = scene.site;
-  drive.body.site.change.from_day = 1;
-  drive.body.site.change.seed = seed;
-  drive.body.robot = scene.site.robots.front().name;
-  drive.body.seed = seed;
-  drive.body.day = day;
-  drive.asked_to_stop = around.asked_to_stop;
-  return drive;
-}
-
 /// All days with learning or without. False: stopped.
 Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint64_t seed, bool learns,
                   const Surroundings& around, std::vector<RowOfDay>& rows) {
   const Pose2 a_little_aside{0.0, -0.1, 0.0};
   for (std::size_t i = 0; i < days.days.size(); ++i) {
-    Drive drive = drive_on(scene, seed, i + 1, around);
+    Drive drive = drive_of(scene, seed, i + 1, around.asked_to_stop);
     days.days[i].as(drive.body.site);
     const auto repeated = repeat(drive, course, {a_little_aside}, 1, Parts::all);
     if (!repeated) return fail(repeated.error());
@@ -118,20 +107,10 @@ std::string table_of(const std::vector<RowOfDay>& rows) {
   return markdown_table(table, 2);
 }
 
-Result<std::vector<Days>> chosen(const std::string& one) {
-  if (one.empty()) return all_days();
-  std::string names;
-  for (const Days& days : all_days()) {
-    if (days.name == one) return std::vector{days};
-    names += (names.empty() ? "" : ", ") + days.name;
-  }
-  return fail(ErrorCode::invalid, "--days: there is no '" + one + "'; there are " + names);
-}
-
 }  // namespace
 
 Result<Ended> study_learning(const LearningOptions& options, const Surroundings& around) {
-  const Result<std::vector<Days>> some = chosen(options.days);
+  const Result<std::vector<Days>> some = chosen(all_days(), options.days, "--days");
   if (!some) return fail(some.error());
   const Result<Scene> scene = read_scene(options.scenes, options.line, options.line);
   if (!scene) return fail(scene.error());
@@ -139,7 +118,7 @@ Result<Ended> study_learning(const LearningOptions& options, const Surroundings&
   std::vector<RowOfDay> rows;
   RowsMeasured progress(2 * some->size() * (options.seeds.last - options.seeds.first + 1), 0, around);
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
-    const Result<std::optional<Course>> course = teach(drive_on(*scene, seed, 0, around), scene->line);
+    const Result<std::optional<Course>> course = teach(drive_of(*scene, seed, 0, around.asked_to_stop), scene->line);
     if (!course) return fail(course.error());
     if (!*course) return Ended::stopped;
     for (const Days& days : *some) {

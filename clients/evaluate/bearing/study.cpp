@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "clients/evaluate/bearing/bounds.hpp"
+#include "clients/evaluate/bearing/chosen.hpp"
 #include "clients/evaluate/bearing/figures.hpp"
 #include "clients/evaluate/bearing/trials.hpp"
 #include "clients/evaluate/files.hpp"
@@ -12,16 +13,6 @@ namespace weft::evaluate::bearing {
 namespace {
 
 using Scenes = std::map<std::string, Scene>;  // by line
-
-Result<std::vector<Trial>> chosen(const std::string& one) {
-  if (one.empty()) return trials();
-  std::string names;
-  for (const Trial& trial : trials()) {
-    if (trial.name == one) return std::vector{trial};
-    names += (names.empty() ? "" : ", ") + trial.name;
-  }
-  return fail(ErrorCode::invalid, "--trial: there is no '" + one + "'; there are " + names);
-}
 
 Result<Scenes> read_scenes(const std::filesystem::path& folder) {
   Scenes scenes;
@@ -40,20 +31,6 @@ Study study_of(const Scenes& scenes) {
   return {WEFT_VERSION, sha256_of(all)};
 }
 
-Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day,
-               const std::function<void(agents::sim::Site&)>& change, const Surroundings& around) {
-  Drive drive;
-  drive.body.site = scene.site;
-  drive.body.site.change.from_day = 1;
-  drive.body.site.change.seed = seed;
-  change(drive.body.site);
-  drive.body.robot = scene.site.robots.front().name;
-  drive.body.seed = seed;
-  drive.body.day = day;
-  drive.asked_to_stop = around.asked_to_stop;
-  return drive;
-}
-
 struct Measured {
   Score score;
   Shown shown;
@@ -62,11 +39,13 @@ struct Measured {
 /// None: stopped.
 Result<std::optional<Measured>> measure(const Trial& trial, const Scene& scene, std::uint64_t seed,
                                         const Surroundings& around) {
-  const Drive taught_in = drive_of(scene, seed, 0, trial.as_taught, around);
+  Drive taught_in = drive_of(scene, seed, 0, around.asked_to_stop);
+  trial.as_taught(taught_in.body.site);
   const Result<std::optional<Course>> course = teach(taught_in, scene.line);
   if (!course) return fail(course.error());
   if (!*course) return std::optional<Measured>();
-  const Drive repeated_in = drive_of(scene, seed, 1, trial.as_repeated, around);
+  Drive repeated_in = drive_of(scene, seed, 1, around.asked_to_stop);
+  trial.as_repeated(repeated_in.body.site);
   const auto repeated = repeat(repeated_in, **course, {trial.start_from_robot}, trial.loops, trial.parts);
   if (!repeated) return fail(repeated.error());
   if (!*repeated) return std::optional<Measured>();
@@ -128,7 +107,7 @@ Result<Ended> measure_all(const std::vector<Trial>& some, const Scenes& scenes, 
 }  // namespace
 
 Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& around) {
-  const Result<std::vector<Trial>> some = chosen(options.trial);
+  const Result<std::vector<Trial>> some = chosen(trials(), options.trial, "--trial");
   if (!some) return fail(some.error());
   const Result<Scenes> scenes = read_scenes(options.scenes);
   if (!scenes) return fail(scenes.error());

@@ -54,6 +54,19 @@ void half_of_the_lamps(Site& site) {
   for (std::size_t i = 0; i < lamps.size(); i += 2) site.lamps.push_back(lamps[i]);
 }
 
+Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day,
+               const std::function<bool()>& asked_to_stop) {
+  Drive drive;
+  drive.body.site = scene.site;
+  drive.body.site.change.from_day = 1;
+  drive.body.site.change.seed = seed;
+  drive.body.robot = scene.site.robots.front().name;
+  drive.body.seed = seed;
+  drive.body.day = day;
+  drive.asked_to_stop = asked_to_stop;
+  return drive;
+}
+
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site_name,
                          const std::string& line_name) {
   const std::filesystem::path site_file = folder / (site_name + ".toml");
