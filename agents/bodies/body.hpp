@@ -37,9 +37,17 @@ class Body {
   /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.
   virtual Result<void> drive_by_hand(const std::vector<SitePoint>& along) = 0;
   virtual void stop_hand() = 0;
+  /// The next images of that camera (`View::camera`) are to be taken so, as near to it as the camera can; it does as
+  /// it likes again when it has not been told for two seconds of the body's time. refused: this body, or this camera,
+  /// cannot be told; not_found: there is no such camera.
+  virtual Result<void> expose(const std::string& camera, const Exposure& exposure);
   /// As given to the agent; a simulated body's true one differs.
   virtual std::vector<CameraModel> cameras() const = 0;
   virtual std::string kind() const = 0;
 };
+
+inline Result<void> Body::expose(const std::string& camera, const Exposure&) {
+  return fail(ErrorCode::refused, "body " + kind() + " cannot be told how its camera " + camera + " exposes");
+}
 
 }  // namespace weft::agents

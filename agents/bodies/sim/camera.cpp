@@ -134,9 +134,9 @@ std::vector<Camera::RowLevels> Camera::levels_of_rows() const {
   return levels;
 }
 
-void Camera::look_at_grid(const Exposure& exposure) {
-  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
-  const FloorFromRay h = floor_from_ray(exposure.site_from_camera_mid, eye.x(), eye.y(), 0.0, 0.0);
+void Camera::look_at_grid(const FloorShot& shot) {
+  const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
+  const FloorFromRay h = floor_from_ray(shot.site_from_camera_mid, eye.x(), eye.y(), 0.0, 0.0);
   for (int j = 0; j < rows_; ++j) {
     const int v = std::min(j * kShadeCell, camera_.height - 1);
     for (int i = 0; i < columns_; ++i) {
@@ -183,14 +183,14 @@ void Camera::fetch_floor() {
   }
 }
 
-void Camera::sample_floor(const Exposure& exposure) {
-  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+void Camera::sample_floor(const FloorShot& shot) {
+  const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
   const TileKey origin = tile_of(eye.x(), eye.y());
   const auto sees_floor = [this](int u, int v) { return shows_.empty() || shows(u, v) != Shows::inside; };
   std::array<FloorFromRay, kSubsamples> floor_from_ray_of{};
   std::array<LevelPixels, kLevels> pixels{};
   for (std::size_t k = 0; k < kSubsamples; ++k) {
-    floor_from_ray_of[k] = floor_from_ray(exposure.site_from_camera[k], origin.x * kTileM, origin.y * kTileM,
+    floor_from_ray_of[k] = floor_from_ray(shot.site_from_camera[k], origin.x * kTileM, origin.y * kTileM,
                                           kSubsampleRight[k], kSubsampleDown[k]);
   }
   for (int l = 0; l < kLevels; ++l) {
@@ -223,14 +223,14 @@ void Camera::sample_floor(const Exposure& exposure) {
   }
 }
 
-Bytes Camera::render(const Exposure& exposure) {
-  look_at_grid(exposure);
+Bytes Camera::render(const FloorShot& shot) {
+  look_at_grid(shot);
   fetch_floor();
-  find_boxes(exposure);
-  sample_floor(exposure);
-  light_grid(exposure);
-  draw_boxes(exposure);
-  return develop(exposure);
+  find_boxes(shot);
+  sample_floor(shot);
+  light_grid(shot);
+  draw_boxes(shot);
+  return develop(shot);
 }
 
 }  // namespace weft::agents::sim

@@ -20,7 +20,7 @@ inline constexpr std::array<double, kSubsamples> kSubsampleDown = {-0.125, 0.375
 inline constexpr std::array<double, kSubsamples> kSubsampleRight = {0.25, -0.25, -0.25, 0.25};
 
 /// One image's circumstances.
-struct Exposure {
+struct FloorShot {
   std::array<Pose3, kSubsamples> site_from_camera;  ///< in the middle of each quarter of the exposure
   Pose3 site_from_camera_mid;
   ShadowBody body;
@@ -48,7 +48,7 @@ class Camera {
   void set_light(const Light& light) { light_ = light; }
 
   /// 8-bit grey, row-major.
-  Bytes render(const Exposure& exposure);
+  Bytes render(const FloorShot& shot);
 
   const FloorWindow& floor() const { return floor_; }
 
@@ -83,9 +83,9 @@ class Camera {
   std::array<double, kLevels> reach_m() const;
   FloorFromRay floor_from_ray(const Pose3& site_from_camera, double origin_x, double origin_y, double right_px,
                               double down_px) const;
-  void look_at_grid(const Exposure& exposure);
+  void look_at_grid(const FloorShot& shot);
   void fetch_floor();
-  void sample_floor(const Exposure& exposure);
+  void sample_floor(const FloorShot& shot);
   std::size_t pixel(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
   }
@@ -128,7 +128,7 @@ class Camera {
   struct Pixel {
     int u, v;
   };
-  void find_boxes(const Exposure& exposure);
+  void find_boxes(const FloorShot& shot);
   void forget_boxes();
   void mark_cells(const Eigen::Vector3d& eye);
   void cast_nodes(const Pose3& site_from_camera);
@@ -145,10 +145,10 @@ class Camera {
   }
 
   // camera_faces.cpp
-  void draw_boxes(const Exposure& exposure);
+  void draw_boxes(const FloorShot& shot);
   void draw_insides(const Eye& eye, double exposure_gain, int v);
   void draw_lone(const Eye& eye, double exposure_gain);
-  void draw_edges(const Exposure& exposure);
+  void draw_edges(const FloorShot& shot);
   /// Grey levels of places on a face, without the lamps.
   void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
   Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
@@ -157,10 +157,10 @@ class Camera {
   // camera_light.cpp
   void make_noise();
   void soil_lens();
-  void light_grid(const Exposure& exposure);
+  void light_grid(const FloorShot& shot);
   CellLight light_in_cell(int u, int v, double exposure_gain) const;
   PixelLight light_at(int u, int v, double exposure_gain) const;
-  Bytes develop(const Exposure& exposure) const;
+  Bytes develop(const FloorShot& shot) const;
 
   CameraModel camera_;
   CameraOptions options_;

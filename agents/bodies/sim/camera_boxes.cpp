@@ -114,11 +114,11 @@ void Camera::cast_cells(const Pose3& site_from_camera) {
   }
 }
 
-void Camera::find_boxes(const Exposure& exposure) {
-  mark_cells(exposure.site_from_camera_mid.translation);
+void Camera::find_boxes(const FloorShot& shot) {
+  mark_cells(shot.site_from_camera_mid.translation);
   if (shows_.empty()) return;
-  cast_nodes(exposure.site_from_camera_mid);
-  cast_cells(exposure.site_from_camera_mid);
+  cast_nodes(shot.site_from_camera_mid);
+  cast_cells(shot.site_from_camera_mid);
 }
 
 /// Between images nothing is hit: clearing what was cast is cheaper than a whole picture.

@@ -60,13 +60,13 @@ bool Camera::at_edge(int u, int v) {
   return differs(u + 1, v) || differs(u - 1, v) || differs(u, v + 1) || differs(u, v - 1);
 }
 
-void Camera::draw_boxes(const Exposure& exposure) {
+void Camera::draw_boxes(const FloorShot& shot) {
   if (shows_.empty()) return;
-  const Eye eye(exposure.site_from_camera_mid);
+  const Eye eye(shot.site_from_camera_mid);
   edges_.clear();
   lone_.clear();
   for (int v = 0; v < camera_.height; ++v) {
-    draw_insides(eye, exposure.gain, v);
+    draw_insides(eye, shot.gain, v);
     for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
       if (cell == Shows::inside || cell == Shows::floor) continue;
@@ -79,8 +79,8 @@ void Camera::draw_boxes(const Exposure& exposure) {
       }
     }
   }
-  draw_lone(eye, exposure.gain);
-  draw_edges(exposure);
+  draw_lone(eye, shot.gain);
+  draw_edges(shot);
   forget_boxes();
 }
 
@@ -142,11 +142,11 @@ void Camera::draw_lone(const Eye& eye, double exposure_gain) {
 }
 
 /// Where an edge runs through a pixel, each subsample looks for itself; four pixels make a packet of rays.
-void Camera::draw_edges(const Exposure& exposure) {
+void Camera::draw_edges(const FloorShot& shot) {
   constexpr std::size_t together = Scene::kPacket / kSubsamples;
   const double per_focal = 1.0 / camera_.fx;
   std::array<Eye, kSubsamples> eyes;
-  std::transform(exposure.site_from_camera.begin(), exposure.site_from_camera.end(), eyes.begin(),
+  std::transform(shot.site_from_camera.begin(), shot.site_from_camera.end(), eyes.begin(),
                  [](const Pose3& pose) { return Eye(pose); });
   std::array<Eigen::Vector3f, Scene::kPacket> from;
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
@@ -172,7 +172,7 @@ void Camera::draw_edges(const Exposure& exposure) {
     ends_.look(light_);
     for (std::size_t n = 0; n < count; ++n) {
       const auto [u, v] = edges_[first + n];
-      const PixelLight light = light_at(u, v, exposure.gain);
+      const PixelLight light = light_at(u, v, shot.gain);
       float& albedo = albedo_[pixel(u, v)];
       float sum = 0.0F;
       for (std::size_t k = 0; k < kSubsamples; ++k) {

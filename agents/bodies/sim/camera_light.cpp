@@ -40,12 +40,12 @@ void Camera::soil_lens() {
   }
 }
 
-void Camera::light_grid(const Exposure& exposure) {
-  const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
-  light_.look_around(eye.x(), eye.y(), exposure.time_s);
-  light_.on_floor(nodes_.x, nodes_.y, eye, exposure.body, options_.shadow, gain_, add_);
+void Camera::light_grid(const FloorShot& shot) {
+  const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
+  light_.look_around(eye.x(), eye.y(), shot.time_s);
+  light_.on_floor(nodes_.x, nodes_.y, eye, shot.body, options_.shadow, gain_, add_);
   for (std::size_t n = 0; n < gain_.size(); ++n) {
-    const float gain = static_cast<float>(exposure.gain) * vignette_[n];
+    const float gain = static_cast<float>(shot.gain) * vignette_[n];
     gain_[n] *= gain;
     add_[n] *= gain;
   }
@@ -84,11 +84,11 @@ Camera::CellLight Camera::light_in_cell(int u, int v, double exposure_gain) cons
   return light;
 }
 
-Bytes Camera::develop(const Exposure& exposure) const {
+Bytes Camera::develop(const FloorShot& shot) const {
   Bytes image;
   image.reserve(rays_.x.size());
   Bytes row(static_cast<std::size_t>(camera_.width));
-  Random random(exposure.noise_seed);
+  Random random(shot.noise_seed);
   for (int v = 0; v < camera_.height; ++v) {
     const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width);
     const auto node = static_cast<std::ptrdiff_t>(v / kShadeCell) * columns_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "agents/bodies/sim/floor/source.hpp"
@@ -32,6 +33,10 @@ class Eye {
   /// Another run: each lamp as bright as `random` makes it.
   virtual void light_up(Random random) = 0;
   virtual Image look(const Moment& moment) = 0;
+  /// Of the image looked at last; none: not known.
+  virtual std::optional<Exposure> exposed() const { return std::nullopt; }
+  /// From the next image on. False: it cannot be told.
+  virtual bool expose(const Exposure&) { return false; }
 };
 
 /// Whose eye it is: the calibration's name and errors.

@@ -30,18 +30,17 @@ class FloorEye final : public Eye {
   void light_up(Random random) override { camera_.set_light(Light(site_, gloss_, random)); }
 
   Image look(const Moment& moment) override {
-    Exposure exposure;
+    FloorShot shot;
     for (std::size_t k = 0; k < kSubsamples; ++k) {
-      exposure.site_from_camera[k] =
+      shot.site_from_camera[k] =
           moment.site_from_camera(true_.robot_from_camera, kSubsampleTime[k] * site_.disturbances.exposure_s);
     }
-    exposure.site_from_camera_mid = moment.site_from_camera(true_.robot_from_camera, 0.0);
-    exposure.body = {moment.site_from_robot.x, moment.site_from_robot.y, site_.base.radius_m,
-                     site_.base.body_height_m};
-    exposure.gain = moment.brightness;
-    exposure.time_s = moment.time_s;
-    exposure.noise_seed = moment.noise_seed;
-    return {true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(exposure))};
+    shot.site_from_camera_mid = moment.site_from_camera(true_.robot_from_camera, 0.0);
+    shot.body = {moment.site_from_robot.x, moment.site_from_robot.y, site_.base.radius_m, site_.base.body_height_m};
+    shot.gain = moment.brightness;
+    shot.time_s = moment.time_s;
+    shot.noise_seed = moment.noise_seed;
+    return {true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(shot))};
   }
 
  private:

@@ -46,6 +46,8 @@ class ForwardEye final : public Eye {
   void light_up(Random random) override { camera_.set_light(HallLight(site_, random)); }
 
   Image look(const Moment& moment) override {
+    exposure_.comes(moment.time_s);
+    exposed_ = exposure_.now();
     HallShot shot;
     for (std::size_t k = 0; k < kHallSamples; ++k)
       shot.site_from_camera[k] =
@@ -58,12 +60,15 @@ class ForwardEye final : public Eye {
     exposure_.taken(taken.mean_light * moment.brightness);
     return {true_.width, true_.height, std::make_shared<const Bytes>(std::move(taken.grey))};
   }
+  std::optional<Exposure> exposed() const override { return exposed_; }
+  bool expose(const Exposure& exposure) override { return exposure_.tell(exposure); }
 
  private:
   Site site_;
   CameraModel given_;
   CameraModel true_;
   ExposureControl exposure_;
+  Exposure exposed_;  // the last image
   HallCamera camera_;
 };
 

@@ -60,6 +60,7 @@ class SimBody final : public SimulatedBody {
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
   void stop_hand() override;
+  Result<void> expose(const std::string& camera, const Exposure& exposure) override;
   void put(const Pose2& site_from_robot, const Twist& moving) override;
   Pose2 site_from_robot() const override { return base_.site_from_robot(); }
   std::vector<CameraModel> cameras() const override;
@@ -156,6 +157,15 @@ void SimBody::stop_hand() {
   hand_done_ = false;
 }
 
+Result<void> SimBody::expose(const std::string& camera, const Exposure& exposure) {
+  const auto looks =
+      std::find_if(eyes_.begin(), eyes_.end(), [&](const Looking& looking) { return looking.eye->name() == camera; });
+  if (looks == eyes_.end()) return fail(ErrorCode::not_found, "there is no camera " + camera);
+  if (!looks->eye->expose(exposure))
+    return fail(ErrorCode::refused, "camera " + camera + " exposes as it is built to");
+  return {};
+}
+
 void SimBody::put(const Pose2& site_from_robot, const Twist& moving) {
   hand_.reset();
   hand_done_ = false;
@@ -202,6 +212,7 @@ View SimBody::view_now(Eye& eye, SensorTime time) {
   view.camera = eye.name();
   view.calibration = eye.given().id;
   view.data = eye.look(moment_now());
+  view.exposure = eye.exposed();
   return view;
 }
 

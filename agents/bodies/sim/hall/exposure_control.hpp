@@ -1,25 +1,39 @@
 #pragma once
+#include <optional>
+
 #include "agents/bodies/sim/site.hpp"
+#include "agents/perception/view.hpp"
 
 namespace weft::agents::sim {
 
 /// A camera that makes its image as bright as it is told by exposing longer, and where that blurs too much, by
-/// amplifying: noise grows with it.
+/// amplifying: noise grows with it. While somebody tells it how to expose it does that instead.
 class ExposureControl {
  public:
   ExposureControl(const ForwardCameraSetup& setup, double exposure_s);
 
+  /// An image is about to be taken.
+  void comes(double time_s);
   double exposure_s() const;  ///< now
   double amplified() const;   ///< >= 1
   /// Grey levels of an image for what would be 1 at the exposure that sites are lit for.
-  double gain() const { return asked_; }
+  double gain() const { return told_ ? told_->light_s() / lit_for_s() : asked_; }
+  /// As agents are told.
+  Exposure now() const;
   /// `mean_light`: of the image just taken, what its grey levels would be at gain 1.
   void taken(double mean_light);
+  /// From the next image on, within what it can. False: it exposes as the site is lit for, whatever the light.
+  bool tell(const Exposure& exposure);
 
  private:
+  double lit_for_s() const;
+
   ForwardCameraSetup setup_;
   double nominal_s_;
   double asked_ = 1.0;
+  std::optional<Exposure> told_;
+  double now_s_ = 0.0;
+  double told_at_s_ = 0.0;
 };
 
 }  // namespace weft::agents::sim

@@ -29,24 +29,24 @@ class CameraSees : public testing::Test {
                   Light(site_, gloss, Random(1)));
   }
 
-  Exposure still(const Pose2& site_from_robot) const {
-    Exposure exposure;
-    exposure.site_from_camera_mid = lift(site_from_robot) * model_.robot_from_camera;
-    exposure.site_from_camera.fill(exposure.site_from_camera_mid);
-    exposure.body = {site_from_robot.x, site_from_robot.y, site_.base.radius_m, site_.base.body_height_m};
-    return exposure;
+  FloorShot still(const Pose2& site_from_robot) const {
+    FloorShot shot;
+    shot.site_from_camera_mid = lift(site_from_robot) * model_.robot_from_camera;
+    shot.site_from_camera.fill(shot.site_from_camera_mid);
+    shot.body = {site_from_robot.x, site_from_robot.y, site_.base.radius_m, site_.base.body_height_m};
+    return shot;
   }
 
   /// The same while driving: `moved_m` ahead and `turned_rad` from the exposure's begin to its end.
-  Exposure moving(const Pose2& site_from_robot, double moved_m, double turned_rad) const {
-    Exposure exposure = still(site_from_robot);
+  FloorShot moving(const Pose2& site_from_robot, double moved_m, double turned_rad) const {
+    FloorShot shot = still(site_from_robot);
     for (std::size_t k = 0; k < kSubsamples; ++k) {
       const double share = kSubsampleTime[k];
-      exposure.site_from_camera[k] =
+      shot.site_from_camera[k] =
           lift(site_from_robot * exp2(Eigen::Vector3d(share * moved_m, 0.0, share * turned_rad))) *
           model_.robot_from_camera;
     }
-    return exposure;
+    return shot;
   }
 
   Eigen::Vector2d pixel_of(const Pose3& site_from_camera, const Eigen::Vector3d& in_site) const {
@@ -87,19 +87,19 @@ Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) {
 TEST_F(CameraSees, MarksWhereTheTrueModelProjectsThem) {
   const Pose2 site_from_robot{3.137, 2.071, 0.7};
   Camera subject = camera();
-  const Exposure exposure = still(site_from_robot);
-  const Bytes image = subject.render(exposure);
+  const FloorShot shot = still(site_from_robot);
+  const Bytes image = subject.render(shot);
   int checked = 0;
   double squares = 0.0;
   for (int i = 5; i < 40; ++i) {
     for (int j = 0; j < 40; ++j) {
       const double x = i * DottedFloor::kSpacingM;
       const double y = j * DottedFloor::kSpacingM;
-      const Eigen::Vector3d in_camera = exposure.site_from_camera_mid.inverse() * Eigen::Vector3d(x, y, 0.0);
+      const Eigen::Vector3d in_camera = shot.site_from_camera_mid.inverse() * Eigen::Vector3d(x, y, 0.0);
       if (in_camera.z() < 0.3 || in_camera.z() > 1.5) {
         continue;
       }
-      const auto around = outline(exposure.site_from_camera_mid, x, y);
+      const auto around = outline(shot.site_from_camera_mid, x, y);
       Eigen::Vector2d low = around[0];
       Eigen::Vector2d high = around[0];
       for (const Eigen::Vector2d& p : around) {
@@ -169,21 +169,21 @@ TEST_F(CameraSees, ARackStandsBeforeTheFloor) {
   site_.boxes.push_back({Box::Kind::pillar, "pillar", {3.5, 2.0, 0.0}, 0.4, 0.4, 3.0});
   const Pose2 site_from_robot{2.0, 2.0, 0.0};
   Camera with = camera();
-  const Exposure exposure = still(site_from_robot);
-  const Bytes seen = with.render(exposure);
+  const FloorShot shot = still(site_from_robot);
+  const Bytes seen = with.render(shot);
   site_.boxes.clear();
   Camera without = camera();
-  const Bytes bare = without.render(exposure);
+  const Bytes bare = without.render(shot);
   // The face at x = 3.3 stands on the floor between y = 1.8 and 2.2 and rises out of the picture.
   int changed_inside = 0;
   int changed_outside = 0;
   int inside = 0;
-  const Pose3 camera_from_site = exposure.site_from_camera_mid.inverse();
+  const Pose3 camera_from_site = shot.site_from_camera_mid.inverse();
   for (int v = 0; v < model_.height; v += 3) {
     for (int u = 0; u < model_.width; u += 3) {
       const Eigen::Vector2d ray = normalised_from_pixel(model_, {u, v});
       const Eigen::Vector3d direction = camera_from_site.rotation.inverse() * Eigen::Vector3d(ray.x(), ray.y(), 1.0);
-      const Eigen::Vector3d& eye = exposure.site_from_camera_mid.translation;
+      const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
       const double t = (3.3 - eye.x()) / direction.x();
       const Eigen::Vector3d hit = eye + t * direction;
       const bool hits = direction.x() > 0.0 && std::abs(hit.y() - 2.0) < 0.2 && hit.z() > 0.0 && hit.z() < 3.0;
@@ -211,12 +211,12 @@ TEST_F(CameraSees, ShineMovesWithTheViewAndNotWithTheFloor) {
   site_.lamps.push_back({9.0, 6.0, 6.0, 1.0});
   Camera subject = camera(std::make_shared<Glossy>());
   const auto brightest_ahead_m = [&](double x) {
-    const Exposure exposure = still({x, 6.0, 0.0});
-    const Bytes image = subject.render(exposure);
+    const FloorShot shot = still({x, 6.0, 0.0});
+    const Bytes image = subject.render(shot);
     double best = -1.0;
     double where = 0.0;
     for (double ahead = 0.5; ahead < 2.2; ahead += 0.01) {
-      const Eigen::Vector2d p = pixel_of(exposure.site_from_camera_mid, {x + ahead, 6.0, 0.0});
+      const Eigen::Vector2d p = pixel_of(shot.site_from_camera_mid, {x + ahead, 6.0, 0.0});
       if (p.y() > 0 && p.y() < model_.height) {
         const double grey = at(image, static_cast<int>(p.x()), static_cast<int>(p.y()));
         if (grey > best) {
@@ -247,9 +247,9 @@ TEST_F(CameraSees, ItsOwnShadowWhenALampIsBehind) {
   shaded.shadow = 1.0;
   Camera with = camera(std::make_shared<Flat>(), shaded);
   Camera without = camera(std::make_shared<Flat>());
-  const Exposure exposure = still({3.0, 6.0, 0.0});
-  const Bytes a = with.render(exposure);
-  const Bytes b = without.render(exposure);
+  const FloorShot shot = still({3.0, 6.0, 0.0});
+  const Bytes a = with.render(shot);
+  const Bytes b = without.render(shot);
   EXPECT_LT(at(a, 376, 475), at(b, 376, 475) - 15);
   EXPECT_EQ(at(a, 376, 5), at(b, 376, 5));
 }
@@ -296,11 +296,11 @@ TEST_F(CameraSees, NoiseOfTheStatedSize) {
   CameraOptions options;
   options.noise_grey = 2.0;
   Camera noisy = camera(std::make_shared<DottedFloor>(), options);
-  Exposure exposure = still({3.0, 6.0, 0.0});
-  exposure.noise_seed = 1;
-  const Bytes a = noisy.render(exposure);
-  exposure.noise_seed = 2;
-  const Bytes b = noisy.render(exposure);
+  FloorShot shot = still({3.0, 6.0, 0.0});
+  shot.noise_seed = 1;
+  const Bytes a = noisy.render(shot);
+  shot.noise_seed = 2;
+  const Bytes b = noisy.render(shot);
   double squares = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     squares += std::pow(a[i] - b[i], 2);
@@ -315,8 +315,8 @@ TEST_F(CameraSees, TheSameFloorFromTwoPlaces) {
   ASSERT_TRUE(floor);
   site_.floor.gloss = 0.0;
   Camera subject = camera(*floor);
-  const Exposure first = still({5.0, 6.0, 0.3});
-  const Exposure second = still({5.15, 6.02, 0.35});
+  const FloorShot first = still({5.0, 6.0, 0.3});
+  const FloorShot second = still({5.15, 6.02, 0.35});
   const Bytes a = subject.render(first);
   const Bytes b = subject.render(second);
   double sum_ab = 0.0, sum_aa = 0.0, sum_bb = 0.0, sum_a = 0.0, sum_b = 0.0;

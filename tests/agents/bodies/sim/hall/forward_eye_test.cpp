@@ -67,6 +67,47 @@ TEST(ForwardEye, ExposesItselfToItsMeanInAnyLight) {
   }
 }
 
+TEST(ForwardEye, ExposesAsItIsToldAndSaysHow) {
+  Site site = forward_site();
+  site.disturbances.exposure_drift = 0.0;
+  site.disturbances.exposure_s = 0.005;
+  const auto body = body_of(config_of(site));
+  const Sample own = stepped(*body, 30, {0.05, 0.0});
+  ASSERT_TRUE(own.view->exposure);
+  const Exposure third{own.view->exposure->light_s() / 3.0, 1.0};
+  ASSERT_TRUE(body->expose("forward", third));
+  const Sample told = stepped(*body, 2, {0.05, 0.0});
+  ASSERT_TRUE(told.view->exposure);
+  EXPECT_NEAR(told.view->exposure->time_s, third.time_s, 1e-9);
+  EXPECT_EQ(told.view->exposure->gain, 1.0);
+  EXPECT_NEAR(mean_of(image_of(told)) / mean_of(image_of(own)), 1.0 / 3.0, 0.05);
+}
+
+TEST(ForwardEye, ExposesItselfAgainWhenItIsNotToldForTwoSeconds) {
+  Site site = forward_site();
+  site.disturbances.exposure_drift = 0.0;
+  const auto body = body_of(config_of(site));
+  const Exposure dark{5e-4, 1.0};
+  for (int i = 0; i < 90; ++i) {
+    ASSERT_TRUE(body->expose("forward", dark));
+    stepped(*body, 1, {0.05, 0.0});
+  }
+  EXPECT_LT(mean_of(image_of(stepped(*body, 50, {0.05, 0.0}))), 40.0) << "told less than two seconds ago";
+  EXPECT_NEAR(mean_of(image_of(stepped(*body, 40, {0.05, 0.0}))), site.forward_camera.mean_grey, 12.0);
+}
+
+TEST(ForwardEye, WhoCannotBeToldSaysSo) {
+  Site site = forward_site();
+  site.robots.front().camera = RobotStart::Camera::both;
+  const auto body = body_of(config_of(site));
+  EXPECT_TRUE(body->expose("forward", {0.005, 1.0}));
+  EXPECT_EQ(body->expose("floor", {0.005, 1.0}).error().code, ErrorCode::refused);
+  EXPECT_EQ(body->expose("rear", {0.005, 1.0}).error().code, ErrorCode::not_found);
+  site.forward_camera.exposes_itself = false;
+  const auto built_in = body_of(config_of(site));
+  EXPECT_EQ(built_in->expose("forward", {0.005, 1.0}).error().code, ErrorCode::refused);
+}
+
 TEST(ForwardEye, AHeadlightShowsWhatTheDarkHides) {
   Site site = forward_site();
   site.change.light = 0.05;
@@ -148,6 +189,50 @@ TEST(ExposureControl, ExposesLongerFirstAndAmplifiesThen) {
   EXPECT_NEAR(control.amplified(), 2.5, 0.05);
   for (int i = 0; i < 50; ++i) control.taken(0.0);
   EXPECT_EQ(control.gain(), setup.most_gain) << "of a black image it does not ask for all there is";
+}
+
+TEST(ExposureControl, WhatItIsToldIsKeptWithinWhatItCan) {
+  ForwardCameraSetup setup;
+  setup.longest_exposure_s = 0.02;
+  setup.most_gain = 40.0;
+  ExposureControl control(setup, 0.005);
+  ASSERT_TRUE(control.tell({0.01, 3.0}));
+  EXPECT_NEAR(control.exposure_s(), 0.01, 1e-12);
+  EXPECT_NEAR(control.amplified(), 3.0, 1e-12);
+  EXPECT_NEAR(control.gain(), 6.0, 1e-9);
+  ASSERT_TRUE(control.tell({0.1, 1.0}));
+  EXPECT_NEAR(control.exposure_s(), 0.02, 1e-12) << "the light of it is amplified for";
+  EXPECT_NEAR(control.amplified(), 5.0, 1e-9);
+  ASSERT_TRUE(control.tell({10.0, 10.0}));
+  EXPECT_NEAR(control.gain(), 40.0, 1e-9);
+  ASSERT_TRUE(control.tell({0.0, 1.0}));
+  EXPECT_GT(control.gain(), 0.0);
+  EXPECT_LT(control.gain(), 0.1);
+}
+
+TEST(ExposureControl, WhileToldItsOwnRests) {
+  ExposureControl control({}, 0.005);
+  control.comes(0.0);
+  ASSERT_TRUE(control.tell({0.005, 1.0}));
+  for (int i = 0; i < 20; ++i) control.taken(10.0);
+  EXPECT_EQ(control.gain(), 1.0);
+  control.comes(1.9);
+  EXPECT_EQ(control.gain(), 1.0);
+  control.comes(2.1);
+  EXPECT_EQ(control.gain(), 1.0) << "it goes on from there";
+  for (int i = 0; i < 50; ++i) control.taken(10.0);
+  EXPECT_NEAR(control.gain(), 11.0, 0.1);
+}
+
+TEST(ExposureControl, WithoutBlurItIsToldAndSaysTheSame) {
+  ExposureControl control({}, 0.0);
+  EXPECT_EQ(control.exposure_s(), 0.0);
+  const Exposure own = control.now();
+  EXPECT_EQ(own.gain, 1.0);
+  ASSERT_TRUE(control.tell({2.0 * own.time_s, 1.0}));
+  EXPECT_NEAR(control.gain(), 2.0, 1e-12);
+  EXPECT_EQ(control.exposure_s(), 0.0);
+  EXPECT_NEAR(control.now().time_s, 2.0 * own.time_s, 1e-12);
 }
 
 }  // namespace
