@@ -48,6 +48,7 @@ struct AckRecord {
 struct AgentOutput {
   Twist command;  ///< in force from now on, whichever call it came from
   std::vector<msg::Message> send;
+  std::optional<ExposureWish> exposes;               ///< for the body
   std::optional<std::vector<SitePoint>> hand_start;  ///< the body's hand is to drive this
   bool hand_stop = false;
   std::vector<FixRecord> fixes;

@@ -28,6 +28,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   lost_ = navigated.lost;
   stands_for_ = navigated.reason;
   command_ = navigated.command;
+  output_.exposes = navigated.exposes;
   keep(navigated.kept, now);
   note_lessons(std::move(navigated.lessons), sample.time);
   if (teaching_.has_value()) {

@@ -164,6 +164,13 @@ concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;
 };
 
+/// A method that says how its camera is to expose the next views so that they show most of what it matches. None: as
+/// the camera likes. Asked after `observe`, at each view.
+template <class M>
+concept Exposes = Method<M> && requires(const M& m, const typename M::Odometry& odometry, const View& view) {
+  { m.expose(odometry, view) } -> std::same_as<std::optional<Exposure>>;
+};
+
 /// A method whose places know how the robot was driving there: it is repeated no faster.
 template <class M>
 concept Replays = Method<M> && requires(const typename M::Content& content) {

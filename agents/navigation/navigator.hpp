@@ -33,6 +33,12 @@ struct Lesson {
 /// `stopped` may go on by itself; `failed` has given up on this route.
 enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
+/// How the next images of a camera (`View::camera`) are to be exposed.
+struct ExposureWish {
+  std::string camera;
+  Exposure exposure;
+};
+
 /// What one sample led to.
 struct Navigated {
   Twist command;  ///< zero when a hand drives, when standing, and when lost
@@ -41,10 +47,11 @@ struct Navigated {
   std::optional<Fix> fix;
   std::vector<Refusal> refusals;  ///< of this sample
   Following following = Following::none;
-  std::uint32_t route_at = 0;     ///< index of the last place of the route passed
-  std::uint32_t route_freed = 0;  ///< everything before it is behind the footprint
-  bool lost = false;              ///< blind for longer than the limit: stands
-  std::string_view reason;        ///< why it stands
+  std::uint32_t route_at = 0;                ///< index of the last place of the route passed
+  std::uint32_t route_freed = 0;             ///< everything before it is behind the footprint
+  bool lost = false;                         ///< blind for longer than the limit: stands
+  std::string_view reason;                   ///< why it stands
+  std::optional<ExposureWish> exposes = {};  ///< none: nothing new
 };
 
 struct TeachStart {

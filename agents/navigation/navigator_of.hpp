@@ -47,6 +47,11 @@ class NavigatorOf final : public Navigator {
 
     Navigated navigated;
     if (!step.seen) navigated.refusals.push_back({step.blind_reason});
+    if constexpr (Exposes<M>) {
+      if (view != nullptr)
+        if (const std::optional<Exposure> wish = method_.expose(std::as_const(odometry_), *view))
+          navigated.exposes = ExposureWish{view->camera, *wish};
+    }
     own_.update(map.window, map.generation, !teacher_);
     if (teacher_) {
       teacher_->advance(step);

@@ -39,6 +39,7 @@ class Several final : public Navigator {
       if (!sees && !part.is_due_blind()) continue;
       part.last = part.navigator->step(sees ? view : nullptr, frame, time, part.take_motion(sees), hand, map);
       if (part.last.fix) all.fix = part.last.fix;
+      if (part.last.exposes) all.exposes = part.last.exposes;
       all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
       take_kept(part, std::move(part.last.kept), all.kept);
       std::move(part.last.lessons.begin(), part.last.lessons.end(), std::back_inserter(all.lessons));

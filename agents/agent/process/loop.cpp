@@ -102,10 +102,17 @@ void Loop::perform(AgentOutput output) {
     // What is not sent is repeated by the agent, like what is lost on the way.
     if (const auto sent = parts_.link.send(message); !sent) parts_.log.debug("not sent: {}", sent.error().message);
   }
+  if (output.exposes.has_value()) expose(*output.exposes);
   if (output.hand_stop) parts_.body.stop_hand();
   if (output.hand_start.has_value()) {
     perform(parts_.agent.hand_answered(parts_.body.drive_by_hand(*output.hand_start), steady_now()));
   }
+}
+
+void Loop::expose(const ExposureWish& wish) {
+  const Result<void> exposed = parts_.body.expose(wish.camera, wish.exposure);
+  if (exposed || std::exchange(has_refused_exposure_, true)) return;
+  parts_.log.info("exposure: {}", exposed.error().message);
 }
 
 void Loop::log_counters() {

@@ -40,6 +40,7 @@ class Loop {
   void schedule(SensorTime sample);
   void note(const AgentOutput& output);
   void perform(AgentOutput output);
+  void expose(const ExposureWish& wish);
   void log_counters();
   void log_silence();
 
@@ -48,6 +49,7 @@ class Loop {
   Twist command_;
   std::uint64_t frame_ = 0;
   bool body_works_ = true;
+  bool has_refused_exposure_ = false;  // is logged once
   std::optional<Error> damage_;
   struct Anchor {
     SteadyTime steady;

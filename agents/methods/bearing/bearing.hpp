@@ -48,6 +48,9 @@ class Bearing {
   /// AlongPath, by the wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
 
+  /// None: it is not known how the view was exposed, or it is no image of the camera.
+  std::optional<Exposure> expose(const Odometry& odometry, const View& view) const;
+
   /// Refusals: not_an_image, wrong_size, few_features.
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
 

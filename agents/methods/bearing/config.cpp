@@ -16,6 +16,12 @@ void each_setting(Config& config, Visit&& visit) {
   visit("spread", config.vote.spread, 0.001, 0.2);
   visit("fewest_features", config.vote.fewest_features, 1, 1000);
   visit("above_chance", config.vote.above_chance, 0, 20);
+  visit("noise_grey", config.exposure.noise_grey, 0.5, 50);
+  visit("white_grey", config.exposure.white_grey, 128, 255);
+  visit("hidden_slope", config.exposure.hidden_slope, 0.1, 10);
+  visit("followed", config.exposure.followed, 0.05, 1);
+  visit("most_blur_px", config.exposure.most_blur_px, 0.1, 50);
+  visit("longest_time_s", config.exposure.longest_time_s, 1e-4, 0.5);
   visit("vote_sigma_rad", config.vote_sigma_rad, 1e-4, 0.2);
   visit("wheel_distance_share", config.wheel_distance_share, 1e-3, 1);
   visit("wheel_turn_rad_m", config.wheel_turn_rad_m, 1e-3, 1);

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/perception/exposure.hpp"
 #include "agents/perception/heading_vote.hpp"
 #include "agents/perception/upright_features.hpp"
 #include "core/config/config.hpp"
@@ -36,6 +37,7 @@ struct BearingConfig {
   int width_px = 320;       ///< [64, 4096] that a vote's shares of a width are of
   UprightConfig features{.count = 300, .cell_widths = 0.022};
   HeadingVoteConfig vote;
+  ExposureConfig exposure;
   double vote_sigma_rad = 0.01;  ///< [1e-4, 0.2] of a heading told by one vote of many
 
   // Motion: distance travelled comes from wheels, or from what was commanded

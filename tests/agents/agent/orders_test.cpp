@@ -21,6 +21,18 @@ struct Driving : Rig {
   ExperienceId laid;
 };
 
+TEST(Orders, AWishForAnExposureGoesToTheBodyOnce) {
+  Driving rig;
+  rig.script->answer.exposes = ExposureWish{"forward", {0.004, 2.0}};
+  const AgentOutput stepped = rig.agent->step(rig.sample, rig.now);
+  ASSERT_TRUE(stepped.exposes.has_value());
+  EXPECT_EQ(stepped.exposes->camera, "forward");
+  EXPECT_EQ(stepped.exposes->exposure.gain, 2.0);
+  EXPECT_FALSE(rig.agent->tick(rig.now).exposes.has_value());
+  rig.script->answer.exposes.reset();
+  EXPECT_FALSE(rig.agent->step(rig.sample, rig.now).exposes.has_value());
+}
+
 TEST(Orders, RouteIsFollowedAndReported) {
   Driving rig;
   rig.tell(rig.order(a_route(rig.laid, 10, 1)));

@@ -112,6 +112,18 @@ TEST_F(SeveralNavigators, EachGetsItsViewsAndAllMotionSinceItsLastOne) {
   EXPECT_EQ(ahead.motions.back().elapsed, 100ms);
 }
 
+TEST_F(SeveralNavigators, AWishForAnExposureIsOfTheCameraThatSees) {
+  floor.answer.exposes = ExposureWish{"floor", {0.002, 1.0}};
+  ahead.answer.exposes = ExposureWish{"forward", {0.01, 2.0}};
+  ASSERT_TRUE(see("down").exposes);
+  EXPECT_EQ(see("down").exposes->camera, "floor");
+  ASSERT_TRUE(see("ahead").exposes) << "who does not drive wishes, too";
+  EXPECT_EQ(see("ahead").exposes->camera, "forward");
+  EXPECT_EQ(see("ahead").exposes->exposure.gain, 2.0);
+  ahead.answer.exposes.reset();
+  EXPECT_FALSE(see("ahead").exposes);
+}
+
 TEST_F(SeveralNavigators, ACameraThatIsSilentWhileTheRobotMovesIsBlind) {
   for (int i = 0; i < 5; ++i) see("down");
   EXPECT_EQ(ahead.blind, 0) << "250 ms are not late";

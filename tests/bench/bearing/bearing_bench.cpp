@@ -87,6 +87,7 @@ void whole_step_in(benchmark::State& state, const Bearing::Chart& chart) {
     const std::size_t at = 4 + i++ % (kPlaces - 8);
     const Step step = a.method.observe(odometry, &a.seen[at], a.motion);
     benchmark::DoNotOptimize(step);
+    benchmark::DoNotOptimize(a.method.expose(odometry, a.seen[at]));
     const auto content = a.method.extract(odometry, a.seen[at]);
     const auto located =
         a.method.locate(chart, {AlongPath{seen_at_m(at) + 0.03, 0.01}}, Step{AlongPath{}, true, {}}, *content);
@@ -127,6 +128,13 @@ void extract(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(a.method.extract({}, a.seen[i++ % kPlaces]));
 }
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
+
+void expose(benchmark::State& state) {
+  const Aisle& a = aisle();
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(a.method.expose({}, a.seen[i++ % kPlaces]));
+}
+BENCHMARK(expose)->Unit(benchmark::kMillisecond);
 
 void one_vote(benchmark::State& state) {
   const Aisle& a = aisle();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <spdlog/sinks/null_sink.h>
+#include <spdlog/sinks/ringbuffer_sink.h>
 
 #include <chrono>
+#include <utility>
 
 #include "agents/agent/process/records.hpp"
 #include "core/random.hpp"
@@ -29,11 +31,18 @@ class Clockwork final : public Body {
   }
   Result<void> drive_by_hand(const std::vector<SitePoint>&) override { return fail(ErrorCode::refused, "no hand"); }
   void stop_hand() override { ++hand_stops; }
+  Result<void> expose(const std::string& camera, const Exposure& exposure) override {
+    exposed.emplace_back(camera, exposure.time_s);
+    if (!can_be_told) return Body::expose(camera, exposure);
+    return {};
+  }
   std::vector<CameraModel> cameras() const override { return {}; }
   std::string kind() const override { return "clockwork"; }
 
   std::vector<Twist> commands;
   int hand_stops = 0;
+  std::vector<std::pair<std::string, double>> exposed;
+  bool can_be_told = true;
   ErrorCode ending = ErrorCode::unavailable;
 
  private:
@@ -54,6 +63,8 @@ class Echo final : public Agent {
     output.command.linear_m_s = static_cast<double>(sample.frame);
     if (sample.frame == 1) output.hand_start.emplace();
     output.acks = std::exchange(acks, {});
+    if (sample.frame % 2 == 0)
+      output.exposes = ExposureWish{"forward", {0.001 * static_cast<double>(sample.frame), 1.0}};
     return output;
   }
   AgentOutput body_failed(const Error& error, SteadyTime) override {
@@ -142,6 +153,26 @@ TEST(AgentLoop, RecordsThatAreLostAreSaidAtTheEndToo) {
   const Result<void> ended = bench.run(0.0, &*records);
   ASSERT_FALSE(ended);
   EXPECT_EQ(ended.error().code, ErrorCode::exhausted);
+}
+
+TEST(AgentLoop, AWishForAnExposureGoesToTheBody) {
+  Bench bench(4);
+  EXPECT_TRUE(bench.run(0.0));
+  using Told = std::vector<std::pair<std::string, double>>;
+  EXPECT_EQ(bench.body.exposed, (Told{{"forward", 0.002}, {"forward", 0.004}}));
+}
+
+TEST(AgentLoop, ABodyThatCannotBeToldHowToExposeDrivesOnAndThatIsSaidOnce) {
+  Bench bench(6);
+  bench.body.can_be_told = false;
+  const auto said = std::make_shared<spdlog::sinks::ringbuffer_sink_mt>(16);
+  bench.log.sinks().push_back(said);
+  EXPECT_TRUE(bench.run(0.0));
+  EXPECT_EQ(bench.agent.frames.size(), 6U);
+  int times = 0;
+  for (const std::string& line : said->last_formatted())
+    times += line.find("body clockwork cannot be told how its camera forward exposes") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(times, 1);
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {

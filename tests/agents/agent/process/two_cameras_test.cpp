@@ -51,6 +51,9 @@ class Robot {
     Navigated now = navigator_->step(has_view_ ? &*sample.view : nullptr, sample.frame, sample.time, sample.motion,
                                      sample.hand, map_.map());
     command_ = now.command;
+    if (now.exposes) {
+      EXPECT_TRUE(body_->expose(now.exposes->camera, now.exposes->exposure));
+    }
     elapsed_s_ = seconds(sample.motion.elapsed);
     return now;
   }

@@ -39,6 +39,30 @@ TEST_F(BearingTest, TellsByHowMuchTheRobotIsTurned) {
   }
 }
 
+TEST_F(BearingTest, WishesAnExposureThatATurnDoesNotBlur) {
+  View view = lookout_.from({6.0, 6.0, 0.0});
+  view.exposure = Exposure{0.015, 1.0};
+  Bearing::Odometry standing;
+  const auto calm = method_.expose(standing, view);
+  ASSERT_TRUE(calm);
+  Bearing::Odometry turning;
+  turning.driving = {0.0, 1.0};
+  const auto sharp = method_.expose(turning, view);
+  ASSERT_TRUE(sharp);
+  EXPECT_NEAR(sharp->light_s(), calm->light_s(), 1e-9) << "as bright";
+  EXPECT_NEAR(sharp->time_s * lookout_.camera().fx, method_.config().exposure.most_blur_px, 1e-9);
+  EXPECT_LT(sharp->time_s, calm->time_s);
+}
+
+TEST_F(BearingTest, WishesNoExposureWithoutKnowingWhatItWas) {
+  View view = lookout_.from({6.0, 6.0, 0.0});
+  view.exposure.reset();
+  EXPECT_FALSE(method_.expose({}, view));
+  view.exposure = Exposure{0.01, 1.0};
+  view.data = Marks{};
+  EXPECT_FALSE(method_.expose({}, view));
+}
+
 TEST_F(BearingTest, ANearbyViewStillTellsItsHeading) {
   const BearingContent taught = at(6.0);
   const auto related = method_.relate(taught, at(6.2, 6.3, 0.0), std::nullopt);

@@ -1,0 +1,63 @@
+// A method's wish for how its camera exposes.
+#include <gtest/gtest.h>
+
+#include "agents/methods/bearing/bearing.hpp"
+#include "agents/methods/floor/floor.hpp"
+#include "agents/methods/marks/marks.hpp"
+#include "agents/navigation/navigator_of.hpp"
+
+namespace weft::agents {
+namespace {
+using namespace std::chrono_literals;
+
+/// Marks that are seen best twice as bright.
+class Brighter : public MarksMethod {
+ public:
+  std::optional<Exposure> expose(const Odometry&, const View& view) const {
+    if (!view.exposure) return std::nullopt;
+    return Exposure{2.0 * view.exposure->time_s, view.exposure->gain};
+  }
+};
+static_assert(Exposes<Brighter> && !Exposes<MarksMethod>);
+static_assert(Exposes<Bearing> && !Exposes<Floor>);
+
+class NoContents final : public Contents {
+ public:
+  std::shared_ptr<const Bytes> find(const ContentHash&) const override { return nullptr; }
+};
+
+template <class M>
+Navigated seen(const View* view) {
+  const auto navigator = make_navigator(M(), {});
+  const Window window;
+  const NoContents contents;
+  return navigator->step(view, 1, SensorTime{100ms}, {100ms, {}, std::nullopt}, true, {window, contents});
+}
+
+View exposed_view() {
+  View view;
+  view.camera = "forward";
+  view.data = Marks{};
+  view.exposure = Exposure{0.004, 1.5};
+  return view;
+}
+
+TEST(Exposing, AWishGoesOnWithTheCameraThatItIsFor) {
+  const View view = exposed_view();
+  const Navigated navigated = seen<Brighter>(&view);
+  ASSERT_TRUE(navigated.exposes) << "while a hand drives, too";
+  EXPECT_EQ(navigated.exposes->camera, "forward");
+  EXPECT_EQ(navigated.exposes->exposure.time_s, 0.008);
+  EXPECT_EQ(navigated.exposes->exposure.gain, 1.5);
+}
+
+TEST(Exposing, WithoutAnImageOrAWishNothingIsSaid) {
+  EXPECT_FALSE(seen<Brighter>(nullptr).exposes);
+  View view = exposed_view();
+  EXPECT_FALSE(seen<MarksMethod>(&view).exposes);
+  view.exposure.reset();
+  EXPECT_FALSE(seen<Brighter>(&view).exposes);
+}
+
+}  // namespace
+}  // namespace weft::agents
