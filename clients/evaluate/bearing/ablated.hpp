@@ -29,6 +29,9 @@ class Ablated {
   agents::OrRefusal<Content> extract(const Odometry& odometry, const agents::View& view) const {
     return whole_.extract(odometry, view);
   }
+  std::optional<agents::Exposure> expose(const Odometry& odometry, const agents::View& view) const {
+    return whole_.expose(odometry, view);
+  }
   Bytes encode(const Content& content) const { return whole_.encode(content); }
   Result<Content> decode(ByteView bytes) const { return whole_.decode(bytes); }
   agents::OrRefusal<agents::Related> relate(const Content& a, const Content& b,

@@ -61,6 +61,10 @@ Route Course::loops(std::size_t count) const {
   return route;
 }
 
+void expose(Body& body, const Navigated& navigated) {
+  if (navigated.exposes) static_cast<void>(body.expose(navigated.exposes->camera, navigated.exposes->exposure));
+}
+
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
@@ -84,6 +88,7 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePo
     const View* const view = sample->view ? &*sample->view : nullptr;
     const Navigated now =
         (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
+    expose(**body, now);
     if (const Result<void> taken = take(now.kept); !taken) return fail(taken.error());
     if (sample->hand_done) ++ending;
     done = (ending > 0 && view != nullptr) || ending > kLastViewAtMost;

@@ -45,6 +45,9 @@ struct Drive {
   std::function<bool()> asked_to_stop;
 };
 
+/// As the navigator wishes, where the body's camera can.
+void expose(agents::Body& body, const agents::Navigated& navigated);
+
 /// A hand leads the robot along the line while it is taught. None: stopped. refused: its end was not found to come
 /// back to its beginning.
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<agents::SitePoint>& line);

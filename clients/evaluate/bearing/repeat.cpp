@@ -33,6 +33,7 @@ class Repeating {
     Navigated now =
         navigator_->step(view, sample->frame, sample->time, sample->motion, sample->hand, course_.map.view());
     command_ = now.command;
+    expose(*body_, now);
     now_s_ = seconds(sample->time.time_since_epoch());
     driven_m_ += (before.inverse() * body_->site_from_robot()).translation().norm();
     return now;

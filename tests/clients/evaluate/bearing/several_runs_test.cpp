@@ -35,6 +35,7 @@ class Robot {
     Navigated now = navigator_->step(has_view_ ? &*sample.view : nullptr, sample.frame, sample.time, sample.motion,
                                      sample.hand, map_.view());
     command_ = now.command;
+    expose(*body_, now);
     return now;
   }
   bool finds_itself() {
