@@ -21,7 +21,7 @@ class Brighter : public MarksMethod {
 static_assert(Exposes<Brighter> && !Exposes<MarksMethod>);
 static_assert(Exposes<Bearing> && !Exposes<Floor>);
 
-class NoContents final : public Contents {
+class NothingHeld final : public Contents {
  public:
   std::shared_ptr<const Bytes> find(const ContentHash&) const override { return nullptr; }
 };
@@ -30,7 +30,7 @@ template <class M>
 Navigated seen(const View* view) {
   const auto navigator = make_navigator(M(), {});
   const Window window;
-  const NoContents contents;
+  const NothingHeld contents;
   return navigator->step(view, 1, SensorTime{100ms}, {100ms, {}, std::nullopt}, true, {window, contents});
 }
 
