@@ -21,7 +21,7 @@ class Noting : public tiny::GridFilter {
   std::vector<std::vector<PlaceId>>* charts_;
 };
 
-class NoContents final : public Contents {
+class NoneArrived final : public Contents {
  public:
   std::shared_ptr<const Bytes> find(const ContentHash&) const override { return nullptr; }
 };
@@ -53,10 +53,10 @@ TEST(Charted, IsMadeAnewWhenTheWindowHasMovedWithinOneRevision) {
   Charted<Noting> charted(method);
   DecodedContents<Noting> decoded(method, 10);
   const Estimate here{at(2), Metric2{}, 0.0};
-  charted.prepare(window_from(0), NoContents{}, decoded, here);
-  charted.prepare(window_from(0), NoContents{}, decoded, here);
+  charted.prepare(window_from(0), NoneArrived{}, decoded, here);
+  charted.prepare(window_from(0), NoneArrived{}, decoded, here);
   ASSERT_EQ(charts.size(), 1U) << "the same window";
-  charted.prepare(window_from(1), NoContents{}, decoded, here);
+  charted.prepare(window_from(1), NoneArrived{}, decoded, here);
   ASSERT_EQ(charts.size(), 2U);
   EXPECT_EQ(charts.back(), (std::vector<PlaceId>{at(2), at(1), at(3)}));
 }
@@ -68,12 +68,12 @@ TEST(Charted, IsMadeAnewWhenARelationHasChanged) {
   DecodedContents<Noting> decoded(method, 10);
   const Estimate here{at(1), Metric2{}, 0.0};
   Window window = window_from(0);
-  charted.prepare(window, NoContents{}, decoded, here);
+  charted.prepare(window, NoneArrived{}, decoded, here);
   Edge edge = *window.edges.value({at(0), at(1)});
   edge.a_from_b = Metric2{Pose2{0.3, 0.0, 0.0}};
   window.edges.insert_or_assign(edge.id, edge);
   index_edges(window);
-  charted.prepare(window, NoContents{}, decoded, here);
+  charted.prepare(window, NoneArrived{}, decoded, here);
   EXPECT_EQ(charts.size(), 2U);
 }
 
