@@ -28,7 +28,7 @@ struct Teaching {
     seeking,    ///< waits for the first fix around the seed
     hand,       ///< waits for the body's hand to say whether it can drive this
     on,
-    ending  ///< waits for one more view: the last place
+    ending  ///< waits for a view of each camera: the last places
   };
   Phase phase = Phase::preparing;
   ExperienceId experience;           ///< of the first method
@@ -42,6 +42,11 @@ struct Teaching {
   bool hand_done = false;
   bool asked_for_all = false;           ///< of the map: any of it may be met
   std::optional<CommandKey> next_part;  ///< who waits for the hand to take up another line of the same run
+  std::size_t kept = 0;                 ///< places of all its experiences
+  std::size_t joined = 0;               ///< of these, to places of other runs or far back in the same one
+
+  /// An edge between places that two cameras of this robot see joins nothing new.
+  bool joins(const Edge& edge) const;
 };
 
 /// What the experience of a method beside the first one is called; none of a run without a name.
@@ -53,6 +58,7 @@ struct HandingIn {
   std::vector<ExperienceId> others;
   CommandKey asked_by;
   SteadyTime deadline{};
+  std::string what;  ///< was taught
 
   bool has(ExperienceId other) const;
 };

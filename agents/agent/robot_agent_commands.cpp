@@ -96,7 +96,6 @@ void RobotAgent::teach_stop(const CommandKey& key, SteadyTime now) {
   teaching_->phase = Teaching::Phase::ending;
   teaching_->stopped_by = key;
   teaching_->deadline = now + kLastViewAtMost;
-  keep(navigator_->end_teach(map_view()), now);
 }
 
 /// How what it was taught will be found again: the run that goes on, or the last one.

@@ -33,7 +33,11 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   note_lessons(std::move(navigated.lessons), sample.time);
   if (teaching_.has_value()) {
     teaching_->hand_done = sample.hand_done;
-    if (teaching_->phase == Teaching::Phase::ending && view != nullptr) end_teaching(now);
+    if (teaching_->phase == Teaching::Phase::ending) keep(navigator_->end_teach(map_view()), now);
+  }
+  // The spool may not have taken it.
+  if (teaching_.has_value() && teaching_->phase == Teaching::Phase::ending && !navigator_->is_taught()) {
+    end_teaching(now);
   }
   for (const Refusal& refusal : navigated.refusals) ++seen_["navigation: " + std::string(refusal.reason)];
   if (navigated.fix.has_value()) {

@@ -13,10 +13,26 @@ constexpr std::uint32_t kRouteAhead = 10;   ///< places of a route to have befor
 constexpr Duration kHandingInAtMost = 15s;  ///< then say that it is not yet done
 constexpr Duration kSearchAtMost = 60s;     ///< then say that it was in vain
 constexpr Duration kBetweenSearches = 10s;  ///< of one's own accord
+
+bool contains(const std::vector<ExperienceId>& all, ExperienceId one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// Whoever has led the robot is still there, and can lead it on to where it meets what was taught before.
+std::string what_was_taught(const Teaching& teaching) {
+  const std::string places = std::to_string(teaching.kept) + (teaching.kept == 1 ? " place" : " places");
+  return teaching.joined > 0 ? places + ", " + std::to_string(teaching.joined) + " joined to what was taught before"
+                             : places + ", none joined to what was taught before, nor to the beginning of this";
+}
 }  // namespace
 
 bool HandingIn::has(ExperienceId other) const {
-  return other == experience || std::find(others.begin(), others.end(), other) != others.end();
+  return other == experience || contains(others, other);
+}
+
+bool Teaching::joins(const Edge& edge) const {
+  const bool is_own = edge.id.a.experience == experience || contains(others, edge.id.a.experience);
+  return edge.origin == Origin::stitch && (!is_own || edge.id.a.experience == edge.id.b.experience);
 }
 
 std::string name_of_other(const std::string& name, const std::string& method) {
@@ -111,6 +127,7 @@ void RobotAgent::end_teaching(SteadyTime now) {
   msg::AgentReply done;
   done.done = true;
   done.experience = teaching_->experience;
+  navigator_->leave_teach();
   if (Result<void> sealed = spooler_.seal("taught to its end", now); !sealed) {
     done.done = false;
     done.reason = sealed.error().message;
@@ -119,7 +136,8 @@ void RobotAgent::end_teaching(SteadyTime now) {
   }
   if (const std::optional<CommandKey> asked_by = teaching_->stopped_by; asked_by.has_value()) {
     if (done.done) {
-      handing_in_ = HandingIn{teaching_->experience, teaching_->others, *asked_by, now + kHandingInAtMost};
+      handing_in_ = HandingIn{teaching_->experience, teaching_->others, *asked_by, now + kHandingInAtMost,
+                              what_was_taught(*teaching_)};
     } else {
       reply(*asked_by, done);
     }
@@ -138,7 +156,8 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
   msg::AgentReply done;
   done.done = true;
   done.experience = handing_in_->experience;
-  if (pending) done.reason = "the server has not acknowledged all of it yet; the rest is on the robot's disk";
+  done.reason = handing_in_->what;
+  if (pending) done.reason += "; the server has not acknowledged all of it yet: the rest is on the robot's disk";
   const CommandKey key = handing_in_->asked_by;
   handing_in_.reset();
   reply(key, done);
@@ -147,6 +166,7 @@ void RobotAgent::finish_handing_in(SteadyTime now) {
 void RobotAgent::stop_teaching(const std::string& reason, SteadyTime now) {
   bool is_spooled = true;
   for (const Kept& last : navigator_->end_teach(map_view())) is_spooled = bool(spooler_.add(last, now)) && is_spooled;
+  navigator_->leave_teach();
   // What has been taught until then stays, as far as the spool takes it.
   is_spooled = bool(spooler_.seal("teaching broke off", now)) && is_spooled;
   if (!is_spooled) navigator_->forget_taught(replica_.window());
@@ -174,6 +194,9 @@ void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {
   for (const Kept& one : kept) {
     cache_.put(one.place.content.hash, one.content);
     if (Result<void> added = spooler_.add(one, now); !added) return abandon_teaching(added.error().message, now);
+    ++teaching_->kept;
+    const auto joins = [this](const Edge& edge) { return teaching_->joins(edge); };
+    if (std::any_of(one.edges.begin(), one.edges.end(), joins)) ++teaching_->joined;
   }
   if (kept.empty() || keeping_.empty()) return;
   if (Result<void> flushed = spooler_.flush(now); !flushed) return abandon_teaching(flushed.error().message, now);

@@ -92,10 +92,13 @@ class Navigator {
 
   /// From now on places are kept, the first at the next view.
   virtual void begin_teach(const TeachStart& start) = 0;
-  /// Keeps the last place now, from the newest view, unless it lies at the place before or the newest frame was
-  /// dropped; nothing more is kept afterwards. It is stitched like any other: a run that ends beside another one is
-  /// no dead end.
+  /// Keeps the last place, from the view of the latest sample, unless it lies at the place before; nothing more is
+  /// kept afterwards. It is stitched like any other: a run that ends beside another one is no dead end. What had no
+  /// view at that sample goes on being taught (`is_taught`): call again after the next one.
   virtual std::vector<Kept> end_teach(const MapView& map) = 0;
+  virtual bool is_taught() const = 0;
+  /// It is taught no more, and ends where the last place was kept.
+  virtual void leave_teach() = 0;
   /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
   /// An experience of one place: where the robot stands, without being taught, joined to the map by stitches of which

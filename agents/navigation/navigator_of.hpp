@@ -93,15 +93,19 @@ class NavigatorOf final : public Navigator {
 
   std::vector<Kept> end_teach(const MapView& map) override {
     Navigated last;
-    if (!teacher_) return {};
-    // A run that knows no poses ends with a place in any case: only there it shows what it has come back to.
-    if (latest_ && latest_->view && (teacher_->worth_an_end() || (ChartsItself<M> && teacher_->has_moved()))) {
+    if (teacher_ && is_to_end_with_a_place()) {
+      const bool is_at_a_place = teacher_->estimate() && !teacher_->has_moved();
+      if (!latest_ || !latest_->view || is_at_a_place) return {};
       keep(map, last);
       if (!last.kept.empty()) come_back(map, last.kept.back());
     }
+    leave_teach();
+    return std::move(last.kept);
+  }
+  bool is_taught() const override { return teacher_.has_value(); }
+  void leave_teach() override {
     teacher_.reset();
     finder_.reset();
-    return std::move(last.kept);
   }
 
   void keep_place() override {
@@ -237,6 +241,11 @@ class NavigatorOf final : public Navigator {
   }
 
   bool lost() const { return !teacher_ && estimate() && estimate()->blind_m > config_.follow.blind_limit_m; }
+
+  /// A run that knows no poses does in any case: only there it shows what it has come back to.
+  bool is_to_end_with_a_place() const {
+    return teacher_->worth_an_end() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
+  }
 
   Kept keep_here(const Pointer& content) {
     Kept kept = teacher_->keep(method_.encode(*content), latest_->frame, latest_->time);

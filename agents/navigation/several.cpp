@@ -72,8 +72,17 @@ class Several final : public Navigator {
   std::vector<Kept> end_teach(const MapView& map) override {
     std::vector<Kept> all;
     for (Part& part : parts_) take_kept(part, part.navigator->end_teach(map), all);
-    for (Part& part : parts_) part.teaches = {};
+    // Whoever has ended already is still to be joined to those that have not.
+    const auto goes_on = [](const Part& part) { return part.navigator->is_taught(); };
+    if (std::none_of(parts_.begin(), parts_.end(), goes_on)) leave_teach();
     return all;
+  }
+  bool is_taught() const override { return bool(parts_.front().teaches); }
+  void leave_teach() override {
+    for (Part& part : parts_) {
+      part.navigator->leave_teach();
+      part.teaches = {};
+    }
   }
 
   /// Of the first method: whoever names a place knows which robots can go there.
@@ -151,7 +160,6 @@ class Several final : public Navigator {
  private:
   Part& active() { return parts_[active_]; }
   const Part& active() const { return parts_[active_]; }
-  bool is_taught() const { return bool(parts_.front().teaches); }
 
   /// What was said of another route is not to be said of the next one. A robot that rolls goes on rolling.
   void forget_drives() {

@@ -28,8 +28,8 @@ class NavigatedRobot {
   /// One sample: the body moves by the last command, then the navigator sees.
   agents::Navigated step(const agents::MapView& map, bool hand = false) {
     const MarksRobot::Sample sample = body_.step(command_);
-    agents::Navigated navigated = navigator_->step(sample.dropped ? nullptr : &sample.view, sample.view.frame,
-                                                   sample.view.time, sample.motion, hand, map);
+    agents::Navigated navigated = navigator_->step(sample.dropped || blind ? nullptr : &sample.view,
+                                                   sample.view.frame, sample.view.time, sample.motion, hand, map);
     if (!hand) command_ = navigated.command;
     for (const agents::Refusal& refusal : navigated.refusals) ++refusals[std::string(refusal.reason)];
     return navigated;
@@ -47,7 +47,9 @@ class NavigatedRobot {
       std::move(kept.begin(), kept.end(), std::back_inserter(all));
     };
     hand(path, [&] { take(step(server.map(), true).kept); });
-    take(navigator_->end_teach(server.map()));
+    for (take(navigator_->end_teach(server.map())); navigator_->is_taught();
+         take(navigator_->end_teach(server.map())))
+      take(step(server.map(), true).kept);
     if (!live) server.take(experience, robot, navigator_->method(), all);
   }
 
@@ -86,6 +88,7 @@ class NavigatedRobot {
     for (int i = 0; i < 5; ++i) one_step();
   }
 
+  bool blind = false;  ///< its frames are dropped
   std::map<std::string, int> refusals;
 
  private:

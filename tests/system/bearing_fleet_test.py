@@ -30,7 +30,7 @@ class BearingFleet(Fleet):
             agent = [BIN / 'weft-agent', '--name', 'r1', '--state', folder / 'r1', '--site', SCENES / 'oval.toml',
                      '--method', 'bearing', '--domain', DOMAIN, '--dds', 'cyclonedds', '--truth', truth, '--pace', '2']
             with Running(folder / 'server.log', *server), Running(folder / 'agent.log', *agent) as robot:
-                self.assertTrue(robot.says('server: epoch', 60), robot.text())
+                self.ready(robot, 'r1')
                 self.weft('teach', 'r1', 'start', '--as', 'oval', '--along', SCENES / 'oval.line')
                 self.poll(is_some_way_on, 60, 'robots')
                 self.weft('map', 'label', 'here', '--robot', 'r1', 'shelf')

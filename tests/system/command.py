@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / 'build/release/bin'
 # A DDS domain for each suite, since suites run side by side; 100 to 149 are the unit and contract tests' own.
 PROGRAMS_DOMAIN, NOBODYS_DOMAIN, BEARING_DOMAIN, SCRIPTS_DOMAIN, TWO_CAMERAS_DOMAIN = 151, 154, 152, 153, 155
+LEARNING_DOMAIN = 156
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
 
@@ -79,6 +80,11 @@ class Fleet(Case):
         while not holds(said := self.weft(*words)):
             self.assertLess(time.monotonic(), end, f'not in {seconds} s; at last:\n{said}')
             time.sleep(0.1)
+
+    def ready(self, robot, name):
+        """The agent has found the server, and the server has heard of the robot."""
+        self.assertTrue(robot.says('server: epoch', 60), robot.text())
+        self.poll(lambda said: f'\n{name} ' in said, 60, 'robots')
 
     def pose(self, truth):
         last = json.loads(truth.read_text().splitlines()[-1])

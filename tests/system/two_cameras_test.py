@@ -19,7 +19,7 @@ class TwoCameras(Fleet):
 
     def is_taught(self, name, method, vendor, run, label=None):
         with Running(self.folder / f'{name}.log', *self.agent(name, method, vendor)) as robot:
-            self.assertTrue(robot.says('server: epoch', 60), robot.text())
+            self.ready(robot, name)
             if ',' in method:
                 self.poll(lambda said: name in said and 'PLACE' in said and ':' in said.split(name)[1], 60, 'robots')
             self.weft('teach', name, 'start', '--as', run, '--along', SCENE / f'{run}.line')
@@ -41,7 +41,7 @@ class TwoCameras(Fleet):
                 self.is_taught('r3', 'floor,bearing', 'fastdds', 'crossing')
                 self.assertRegex(self.weft('map', 'info'), r'experiences +4\b')
                 with Running(self.folder / 'r4.log', *self.agent('r4', 'floor,bearing', 'cyclonedds')) as robot:
-                    self.assertTrue(robot.says('server: epoch', 60), robot.text())
+                    self.ready(robot, 'r4')
                     self.poll(lambda said: ':' in said.split('r4 ')[-1], 60, 'robots')
                     self.weft('goal', 'send', '--to', 'far-end', '--robot', 'r4')
                     self.poll(lambda said: 'succeeded' in said or 'failed' in said, 150, 'goal', 'list')

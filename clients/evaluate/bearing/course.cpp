@@ -90,10 +90,11 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePo
         (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
     expose(**body, now);
     if (const Result<void> taken = take(now.kept); !taken) return fail(taken.error());
-    if (sample->hand_done) ++ending;
-    done = (ending > 0 && view != nullptr) || ending > kLastViewAtMost;
+    if (!sample->hand_done) continue;
+    if (const Result<void> taken = take((*navigator)->end_teach(course.map.view())); !taken)
+      return fail(taken.error());
+    done = !(*navigator)->is_taught() || ++ending > kLastViewAtMost;
   }
-  if (const Result<void> taken = take((*navigator)->end_teach(course.map.view())); !taken) return fail(taken.error());
   const std::optional<Edge> closing = closing_edge(course.map, course.places.back());
   if (!closing) return fail(ErrorCode::refused, "the end of what was taught was not found to come back to its start");
   for (std::size_t i = 0; i + 1 < course.places.size(); ++i) {

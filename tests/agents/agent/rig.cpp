@@ -20,11 +20,9 @@ class ScriptedNavigator final : public Navigator {
 
   Navigated step(const View* view, std::uint64_t frame, SensorTime, const Motion&, bool, const MapView&) override {
     Navigated answer = script_->answer;
-    const bool keeps = script_->keep_wanted || (script_->teaching && script_->keep_each_step);
-    if (view == nullptr || !keeps) return answer;
-    for (std::size_t method = 0; method < script_->teaches.size(); ++method)
-      answer.kept.push_back(keep(frame, method));
-    ++script_->index;
+    sees_ = view != nullptr;
+    frame_ = frame;
+    if (sees_ && (script_->keep_wanted || (script_->teaching && script_->keep_each_step))) answer.kept = keep_all();
     return answer;
   }
   bool map_changed(const Window& before, const Window& after) override {
@@ -45,10 +43,12 @@ class ScriptedNavigator final : public Navigator {
     script_->index = 0;
   }
   std::vector<Kept> end_teach(const MapView& /*map*/) override {
-    if (script_->teaching) script_->keep_wanted = true;
+    if (!script_->teaching || !sees_) return {};
     script_->teaching = false;
-    return {};
+    return keep_all();
   }
+  bool is_taught() const override { return script_->teaching; }
+  void leave_teach() override { script_->teaching = false; }
   void keep_place() override { script_->keep_wanted = true; }
   OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& /*map*/) override {
     if (!script_->joins) return tl::unexpected(script_->joins.error());
@@ -74,6 +74,12 @@ class ScriptedNavigator final : public Navigator {
   void stop() override { ++script_->stops; }
 
  private:
+  std::vector<Kept> keep_all() {
+    std::vector<Kept> all;
+    for (std::size_t method = 0; method < script_->teaches.size(); ++method) all.push_back(keep(frame_, method));
+    ++script_->index;
+    return all;
+  }
   Kept keep(std::uint64_t frame, std::size_t method) {
     script_->keep_wanted = false;
     const TeachStart& start = script_->taught.back();
@@ -91,6 +97,8 @@ class ScriptedNavigator final : public Navigator {
     return kept;
   }
   std::shared_ptr<Script> script_;
+  bool sees_ = false;
+  std::uint64_t frame_ = 0;
 };
 
 std::vector<Patch> cut(const Patch& patch, std::size_t count) {

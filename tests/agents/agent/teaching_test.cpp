@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
+#include "agents/agent/robot_agent.hpp"
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -146,6 +149,40 @@ TEST(Teaching, StopTakesTheLastViewAndSeals) {
   EXPECT_EQ(rig.script->index, 1U);
 }
 
+TEST(Teaching, StopWaitsForTheViewOfTheLastPlace) {
+  Rig rig;
+  rig.script->keep_each_step = false;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  const std::optional<View> view = std::exchange(rig.sample.view, std::nullopt);
+  rig.run(200ms);
+  rig.tell(rig.command(Kind::teach_stop, 2));
+  rig.run(500ms);
+  EXPECT_TRUE(rig.script->teaching) << "nothing was seen since";
+  rig.sample.view = view;
+  rig.run(3s);
+  EXPECT_EQ(rig.script->index, 1U);
+  EXPECT_EQ(rig.server.sealed.size(), 1U);
+}
+
+TEST(Teaching, WhoeverHasTaughtIsToldWhetherItIsJoined) {
+  Teaching run;
+  run.experience = ExperienceId{7};
+  run.others = {ExperienceId{8}};
+  const auto stitch = [](std::uint64_t a, std::uint64_t b) {
+    Edge edge = an_edge({ExperienceId{a}, 1}, {ExperienceId{b}, 20});
+    edge.origin = Origin::stitch;
+    return edge;
+  };
+  EXPECT_TRUE(run.joins(stitch(3, 7)));
+  EXPECT_TRUE(run.joins(stitch(7, 7))) << "a loop";
+  EXPECT_FALSE(run.joins(stitch(7, 8))) << "two cameras at one place";
+  Edge hop = stitch(7, 7);
+  hop.origin = Origin::odometry;
+  EXPECT_FALSE(run.joins(hop));
+}
+
 TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
   Rig rig;
   rig.run(4s);
@@ -158,7 +195,10 @@ TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
   rig.server.acknowledges = true;
   rig.run(10s);
   EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 2U);
-  EXPECT_EQ(rig.last<msg::AgentReply>()->reason, "");
+  const std::string said = rig.last<msg::AgentReply>()->reason;
+  EXPECT_EQ(said.substr(said.find(" places")),
+            " places, none joined to what was taught before, nor to the beginning of this");
+  EXPECT_EQ(std::stoul(said), rig.script->index);
 }
 
 TEST(Teaching, AnotherLineOfTheSameRunMovesTheHandOn) {

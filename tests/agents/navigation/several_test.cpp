@@ -24,6 +24,7 @@ struct Told {
   std::vector<std::uint64_t> proposed;
   int sought = 0;
   int stops = 0;
+  bool is_taught = false;
 };
 
 class Part final : public Navigator {
@@ -37,6 +38,8 @@ class Part final : public Navigator {
   }
   void begin_teach(const TeachStart& start) override { told_.taught.push_back(start); }
   std::vector<Kept> end_teach(const MapView&) override { return {}; }
+  bool is_taught() const override { return told_.is_taught; }
+  void leave_teach() override { told_.is_taught = false; }
   void keep_place() override {}
   OrRefusal<Kept> keep_alone(const TeachStart&, const MapView&) override { return tl::unexpected(Refusal{"no"}); }
   bool map_changed(const Window&, const Window&) override { return true; }
@@ -110,6 +113,17 @@ TEST_F(SeveralNavigators, EachGetsItsViewsAndAllMotionSinceItsLastOne) {
   EXPECT_EQ(floor.motions.back().elapsed, 100ms) << "the other camera's time is its own, too";
   ASSERT_EQ(ahead.motions.size(), 1U);
   EXPECT_EQ(ahead.motions.back().elapsed, 100ms);
+}
+
+TEST_F(SeveralNavigators, ItIsTaughtUntilEachHasItsLastPlace) {
+  floor.is_taught = ahead.is_taught = true;
+  robot->begin_teach({kFloor, {}, {kAhead}});
+  floor.is_taught = false;
+  robot->end_teach({window, contents});
+  EXPECT_TRUE(robot->is_taught()) << "the one that looks ahead had no view";
+  ahead.is_taught = false;
+  robot->end_teach({window, contents});
+  EXPECT_FALSE(robot->is_taught());
 }
 
 TEST_F(SeveralNavigators, AWishForAnExposureIsOfTheCameraThatSees) {

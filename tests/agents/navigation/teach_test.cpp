@@ -60,6 +60,31 @@ TEST_F(Teach, TheEndIsKeptUnlessItIsAPlaceAlready) {
   EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
 }
 
+TEST_F(Teach, TheEndWaitsForAView) {
+  NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  robot.navigator().begin_teach({first, RobotId{{1}}});
+  robot.hand(Course({5, 5, 0}).straight(0.3).poses, [&] { robot.step(server.map(), true); });
+  robot.blind = true;
+  robot.step(server.map(), true);
+  EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
+  EXPECT_TRUE(robot.navigator().is_taught()) << "images are rarer than samples: the last place is not to be lost";
+  robot.blind = false;
+  robot.step(server.map(), true);
+  const std::vector<Kept> last = robot.navigator().end_teach(server.map());
+  ASSERT_EQ(last.size(), 1U);
+  EXPECT_GT(last[0].place.id.index, 0U);
+  EXPECT_FALSE(robot.navigator().is_taught());
+}
+
+TEST_F(Teach, ItCanBeLeftWithoutAnEnd) {
+  NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  robot.navigator().begin_teach({first, RobotId{{1}}});
+  EXPECT_TRUE(robot.navigator().is_taught());
+  robot.navigator().leave_teach();
+  EXPECT_FALSE(robot.navigator().is_taught());
+  EXPECT_TRUE(robot.step(server.map(), true).kept.empty());
+}
+
 TEST_F(Teach, AfterwardsTheRobotKnowsWhereItIsBeforeTheServerDoes) {
   NavigatedRobot robot = robot_at({5, 5, 0}, 1);
   robot.teach(server, first, Course({5, 5, 0}).straight(3.0).poses, truth, false);
