@@ -23,8 +23,10 @@ const Colour& colour_of(std::size_t i) {
   return kPalette.at(i % kPalette.size());
 }
 
+/// None of a run that never began.
 std::vector<Dot> true_path(const Trace& trace) {
   std::vector<Dot> dots;
+  if (trace.moments.size() < 2) return dots;
   for (const Moment& moment : trace.moments) dots.push_back({moment.site_from_robot.x, moment.site_from_robot.y});
   return dots;
 }
@@ -50,6 +52,12 @@ std::vector<Dot> fixed_path(const Trace& trace, const PlaceSet& places) {
     dots.push_back({pose.x, pose.y});
   }
   return dots;
+}
+
+/// What the panel of a floor is called; one on which nothing could be measured says why.
+std::string title(const Shown& shown, const std::string& more = {}) {
+  if (fixes(shown.repeated) == 0) return shown.kind + ": the robot did not find itself, and stood";
+  return shown.kind + (more.empty() ? "" : ": " + more);
 }
 
 Chart scale_chart(const Shown& shown, double camera_height_m) {
@@ -129,7 +137,7 @@ std::array<Chart, 3> rate_charts(const Shown& shown) {
 
 Chart localisation_chart(const Shown& shown) {
   const PlaceSet places = places_of(shown.taught);
-  return {shown.kind + ": " + cell(fixes(shown.repeated), 0) + " fixes",
+  return {title(shown, cell(fixes(shown.repeated), 0) + " fixes"),
           "x, m",
           "y, m",
           {{"where its fixes say it was", fixed_path(shown.repeated, places), kOrange, Look::dots, 3.0},
@@ -142,7 +150,7 @@ Chart localisation_chart(const Shown& shown) {
 
 Chart consistency_chart(const Shown& shown) {
   const auto stretches = fixed_stretches(shown.repeated, places_of(shown.taught).start_from_place);
-  Chart chart{shown.kind + ": " + cell(consistency_percent(stretches), 2) + " % apart",
+  Chart chart{title(shown, cell(consistency_percent(stretches), 2) + " % apart"),
               "time while repeating, s",
               "speed between fixes, m/s",
               {},
@@ -197,7 +205,7 @@ std::vector<Chart> blind_charts(const Rows& rows, Seeds seeds) {
 }
 
 std::array<Chart, 2> repeat_charts(const Shown& shown) {
-  Chart off{shown.kind + ": beside the path", "driven, m", "to the left, mm", {}, false, {}, false};
+  Chart off{title(shown, "beside the path"), "driven, m", "to the left, mm", {}, false, {}, false};
   Curve curve{"true pose against the taught path", {}, kBlue, Look::line, 1.3};
   for (const OffPath& now : off_path(shown.repeated, TaughtPath(shown.taught))) {
     curve.dots.push_back({now.driven_m, 1e3 * now.lateral_m});
@@ -220,7 +228,7 @@ std::array<Chart, 2> repeat_charts(const Shown& shown) {
 }
 
 Chart heading_chart(const Shown& shown) {
-  Chart chart{shown.kind, "time while repeating, s", "heading error, degrees", {}, false, {}, false};
+  Chart chart{title(shown), "time while repeating, s", "heading error, degrees", {}, false, {}, false};
   Curve curve{"true heading against the taught one", {}, kBlue, Look::line, 1.3};
   for (const OffPath& now : off_path(shown.repeated, TaughtPath(shown.taught))) {
     curve.dots.push_back({now.true_s, kDegrees * now.heading_rad});
@@ -230,7 +238,7 @@ Chart heading_chart(const Shown& shown) {
 }
 
 Chart two_chart(const Shown& shown) {
-  return {shown.kind,
+  return {title(shown),
           "x, m",
           "y, m",
           {{"first experience", true_path(shown.two_taught.at(0)), kVermilion, Look::line, 4.0},
@@ -261,6 +269,7 @@ Result<std::vector<std::string>> draw_figures(const Pictured& pictured, const Ro
     const char* title;
     std::vector<Chart> charts;
     std::size_t columns;
+    bool is_of_all = false;  ///< lights and seeds
   };
   const std::vector<Figure> figures = {
       {"6a-scale.png", "Scale over time",
@@ -270,18 +279,18 @@ Result<std::vector<std::string>> draw_figures(const Pictured& pictured, const Ro
       {"7-frame-rates.png", "Fewer images a second", rates, 3},
       {"8a-localisation.png", "Localisation of another robot on another day", of_each(localisation_chart), 2},
       {"8b-consistency.png", "Odometry and localisation say how fast it drove", of_each(consistency_chart), 2},
-      {"9-blind.png", "Driven without a right fix", blind_charts(rows, seeds), 2},
+      {"9-blind.png", "Driven without a right fix", blind_charts(rows, seeds), 2, true},
       {"10a-repeat.png", "Repeated against taught", repeats, 2},
       {"10b-heading.png", "Heading error over the repeat", of_each(heading_chart), 2},
       {"10c-two-experiences.png", "Two experiences repeated as one", of_each(two_chart), 2},
   };
+  const std::string of_all = "seeds " + std::to_string(seeds.first) + " to " + std::to_string(seeds.last);
   std::vector<std::string> names;
   for (const Figure& figure : figures) {
     const std::string name = std::string("floor-") + figure.file;
-    if (auto drawn = draw_charts(figure.title, pictured.about, figure.charts, figure.columns, folder / name);
-        !drawn) {
+    const std::string about = pictured.about + ", " + (figure.is_of_all ? of_all : pictured.of_first);
+    if (auto drawn = draw_charts(figure.title, about, figure.charts, figure.columns, folder / name); !drawn)
       return fail(drawn.error());
-    }
     names.push_back(name);
   }
   return names;

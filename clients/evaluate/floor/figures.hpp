@@ -25,7 +25,8 @@ struct Shown {
 struct Pictured {
   std::vector<Shown> kinds;
   double camera_height_m = 0.6;
-  std::string about;  ///< a line below each title
+  std::string about;     ///< a line below each title: what was driven,
+  std::string of_first;  ///< and what of it most pictures show
 };
 
 /// PNGs in the folder, one for each of the paper's figures 6 to 10 and their parts; their names.

@@ -81,9 +81,9 @@ Result<Ended> show_all(const Subject& subject, const FloorOptions& options, Pict
     pictured.kinds.push_back(std::move(**shown));
   }
   pictured.camera_height_m = subject.stage.site.camera.height_m;
-  pictured.about = "site " + subject.stage.site.name + ", method floor, " +
-                   std::to_string(std::lround(options.metres)) + " m, seed " + std::to_string(seed) +
-                   ", repeated under: " + subject.lights.front();
+  pictured.about =
+      "site " + subject.stage.site.name + ", method floor, " + std::to_string(std::lround(options.metres)) + " m";
+  pictured.of_first = "seed " + std::to_string(seed) + ", repeated under: " + subject.lights.front();
   return Ended::complete;
 }
 
