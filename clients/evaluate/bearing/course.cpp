@@ -35,7 +35,9 @@ Pose2 Course::site_from_path(std::size_t place, double beyond_m) const {
   std::size_t at = place;
   double left_m = beyond_m;
   while (left_m < 0.0) {
-    at = at == closes_at ? last : at - 1;
+    // The way may begin before the place that its end comes back to.
+    if (at == 0) left_m -= along_m[closes_at];
+    at = at == 0 || at == closes_at ? last : at - 1;
     left_m += hop_m(at);
   }
   while (left_m > std::max(0.0, hop_m(at))) {

@@ -40,6 +40,24 @@ class BearingDrive : public testing::Test {
 Drive BearingDrive::drive_;
 Course BearingDrive::course_;
 
+TEST(Course, BeforeItsBeginningLiesItsEnd) {
+  // A lead of 1 m into a triangle of metres that closes at the second place.
+  Course course;
+  course.site_from_place = {{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, 0.8, 0.0}};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    course.places.push_back({ExperienceId{1}, i});
+    course.relations.emplace_back(AlongPath{1.0, 1e-4});
+    course.along_m.push_back(i);
+  }
+  course.closes_at = 1;
+  const Pose2 before_the_close = course.site_from_path(1, -0.5);
+  EXPECT_NEAR(before_the_close.x, 0.25, 1e-9);
+  EXPECT_NEAR(before_the_close.y, 0.4, 1e-9);
+  const Pose2 before_it_all = course.site_from_path(0, -0.5);  // 1.5 m before the second place
+  EXPECT_NEAR(before_it_all.x, 0.75, 1e-9);
+  EXPECT_NEAR(before_it_all.y, 0.4, 1e-9);
+}
+
 TEST_F(BearingDrive, WhereTheWayClosesIsFoundToCentimetres) {
   const Pose2 truly = course_.site_from_place.back().inverse() * course_.site_from_place[course_.closes_at];
   EXPECT_NEAR(planar(course_.relations.back()).x, truly.x, 0.03);
