@@ -56,6 +56,9 @@ class Localiser {
     seek_.start(std::nullopt);
   }
 
+  /// This run is never found: what is being taught looks for what else it can be joined to.
+  void leave_out(const ExperienceId& run) { seek_.leave_out(run); }
+
   /// Which places look like what is seen? Null: nothing is to be asked.
   const Question* question() const { return seek_.active() ? curiosity_.open() : nullptr; }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) {
@@ -268,7 +271,7 @@ class Localiser {
   bool try_place(const PlaceId& id, const Content& seen, const Window& map, const Contents& bytes,
                  DecodedContents<M>& decoded, std::uint32_t& tries, Outcome& outcome) {
     const Place* const place = map.place(id);
-    if (place == nullptr) return false;
+    if (place == nullptr || seek_.leaves_out(id)) return false;
     const auto content = decoded.find(*place, bytes);
     if (!content) {
       outcome.refusals.push_back(content.error());

@@ -79,10 +79,12 @@ class NavigatorOf final : public Navigator {
   void begin_teach(const TeachStart& start) override {
     anchor_.reset();
     finder_.reset();
-    if (localiser_.seeking() && !estimate()) {
-      finder_ = localiser_;
-    } else if (estimate() && !lost()) {
+    if (estimate() && !lost()) {
       anchor_ = estimate();
+    } else {
+      finder_ = localiser_;
+      if (!finder_->seeking()) finder_->seek(std::nullopt);
+      finder_->leave_out(start.experience);
     }
     own_.clear();
     stitcher_.clear();
@@ -159,6 +161,7 @@ class NavigatorOf final : public Navigator {
     if (teacher_) {
       finder_.emplace(method_, config_);
       finder_->seek(seed);
+      finder_->leave_out(teacher_->start().experience);
     } else if (lost() && !seed) {
       localiser_.seek_again();  // what was believed still says where to look first
     } else {
@@ -293,9 +296,11 @@ class NavigatorOf final : public Navigator {
   void find_anchor(const MapView& map, Navigated& navigated) {
     constexpr std::uint32_t every = 5;  // samples; a search at each would cost too much while driving
     if (!finder_ || (finder_->samples_since_attempt() < every && !teacher_->due())) return;
+    const Window& known = own_.map(map.window);
+    if (!has_others(known, teacher_->start().experience)) return;
     const Pointer content = seen(navigated);
     if (!content) return;
-    const auto outcome = finder_->attempt(*content, own_.map(map.window), map.contents, decoded_, {});
+    const auto outcome = finder_->attempt(*content, known, map.contents, decoded_, {});
     navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
     if (!outcome.fix) return;
     navigated.fix = outcome.fix;

@@ -30,17 +30,23 @@ std::vector<PlaceId> around_last(const NavigationConfig& config, const Window& w
   return order;
 }
 
-std::vector<PlaceId> everywhere(const Window& window, std::vector<PlaceId> first) {
+std::vector<PlaceId> everywhere(const Window& window, std::vector<PlaceId> first,
+                                const std::optional<ExperienceId>& left_out) {
   std::vector<PlaceId> order = std::move(first);
   const std::set<PlaceId> placed(order.begin(), order.end());
   for (const auto& [id, place] : window.places) {
     if (order.size() >= cap) break;
-    if (!placed.contains(id)) order.push_back(id);
+    if (id.experience != left_out && !placed.contains(id)) order.push_back(id);
   }
   return order;
 }
 
 }  // namespace
+
+bool has_others(const Window& window, const ExperienceId& run) {
+  return std::any_of(window.places.begin(), window.places.end(),
+                     [&run](const auto& entry) { return entry.first.experience != run; });
+}
 
 void Seek::start(const std::optional<PlaceId>& seed) {
   *this = Seek{};
@@ -61,8 +67,9 @@ OrRefusal<void> Seek::prepare(const NavigationConfig& config, const Window& wind
     order_ = around_seed(config, window, *seed_);
   } else {
     std::vector<PlaceId> near = last ? around_last(config, window, *last) : std::vector<PlaceId>{};
+    std::erase_if(near, [this](const PlaceId& id) { return leaves_out(id); });
     near_left_ = near.size();
-    order_ = everywhere(window, std::move(near));
+    order_ = everywhere(window, std::move(near), left_out_);
   }
   if (order_.empty()) return tl::unexpected(Refusal{"seed_not_in_window", 0.0, 1.0});
   std::reverse(order_.begin(), order_.end());

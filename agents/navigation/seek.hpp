@@ -16,6 +16,9 @@ class Seek {
   /// proposed, then in the whole window.
   void start(const std::optional<PlaceId>& seed);
   void end() { active_ = false; }
+  /// Its places are not tried, until the next start.
+  void leave_out(const ExperienceId& run) { left_out_ = run; }
+  bool leaves_out(const PlaceId& place) const { return left_out_ == place.experience; }
   bool active() const { return active_; }
   bool seeded() const { return seed_.has_value(); }
 
@@ -36,11 +39,15 @@ class Seek {
  private:
   bool active_ = false;
   std::optional<PlaceId> seed_;
+  std::optional<ExperienceId> left_out_;
   std::vector<PlaceId> order_;  // the next one last
   std::size_t near_left_ = 0;   // of order_, at its end
   std::vector<PlaceId> proposed_;
   bool ordered_ = false;
   std::uint32_t pause_ = 0;
 };
+
+/// Whether the window holds places of other runs than this one.
+bool has_others(const Window& window, const ExperienceId& run);
 
 }  // namespace weft::agents

@@ -42,15 +42,15 @@ std::string one(const Options& options, std::uint64_t seed) {
   const auto result = weft::simulation::run({.seed = seed, .robots = options.robots, .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
+  for (const auto& entry : result.diary) {
+    if (options.diary) line << "! " << entry << '\n';
+  }
   for (const auto& violation : result.violations)
     line << "! seed " << seed << ": " << violation.invariant << ": " << violation.what << '\n';
   line << seed << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
        << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' ' << result.acknowledged
        << ' ' << result.trace;
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
-  for (const auto& entry : result.diary) {
-    if (options.diary) line << "\n! " << entry;
-  }
   return line.str() + "\n";
 }
 

@@ -94,6 +94,10 @@ class ScriptedNavigator final : public Navigator {
       kept.edges.push_back(an_edge({start.experience, script_->index}, kept.place.id));
       kept.edges.back().origin = Origin::stitch;
     }
+    if (script_->joined_to) {
+      kept.edges.push_back(an_edge(*std::exchange(script_->joined_to, std::nullopt), kept.place.id));
+      kept.edges.back().origin = Origin::stitch;
+    }
     return kept;
   }
   std::shared_ptr<Script> script_;

@@ -25,6 +25,7 @@ struct Script {
   bool teaching = false;
   bool keep_wanted = false;
   std::uint32_t index = 0;
+  std::optional<PlaceId> joined_to;  ///< by a stitch: what is kept next while teaching
   OrRefusal<std::vector<Edge>> joins = tl::unexpected(Refusal{"few_inliers"});  ///< of a place kept alone
   std::vector<std::optional<PlaceId>> sought;
   std::vector<Route> followed;

@@ -10,6 +10,14 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
+/// Being taught by hand, with no place kept but those that are asked for.
+void begin_sparingly(Rig& rig) {
+  rig.script->keep_each_step = false;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+}
+
 TEST(Teaching, AlongAFileStartsTheHandAndAnswersWithItsWord) {
   Rig rig;
   rig.run(4s);
@@ -103,10 +111,7 @@ TEST(Teaching, SeedThatIsNowhereIsRefused) {
 
 TEST(Teaching, LabelHereKeepsAPlaceAndAnswersOnceItIsOnDisk) {
   Rig rig;
-  rig.script->keep_each_step = false;
-  rig.run(4s);
-  rig.tell(rig.command(Kind::teach_start, 1));
-  rig.run(1s);
+  begin_sparingly(rig);
   rig.tell(rig.command(Kind::keep_place, 2));
   EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
   std::uint64_t on_disk = 0;
@@ -135,10 +140,7 @@ TEST(Teaching, LabelHereWithNothingToSeeIsRefused) {
 
 TEST(Teaching, StopTakesTheLastViewAndSeals) {
   Rig rig;
-  rig.script->keep_each_step = false;
-  rig.run(4s);
-  rig.tell(rig.command(Kind::teach_start, 1));
-  rig.run(1s);
+  begin_sparingly(rig);
   rig.tell(rig.command(Kind::teach_stop, 2));
   EXPECT_EQ(rig.hand_stops, 1);
   EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 1U);
@@ -151,10 +153,7 @@ TEST(Teaching, StopTakesTheLastViewAndSeals) {
 
 TEST(Teaching, StopWaitsForTheViewOfTheLastPlace) {
   Rig rig;
-  rig.script->keep_each_step = false;
-  rig.run(4s);
-  rig.tell(rig.command(Kind::teach_start, 1));
-  rig.run(1s);
+  begin_sparingly(rig);
   const std::optional<View> view = std::exchange(rig.sample.view, std::nullopt);
   rig.run(200ms);
   rig.tell(rig.command(Kind::teach_stop, 2));
@@ -181,6 +180,20 @@ TEST(Teaching, WhoeverHasTaughtIsToldWhetherItIsJoined) {
   Edge hop = stitch(7, 7);
   hop.origin = Origin::odometry;
   EXPECT_FALSE(run.joins(hop));
+}
+
+TEST(Teaching, StopSaysHowManyPlacesAreJoined) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 2);
+  begin_sparingly(rig);
+  for (const std::uint32_t at : {0U, 1U}) {
+    rig.script->joined_to = PlaceId{laid, at};
+    rig.tell(rig.command(Kind::keep_place, 2 + at));
+    rig.run(1s);
+  }
+  rig.tell(rig.command(Kind::teach_stop, 4));
+  rig.run(3s);
+  EXPECT_EQ(rig.last<msg::AgentReply>()->reason, "3 places, 2 joined to what was taught before");
 }
 
 TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {

@@ -157,6 +157,17 @@ TEST_F(Teach, TheSeedIsLookedForWhileTeachingGoesOn) {
   }
 }
 
+TEST_F(Teach, ARobotThatKnowsNothingLooksForWhatItCanBeJoinedTo) {
+  teach(first, Course({5, 5, 0}).straight(8.0).poses);
+  // Its own run, which it meets first wherever it looks, is nothing to be joined to.
+  for (const ExperienceId experience : {ExperienceId{1}, ExperienceId{21}}) {
+    NavigatedRobot robot = robot_at({3, 5.1, 0}, 2);
+    robot.teach(server, experience, Course({3, 5.1, 0}).straight(7.0).poses, truth);
+    const Experience& taught = *server.snapshot().experience(experience);
+    EXPECT_GT(taught.stitches.size(), 8U) << to_string(experience);
+  }
+}
+
 TEST_F(Teach, ARoadMetAgainIsStitchedAgain) {
   teach(first, Course({5, 5, 0}).straight(12.0).poses);
   // Along it, off to the side for a while, and back on it.
