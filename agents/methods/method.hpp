@@ -158,6 +158,13 @@ concept ChartsItself = Method<M> &&
   { m.believed(chart, belief, seed) } -> std::same_as<typename M::Belief>;
 };
 
+/// Beliefs that hold more than where the robot is: that outlives a lost way and goes into each new chart.
+template <class M>
+concept Remembers = ChartsItself<M> &&
+    requires(const M& m, const typename M::Chart& chart, const typename M::Belief& before, const Estimate& seed) {
+  { m.begin(chart, seed, before) } -> std::same_as<typename M::Belief>;
+};
+
 /// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {

@@ -31,16 +31,17 @@ class Charted<M> {
   explicit Charted(const M& method) : method_(&method) {}
 
   void advance(const Step& step) { since_ = since_ ? joined(*since_, step) : step; }
-  void forget() { belief_.reset(); }
+  /// Where the robot is, not what else the method has come to believe on its way.
+  void forget() { is_placed_ = false; }
   /// What is believed after a fix has been weighed.
   void believed(const Estimate& estimate) {
-    if (belief_) belief_ = method_->believed(*chart_, *belief_, estimate);
+    if (is_placed_) belief_ = method_->believed(*chart_, *belief_, estimate);
   }
 
   /// `without`: places of that experience are left out.
   void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate,
                const std::optional<ExperienceId>& without = std::nullopt) {
-    const bool in_the_middle = belief_ && inside_.contains(estimate.place);
+    const bool in_the_middle = is_placed_ && inside_.contains(estimate.place);
     if (in_the_middle && made_of_.is_same(around(map, made_of_.places.front().id), bytes)) return;
     made_of_ = {around(map, estimate.place), {}};
     inside_.clear();
@@ -54,7 +55,8 @@ class Charted<M> {
       charted.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
     }
     chart_ = method_->chart(charted);
-    belief_ = method_->begin(*chart_, estimate);
+    belief_ = begun(estimate);
+    is_placed_ = true;
     since_.reset();
   }
 
@@ -85,9 +87,17 @@ class Charted<M> {
     return breadth_first(map, centre, chart_hops, chart_places);
   }
 
+  Belief begun(const Estimate& estimate) const {
+    if constexpr (Remembers<M>) {
+      if (belief_) return method_->begin(*chart_, estimate, *belief_);
+    }
+    return method_->begin(*chart_, estimate);
+  }
+
   const M* method_;
   std::optional<typename M::Chart> chart_;
   std::optional<Belief> belief_;
+  bool is_placed_ = false;  // belief_ is of where the robot is, in chart_
   Made made_of_;
   std::set<PlaceId> inside_;  // the middle of the chart
   std::optional<Step> since_;

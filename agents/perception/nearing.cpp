@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/perception/robust.hpp"
+
 namespace weft::agents {
 namespace {
 
 constexpr std::size_t kFewest = 6;
 constexpr int kRounds = 8;
-constexpr double kSigmaPx = 0.4;   // of a corner's row or column, at best
-constexpr double kOfMad = 1.4826;  // standard deviation of a bell, in median absolute deviations
+constexpr double kSigmaPx = 0.4;  // of a corner's row or column, at best
 
 struct Row {
   double elevation = 0.0;  // mean of both
@@ -29,12 +30,6 @@ double azimuth_of(const UprightFeature& feature, double focal_px) {
   return std::atan2(static_cast<double>(feature.pixel.x()), focal_px);
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// pitch and share that explain the rows, and what is left of each.
 struct Fit {
   Eigen::Vector2d pitch_and_share = Eigen::Vector2d::Zero();
@@ -43,15 +38,6 @@ struct Fit {
 
 double left_of(const Row& row, const Fit& fit) {
   return row.risen - fit.pitch_and_share[0] - fit.pitch_and_share[1] * row.elevation;
-}
-
-/// Tukey's biweight.
-double weight_of(double left, double sigma) {
-  constexpr double cut = 4.685;
-  const double of_cut = left / (cut * sigma);
-  if (std::abs(of_cut) >= 1.0) return 0.0;
-  const double rest = 1.0 - of_cut * of_cut;
-  return rest * rest;
 }
 
 std::vector<Row> rows_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
@@ -77,10 +63,10 @@ void tell_turn(const std::vector<Row>& rows, double least_sigma, Nearing& nearin
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> left;
     for (const double turn : turns) left.push_back(std::abs(turn - turned));
-    sigma = std::max(least_sigma, kOfMad * median_of(left));
+    sigma = std::max(least_sigma, kSigmaOfMad * median_of(left));
     double sum = weights = 0.0;
     for (const double turn : turns) {
-      const double weight = weight_of(turn - turned, sigma);
+      const double weight = tukey_weight(turn - turned, sigma);
       sum += weight * turn;
       weights += weight;
     }
@@ -106,11 +92,11 @@ std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const st
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> left;
     for (const Row& row : rows) left.push_back(std::abs(left_of(row, fit)));
-    sigma = std::max(least_sigma, kOfMad * median_of(left));
+    sigma = std::max(least_sigma, kSigmaOfMad * median_of(left));
     fit.normal.setZero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const Row& row : rows) {
-      const double weight = weight_of(left_of(row, fit), sigma);
+      const double weight = tukey_weight(left_of(row, fit), sigma);
       const Eigen::Vector2d with(1.0, row.elevation);
       fit.normal += weight * with * with.transpose();
       right += weight * row.risen * with;

@@ -7,6 +7,7 @@
 
 #include "agents/methods/bearing/config.hpp"
 #include "agents/methods/bearing/content.hpp"
+#include "agents/methods/bearing/other_cameras.hpp"
 #include "agents/methods/method.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "core/result.hpp"
@@ -40,6 +41,7 @@ class Bearing {
   };
   struct Belief {
     AlongPath centre_from_robot;
+    OtherCameras cameras = {};  ///< that taught
   };
 
   /// invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
@@ -69,13 +71,17 @@ class Bearing {
 
   Chart chart(const std::vector<ChartPlace<Content>>& around) const;
   Belief begin(const Chart& chart, const Estimate& seed) const;
-  /// Which of the places before and behind looks most like the view tells how far along the path the robot is; the
-  /// two about it tell its heading. Refusals: nothing_near, and those of `relate` when none of them tells a heading.
+  /// Cameras are still those that they were.
+  Belief begin(const Chart& chart, const Estimate& seed, const Belief& before) const;
+  /// How much nearer things are than in each of the places before and behind tells how far along the path the robot
+  /// is, once the focal lengths of those that taught are taken into account, which are found out on the way
+  /// (other_cameras.hpp); what most of these places show, its heading. Refusals: nothing_near, headings_differ, and
+  /// those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
-  /// Its belief is navigation's.
-  Belief believed(const Chart& chart, const Belief&, const Estimate& estimate) const {
-    return begin(chart, estimate);
+  /// Where it is is navigation's belief.
+  Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const {
+    return begin(chart, estimate, before);
   }
 
   /// The features of the place with one more pass counted, without those that are hardly ever seen and with some of

@@ -32,7 +32,7 @@ void each_setting(Config& config, Visit&& visit) {
   visit("neighbours_m", config.neighbours_m, 0, 3);
   visit("most_neighbours", config.most_neighbours, 1, 21);
   visit("along_sigma_m", config.along_sigma_m, 0.001, 2);
-  visit("focal_share", config.focal_share, 0, 0.1);
+  visit("focal_share", config.focal_share, 1e-4, 0.1);
   visit("anywhere_above_chance", config.anywhere_above_chance, 0, 50);
   visit("anywhere_runner_up", config.anywhere_runner_up, 0, 1);
   visit("anywhere_nearing", config.anywhere_nearing, 0.01, 2);

@@ -52,7 +52,7 @@ struct BearingConfig {
   double neighbours_m = 0.65;    ///< [0, 3] places so far along the path are compared
   int most_neighbours = 7;       ///< [1, 21]
   double along_sigma_m = 0.012;  ///< [0.001, 2] of a distance told by how much nearer things are than there
-  double focal_share = 0.005;    ///< [0, 0.1] by which two cameras' focal lengths differ from what is said
+  double focal_share = 0.01;     ///< [1e-4, 0.1] 1 sigma of what two data sheets' focal lengths are off by
 
   // Where nobody says where it is, every place may be it: one that is not looks alike by chance
   double anywhere_above_chance = 8.0;  ///< [0, 50] as vote.above_chance

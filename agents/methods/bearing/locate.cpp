@@ -24,6 +24,7 @@ struct Told {
   HeadingVote vote;
   std::optional<Nearing> nearing;  ///< of the robot's view against the place's
   double robot_m = 0.0;            ///< the place's distance from the robot, as believed; ahead positive
+  double focal_variance = 0.0;     ///< of the share that is taken off `nearing`
 };
 
 /// How far further along the path the robot is than believed.
@@ -94,6 +95,39 @@ std::vector<Told> agreeing(const std::vector<Told>& told) {
   return agree;
 }
 
+/// What the view tells of the camera that taught most of these. From before or behind them all, a step and a longer
+/// lens look too much alike.
+void look_at_camera(OtherCameras& cameras, const std::vector<Told>& told, const BearingContent& seen, double sigma) {
+  constexpr std::ptrdiff_t fewest = 2;  // on either side
+  constexpr double near_m = 0.1;        // to where it is believed: the views that are compared lie about it
+  const auto run_of = [](const Told& one) { return one.stop->place.experience; };
+  const auto places_of = [&](const ExperienceId& run) {
+    return std::count_if(told.begin(), told.end(), [&](const Told& one) { return run_of(one) == run; });
+  };
+  const ExperienceId run = run_of(*std::max_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
+    return places_of(run_of(a)) < places_of(run_of(b));
+  }));
+  const std::optional<Further> further = further_of(told);
+  if (!cameras.is_due(run) || !further || std::abs(further->ahead_m) > near_m) return;
+  std::vector<OtherView> views;
+  for (const Told& one : told)
+    if (run_of(one) == run)
+      views.push_back({one.robot_m - further->ahead_m, &one.stop->content->features, &one.vote.agreeing});
+  const auto ahead =
+      std::count_if(views.begin(), views.end(), [](const OtherView& view) { return view.ahead_m > 0.0; });
+  if (ahead < fewest || std::ssize(views) - ahead < fewest) return;
+  if (const auto share = focal_share_of(views, seen.features, seen.focal_px)) cameras.told(run, *share, sigma);
+}
+
+/// Things seem as much nearer as a focal length is larger.
+void take_off_focal_shares(std::vector<Told>& told, const OtherCameras& cameras, double sigma) {
+  for (Told& one : told) {
+    const FocalShare focal = cameras.of(one.stop->place.experience, sigma);
+    if (one.nearing) one.nearing->share -= focal.share;
+    one.focal_variance = focal.variance;
+  }
+}
+
 }  // namespace
 
 Bearing::Chart Bearing::chart(const std::vector<ChartPlace<Content>>& around) const {
@@ -113,9 +147,16 @@ Bearing::Belief Bearing::begin(const Chart& chart, const Estimate& seed) const {
   return {as_along(seed.place_from_robot)};
 }
 
+Bearing::Belief Bearing::begin(const Chart& chart, const Estimate& seed, const Belief& before) const {
+  Belief now = begin(chart, seed);
+  now.cameras = before.cameras;
+  return now;
+}
+
 Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, const Step& step,
                                          const Content& seen) const {
   belief.centre_from_robot = as_along(compose(belief.centre_from_robot, step.previous_from_current));
+  belief.cameras.moved(distance_m(step.previous_from_current));
   Located<Belief> located{belief, std::nullopt, {}};
   const double here_m = belief.centre_from_robot.distance_m;
   std::vector<const Stop*> near;
@@ -148,6 +189,8 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
     return located;
   }
 
+  look_at_camera(located.belief.cameras, told, seen, config_.focal_share);
+  take_off_focal_shares(told, located.belief.cameras, config_.focal_share);
   const std::optional<Further> further = further_of(told);
   const double ahead_m = further ? further->ahead_m : 0.0;
   const auto nearest = std::min_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
@@ -157,9 +200,8 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
       as_along(compose(inverse(Relation{nearest->stop->centre_from_place}), belief.centre_from_robot));
   if (further) {
     place_from_robot.distance_m = ahead_m - nearest->robot_m;
-    const double by_focal_m = config_.focal_share / further->nearing_1_m;
-    place_from_robot.distance_variance_m2 =
-        config_.along_sigma_m * config_.along_sigma_m + by_focal_m * by_focal_m + further->variance_m2;
+    place_from_robot.distance_variance_m2 = config_.along_sigma_m * config_.along_sigma_m + further->variance_m2 +
+                                            nearest->focal_variance / (further->nearing_1_m * further->nearing_1_m);
   }
   if (nearest->nearing) {
     place_from_robot.heading_shift_rad = nearest->nearing->turned_rad;

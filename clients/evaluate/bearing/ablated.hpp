@@ -10,8 +10,8 @@
 namespace weft::evaluate::bearing {
 
 /// `bearing` with parts taken away, steered as Krajnik et al. 2018 do: turning as taught, and against the heading
-/// seen. The distance stays the wheels'; or (IV-B) the profile is replayed without looking, or the robot steers by
-/// what it sees alone and knows no bends.
+/// seen. The distance stays the wheels'; or (IV-B) the profile is replayed without looking, or the robot drives at a
+/// constant speed, steers by what it sees alone, and knows no bends.
 class Ablated {
  public:
   static constexpr std::string_view name = agents::Bearing::name;
@@ -42,14 +42,17 @@ class Ablated {
   std::optional<agents::Signature> sign(const Content& content) const { return whole_.sign(content); }
   Chart chart(const std::vector<agents::ChartPlace<Content>>& around) const { return whole_.chart(around); }
   Belief begin(const Chart& chart, const agents::Estimate& seed) const { return whole_.begin(chart, seed); }
+  Belief begin(const Chart& chart, const agents::Estimate& seed, const Belief& before) const {
+    return whole_.begin(chart, seed, before);
+  }
   Belief believed(const Chart& chart, const Belief& belief, const agents::Estimate& estimate) const {
     return whole_.believed(chart, belief, estimate);
   }
 
   agents::Located<Belief> locate(const Chart& chart, Belief belief, const agents::Step& step,
                                  const Content& seen) const {
-    if (parts_ == Parts::vision_only) return whole_.locate(chart, belief, step, seen);
     if (parts_ == Parts::profile_only) return as_the_wheels_say(chart, belief, step);
+    if (parts_ == Parts::vision_only) return turned_as_it_looks(chart, belief, step, seen);
     agents::Located<Belief> located = whole_.locate(chart, belief, step, seen);
     if (located.fix) forget_how_far(chart, located);
     return located;
@@ -58,9 +61,9 @@ class Ablated {
   agents::Steering steer(const agents::Ahead& ahead) const {
     const Result<agents::Spline> path = agents::Spline::through(ahead.robot_from_path);
     if (!path) return tl::unexpected(agents::Stop{"no_path"});
+    if (parts_ == Parts::vision_only) return towards_what_is_seen(ahead);
     constexpr double near_m = 1.0;
-    // By vision alone as gently as a robot that looks ten times a second may; then it loses the way in sharp turns.
-    const double heading_gain_1_s = parts_ == Parts::vision_only ? 1.0 : 3.5;
+    constexpr double heading_gain_1_s = 3.5;
     const agents::PathPoint here = path->at(path->nearest({0.0, 0.0}, 0.0, near_m));
     constexpr double brakes_1_s = 1.0;
     constexpr double creeps_m_s = 0.03;
@@ -68,7 +71,7 @@ class Ablated {
     double speed_m_s = ahead.speed_limit_m_s;
     if (ahead.end_is_goal) speed_m_s = std::min(speed_m_s, std::max(creeps_m_s, brakes_1_s * ahead.to_end_m));
     if (ahead.to_end_m <= there_m) speed_m_s = 0.0;
-    const double taught_rad_s = parts_ == Parts::vision_only ? 0.0 : speed_m_s * here.curvature_1_m;
+    const double taught_rad_s = speed_m_s * here.curvature_1_m;
     const double seen_rad_s = parts_ == Parts::profile_only ? 0.0 : heading_gain_1_s * here.pose.heading;
     return agents::Twist{speed_m_s, taught_rad_s + seen_rad_s};
   }
@@ -89,6 +92,33 @@ class Ablated {
                                           [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
     const Relation here = compose(inverse(Relation{nearest->centre_from_place}), belief.centre_from_robot);
     return {belief, agents::Fix{nearest->place, here, {here}}, {}};
+  }
+
+  /// The heading is what the place at this distance shows, and nothing where it shows none; wheels tell of no turn.
+  agents::Located<Belief> turned_as_it_looks(const Chart& chart, Belief belief, const agents::Step& step,
+                                             const Content& seen) const {
+    agents::Located<Belief> located = as_the_wheels_say(chart, std::move(belief), step);
+    const agents::Bearing::Stop& stop = stop_of(chart, located.fix->place);
+    AlongPath here = std::get<AlongPath>(located.fix->place_from_robot);
+    here.heading_shift_rad = 0.0;
+    if (stop.content != nullptr) {
+      const auto shown = whole_.relate(*stop.content, seen, Relation{here});
+      if (shown) here.heading_shift_rad = std::get<AlongPath>(shown->a_from_b).heading_shift_rad;
+    }
+    located.belief.centre_from_robot = std::get<AlongPath>(compose(Relation{stop.centre_from_place}, here));
+    located.fix->place_from_robot = here;
+    located.fix->evidence.a_from_b = here;
+    return located;
+  }
+
+  /// At a constant speed, and as gently as a robot may that looks ten times a second.
+  static agents::Twist towards_what_is_seen(const agents::Ahead& ahead) {
+    constexpr double speed_m_s = 0.5;  // at which the straights are taught
+    constexpr double heading_gain_1_s = 1.0;
+    const auto place = std::min_element(
+        ahead.robot_from_path.begin(), ahead.robot_from_path.end(),
+        [](const Pose2& a, const Pose2& b) { return a.translation().norm() < b.translation().norm(); });
+    return {speed_m_s, heading_gain_1_s * place->heading};
   }
 
   /// The heading alone is seen; the distance stays the wheels'.

@@ -104,7 +104,13 @@ Result<bool> follow(Repeating& robot, const Drive& drive, const Course& course, 
 Result<std::unique_ptr<Navigator>> make_navigator(const CameraModel& camera, Parts parts) {
   Result<Bearing> method = Bearing::make({}, camera);
   if (!method) return fail(method.error());
-  const NavigationConfig config;
+  NavigationConfig config;
+  if (parts == Parts::vision_only) {
+    // What is seen counts alone, whatever the wheels say.
+    config.belief.fuse = false;
+    config.belief.gate_sigmas = 10.0;
+    config.belief.gate_floor_rad = 0.5;
+  }
   if (parts == Parts::all) return agents::make_navigator(std::move(*method), config);
   return agents::make_navigator(Ablated(std::move(*method), parts), config);
 }

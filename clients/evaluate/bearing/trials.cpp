@@ -26,6 +26,15 @@ void bad_wheels(Site& site) {
   site.disturbances.wheel_asymmetry = 0.05;
 }
 
+void true_camera(Site& site) {
+  site.disturbances.focal_error = 0.0;
+}
+
+/// Another robot's, whose data sheet is as far off as data sheets are.
+void other_camera(Site& site) {
+  site.disturbances.focal_error = 0.02;
+}
+
 void no_encoders(Site& site) {
   site.base.has_encoders = false;
 }
@@ -102,6 +111,8 @@ const std::vector<Trial>& trials() {
        Parts::all, true_wheels, bad_wheels},
       {"oval-no-encoders", "oval, 1 m off, distance by command", "oval", "oval", kAMetreAside, 20, Parts::all,
        no_encoders, no_encoders},
+      {"oval-other-camera", "oval, 1 m off, focal length 2 % off the teacher's", "oval", "oval", kAMetreAside, 20,
+       Parts::all, true_camera, other_camera},
       {"lemniscate", "17 m lemniscate, 1 m off", "lemniscate", "lemniscate", kAMetreAside, 19, Parts::all, as_it_is,
        as_it_is},
       {"lemniscate-bad-wheels", "lemniscate, 1 m off, wheels off by 10 %, asymmetric by 5 %", "lemniscate",

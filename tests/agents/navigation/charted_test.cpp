@@ -21,6 +21,21 @@ class Noting : public tiny::GridFilter {
   std::vector<std::vector<PlaceId>>* charts_;
 };
 
+/// Counts how often it goes on from what it believed.
+class Remembering : public Noting {
+ public:
+  Remembering(std::vector<std::vector<PlaceId>>& charts, int& gone_on) : Noting(charts), gone_on_(&gone_on) {}
+  using Noting::begin;
+  Belief begin(const Chart& chart, const Estimate& seed, const Belief&) const {
+    ++*gone_on_;
+    return begin(chart, seed);
+  }
+
+ private:
+  int* gone_on_;
+};
+static_assert(Remembers<Remembering> && !Remembers<Noting>);
+
 class NoneArrived final : public Contents {
  public:
   std::shared_ptr<const Bytes> find(const ContentHash&) const override { return nullptr; }
@@ -75,6 +90,20 @@ TEST(Charted, IsMadeAnewWhenARelationHasChanged) {
   index_edges(window);
   charted.prepare(window, NoneArrived{}, decoded, here);
   EXPECT_EQ(charts.size(), 2U);
+}
+
+TEST(Charted, ForgetsWhereTheRobotIsAndNotWhatElseTheMethodKnows) {
+  std::vector<std::vector<PlaceId>> charts;
+  int gone_on = 0;
+  const Remembering method(charts, gone_on);
+  Charted<Remembering> charted(method);
+  DecodedContents<Remembering> decoded(method, 10);
+  charted.prepare(window_from(0), NoneArrived{}, decoded, {at(2), Metric2{}, 0.0});
+  EXPECT_EQ(gone_on, 0);
+  charted.forget();
+  charted.prepare(window_from(0), NoneArrived{}, decoded, {at(1), Metric2{}, 0.0});
+  EXPECT_EQ(charts.size(), 2U);
+  EXPECT_EQ(gone_on, 1);
 }
 
 }  // namespace

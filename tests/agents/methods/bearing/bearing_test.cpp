@@ -242,6 +242,25 @@ TEST_F(BearingLocateTest, ItsBeliefIsWhatNavigationMakesOfIt) {
   EXPECT_NEAR(now.centre_from_robot.distance_m, 0.23, 1e-12);
 }
 
+/// Through a longer lens than its data sheet says all things seem nearer, as from further ahead.
+TEST_F(BearingLocateTest, WhoseFocalLengthIsAnotherIsFoundOutOnTheWay) {
+  sim::Site site = test::aisle_site();
+  site.disturbances.focal_error = 0.02;  // too long, or too short
+  test::Lookout other{site};
+  Bearing::Belief belief{AlongPath{-1.0, 0.01}};
+  std::vector<double> off_m;
+  for (int i = 0; i <= 20; ++i) {
+    const double x = 6.0 + 0.1 * i;
+    const Step step{AlongPath{i > 0 ? 0.1 : 0.0, 1e-6}, true, {}};
+    const auto located = method_.locate(chart_, belief, step, seen(method_, other, {x, 6.0, 0.0}));
+    ASSERT_TRUE(located.fix);
+    belief = located.belief;
+    off_m.push_back(along(located.fix->place_from_robot).distance_m - (x - (5.0 + 0.2 * located.fix->place.index)));
+  }
+  EXPECT_NEAR(std::abs(belief.cameras.of(ExperienceId{}, 0.01).share), 0.02, 0.006);
+  EXPECT_LT(std::abs(off_m.back()), 0.025);
+}
+
 TEST_F(BearingLocateTest, WhereNothingIsNearNothingIsSaid) {
   const auto located = method_.locate(chart_, {AlongPath{9.0, 0.04}}, {AlongPath{}, true, {}}, at(7.0));
   EXPECT_FALSE(located.fix);

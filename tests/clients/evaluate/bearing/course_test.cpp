@@ -103,6 +103,21 @@ TEST_F(BearingDrive, TheProfileAloneDrivesAway) {
   EXPECT_GT(off_m(repeated.along.back()), 0.25);
 }
 
+TEST_F(BearingDrive, ByVisionAloneTheFirstSharpTurnIsMissed) {
+  const Result<Scene> scene = read_scene(std::filesystem::path(WEFT_SITES) / "bearing", "oval", "corners");
+  ASSERT_TRUE(scene) << scene.error().message;
+  const auto sharp = teach(drive_, scene->line);
+  ASSERT_TRUE(sharp) << sharp.error().message;
+  const auto repeated = repeat(a_day_later(), **sharp, {}, 1, Parts::vision_only);
+  ASSERT_TRUE(repeated) << repeated.error().message;
+  EXPECT_NE((*repeated)->ended, "");
+  constexpr double straight_m = 1.7;  // before the turn
+  for (const Deviation& deviation : (*repeated)->along)
+    if (deviation.along_m < straight_m) EXPECT_LT(off_m(deviation), 0.15) << deviation.along_m;
+  EXPECT_LT((*repeated)->along.back().driven_m, 4.0);
+  EXPECT_GT(off_m((*repeated)->along.back()), 0.5);
+}
+
 TEST_F(BearingDrive, PutDownAnywhereItFindsOutWhere) {
   for (const std::size_t place : {13U, 27U, 44U}) {
     const Repeated repeated = driven(a_day_later(), {{-0.05, 0.12, 0.05}, place, false}, 1);
