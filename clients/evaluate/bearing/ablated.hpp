@@ -51,9 +51,9 @@ class Ablated {
 
   agents::Located<Belief> locate(const Chart& chart, Belief belief, const agents::Step& step,
                                  const Content& seen) const {
-    if (parts_ == Parts::profile_only) return as_the_wheels_say(chart, belief, step);
-    if (parts_ == Parts::vision_only) return turned_as_it_looks(chart, belief, step, seen);
-    agents::Located<Belief> located = whole_.locate(chart, belief, step, seen);
+    if (parts_ == Parts::profile_only) return as_the_wheels_say(chart, std::move(belief), step);
+    if (parts_ == Parts::vision_only) return turned_as_it_looks(chart, std::move(belief), step, seen);
+    agents::Located<Belief> located = whole_.locate(chart, std::move(belief), step, seen);
     if (located.fix) forget_how_far(chart, located);
     return located;
   }

@@ -18,9 +18,8 @@ constexpr double kLongestS = 4000.0;  // on the simulation's clock
 /// A robot on its way, with what it has driven.
 class Repeating {
  public:
-  Repeating(const Drive& drive, const Course& course, std::unique_ptr<sim::SimulatedBody> body,
-            std::unique_ptr<Navigator> navigator)
-      : drive_(drive), course_(course), body_(std::move(body)), navigator_(std::move(navigator)) {}
+  Repeating(const Course& course, std::unique_ptr<sim::SimulatedBody> body, std::unique_ptr<Navigator> navigator)
+      : course_(course), body_(std::move(body)), navigator_(std::move(navigator)) {}
 
   Navigator& navigator() { return *navigator_; }
   double now_s() const { return now_s_; }
@@ -50,7 +49,6 @@ class Repeating {
   }
 
  private:
-  const Drive& drive_;
   const Course& course_;
   std::unique_ptr<sim::SimulatedBody> body_;
   std::unique_ptr<Navigator> navigator_;
@@ -122,7 +120,7 @@ Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course,
   auto navigator = make_navigator((*body)->cameras().front(), parts);
   if (!navigator) return fail(navigator.error());
   (*body)->put(course.site_from_place[start.place] * start.place_from_robot, {});
-  Repeating robot(drive, course, std::move(*body), std::move(*navigator));
+  Repeating robot(course, std::move(*body), std::move(*navigator));
   robot.navigator().seek(start.is_told ? std::optional(course.places[start.place]) : std::nullopt);
   Repeated repeated;
   for (int i = 0; !robot.navigator().estimate(); ++i) {
