@@ -67,7 +67,7 @@ Views views(const Passage& passage) {
   return views;
 }
 
-std::optional<FocalShare> told(const Views& views) {
+std::optional<FocalShare> measured(const Views& views) {
   std::vector<OtherView> others;
   for (std::size_t k = 0; k < views.places.size(); ++k)
     others.push_back({views.at_m[k], &views.places[k], &views.same[k]});
@@ -77,7 +77,7 @@ std::optional<FocalShare> told(const Views& views) {
 TEST(FocalShareOf, IsToldWhereverTheRobotIs) {
   for (const double share : {-0.03, 0.0, 0.015, 0.03}) {
     for (const double truly_m : {-0.2, 0.0, 0.07, 0.3}) {
-      const auto found = told(views({.truly_m = truly_m, .focal_share = share, .seed = 3}));
+      const auto found = measured(views({.truly_m = truly_m, .focal_share = share, .seed = 3}));
       ASSERT_TRUE(found);
       EXPECT_NEAR(found->share, share, 0.008) << truly_m;
     }
@@ -91,7 +91,7 @@ TEST(FocalShareOf, IsAsSureAsItIsRight) {
     Random random(1000 + seed);
     const Passage passage{
         .truly_m = random.normal(0.0, 0.1), .focal_share = random.normal(0.0, kSaidTo), .seed = seed};
-    const auto found = told(views(passage));
+    const auto found = measured(views(passage));
     ASSERT_TRUE(found);
     sum += std::pow(found->share - passage.focal_share, 2) / found->variance;
   }
@@ -99,13 +99,13 @@ TEST(FocalShareOf, IsAsSureAsItIsRight) {
 }
 
 TEST(FocalShareOf, WrongMatchesHardlyCount) {
-  const auto found = told(views({.truly_m = 0.1, .focal_share = 0.02, .wrong = 0.2, .seed = 5}));
+  const auto found = measured(views({.truly_m = 0.1, .focal_share = 0.02, .wrong = 0.2, .seed = 5}));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->share, 0.02, 0.008);
 }
 
 TEST(FocalShareOf, WhereAllStandsAtOneDistanceItIsNotTold) {
-  const auto near = told(views({.nearest_m = 3.9, .furthest_m = 4.1, .seed = 6}));
+  const auto near = measured(views({.nearest_m = 3.9, .furthest_m = 4.1, .seed = 6}));
   ASSERT_TRUE(near);
   EXPECT_GT(std::sqrt(near->variance), 0.5 * kSaidTo) << "a step ahead would look the same";
 }
@@ -113,7 +113,7 @@ TEST(FocalShareOf, WhereAllStandsAtOneDistanceItIsNotTold) {
 TEST(FocalShareOf, HardlyAnythingTellsNothing) {
   Views few = views({});
   for (auto& same : few.same) same.resize(2);
-  EXPECT_FALSE(told(few));
+  EXPECT_FALSE(measured(few));
 }
 
 }  // namespace
