@@ -50,7 +50,8 @@ struct Change {
   double dirt_per_m2 = 0.0;    ///< specks on the floor
   double stock = 0.0;          ///< share of the racks' places where something else stands
   int stock_times = 1;         ///< so often has that share changed, one time after the other
-  double lamps_failed = 0.0;   ///< chance of each lamp to be dark; the forward camera alone sees it
+  double lamps_failed = 0.0;   ///< share of the lamps that are dark, which ones by the seed
+  double ambient = 1.0;        ///< share that is left of the light from everywhere
   double sinks_m = 0.0;        ///< bodies stand lower: under load, on worn tyres
   std::vector<CastShadow> shadows;
   std::vector<WetArea> wet;

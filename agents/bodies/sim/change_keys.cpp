@@ -66,6 +66,7 @@ Change change_in(const Table& table, Change c) {
   c.stock = 0.01 * table.number("stock_percent", 100 * c.stock, 0.0, 100.0);
   c.stock_times = static_cast<int>(table.integer("stock_times", c.stock_times, 1, 1000));
   c.lamps_failed = 0.01 * table.number("lamps_failed_percent", 100 * c.lamps_failed, 0.0, 100.0);
+  c.ambient = 0.01 * table.number("ambient_percent", 100 * c.ambient, 0.0, 100.0);
   c.sinks_m = 1e-3 * table.number("sinks_mm", 1e3 * c.sinks_m, 0.0, 100.0);
   for (const Table& each : table.tables("shadow", 0, 1000)) c.shadows.push_back(shadow_in(each));
   for (const Table& each : table.tables("wet", 0, 1000)) c.wet.push_back(wet_in(each));

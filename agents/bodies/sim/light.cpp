@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/floor/kernels.hpp"
+#include "agents/bodies/sim/lamps.hpp"
 
 namespace weft::agents::sim {
 namespace {
@@ -60,17 +61,18 @@ float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, c
 }  // namespace
 
 Light::Light(const Site& site, double gloss_grey, Random random)
-    : ambient_(static_cast<float>(site.ambient)),
+    : ambient_(static_cast<float>(site.ambient * site.change.ambient)),
       gloss_(static_cast<float>(site.change.light * gloss_grey)),
       glare_(static_cast<float>(site.change.light * site.change.glare_grey)),
       glare_size_m_(static_cast<float>(site.change.glare_size_m)),
       node_rad_(static_cast<float>(kShadeCell / site.camera.focal_px)),
       change_(static_cast<float>(site.change.light)),
       shades_(site.change) {
-  for (const Lamp& lamp : site.lamps) {
-    const double change = 1.0 + site.disturbances.light_change * random.uniform(-1.0, 1.0);
+  const std::vector<double> bright = lamps_now(site, random);
+  for (std::size_t i = 0; i < site.lamps.size(); ++i) {
+    const Lamp& lamp = site.lamps[i];
     lamps_.push_back({static_cast<float>(lamp.x), static_cast<float>(lamp.y), static_cast<float>(lamp.height_m),
-                      static_cast<float>(lamp.brightness * change)});
+                      static_cast<float>(lamp.brightness * bright[i])});
   }
   far_ = lamps_;
   // The camera is set so that the floor comes out at its mean brightness with the lamps as the file has them.

@@ -16,7 +16,7 @@ struct ShadowBody {
   double height_m = 0.5;
 };
 
-/// The lamps of one run; each as bright as `random` makes it within the stated change.
+/// The lamps of one run (lamps_now); of the ambient light `Change::ambient` is left.
 class Light {
  public:
   Light(const Site& site, double gloss_grey, Random random);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "agents/bodies/sim/lamps.hpp"
+
 namespace weft::agents::sim {
 namespace {
 
@@ -23,12 +25,11 @@ float falloff(const Eigen::Vector3f& lamp, const Eigen::Vector3f& point, const E
 }  // namespace
 
 HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<float>(site.ambient)) {
+  const std::vector<double> bright = lamps_now(site, random);
   std::vector<LampNow> as_written;
   for (std::size_t i = 0; i < site.lamps.size(); ++i) {
     const Lamp& lamp = site.lamps[i];
-    const double bright = 1.0 + site.disturbances.light_change * random.uniform(-1.0, 1.0);
-    const bool failed = Random(site.change.seed).fork(i).chance(site.change.lamps_failed);
-    const auto shines = failed ? 0.0F : static_cast<float>(bright);
+    const auto shines = static_cast<float>(bright[i]);
     const Eigen::Vector3d at(lamp.x, lamp.y, lamp.height_m);
     as_written.push_back({at.cast<float>(), static_cast<float>(lamp.brightness), 1.0F});
     lamps_.push_back({at.cast<float>(), static_cast<float>(lamp.brightness) * shines, shines});
@@ -42,7 +43,9 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
   }
   std::swap(lamps_, as_written);
   per_mean_ = static_cast<float>(count / std::max(1e-6, sum));
-  change_ = static_cast<float>(site.change.light);  // what the mean is measured without
+  // What the mean is measured without: a hall at night is dark, and not another day.
+  change_ = static_cast<float>(site.change.light);
+  ambient_ *= static_cast<float>(site.change.ambient);
 }
 
 float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const {

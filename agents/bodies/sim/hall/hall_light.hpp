@@ -16,8 +16,8 @@ struct QuadLight {
   std::array<float, 4> at{};
 };
 
-/// The lamps of one run over a hall: each as bright as `random` makes it within the stated change; those that have
-/// failed (`Change::lamps_failed`) are dark. Things that stand in the way throw shadows.
+/// The lamps of one run over a hall (lamps_now); of the ambient light `Change::ambient` is left. Things that stand in
+/// the way throw shadows.
 class HallLight {
  public:
   HallLight(const Site& site, Random random);

@@ -37,6 +37,17 @@ TEST_F(LightOn, HalvedLightIsHalfAsBright) {
   EXPECT_NEAR(at(1.0F, 0.2F).gain, before.gain / 2, 1e-5F);
 }
 
+TEST_F(LightOn, ALampThatHasFailedGivesNeitherLightNorShine) {
+  site_.change.glare_grey = 160.0;
+  const Lit before = at(kMirrorX, 0.0F);
+  site_.change.lamps_failed = 1.0;
+  EXPECT_LT(at(kMirrorX, 0.0F).gain, before.gain) << "what is left comes from everywhere";
+  EXPECT_GT(at(kMirrorX, 0.0F).gain, 0.0F);
+  EXPECT_EQ(at(kMirrorX, 0.0F).shine, 0.0F);
+  site_.change.ambient = 0.0;
+  EXPECT_EQ(at(kMirrorX, 0.0F).gain, 0.0F);
+}
+
 TEST_F(LightOn, GlareIsASpotWhereTheLampIsMirrored) {
   EXPECT_EQ(at(kMirrorX, 0.0F).shine, 0.0F);
   const float gain = at(kMirrorX, 0.0F).gain;

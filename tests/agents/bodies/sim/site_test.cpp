@@ -325,6 +325,7 @@ begins_m = 1.5
 stock_percent = 30
 stock_times = 4
 lamps_failed_percent = 50
+ambient_percent = 3
 )",
                                "small.toml");
   ASSERT_TRUE(site) << site.error().message;
@@ -339,6 +340,7 @@ lamps_failed_percent = 50
   EXPECT_EQ(site->change.stock, 0.3);
   EXPECT_EQ(site->change.stock_times, 4);
   EXPECT_EQ(site->change.lamps_failed, 0.5);
+  EXPECT_EQ(site->change.ambient, 0.03);
 }
 
 TEST(Site, AWayThatIsNoneIsRefused) {

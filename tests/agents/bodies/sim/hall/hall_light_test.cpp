@@ -56,6 +56,31 @@ TEST(HallLight, FailedLampsAreDarkAndStayTheSame) {
   EXPECT_NEAR(light_at(site, level(10, 6, 0, 0.1F)), 0.25F * open, 0.01F * open);
 }
 
+/// Its exposure is set for the hall as it is by day.
+TEST(HallLight, AHallAtNightIsDark) {
+  Site site = lit_site();
+  const float open = light_at(site, level(10, 6, 0, 0.1F));
+  site.change.lamps_failed = 1.0;
+  site.change.ambient = 0.02;
+  EXPECT_NEAR(light_at(site, level(10, 6, 0, 0.1F)), 0.01F * open, 0.001F * open);
+}
+
+TEST(HallLight, HalfOfTheLampsAreHalfOfThem) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Site site = lit_site();
+    site.lamps.clear();
+    for (int i = 0; i < 8; ++i) site.lamps.push_back({1.0 + 2.0 * i, 6.0, 6.0, 1.0});
+    site.change.seed = seed;
+    site.change.lamps_failed = 0.5;
+    int shining = 0;
+    for (const Lamp& lamp : site.lamps) {
+      const Quad face = level(static_cast<float>(lamp.x), 6, 6, 0.3F, Stuff::lamp);
+      shining += light_at(site, face) > 5.0F ? 1 : 0;
+    }
+    EXPECT_EQ(shining, 4) << seed;
+  }
+}
+
 TEST(HallLight, ALampShinesByItself) {
   Quad face = level(10, 6, 6, 0.3F, Stuff::lamp);
   EXPECT_GT(light_at(lit_site(), face), 5.0F);
