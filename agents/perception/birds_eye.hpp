@@ -37,7 +37,6 @@ struct FloorPatch {
 struct RectifiedFloor {
   std::vector<FloorFeature> features;
   FloorPatch patch;
-  double contrast = 0.0;  ///< standard deviation of the raw grey values
 };
 
 /// Rectifies the views of one camera to the floor plane of its mount (its lens undone), filtered by area where the

@@ -136,8 +136,9 @@ class LevelAlignment {
     const Eigen::Matrix3d homography = homography_of(camera_, state);
     rows_.resize(points_.size());
     const double f = focal_px(camera_) / scale_;
+    const Reprojector reproject_here(camera_, camera_, state);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Reprojection there = reproject(camera_, camera_, state, points_[i].in_a);
+      const Reprojection there = reproject_here(points_[i].in_a);
       const Eigen::Vector2d gradient_in_b =
           slope_of(homography, points_[i].in_a).inverse().transpose() * points_[i].gradient.cast<double>();
       rows_[i] = (f * gradient_in_b.transpose() * there.jacobian).cast<float>();

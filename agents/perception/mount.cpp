@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "agents/perception/lens.hpp"
 
@@ -15,26 +16,47 @@ using Matrix23d = Eigen::Matrix<double, 2, 3>;
 using Matrix93d = Eigen::Matrix<double, 9, 3>;
 constexpr double kHuber = 1.5;
 
-/// The error in pixels of one point for a mount that errs so.
-Eigen::Vector2d error_of(const CameraModel& camera, const MountError& mount, const PlanarState& state,
-                         const FloorPair& pair) {
-  const double shorter = 1.0 / (1.0 + mount.z());
-  const CameraModel turned = tilted(camera, mount.x(), mount.y());
-  const Reprojection there = reproject(turned, turned, state, shorter * pair.in_a);
-  return focal_px(camera) * (shorter * pair.in_b - there.in_b);
-}
-
-/// By pitch, roll and focal share; central differences.
-Matrix23d by_mount(const CameraModel& camera, const MountError& at, const PlanarState& state, const FloorPair& pair) {
-  constexpr double step = 1e-5;
-  Matrix23d jacobian;
-  for (int i = 0; i < 3; ++i) {
-    const MountError aside = step * MountError::Unit(i);
-    jacobian.col(i) =
-        (error_of(camera, at + aside, state, pair) - error_of(camera, at - aside, state, pair)) / (2.0 * step);
+/// The error in pixels of points for a mount that errs so.
+class Errors {
+ public:
+  Errors(const CameraModel& camera, const MountError& mount, const PlanarState& state)
+      : Errors(tilted(camera, mount.x(), mount.y()), 1.0 / (1.0 + mount.z()), focal_px(camera), state) {}
+  Eigen::Vector2d operator()(const FloorPair& pair) const {
+    return focal_px_ * (shorter_ * pair.in_b - reproject_(shorter_ * pair.in_a).in_b);
   }
-  return jacobian;
-}
+
+ private:
+  Errors(const CameraModel& turned, double shorter, double focal_px, const PlanarState& state)
+      : reproject_(turned, turned, state), shorter_(shorter), focal_px_(focal_px) {}
+
+  Reprojector reproject_;
+  double shorter_;
+  double focal_px_;
+};
+
+/// How errors of points change by pitch, roll and focal share; central differences.
+class ByMount {
+ public:
+  ByMount(const CameraModel& camera, const MountError& at, const PlanarState& state) {
+    for (int i = 0; i < 3; ++i) {
+      const MountError aside = kStep * MountError::Unit(i);
+      more_.emplace_back(camera, at + aside, state);
+      less_.emplace_back(camera, at - aside, state);
+    }
+  }
+  Matrix23d operator()(const FloorPair& pair) const {
+    Matrix23d jacobian;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      jacobian.col(i) = (more_[k](pair) - less_[k](pair)) / (2.0 * kStep);
+    }
+    return jacobian;
+  }
+
+ private:
+  static constexpr double kStep = 1e-5;
+  std::vector<Errors> more_, less_;
+};
 
 SwayPrior vibration_of(const MountPrior& prior) {
   const double tilt = 1.0 / (prior.vibration_tilt_rad * prior.vibration_tilt_rad);
@@ -92,8 +114,10 @@ bool MountFilter::add(const FloorViews& views) {
   Eigen::Matrix3d mount = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mount_pull = Eigen::Vector3d::Zero();
   const double f = focal_px(camera_);
+  const Reprojector reproject_here(turned, turned, fit.state);
+  const ByMount by_mount(camera_, at, fit.state);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Reprojection there = reproject(turned, turned, fit.state, points[k].in_a);
+    const Reprojection there = reproject_here(points[k].in_a);
     if (!there.in_front) continue;
     const double widened = std::max(1.0, fit.scale);
     const Eigen::Vector2d error = points[k].in_sigmas(f * (points[k].in_b - there.in_b)) / widened;
@@ -101,7 +125,7 @@ bool MountFilter::add(const FloorViews& views) {
     const double weight = off > kHuber ? kHuber / off : 1.0;
     const Eigen::Matrix2d in_sigmas = points[k].counts / (points[k].sigma_px * widened);
     const Matrix29d jo = f * in_sigmas * there.jacobian;
-    const Matrix23d jm = -in_sigmas * by_mount(camera_, at, fit.state, points[k]);  // of the prediction, as jo
+    const Matrix23d jm = -in_sigmas * by_mount(points[k]);  // of the prediction, as jo
     own.noalias() += weight * jo.transpose() * jo;
     own_pull.noalias() += weight * jo.transpose() * error;
     mixed.noalias() += weight * jo.transpose() * jm;

@@ -10,96 +10,6 @@
 namespace weft::agents {
 namespace {
 
-/// Ry(pitch) Rx(roll) and its derivatives.
-struct Tilt {
-  Eigen::Matrix3d rotation;
-  Eigen::Matrix3d by_pitch;
-  Eigen::Matrix3d by_roll;
-};
-
-Tilt tilt_of(const Sway& sway) {
-  const double cp = std::cos(sway.pitch_rad);
-  const double sp = std::sin(sway.pitch_rad);
-  const double cr = std::cos(sway.roll_rad);
-  const double sr = std::sin(sway.roll_rad);
-  Eigen::Matrix3d ry;
-  Eigen::Matrix3d rx;
-  Eigen::Matrix3d dry;
-  Eigen::Matrix3d drx;
-  ry << cp, 0, sp, 0, 1, 0, -sp, 0, cp;
-  dry << -sp, 0, cp, 0, 0, 0, -cp, 0, -sp;
-  rx << 1, 0, 0, 0, cr, -sr, 0, sr, cr;
-  drx << 0, 0, 0, 0, -sr, -cr, 0, cr, -sr;
-  return {ry * rx, dry * rx, ry * drx};
-}
-
-/// One camera prepared for many points.
-struct Eye {
-  Eigen::Matrix3d body_from_camera;
-  Eigen::Vector3d position_in_body;
-  Tilt tilt;
-  double height;
-};
-
-Eye eye_of(const CameraModel& camera, const Sway& sway) {
-  return {camera.robot_from_camera.rotation.toRotationMatrix(), camera.robot_from_camera.translation, tilt_of(sway),
-          sway.height_m};
-}
-
-/// The floor point of a ray, and its derivative by the sway.
-struct OnFloor {
-  Eigen::Vector2d point;
-  Eigen::Matrix<double, 2, 3> by_sway;
-  bool in_front;
-};
-
-OnFloor meet_floor(const Eye& eye, const Eigen::Vector2d& normalised) {
-  const Eigen::Vector3d ray_in_body = eye.body_from_camera * normalised.homogeneous();
-  const Eigen::Vector3d ray = eye.tilt.rotation * ray_in_body;
-  const Eigen::Vector3d origin = eye.tilt.rotation * eye.position_in_body + Eigen::Vector3d(0.0, 0.0, eye.height);
-  const double depth = -origin.z() / ray.z();
-  OnFloor met{};
-  met.in_front = ray.z() < -1e-6 && origin.z() > 0.0;
-  met.point = (origin + depth * ray).head<2>();
-  const auto derivative = [&](const Eigen::Vector3d& d_origin, const Eigen::Vector3d& d_ray) -> Eigen::Vector2d {
-    const double d_depth = -(d_origin.z() + depth * d_ray.z()) / ray.z();
-    return (d_origin + depth * d_ray + d_depth * ray).head<2>();
-  };
-  met.by_sway.col(0) = derivative(eye.tilt.by_pitch * eye.position_in_body, eye.tilt.by_pitch * ray_in_body);
-  met.by_sway.col(1) = derivative(eye.tilt.by_roll * eye.position_in_body, eye.tilt.by_roll * ray_in_body);
-  met.by_sway.col(2) = derivative(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
-  return met;
-}
-
-Reprojection reproject(const Eye& a, const Eye& b, const Pose2& a_from_b, const Eigen::Vector2d& in_a) {
-  const OnFloor met = meet_floor(a, in_a);
-  const double c = std::cos(a_from_b.heading);
-  const double s = std::sin(a_from_b.heading);
-  Eigen::Matrix2d b_from_a;
-  b_from_a << c, s, -s, c;
-  const Eigen::Vector2d q = b_from_a * (met.point - a_from_b.translation());
-  const Eigen::Vector3d above(q.x(), q.y(), -b.height);
-  const Eigen::Vector3d in_body = b.tilt.rotation.transpose() * above;
-  const Eigen::Vector3d in_camera = b.body_from_camera.transpose() * (in_body - b.position_in_body);
-
-  Reprojection out;
-  out.in_front = met.in_front && in_camera.z() > 1e-6;
-  out.in_b = in_camera.head<2>() / in_camera.z();
-  Eigen::Matrix<double, 2, 3> projection;
-  projection << 1.0, 0.0, -out.in_b.x(), 0.0, 1.0, -out.in_b.y();
-  const Eigen::Matrix<double, 2, 3> by_body = projection / in_camera.z() * b.body_from_camera.transpose();
-  const Eigen::Matrix<double, 2, 3> by_level = by_body * b.tilt.rotation.transpose();
-  const Eigen::Matrix2d by_q = by_level.leftCols<2>();
-  out.jacobian.col(0) = -by_q.col(0);
-  out.jacobian.col(1) = -by_q.col(1);
-  out.jacobian.col(2) = by_q * Eigen::Vector2d(q.y(), -q.x());
-  out.jacobian.middleCols<3>(3) = by_q * b_from_a * met.by_sway;
-  out.jacobian.col(6) = by_body * b.tilt.by_pitch.transpose() * above;
-  out.jacobian.col(7) = by_body * b.tilt.by_roll.transpose() * above;
-  out.jacobian.col(8) = -by_level.col(2);
-  return out;
-}
-
 struct Normal {
   Matrix9d information = Matrix9d::Zero();
   Vector9d gradient = Vector9d::Zero();
@@ -126,9 +36,88 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+Reprojector::Tilt Reprojector::tilt_of(const Sway& sway) {
+  const double cp = std::cos(sway.pitch_rad);
+  const double sp = std::sin(sway.pitch_rad);
+  const double cr = std::cos(sway.roll_rad);
+  const double sr = std::sin(sway.roll_rad);
+  Eigen::Matrix3d ry;
+  Eigen::Matrix3d rx;
+  Eigen::Matrix3d dry;
+  Eigen::Matrix3d drx;
+  ry << cp, 0, sp, 0, 1, 0, -sp, 0, cp;
+  dry << -sp, 0, cp, 0, 0, 0, -cp, 0, -sp;
+  rx << 1, 0, 0, 0, cr, -sr, 0, sr, cr;
+  drx << 0, 0, 0, 0, -sr, -cr, 0, cr, -sr;
+  return {ry * rx, dry * rx, ry * drx};
+}
+
+Reprojector::Eye Reprojector::eye_of(const CameraModel& camera, const Sway& sway) {
+  return {camera.robot_from_camera.rotation.toRotationMatrix(), camera.robot_from_camera.translation, tilt_of(sway),
+          sway.height_m};
+}
+
+/// The floor point of a ray, and its derivative by the sway.
+struct Reprojector::OnFloor {
+  Eigen::Vector2d point;
+  Eigen::Matrix<double, 2, 3> by_sway;
+  bool in_front;
+};
+
+Reprojector::OnFloor Reprojector::meet_floor(const Eye& eye, const Eigen::Vector2d& normalised) {
+  const Eigen::Vector3d ray_in_body = eye.body_from_camera * normalised.homogeneous();
+  const Eigen::Vector3d ray = eye.tilt.rotation * ray_in_body;
+  const Eigen::Vector3d origin = eye.tilt.rotation * eye.position_in_body + Eigen::Vector3d(0.0, 0.0, eye.height);
+  const double depth = -origin.z() / ray.z();
+  OnFloor met{};
+  met.in_front = ray.z() < -1e-6 && origin.z() > 0.0;
+  met.point = (origin + depth * ray).head<2>();
+  const auto derivative = [&](const Eigen::Vector3d& d_origin, const Eigen::Vector3d& d_ray) -> Eigen::Vector2d {
+    const double d_depth = -(d_origin.z() + depth * d_ray.z()) / ray.z();
+    return (d_origin + depth * d_ray + d_depth * ray).head<2>();
+  };
+  met.by_sway.col(0) = derivative(eye.tilt.by_pitch * eye.position_in_body, eye.tilt.by_pitch * ray_in_body);
+  met.by_sway.col(1) = derivative(eye.tilt.by_roll * eye.position_in_body, eye.tilt.by_roll * ray_in_body);
+  met.by_sway.col(2) = derivative(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+  return met;
+}
+
+Reprojector::Reprojector(const CameraModel& a, const CameraModel& b, const PlanarState& state)
+    : a_(eye_of(a, state.sway_a)), b_(eye_of(b, state.sway_b)), origin_(state.a_from_b.translation()) {
+  const double c = std::cos(state.a_from_b.heading);
+  const double s = std::sin(state.a_from_b.heading);
+  b_from_a_ << c, s, -s, c;
+}
+
+Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a) const {
+  const Eye& b = b_;
+  const OnFloor met = meet_floor(a_, in_a);
+  const Eigen::Vector2d q = b_from_a_ * (met.point - origin_);
+  const Eigen::Vector3d above(q.x(), q.y(), -b.height);
+  const Eigen::Vector3d in_body = b.tilt.rotation.transpose() * above;
+  const Eigen::Vector3d in_camera = b.body_from_camera.transpose() * (in_body - b.position_in_body);
+
+  Reprojection out;
+  out.in_front = met.in_front && in_camera.z() > 1e-6;
+  out.in_b = in_camera.head<2>() / in_camera.z();
+  Eigen::Matrix<double, 2, 3> projection;
+  projection << 1.0, 0.0, -out.in_b.x(), 0.0, 1.0, -out.in_b.y();
+  const Eigen::Matrix<double, 2, 3> by_body = projection / in_camera.z() * b.body_from_camera.transpose();
+  const Eigen::Matrix<double, 2, 3> by_level = by_body * b.tilt.rotation.transpose();
+  const Eigen::Matrix2d by_q = by_level.leftCols<2>();
+  out.jacobian.col(0) = -by_q.col(0);
+  out.jacobian.col(1) = -by_q.col(1);
+  out.jacobian.col(2) = by_q * Eigen::Vector2d(q.y(), -q.x());
+  out.jacobian.middleCols<3>(3) = by_q * b_from_a_ * met.by_sway;
+  out.jacobian.col(6) = by_body * b.tilt.by_pitch.transpose() * above;
+  out.jacobian.col(7) = by_body * b.tilt.by_roll.transpose() * above;
+  out.jacobian.col(8) = -by_level.col(2);
+  return out;
+}
+
 Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarState& state,
                        const Eigen::Vector2d& in_a) {
-  return reproject(eye_of(a, state.sway_a), eye_of(b, state.sway_b), state.a_from_b, in_a);
+  return Reprojector(a, b, state)(in_a);
 }
 
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
@@ -143,12 +132,11 @@ PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const st
   std::vector<double> whitened(pairs.size());
   Matrix9d information = Matrix9d::Identity();
   for (int i = 0; i < most_iterations; ++i) {
-    const Eye eye_a = eye_of(a, fit.state.sway_a);
-    const Eye eye_b = eye_of(b, fit.state.sway_b);
+    const Reprojector reproject_here(a, b, fit.state);
     Normal normal;
     add_prior(prior, fit.state, normal);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const Reprojection there = reproject(eye_a, eye_b, fit.state.a_from_b, pairs[k].in_a);
+      const Reprojection there = reproject_here(pairs[k].in_a);
       const Eigen::Vector2d error = f * (pairs[k].in_b - there.in_b);
       fit.residual_px[k] = there.in_front ? std::min(error.norm(), far_off_px) : far_off_px;
       const Eigen::Vector2d off = pairs[k].in_sigmas(error);
@@ -157,8 +145,9 @@ PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const st
       whitened[k] = off.norm();
       const double weight = whitened[k] > huber ? huber / whitened[k] : 1.0;
       const Matrix29d jacobian = (f / pairs[k].sigma_px) * (pairs[k].counts * there.jacobian);
-      normal.information.noalias() += weight * jacobian.transpose() * jacobian;
-      normal.gradient.noalias() += weight * jacobian.transpose() * off;
+      // Lazily: so small a product costs more to hand over than to multiply.
+      normal.information += (weight * jacobian.transpose()).lazyProduct(jacobian);
+      normal.gradient += (weight * jacobian.transpose()).lazyProduct(off);
     }
     information = normal.information;
     if (fit.converged) break;  // this pass was for the residuals and the information at the solution

@@ -59,6 +59,35 @@ struct Reprojection {
   Matrix29d jacobian;
   bool in_front = false;
 };
+/// Of many points in one state.
+class Reprojector {
+ public:
+  Reprojector(const CameraModel& a, const CameraModel& b, const PlanarState& state);
+  Reprojection operator()(const Eigen::Vector2d& in_a) const;
+
+ private:
+  /// Ry(pitch) Rx(roll) and its derivatives.
+  struct Tilt {
+    Eigen::Matrix3d rotation;
+    Eigen::Matrix3d by_pitch;
+    Eigen::Matrix3d by_roll;
+  };
+  struct Eye {
+    Eigen::Matrix3d body_from_camera;
+    Eigen::Vector3d position_in_body;
+    Tilt tilt;
+    double height;
+  };
+  struct OnFloor;
+  static Tilt tilt_of(const Sway& sway);
+  static Eye eye_of(const CameraModel& camera, const Sway& sway);
+  static OnFloor meet_floor(const Eye& eye, const Eigen::Vector2d& normalised);
+
+  Eye a_;
+  Eye b_;
+  Eigen::Matrix2d b_from_a_;  // turned alone
+  Eigen::Vector2d origin_;    // of b in the plane of a
+};
 Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarState& state,
                        const Eigen::Vector2d& in_a);
 

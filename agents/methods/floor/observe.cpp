@@ -126,9 +126,10 @@ Followed follow(const CameraModel& camera, const FloorConfig& c, const Floor::Od
                 const PlanarState& expected) {
   std::vector<Eigen::Vector2d> from;
   std::vector<Eigen::Vector2d> guess;
+  const Reprojector reproject_expected(camera, camera, expected);
   for (const Floor::Tracked& t : s.tracks) {
     from.push_back(t.pixel);
-    const Reprojection there = reproject(camera, camera, expected, t.in_keyframe);
+    const Reprojection there = reproject_expected(t.in_keyframe);
     guess.push_back(there.in_front ? pixel_from_normalised(camera, there.in_b) : t.pixel);
   }
   const std::vector<Track> found = track_corners(s.newest, image, from, guess);

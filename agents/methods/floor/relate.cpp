@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "agents/methods/floor/consensus.hpp"
 #include "agents/methods/floor/floor.hpp"
@@ -43,36 +44,48 @@ std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
   return points;
 }
 
-/// a's features in cells of the floor, to ask for those near a point.
+/// a's features in cells of the floor, to ask for those near a point: each cell's side by side, as they are asked for
+/// tens of thousands of times.
 class FloorCells {
  public:
-  FloorCells(const std::vector<Eigen::Vector2d>& points, double cell_m) : points_(points), cell_m_(cell_m) {
-    bool any = false;
-    for (const Eigen::Vector2d& p : points) {
-      if (!is_near(p)) continue;
-      low_ = any ? Eigen::Vector2d(low_.cwiseMin(p)) : p;
-      high_ = any ? Eigen::Vector2d(high_.cwiseMax(p)) : p;
-      any = true;
-    }
-    if (!any) return;
-    columns_ = column(high_.x()) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_ * (row(high_.y()) + 1)));
+  struct Entry {
+    Eigen::Vector2d at;
+    double heading_rad = 0.0;
+    std::uint32_t index = 0;
+  };
+
+  FloorCells(const std::vector<Eigen::Vector2d>& points, const std::vector<FloorFeature>& features, double cell_m)
+      : cell_m_(cell_m) {
     for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (is_near(points[i]))
-        cells_[static_cast<std::size_t>(row(points[i].y()) * columns_ + column(points[i].x()))].push_back(i);
+      if (is_near(points[i])) entries_.push_back({points[i], features[i].heading_rad, i});
+    if (entries_.empty()) return;
+    low_ = high_ = entries_.front().at;
+    for (const Entry& entry : entries_) {
+      low_ = low_.cwiseMin(entry.at);
+      high_ = high_.cwiseMax(entry.at);
+    }
+    columns_ = column(high_.x()) + 1;
+    const auto cell_of = [&](const Entry& entry) { return row(entry.at.y()) * columns_ + column(entry.at.x()); };
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [&](const Entry& one, const Entry& other) { return cell_of(one) < cell_of(other); });
+    begins_.assign(static_cast<std::size_t>(columns_ * (row(high_.y()) + 1)) + 1, 0);
+    for (const Entry& entry : entries_) ++begins_[static_cast<std::size_t>(cell_of(entry)) + 1];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
   }
 
-  /// Calls `visit(i)` for each feature within `reach_m`.
+  /// Calls `visit(entry)` for each feature within `reach_m`.
   template <class Visit>
   void near(const Eigen::Vector2d& point, double reach_m, const Visit& visit) const {
-    if (cells_.empty() || !is_near(point)) return;
+    if (entries_.empty() || !is_near(point)) return;
     const Eigen::Vector2d from = (point.array() - reach_m).max(low_.array());
     const Eigen::Vector2d to = (point.array() + reach_m).min(high_.array());
     if (from.x() > to.x() || from.y() > to.y()) return;
-    for (int r = row(from.y()); r <= row(to.y()); ++r)
-      for (int c = column(from.x()); c <= column(to.x()); ++c)
-        for (const std::uint32_t i : cells_[static_cast<std::size_t>(r * columns_ + c)])
-          if ((points_[i] - point).squaredNorm() < reach_m * reach_m) visit(i);
+    for (int r = row(from.y()); r <= row(to.y()); ++r) {  // of a row, one stretch of entries
+      const std::size_t first = begins_[static_cast<std::size_t>(r * columns_ + column(from.x()))];
+      const std::size_t end = begins_[static_cast<std::size_t>(r * columns_ + column(to.x())) + 1];
+      for (std::size_t k = first; k < end; ++k)
+        if ((entries_[k].at - point).squaredNorm() < reach_m * reach_m) visit(entries_[k]);
+    }
   }
 
  private:
@@ -81,12 +94,12 @@ class FloorCells {
   int column(double x) const { return static_cast<int>((x - low_.x()) / cell_m_); }
   int row(double y) const { return static_cast<int>((y - low_.y()) / cell_m_); }
 
-  const std::vector<Eigen::Vector2d>& points_;
   double cell_m_;
+  std::vector<Entry> entries_;       // cell by cell
+  std::vector<std::size_t> begins_;  // of each cell's entries, and where the last one's end
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
   int columns_ = 0;
-  std::vector<std::vector<std::uint32_t>> cells_;
 };
 
 /// Guided matching (III-C): b's features are looked for where the guess puts them.
@@ -95,17 +108,15 @@ std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, c
                                   const Gate& gate) {
   // A feature's own heading is noisier than a robot's; half a radian keeps nine tenths of the right ones.
   const double heading_gate = gate.heading_rad + 0.5;
-  const FloorCells cells(at_a, 0.1);
-  std::vector<double> headings_a;  // side by side: they are asked for tens of thousands of times
-  for (const FloorFeature& feature : a.features) headings_a.push_back(feature.heading_rad);
+  const FloorCells cells(at_a, a.features, 0.1);
   std::vector<std::vector<std::uint32_t>> candidates(at_b.size());
   for (std::size_t j = 0; j < at_b.size(); ++j) {
     const Eigen::Vector2d expected = gate.a_from_b * at_b[j];
     const double reach = gate.distance_m + std::sin(std::min(gate.heading_rad, 1.5)) * at_b[j].norm() + c.consensus_m;
     const double heading = wrap_angle(b.features[j].heading_rad + gate.a_from_b.heading);
-    cells.near(expected, reach, [&](std::uint32_t i) {
-      const double turned = std::abs(headings_a[i] - heading);  // of two headings: less than a whole turn
-      if (std::min(turned, 2.0 * std::numbers::pi - turned) < heading_gate) candidates[j].push_back(i);
+    cells.near(expected, reach, [&](const FloorCells::Entry& entry) {
+      const double turned = std::abs(entry.heading_rad - heading);  // of two headings: less than a whole turn
+      if (std::min(turned, 2.0 * std::numbers::pi - turned) < heading_gate) candidates[j].push_back(entry.index);
     });
   }
   return match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {c.most_bits, c.ratio},
@@ -170,8 +181,9 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
     state = out.fit.state;
     out.pairs.clear();
     out.residual_px.clear();
+    const Reprojector reproject_here(a.camera, b.camera, state);
     for (const FloorPair& pair : all) {
-      const Reprojection there = reproject(a.camera, b.camera, state, pair.in_a);
+      const Reprojection there = reproject_here(pair.in_a);
       const double error = focal_px(b.camera) * (pair.in_b - there.in_b).norm();
       if (!there.in_front || error > widened * c.inlier_sigmas * pair.sigma_px) continue;
       out.pairs.push_back(pair);
@@ -297,8 +309,10 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   }
   // A guess keeps apart what lies farther than any guess may be off; nearer, it would have to be believed blindly.
   const double reach_m = gate ? std::max(c.widest_gate_m, 2.0 * gate->distance_m) : kAnywhereM;
+  const double most_repeated = c.most_repeated * static_cast<double>(inliers);
   const Repetition again =
-      find_repetition(c, a.features, at_a, shared_stretch(at_a, floor_b.footprint, state.a_from_b), reach_m);
+      find_repetition(c, a.features, at_a, shared_stretch(at_a, floor_b.footprint, state.a_from_b), reach_m,
+                      static_cast<std::size_t>(most_repeated) + 1);
   const double repeated = static_cast<double>(again.agreeing) / static_cast<double>(inliers);
   if (repeated > c.most_repeated && again.spread > c.least_spread)
     return refuse("ambiguous", repeated, c.most_repeated);

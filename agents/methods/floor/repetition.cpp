@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "agents/methods/floor/consensus.hpp"
 #include "core/geometry/pose2.hpp"
@@ -14,31 +16,61 @@ namespace {
 constexpr std::size_t kLikes = 3;   // kept of each feature: on tiles many are alike
 constexpr double kHardlyRad = 0.7;  // two features' own headings against each other
 
+/// Features in the order of their own headings, twice round: those headed alike lie side by side.
+class ByHeading {
+ public:
+  explicit ByHeading(const std::vector<FloorFeature>& features) {
+    for (std::uint32_t i = 0; i < features.size(); ++i) turns_.push_back({wrap_angle(features[i].heading_rad), i});
+    std::sort(turns_.begin(), turns_.end());
+    const std::size_t once = turns_.size();
+    for (std::size_t k = 0; k < once; ++k)
+      turns_.emplace_back(turns_[k].first + 2.0 * std::numbers::pi, turns_[k].second);
+    for (const auto& [heading, index] : turns_) indices_.push_back(index);
+  }
+
+  /// Headed within `within_rad`, less than half a turn, of this heading.
+  std::span<const std::uint32_t> near(double heading_rad, double within_rad) const {
+    double low = wrap_angle(heading_rad) - within_rad;
+    if (low < -std::numbers::pi) low += 2.0 * std::numbers::pi;
+    const auto at = [&](double heading) {
+      return std::lower_bound(turns_.begin(), turns_.end(), heading,
+                              [](const auto& turn, double wanted) { return turn.first < wanted; }) -
+             turns_.begin();
+    };
+    const auto first = static_cast<std::size_t>(at(low));
+    return std::span(indices_).subspan(first, static_cast<std::size_t>(at(low + 2.0 * within_rad)) - first);
+  }
+  std::span<const std::uint32_t> all() const { return std::span(indices_).first(indices_.size() / 2); }
+
+ private:
+  std::vector<std::pair<double, std::uint32_t>> turns_;
+  std::vector<std::uint32_t> indices_;
+};
+
 /// Each feature of the stretch with those most like it elsewhere, best first.
 std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<FloorFeature>& features,
                                    const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                                    double reach_m) {
   const std::vector<Descriptor> descriptors = descriptors_of(features);
-  std::vector<std::uint32_t> all(features.size());
-  std::iota(all.begin(), all.end(), 0U);
+  const ByHeading by_heading(features);
   std::vector<std::uint16_t> bits;
   std::vector<Match> likes;
   std::vector<Match> of_one;
   for (const std::uint32_t i : stretch) {
     of_one.clear();
-    hamming(descriptors[i], descriptors, all, bits);
-    for (std::uint32_t j = 0; j < features.size(); ++j) {
-      if (bits[j] > c.most_bits) continue;  // first, as it leaves few
+    const std::span<const std::uint32_t> candidates =
+        std::isfinite(reach_m) ? by_heading.near(features[i].heading_rad, kHardlyRad) : by_heading.all();
+    hamming(descriptors[i], descriptors, candidates, bits);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (bits[k] > c.most_bits) continue;  // first, as it leaves few
+      const std::uint32_t j = candidates[k];
       const double apart_m = (at[i] - at[j]).norm();
-      if (apart_m < kNoRepetitionM || apart_m > reach_m) continue;
-      if (std::isfinite(reach_m) &&
-          std::abs(wrap_angle(features[i].heading_rad - features[j].heading_rad)) > kHardlyRad)
-        continue;
-      of_one.push_back({j, i, bits[j]});
+      if (apart_m >= kNoRepetitionM && apart_m <= reach_m) of_one.push_back({j, i, bits[k]});
     }
     const std::size_t kept = std::min(kLikes, of_one.size());
-    std::partial_sort(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_one.end(),
-                      [](const Match& x, const Match& y) { return x.distance < y.distance; });
+    std::partial_sort(
+        of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_one.end(),
+        [](const Match& x, const Match& y) { return std::pair(x.distance, x.a) < std::pair(y.distance, y.a); });
     likes.insert(likes.end(), of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept));
   }
   std::stable_sort(likes.begin(), likes.end(),
@@ -46,13 +78,20 @@ std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<Floor
   return likes;
 }
 
+/// Of the stretch, which have their like anywhere.
+std::set<std::uint32_t> having_likes(const std::vector<Match>& likes) {
+  std::set<std::uint32_t> some;
+  for (const Match& like : likes) some.insert(like.b);
+  return some;
+}
+
 }  // namespace
 
 Repetition find_repetition(const FloorConfig& c, const std::vector<FloorFeature>& features,
                            const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
-                           double reach_m) {
+                           double reach_m, std::size_t fewest) {
   const std::vector<Match> likes = likes_elsewhere(c, features, at, stretch, reach_m);
-  if (likes.size() < 2) return {};
+  if (likes.size() < 2 || having_likes(likes).size() < fewest) return {};
   const Consensus consensus = find_consensus(c, likes, at, at);
   std::set<std::uint32_t> agreeing;
   for (const Match& like : likes)

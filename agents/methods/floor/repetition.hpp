@@ -22,10 +22,11 @@ struct Repetition {
 };
 
 /// `at`: where each feature lies; `stretch`: indices. Moved by at least kNoRepetitionM and at most `reach_m`; with a
-/// finite reach turned hardly at all, else by anything.
+/// finite reach turned hardly at all, else by anything. Where fewer than `fewest` can agree, as on most floors, it is
+/// not looked for: none.
 inline constexpr double kNoRepetitionM = 0.08;
 Repetition find_repetition(const FloorConfig& c, const std::vector<FloorFeature>& features,
                            const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
-                           double reach_m);
+                           double reach_m, std::size_t fewest = 0);
 
 }  // namespace weft::agents

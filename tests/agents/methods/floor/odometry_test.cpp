@@ -222,6 +222,26 @@ TEST_F(FloorObserve, AFloorTooPaleForCornersIsSeenByItsGreyValues) {
   EXPECT_NEAR(planar(step.previous_from_current).x, 0.1, 0.002);
 }
 
+TEST_F(FloorObserve, AFloorTooBlurredForCornersIsSeenByItsGreyValues) {
+  const auto seen_with_blur = [&](double blur_m) {
+    const View first = view_at({1.2, 2.0, 0.0}, 1);
+    test::Shot shot;
+    shot.seed = 2;
+    shot.blur = {blur_m, 0.0, 0.0};
+    View second;
+    second.frame = 2;
+    second.data = eye_->render(*floor_, {1.3, 2.0, 0.0}, {}, shot);
+    Floor::Odometry odometry;
+    method_.observe(odometry, &first, wheels(0.0));
+    const Step step = method_.observe(odometry, &second, wheels(0.103));
+    EXPECT_TRUE(step.seen) << step.blind_reason;
+    EXPECT_NEAR(planar(step.previous_from_current).x, 0.1, 0.0015);
+    return odometry.seen_by;
+  };
+  EXPECT_EQ(seen_with_blur(0.1), Floor::SeenBy::corners);
+  EXPECT_EQ(seen_with_blur(0.2), Floor::SeenBy::grey_values);
+}
+
 TEST_F(FloorObserve, AnotherPlaceIsNotAMotion) {
   const View first = view_at({1.2, 1.6, 0.0}, 1);
   const View elsewhere = view_at({3.4, 3.2, 2.0}, 2);

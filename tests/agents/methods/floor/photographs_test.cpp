@@ -1,22 +1,29 @@
 // On photographs of real floors, where ../shared/data (or WEFT_DATA) is present.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
+#include <string>
 
 #include "agents/methods/floor/floor.hpp"
+#include "core/config/config.hpp"
+#include "tests/storage/temporary_directory.hpp"
 #include "tests/support/floor_drive.hpp"
 
 namespace weft::agents {
 namespace {
 
+/// A picture of a folder that says how large its pictures are (floors.toml).
 struct Photograph {
-  const char* file;
-  double metres_per_pixel;  ///< as floors.toml says
+  const char* folder;  ///< "textures": as tests/floor-textures makes one of them
+  const char* name;
 };
 void PrintTo(const Photograph& p, std::ostream* out) {
-  *out << p.file;
+  *out << p.folder << '/' << p.name;
 }
 
 std::filesystem::path data_folder() {
@@ -28,17 +35,30 @@ std::filesystem::path data_folder() {
 class OnPhotographs : public testing::TestWithParam<Photograph> {
  protected:
   void SetUp() override {
-    const std::filesystem::path file = data_folder() / "floors" / GetParam().file;
-    if (!std::filesystem::exists(file))
-      GTEST_SKIP() << "NOT TESTED: " << file << " is absent; set WEFT_DATA to the folder that holds floors/";
-    const cv::Mat grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+    std::filesystem::path folder = data_folder() / GetParam().folder;
+    if (!std::filesystem::exists(folder))
+      GTEST_SKIP() << "NOT TESTED: " << folder << " is absent; set WEFT_DATA to the folder that holds "
+                   << GetParam().folder << '/';
+    if (std::string_view(GetParam().folder) == "textures") {
+      folder = made_.path() / "floors";
+      const std::string make = std::string(WEFT_SOURCE_DIR) + "/tests/floor-textures " + folder.string();
+      ASSERT_EQ(std::system(make.c_str()), 0) << make;
+    }
+    std::ifstream list(folder / "floors.toml");
+    const std::string text{std::istreambuf_iterator<char>(list), {}};
+    const config::Table all = config::parse(text, (folder / "floors.toml").string());
+    const config::Table floor = all.table(GetParam().name);
+    const std::string file = (folder / floor.text("file", "")).string();
+    const double mm_per_pixel = floor.number("mm_per_pixel", 0.0, 0.0, 100.0);
+    ASSERT_GT(mm_per_pixel, 0.0) << folder << " says nothing of " << GetParam().name;
+    const cv::Mat grey = cv::imread(file, cv::IMREAD_GRAYSCALE);
     ASSERT_FALSE(grey.empty()) << file;
-    floor_ =
-        std::make_unique<test::FlatFloor>(test::FlatFloor::quilted(grey, GetParam().metres_per_pixel, 5, 7.0, 5.0));
+    floor_ = std::make_unique<test::FlatFloor>(test::FlatFloor::quilted(grey, 1e-3 * mm_per_pixel, 5, 7.0, 5.0));
     auto made = Floor::make({}, test::miscalibrated(test::paper_camera(), 6));
     ASSERT_TRUE(made);
     method_ = std::make_unique<Floor>(*made);
   }
+  storage::TemporaryDirectory made_;
   std::unique_ptr<test::FlatFloor> floor_;
   std::unique_ptr<Floor> method_;
   test::FloorCamera eye_{test::paper_camera()};
@@ -83,13 +103,27 @@ TEST_P(OnPhotographs, RelatesInOtherLightAndRefusesOtherFloor) {
   EXPECT_FALSE(method_->relate(*a, *elsewhere, Metric2{}));
 }
 
+std::string name_of(const testing::TestParamInfo<Photograph>& floor) {
+  std::string name = floor.param.name;
+  std::erase_if(name, [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; });
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Floors, OnPhotographs,
-                         testing::Values(Photograph{"concrete.png", 0.0009}, Photograph{"tarmac.png", 0.0005},
-                                         Photograph{"asphalt.jpg", 0.0006}, Photograph{"carpet.png", 0.001}),
-                         [](const auto& floor) {
-                           const std::string file = floor.param.file;
-                           return file.substr(0, file.find('.'));
-                         });
+                         testing::Values(Photograph{"floors", "concrete"}, Photograph{"floors", "tarmac"},
+                                         Photograph{"floors", "asphalt"}, Photograph{"floors", "carpet"}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(Textures, OnPhotographs,
+                         testing::Values(Photograph{"textures", "warehouse_floor"}, Photograph{"textures", "asphalt"},
+                                         Photograph{"textures", "Wood_OSB"}, Photograph{"textures", "tarmac"},
+                                         Photograph{"textures", "Carpet_Berber_Pattern_Gray_"},
+                                         Photograph{"textures", "Stone_Brushed_Khaki_"},
+                                         Photograph{"textures", "Wood_Bamboo_Medium_"},
+                                         Photograph{"textures", "__Wood_Bamboo_Medium_1"},
+                                         Photograph{"textures", "Wood_Cherry_Original_"},
+                                         Photograph{"textures", "aws_robomaker_warehouse_GroundB_01"}),
+                         name_of);
 
 }  // namespace
 }  // namespace weft::agents
