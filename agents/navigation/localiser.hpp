@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "agents/navigation/agreement.hpp"
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/charted.hpp"
 #include "agents/navigation/curiosity.hpp"
 #include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/localised_around.hpp"
 #include "agents/navigation/seek.hpp"
 
 namespace weft::agents {
@@ -283,10 +285,32 @@ class Localiser {
       outcome.refusals.push_back(fix.error());
       return false;
     }
-    const std::uint32_t needed = seek_.seeded() ? 1 : config_.belief.unseeded_fixes;
+    const bool looked_everywhere = !seek_.seeded();
+    const std::uint32_t needed = looked_everywhere ? config_.belief.unseeded_fixes : 1;
     suspected_samples_ = 0;
-    take(belief_.propose(*fix, map, needed), outcome);
+    if (take(belief_.propose(*fix, map, needed), outcome) && looked_everywhere)
+      settle(seen, map, bytes, decoded, outcome);
     return true;
+  }
+
+  /// Two contents that look alike anywhere say little of how far along a path it is: the places around say more, now
+  /// and not only on the way. What they say far from what was found is left alone.
+  void settle(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+              Outcome& outcome) {
+    if constexpr (ChartsItself<M>) {
+      constexpr double most_sigmas = 3.0;
+      const OrRefusal<Fix> fix = localised_around(*method_, map, bytes, decoded, *estimate(), seen);
+      if (!fix) return;
+      const auto found_from_fix =
+          between(config_.belief, map, estimate()->place, fix->place, config_.locate.most_hops);
+      if (!found_from_fix) return;
+      const Relation found_from_robot = compose(*found_from_fix, fix->place_from_robot);
+      const double apart_m = distance_m(compose(inverse(estimate()->place_from_robot), found_from_robot));
+      if (apart_m > most_sigmas * spread_of(estimate()->place_from_robot).metres) return;
+      belief_.set(*fix);
+      charted_.believed(*estimate());
+      outcome.fix = *fix;
+    }
   }
 
   /// Around a seed, a method that localises in its own way does so where two contents alone tell too little.

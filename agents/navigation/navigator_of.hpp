@@ -99,7 +99,8 @@ class NavigatorOf final : public Navigator {
       const bool is_at_a_place = teacher_->estimate() && !teacher_->has_moved();
       if (!latest_ || !latest_->view || is_at_a_place) return {};
       keep(map, last);
-      if (!last.kept.empty()) come_back(map, last.kept.back());
+      if (last.kept.empty()) return {};  // this view shows too little; another one is waited for
+      come_back(map, last.kept.back());
     }
     leave_teach();
     return std::move(last.kept);

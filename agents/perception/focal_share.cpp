@@ -16,6 +16,10 @@ constexpr int kRounds = 10;
 constexpr double kSigmaPx = 0.4;     // of a corner's row, at best
 constexpr double kUsual_1_m = 0.35;  // of things 1 to 10 m away
 constexpr double kUsualSigma_1_m = 0.3;
+constexpr double kSaidTo = 0.02;     // 1 sigma, beforehand: else some views let it run away
+constexpr double kHardlyTold = 0.8;  // of that variance: what is left of it has said nothing
+constexpr double kMostShare = 0.1;   // data sheets are not as wrong as that
+constexpr double kSettled = 1e-4;    // change of the share in the last round
 constexpr Eigen::Index kFurther = 0;
 constexpr Eigen::Index kFocal = 1;
 constexpr Eigen::Index kPitches = 2;
@@ -70,14 +74,27 @@ class Solver {
   }
 
   std::optional<FocalShare> solve() {
-    for (int round = 0; round < kRounds; ++round)
+    double before = 0.0;
+    for (int round = 0; round < kRounds; ++round) {
+      before = state_[kFocal];
       if (!step()) return std::nullopt;
+    }
     const Eigen::MatrixXd covariance = sigma_ * sigma_ * normal_.inverse();
-    if (!covariance.allFinite()) return std::nullopt;
-    return FocalShare{state_[kFocal], covariance(kFocal, kFocal)};
+    if (!covariance.allFinite() || std::abs(state_[kFocal] - before) > kSettled) return std::nullopt;
+    return by_views_alone({state_[kFocal], covariance(kFocal, kFocal)});
   }
 
  private:
+  /// Without what was held beforehand: who adds up several looks would count that with each of them.
+  static std::optional<FocalShare> by_views_alone(const FocalShare& found) {
+    constexpr double beforehand = kSaidTo * kSaidTo;
+    if (found.variance > kHardlyTold * beforehand) return std::nullopt;
+    const double variance = 1.0 / (1.0 / found.variance - 1.0 / beforehand);
+    const double share = found.share * variance / found.variance;
+    if (std::abs(share) > kMostShare) return std::nullopt;
+    return FocalShare{share, variance};
+  }
+
   /// What a view shows of a thing, beside what is expected, and how that changes.
   struct Expected {
     double left = 0.0;
@@ -103,8 +120,7 @@ class Solver {
     const Eigen::Index size = state_.size();
     normal_ = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
-    constexpr double said_to = 0.02;
-    const double focal_weight = sigma_ * sigma_ / (said_to * said_to);
+    const double focal_weight = sigma_ * sigma_ / (kSaidTo * kSaidTo);
     normal_(kFocal, kFocal) += focal_weight;
     right[kFocal] -= focal_weight * state_[kFocal];
     for (Eigen::Index k = kPitches; k < size; ++k) normal_(k, k) += 1e-6;  // a view that shows nothing

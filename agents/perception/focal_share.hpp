@@ -23,8 +23,9 @@ struct OtherView {
 /// Tangents of elevation of a thing grow as its distance shrinks, by more the nearer it stands; a larger focal length
 /// grows all of them alike. Least squares (Gauss-Newton, Tukey's biweight) for that share, how far along the robot
 /// is, the pitch against each view, and the distance of each thing, which is 1 to 10 m unless views show otherwise.
-/// Pixels are from the image's middle, of cameras that are said to be of `focal_px`; what is said is taken to be
-/// right to 2 %. None: hardly anything is told.
+/// Pixels are from the image's middle, of cameras that are said to be of `focal_px`. While it is looked for, what is
+/// said is held to be right to 2 %; what is returned is without that, by these views alone. None: hardly anything is
+/// told, or more than a tenth.
 std::optional<FocalShare> focal_share_of(const std::vector<OtherView>& views, const std::vector<UprightFeature>& seen,
                                          double focal_px);
 

@@ -9,17 +9,23 @@ namespace {
 constexpr double kChanceBits =
     128.0;  // descriptors that have nothing to do with each other differ in half their bits
 
-struct InPixels {
-  InPixels(const HeadingVoteConfig& config, double width_px)
-      : most_shift(std::floor(config.most_shift * width_px)),
-        most_rise(config.most_rise * width_px),
-        spread(std::max(1.0, config.spread * width_px)) {}
-  double most_shift, most_rise, spread;
+/// How far apart the same point may lie in two images.
+struct Within {
+  double most_shift_px = 0.0;
+  double rise_px = 0.0;
+  double most_rise_px = 0.0;
+};
+
+/// What is voted for, a bin a pixel from -most_px on: a shift, or a rise.
+struct Question {
+  int coordinate = 0;  ///< 0: columns, 1: rows
+  double most_px = 0.0;
+  double spread_px = 1.0;  ///< of a vote
 };
 
 struct Ballot {
   Match match;
-  double shift_px = 0.0;
+  double moved_px = 0.0;
   double weight = 0.0;
 };
 
@@ -33,7 +39,7 @@ std::vector<Descriptor> descriptors_of(const std::vector<UprightFeature>& featur
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
 Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
-                         const InPixels& px) {
+                         const Within& within) {
   Candidates candidates(b.size());
   std::vector<std::uint32_t> found(a.size());
   for (std::size_t j = 0; j < b.size(); ++j) {
@@ -42,8 +48,8 @@ Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector
     for (std::uint32_t i = 0; i < a.size(); ++i) {  // without a branch, which would be guessed wrong all the time
       const Eigen::Vector2f apart = here - a[i].pixel;
       found[count] = i;
-      count += static_cast<std::size_t>(std::abs(apart.x()) <= px.most_shift) &
-               static_cast<std::size_t>(std::abs(apart.y()) <= px.most_rise);
+      count += static_cast<std::size_t>(std::abs(apart.x()) <= within.most_shift_px) &
+               static_cast<std::size_t>(std::abs(apart.y() - within.rise_px) <= within.most_rise_px);
     }
     candidates[j].assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
   }
@@ -51,29 +57,28 @@ Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector
 }
 
 std::vector<Ballot> ballots_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
-                               const Candidates& candidates) {
+                               const Candidates& candidates, int coordinate) {
   std::vector<Ballot> ballots;
   for (const Match& match : match_descriptors(descriptors_of(a), descriptors_of(b),
                                               {.most_bits = static_cast<int>(kChanceBits), .ratio = 1.0}, candidates))
-    ballots.push_back({match, static_cast<double>(b[match.b].pixel.x() - a[match.a].pixel.x()),
+    ballots.push_back({match, static_cast<double>(b[match.b].pixel[coordinate] - a[match.a].pixel[coordinate]),
                        1.0 - match.distance / kChanceBits});
   return ballots;
 }
 
-/// A pixel a bin, from -most_shift on.
 using Histogram = std::vector<double>;
 
-Histogram empty_histogram(const InPixels& px) {
-  return Histogram(static_cast<std::size_t>(2.0 * px.most_shift) + 1, 0.0);
+Histogram empty_histogram(const Question& about) {
+  return Histogram(static_cast<std::size_t>(2.0 * about.most_px) + 1, 0.0);
 }
 
-double shift_of(std::size_t bin, const InPixels& px) {
-  return static_cast<double>(bin) - px.most_shift;
+double moved_by(std::size_t bin, const Question& about) {
+  return static_cast<double>(bin) - about.most_px;
 }
 
-void add(Histogram& bins, double shift_px, double weight) {
+void add(Histogram& bins, double moved_px, double weight) {
   const std::size_t middle = bins.size() / 2;
-  const double at = shift_px + static_cast<double>(middle);
+  const double at = moved_px + static_cast<double>(middle);
   bins[static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(bins.size() - 1)))] += weight;
 }
 
@@ -97,16 +102,16 @@ Histogram spread_out(const Histogram& votes, double spread_px) {
   return out;
 }
 
-/// How many standard deviations the votes for each shift exceed what chance brings there. Matches of what is not the
-/// same fall on any pair that may be one, and of these most have small shifts.
+/// How many standard deviations the votes for each bin exceed what chance brings there. Matches of what is not the
+/// same fall on any pair that may be one, and of these most have moved little.
 Histogram above_chance(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
-                       const Candidates& candidates, const std::vector<Ballot>& ballots, const InPixels& px) {
-  Histogram votes = empty_histogram(px);
+                       const Candidates& candidates, const std::vector<Ballot>& ballots, const Question& about) {
+  Histogram votes = empty_histogram(about);
   Histogram chances = votes;
   double weights = 0.0;
   double weights2 = 0.0;
   for (const Ballot& ballot : ballots) {
-    add(votes, ballot.shift_px, ballot.weight);
+    add(votes, ballot.moved_px, ballot.weight);
     weights += ballot.weight;
     weights2 += ballot.weight * ballot.weight;
   }
@@ -114,10 +119,10 @@ Histogram above_chance(const std::vector<UprightFeature>& a, const std::vector<U
   for (std::size_t j = 0; j < b.size(); ++j) {
     pairs += static_cast<double>(candidates[j].size());
     for (const std::uint32_t i : candidates[j])
-      add(chances, static_cast<double>(b[j].pixel.x() - a[i].pixel.x()), 1.0);
+      add(chances, static_cast<double>(b[j].pixel[about.coordinate] - a[i].pixel[about.coordinate]), 1.0);
   }
-  votes = spread_out(votes, px.spread);
-  chances = spread_out(chances, px.spread);
+  votes = spread_out(votes, about.spread_px);
+  chances = spread_out(chances, about.spread_px);
   // A bell's square is a bell 1 / sqrt(2) as wide, so the sum's variance is that much less than of whole votes.
   const double variance_of_one = M_SQRT1_2 * weights2 / std::max(weights, 1e-9);
   for (std::size_t bin = 0; bin < votes.size(); ++bin) {
@@ -136,26 +141,42 @@ double next_peak(const std::vector<double>& bins, std::size_t winner, double apa
   return highest;
 }
 
+std::size_t highest(const Histogram& heights) {
+  return static_cast<std::size_t>(std::max_element(heights.begin(), heights.end()) - heights.begin());
+}
+
 }  // namespace
+
+double frequent_rise(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b, double width_px,
+                     const HeadingVoteConfig& config) {
+  if (std::min(a.size(), b.size()) < static_cast<std::size_t>(config.fewest_features)) return 0.0;
+  const Question rise{1, std::floor(config.widest_rise * width_px), std::max(1.0, config.spread * width_px)};
+  const Candidates candidates = candidates_of(a, b, {std::floor(config.most_shift * width_px), 0.0, rise.most_px});
+  const std::vector<Ballot> ballots = ballots_of(a, b, candidates, rise.coordinate);
+  const Histogram heights = above_chance(a, b, candidates, ballots, rise);
+  const std::size_t top = highest(heights);
+  const double px = moved_by(top, rise);
+  return heights[top] >= config.above_chance && std::abs(px) > 0.5 * config.most_rise * width_px ? px : 0.0;
+}
 
 tl::expected<HeadingVote, Undecided> vote_heading(const std::vector<UprightFeature>& a,
                                                   const std::vector<UprightFeature>& b, double width_px,
-                                                  const HeadingVoteConfig& config) {
+                                                  const HeadingVoteConfig& config, double rise_px) {
   const std::size_t fewest = std::min(a.size(), b.size());
   if (fewest < static_cast<std::size_t>(config.fewest_features))
     return tl::unexpected(
         Undecided{"few_features", static_cast<double>(fewest), static_cast<double>(config.fewest_features)});
-  const InPixels px(config, width_px);
-  const Candidates candidates = candidates_of(a, b, px);
-  const std::vector<Ballot> ballots = ballots_of(a, b, candidates);
-  const Histogram heights = above_chance(a, b, candidates, ballots, px);
-  const auto top = static_cast<std::size_t>(std::max_element(heights.begin(), heights.end()) - heights.begin());
+  const Question shift{0, std::floor(config.most_shift * width_px), std::max(1.0, config.spread * width_px)};
+  const Candidates candidates = candidates_of(a, b, {shift.most_px, rise_px, config.most_rise * width_px});
+  const std::vector<Ballot> ballots = ballots_of(a, b, candidates, shift.coordinate);
+  const Histogram heights = above_chance(a, b, candidates, ballots, shift);
+  const std::size_t top = highest(heights);
   if (!(heights[top] >= config.above_chance))
     return tl::unexpected(Undecided{"no_majority", heights[top], config.above_chance});
-  HeadingVote vote{.shift_px = shift_of(top, px), .matches = static_cast<std::uint32_t>(ballots.size())};
-  const double within = 2.0 * px.spread;
+  HeadingVote vote{.shift_px = moved_by(top, shift), .matches = static_cast<std::uint32_t>(ballots.size())};
+  const double within = 2.0 * shift.spread_px;
   for (const Ballot& ballot : ballots) {
-    if (std::abs(ballot.shift_px - vote.shift_px) <= within) vote.agreeing.push_back(ballot.match);
+    if (std::abs(ballot.moved_px - vote.shift_px) <= within) vote.agreeing.push_back(ballot.match);
   }
   vote.votes = static_cast<std::uint32_t>(vote.agreeing.size());
   vote.above_chance = heights[top];

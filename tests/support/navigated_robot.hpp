@@ -27,7 +27,8 @@ class NavigatedRobot {
 
   /// One sample: the body moves by the last command, then the navigator sees.
   agents::Navigated step(const agents::MapView& map, bool hand = false) {
-    const MarksRobot::Sample sample = body_.step(command_);
+    MarksRobot::Sample sample = body_.step(command_);
+    if (dark) sample.view.data = agents::Marks{};
     agents::Navigated navigated = navigator_->step(sample.dropped || blind ? nullptr : &sample.view,
                                                    sample.view.frame, sample.view.time, sample.motion, hand, map);
     if (!hand) command_ = navigated.command;
@@ -89,6 +90,7 @@ class NavigatedRobot {
   }
 
   bool blind = false;  ///< its frames are dropped
+  bool dark = false;   ///< they show nothing
   std::map<std::string, int> refusals;
 
  private:

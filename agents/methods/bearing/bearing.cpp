@@ -79,6 +79,7 @@ OrRefusal<Bearing::Content> Bearing::extract(const Odometry& odometry, const Vie
   Content content;
   content.focal_px = config_.focal_px;
   content.driving = odometry.driving;
+  content.description = config_.features.description;
   UprightConfig features = config_.features;
   features.cell_widths *= static_cast<double>(config_.width_px) / image.width;
   content.features = upright_features(image, features);
@@ -91,7 +92,9 @@ OrRefusal<Bearing::Content> Bearing::extract(const Odometry& odometry, const Vie
 }
 
 OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
-  const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote);
+  if (a.description != b.description) return tl::unexpected(Refusal{"described_otherwise"});
+  const double rise_px = frequent_rise(a.features, b.features, config_.width_px, config_.vote);
+  const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote, rise_px);
   if (!vote) return tl::unexpected(Refusal{vote.error().reason, vote.error().measured, vote.error().bound});
   if (!guess && vote->above_chance < config_.anywhere_above_chance)
     return tl::unexpected(Refusal{"no_majority", vote->above_chance, config_.anywhere_above_chance});

@@ -42,6 +42,9 @@ class Bearing {
   struct Belief {
     AlongPath centre_from_robot;
     OtherCameras cameras = {};  ///< that taught
+    // Of one of them, by the newest view; both count once its fix is believed.
+    std::optional<CameraLook> look = {};
+    std::optional<CameraRise> rise = {};
   };
 
   /// invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
@@ -60,7 +63,8 @@ class Bearing {
   Result<Content> decode(ByteView bytes) const { return decode_bearing_content(bytes); }
 
   /// AlongPath: the heading as most of what both see says, the distance as the guess has it (0 without), with its
-  /// uncertainty. Without a guess more is asked. Refusals: few_features, no_majority, ambiguous.
+  /// uncertainty. Without a guess more is asked. Refusals: few_features, no_majority, ambiguous, further_off,
+  /// described_otherwise.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   /// The velocity profile (III-B).
@@ -79,10 +83,8 @@ class Bearing {
   /// those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
-  /// Where it is is navigation's belief.
-  Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const {
-    return begin(chart, estimate, before);
-  }
+  /// Where it is is navigation's belief; a view that it believes in tells of cameras, too.
+  Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const;
 
   /// The features of the place with one more pass counted, without those that are hardly ever seen and with some of
   /// the view's that it does not have, placed by what both show (learn.cpp). None: of another focal length, taken too

@@ -13,6 +13,7 @@ void each_setting(Config& config, Visit&& visit) {
   visit("smoothing_cells", config.features.smoothing_cells, 0.02, 1);
   visit("most_shift", config.vote.most_shift, 0.01, 1);
   visit("most_rise", config.vote.most_rise, 0.001, 1);
+  visit("widest_rise", config.vote.widest_rise, 0.001, 1);
   visit("spread", config.vote.spread, 0.001, 0.2);
   visit("fewest_features", config.vote.fewest_features, 1, 1000);
   visit("above_chance", config.vote.above_chance, 0, 20);

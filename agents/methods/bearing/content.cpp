@@ -35,7 +35,8 @@ Bytes encode_bearing_content(const BearingContent& content) {
   ContentWriter out;
   out.number(magic);
   const bool is_learned = !content.sightings.empty();
-  out.number(is_learned ? bearing_learned_format : bearing_content_format);
+  const bool is_brief = content.description == Description::brief;
+  out.number((is_learned ? bearing_learned_format : bearing_content_format) + (is_brief ? brief_after : 0U));
   out.number(content.focal_px);
   out.number(content.driving.linear_m_s);
   out.number(content.driving.angular_rad_s);
@@ -55,13 +56,18 @@ Bytes encode_bearing_content(const BearingContent& content) {
 Result<BearingContent> decode_bearing_content(ByteView bytes) {
   ContentReader in(bytes, "bearing content");
   if (in.number<std::uint32_t>("magic") != magic) in.fault("magic", "is not that of a bearing content");
-  const auto format = in.number<std::uint32_t>("format");
-  if (!in.faulty() && format > bearing_learned_format)
+  auto format = in.number<std::uint32_t>("format");
+  constexpr std::uint32_t newest = bearing_learned_format + brief_after;
+  if (!in.faulty() && format > newest)
     return fail(ErrorCode::newer, "bearing content: format " + std::to_string(format) + " is newer than " +
-                                      std::to_string(bearing_learned_format) + "; update this program");
+                                      std::to_string(newest) + "; update this program");
+  BearingContent content;
+  if (format > brief_after) {
+    content.description = Description::brief;
+    format -= brief_after;
+  }
   const bool is_learned = format == bearing_learned_format;
   if (!is_learned && format != bearing_content_format) in.fault("format", "is unknown");
-  BearingContent content;
   content.focal_px = in.real("focal_px", 10.0, 1e4);
   content.driving.linear_m_s = in.real("driving.linear", -10.0, 10.0);
   content.driving.angular_rad_s = in.real("driving.angular", -20.0, 20.0);

@@ -24,6 +24,8 @@ struct BearingContent {
   double focal_px = 386.0;
   Twist driving;
   std::vector<Sightings> sightings = {};  ///< of each feature; empty: as it was taught, nothing was learned yet
+  Description description =
+      Description::gradients;  ///< of all features: what is described otherwise is alike by chance
 };
 
 /// Of each feature, also of a place that was only taught.
@@ -31,10 +33,12 @@ std::vector<Sightings> sightings_of(const BearingContent& content);
 
 inline constexpr std::uint32_t bearing_content_format = 1;  ///< as it was taught: all robots read it
 inline constexpr std::uint32_t bearing_learned_format = 2;  ///< with sightings
+inline constexpr std::uint32_t brief_after = 2;             ///< formats further on, features are described by `brief`
 inline constexpr std::size_t most_bearing_features = 4096;
 
 Bytes encode_bearing_content(const BearingContent& content);
-/// Of either format. corrupt: short, trailing or impossible values, naming field and offset; newer: a later format.
+/// Of any of these formats. corrupt: short, trailing or impossible values, naming field and offset; newer: a later
+/// format.
 Result<BearingContent> decode_bearing_content(ByteView bytes);
 
 }  // namespace weft::agents

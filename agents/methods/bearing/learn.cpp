@@ -163,9 +163,11 @@ std::optional<Bearing::Content> Bearing::learn(const Content& known, const Conte
                                                const Relation& known_from_seen) const {
   const BearingLearnConfig& learn = config_.learn;
   const auto at = std::get<AlongPath>(compose(known_from_seen, AlongPath{}));
+  if (known.description != seen.description) return std::nullopt;
   if (known.focal_px != seen.focal_px || std::abs(at.distance_m) > learn.along_m) return std::nullopt;
   if (at.distance_variance_m2 > learn.along_sigma_m * learn.along_sigma_m) return std::nullopt;
-  const auto vote = vote_heading(known.features, seen.features, config_.width_px, config_.vote);
+  const double rise_px = frequent_rise(known.features, seen.features, config_.width_px, config_.vote);
+  const auto vote = vote_heading(known.features, seen.features, config_.width_px, config_.vote, rise_px);
   if (!vote || vote->above_chance < learn.above_chance) return std::nullopt;
   const auto nearing = nearing_of(known.features, seen.features, vote->agreeing, known.focal_px);
   if (!nearing || nearing->spread_rad > learn.spread_rad) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "agents/methods/bearing/bearing.hpp"
 #include "agents/perception/nearing.hpp"
@@ -95,9 +96,10 @@ std::vector<Told> agreeing(const std::vector<Told>& told) {
   return agree;
 }
 
-/// What the view tells of the camera that taught most of these. From before or behind them all, a step and a longer
-/// lens look too much alike.
-void look_at_camera(OtherCameras& cameras, const std::vector<Told>& told, const BearingContent& seen, double sigma) {
+/// What the view tells of the camera that taught most of these, by their features as they are. From before or behind
+/// them all, a step and a longer lens look too much alike.
+std::optional<CameraLook> look_at_camera(const OtherCameras& cameras, const std::vector<Told>& told,
+                                         const Further& further, const BearingContent& seen) {
   constexpr std::ptrdiff_t fewest = 2;  // on either side
   constexpr double near_m = 0.1;        // to where it is believed: the views that are compared lie about it
   const auto run_of = [](const Told& one) { return one.stop->place.experience; };
@@ -107,16 +109,16 @@ void look_at_camera(OtherCameras& cameras, const std::vector<Told>& told, const 
   const ExperienceId run = run_of(*std::max_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
     return places_of(run_of(a)) < places_of(run_of(b));
   }));
-  const std::optional<Further> further = further_of(told);
-  if (!cameras.is_due(run) || !further || std::abs(further->ahead_m) > near_m) return;
+  if (!cameras.is_due(run) || std::abs(further.ahead_m) > near_m) return std::nullopt;
   std::vector<OtherView> views;
   for (const Told& one : told)
-    if (run_of(one) == run)
-      views.push_back({one.robot_m - further->ahead_m, &one.stop->content->features, &one.vote.agreeing});
+    if (run_of(one) == run && one.stop->content->focal_px == seen.focal_px)
+      views.push_back({one.robot_m - further.ahead_m, &one.stop->content->features, &one.vote.agreeing});
   const auto ahead =
       std::count_if(views.begin(), views.end(), [](const OtherView& view) { return view.ahead_m > 0.0; });
-  if (ahead < fewest || std::ssize(views) - ahead < fewest) return;
-  if (const auto share = focal_share_of(views, seen.features, seen.focal_px)) cameras.told(run, *share, sigma);
+  if (ahead < fewest || std::ssize(views) - ahead < fewest) return std::nullopt;
+  const std::optional<FocalShare> share = focal_share_of(views, seen.features, seen.focal_px);
+  return share ? std::optional(CameraLook{run, *share}) : std::nullopt;
 }
 
 /// Things seem as much nearer as a focal length is larger.
@@ -129,6 +131,8 @@ void take_off_focal_shares(std::vector<Told>& told, const OtherCameras& cameras,
 }
 
 }  // namespace
+
+static_assert(Remembers<Bearing>);
 
 Bearing::Chart Bearing::chart(const std::vector<ChartPlace<Content>>& around) const {
   Chart chart;
@@ -153,10 +157,19 @@ Bearing::Belief Bearing::begin(const Chart& chart, const Estimate& seed, const B
   return now;
 }
 
+Bearing::Belief Bearing::believed(const Chart& chart, const Belief& before, const Estimate& estimate) const {
+  Belief now = begin(chart, estimate, before);
+  if (before.look) now.cameras.told(*before.look, config_.focal_share);
+  if (before.rise) now.cameras.told(*before.rise);
+  return now;
+}
+
 Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, const Step& step,
                                          const Content& seen) const {
   belief.centre_from_robot = as_along(compose(belief.centre_from_robot, step.previous_from_current));
   belief.cameras.moved(distance_m(step.previous_from_current));
+  belief.look.reset();
+  belief.rise.reset();
   Located<Belief> located{belief, std::nullopt, {}};
   const double here_m = belief.centre_from_robot.distance_m;
   std::vector<const Stop*> near;
@@ -170,8 +183,21 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   if (near.size() > static_cast<std::size_t>(config_.most_neighbours))
     near.resize(static_cast<std::size_t>(config_.most_neighbours));
   std::vector<Told> told;
+  std::map<ExperienceId, double> rises;
   for (const Stop* const stop : near) {
-    const auto vote = vote_heading(stop->content->features, seen.features, config_.width_px, config_.vote);
+    if (stop->content->description != seen.description) {
+      located.refusals.push_back({"described_otherwise"});
+      continue;
+    }
+    const ExperienceId& run = stop->place.experience;
+    if (!rises.contains(run)) {
+      const std::optional<double> known_px = belief.cameras.rise_px(run);
+      rises[run] = known_px ? *known_px
+                            : frequent_rise(stop->content->features, seen.features, config_.width_px, config_.vote);
+      if (!known_px && !located.belief.rise) located.belief.rise = CameraRise{run, rises[run]};
+    }
+    const auto vote =
+        vote_heading(stop->content->features, seen.features, config_.width_px, config_.vote, rises[run]);
     if (vote) {
       told.push_back({stop, *vote,
                       nearing_of(stop->content->features, seen.features, vote->agreeing, stop->content->focal_px),
@@ -189,9 +215,9 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
     return located;
   }
 
-  look_at_camera(located.belief.cameras, told, seen, config_.focal_share);
-  take_off_focal_shares(told, located.belief.cameras, config_.focal_share);
+  take_off_focal_shares(told, belief.cameras, config_.focal_share);
   const std::optional<Further> further = further_of(told);
+  if (further) located.belief.look = look_at_camera(belief.cameras, told, *further, seen);
   const double ahead_m = further ? further->ahead_m : 0.0;
   const auto nearest = std::min_element(told.begin(), told.end(), [&](const Told& a, const Told& b) {
     return std::abs(a.robot_m - ahead_m) < std::abs(b.robot_m - ahead_m);

@@ -1,6 +1,7 @@
 #include "agents/methods/bearing/other_cameras.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace weft::agents {
 namespace {
@@ -10,6 +11,9 @@ constexpr std::size_t kMostRuns = 64;  // those that were not seen for longest g
 constexpr double kOfView = 0.004;      ///< 1 sigma, of what a view says beside its own
 /// Lenses bend differently, and do so in all views: no share is known better than this.
 constexpr double kLeastSigma = 0.0015;
+
+constexpr double kSurprising = 2.5;  // sigma
+constexpr std::size_t kRiseViews = 5;
 
 }  // namespace
 
@@ -32,13 +36,33 @@ bool OtherCameras::is_due(const ExperienceId& run) const {
   return known == nullptr || known->since_m >= kApart_m;
 }
 
-void OtherCameras::told(const ExperienceId& run, const FocalShare& by_view, double sigma) {
-  const FocalShare before = of(run, sigma);
-  const double gain = before.variance / (before.variance + by_view.variance + kOfView * kOfView);
+void OtherCameras::told(const CameraLook& by_view, double sigma) {
+  const FocalShare before = of(by_view.run, sigma);
+  const double differs = before.variance + by_view.share.variance + kOfView * kOfView;
+  const double gain = before.variance / differs;
+  // What surprises counts as what just does not, so that no view by itself decides, and many do.
+  const double surprise = kSurprising * std::sqrt(differs);
+  const double by = std::clamp(by_view.share.share - before.share, -surprise, surprise);
   const double variance = std::max((1.0 - gain) * before.variance, kLeastSigma * kLeastSigma);
-  std::erase_if(known_, [&](const Known& one) { return one.run == run; });
+  std::erase_if(known_, [&](const Known& one) { return one.run == by_view.run; });
   if (known_.size() >= kMostRuns) known_.erase(known_.begin());
-  known_.push_back({run, {before.share + gain * (by_view.share - before.share), variance}, 0.0});
+  known_.push_back({by_view.run, {before.share + gain * by, variance}, 0.0});
+}
+
+std::optional<double> OtherCameras::rise_px(const ExperienceId& run) const {
+  const auto found = std::find_if(risen_.begin(), risen_.end(), [&](const Risen& one) { return one.run == run; });
+  if (found == risen_.end() || found->by_px.size() < kRiseViews) return std::nullopt;
+  return found->by_px[kRiseViews / 2];
+}
+
+void OtherCameras::told(const CameraRise& by_view) {
+  auto found = std::find_if(risen_.begin(), risen_.end(), [&](const Risen& one) { return one.run == by_view.run; });
+  if (found == risen_.end()) {
+    if (risen_.size() >= kMostRuns) risen_.erase(risen_.begin());
+    found = risen_.insert(risen_.end(), Risen{by_view.run, {}});
+  }
+  if (found->by_px.size() >= kRiseViews) return;
+  found->by_px.insert(std::upper_bound(found->by_px.begin(), found->by_px.end(), by_view.px), by_view.px);
 }
 
 }  // namespace weft::agents

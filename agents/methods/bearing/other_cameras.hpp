@@ -1,10 +1,24 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "agents/perception/focal_share.hpp"
 #include "core/ids.hpp"
 
 namespace weft::agents {
+
+/// What one view tells of the camera that taught a run.
+struct CameraLook {
+  ExperienceId run;
+  FocalShare share;
+};
+
+/// By how much a view shows things lower than the camera that taught a run did: another one stands higher, or looks
+/// further down.
+struct CameraRise {
+  ExperienceId run;
+  double px = 0.0;
+};
 
 /// What a robot knows of the focal lengths of those that taught: a run is taught with one camera, and nobody has
 /// measured it, nor its own. A value.
@@ -16,8 +30,12 @@ class OtherCameras {
   /// Whether another word of that run's is worth asking for: views from nearly one spot show the same things, and err
   /// alike.
   bool is_due(const ExperienceId& run) const;
-  /// By one view; `sigma` as above.
-  void told(const ExperienceId& run, const FocalShare& by_view, double sigma);
+  /// `sigma` as above. What differs by more than errors explain counts as what just does not.
+  void told(const CameraLook& by_view, double sigma);
+
+  /// The median of what views have told; none: too few have.
+  std::optional<double> rise_px(const ExperienceId& run) const;
+  void told(const CameraRise& by_view);
 
  private:
   struct Known {
@@ -27,7 +45,13 @@ class OtherCameras {
   };
   const Known* find(const ExperienceId& run) const;
 
+  struct Risen {
+    ExperienceId run;
+    std::vector<double> by_px;  // sorted
+  };
+
   std::vector<Known> known_;
+  std::vector<Risen> risen_;
 };
 
 }  // namespace weft::agents

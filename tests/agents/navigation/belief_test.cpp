@@ -10,8 +10,8 @@
 namespace weft::agents {
 namespace {
 
-constexpr PlaceId here{{1}, 0};
-constexpr PlaceId there{{1}, 1};
+constexpr PlaceId kHere{{1}, 0};
+constexpr PlaceId kThere{{1}, 1};
 
 Metric2 metric(const Pose2& pose, double sigma_m, double sigma_rad) {
   Metric2 result{pose, Eigen::Matrix3d::Zero()};
@@ -30,13 +30,13 @@ Step seen_step(double metres) {
 /// Two places 0.2 m apart.
 Window two_places() {
   Window window;
-  for (const PlaceId& id : {here, there}) {
+  for (const PlaceId& id : {kHere, kThere}) {
     Place place;
     place.id = id;
     window.places.emplace(id, place);
   }
   Edge edge;
-  edge.id = {here, there};
+  edge.id = {kHere, kThere};
   edge.a_from_b = metric({0.2, 0, 0}, 0.002, 0.002);
   window.edges.emplace(edge.id, edge);
   index_edges(window);
@@ -55,9 +55,9 @@ TEST(Belief, AnErrorThatAllStepsHaveInCommonGrowsWithTheWayUntilAFix) {
     return std::sqrt(planar_covariance(belief.estimate()->place_from_robot)(0, 0));
   };
   Belief belief{BeliefConfig{}};
-  belief.set(fix_at(here, {0, 0, 0}, 0.0));
+  belief.set(fix_at(kHere, {0, 0, 0}, 0.0));
   EXPECT_NEAR(driven(belief, 100), std::hypot(0.1, 0.02), 1e-4);
-  belief.set(fix_at(here, {0, 0, 0}, 0.0));
+  belief.set(fix_at(kHere, {0, 0, 0}, 0.0));
   EXPECT_NEAR(driven(belief, 1), std::hypot(0.001, 0.002), 1e-4) << "a fix takes the error back";
 }
 
@@ -92,7 +92,7 @@ TEST(Disagreement, IsMeasuredInSigmasAndNeverWithoutAFloor) {
 
 TEST(Belief, MovesWithOdometryAndCountsWhatItDroveBlind) {
   Belief belief{BeliefConfig{}};
-  belief.set(fix_at(here, {0, 0, 0}));
+  belief.set(fix_at(kHere, {0, 0, 0}));
   for (int i = 0; i < 10; ++i) belief.advance(seen_step(0.05));
   ASSERT_TRUE(belief.estimate());
   EXPECT_NEAR(planar(belief.estimate()->place_from_robot).x, 0.5, 1e-9);
@@ -106,9 +106,9 @@ TEST(Belief, OneNoisyFixDoesNotJerkIt) {
     BeliefConfig config;
     config.fuse = fused;
     Belief belief{config};
-    belief.set(fix_at(here, {0, 0, 0}, 0.005));
+    belief.set(fix_at(kHere, {0, 0, 0}, 0.005));
     belief.advance(seen_step(0.05));
-    const Fix noisy = fix_at(here, {0.05, 0.06, 0}, 0.03);
+    const Fix noisy = fix_at(kHere, {0.05, 0.06, 0}, 0.03);
     const auto believed = belief.correct(noisy, belief.estimate()->place_from_robot, window);
     ASSERT_TRUE(believed);
     const double moved_aside = planar(belief.estimate()->place_from_robot).y;
@@ -128,14 +128,15 @@ TEST(Belief, FusionBeatsSingleFixes) {
     config.fuse = fused;
     Belief belief{config};
     Random random(5);
-    belief.set(fix_at(here, {0, 0, 0}));
+    belief.set(fix_at(kHere, {0, 0, 0}));
     double squared = 0.0;
     for (int i = 1; i <= 200; ++i) {
       belief.advance(
           {metric({0.01 + random.normal(0, 0.0005), 0, random.normal(0, 0.0005)}, 0.0005, 0.0005), true, {}});
       const Pose2 truly{0.01 * i, 0, 0};
       const Pose2 noise{random.normal(0, 0.01), random.normal(0, 0.01), random.normal(0, 0.01)};
-      const auto corrected = belief.correct(fix_at(here, truly * noise), belief.estimate()->place_from_robot, window);
+      const auto corrected =
+          belief.correct(fix_at(kHere, truly * noise), belief.estimate()->place_from_robot, window);
       EXPECT_TRUE(corrected);
       squared += (planar(belief.estimate()->place_from_robot).translation() - truly.translation()).squaredNorm();
     }
@@ -147,8 +148,8 @@ TEST(Belief, FusionBeatsSingleFixes) {
 TEST(Belief, AFixThatContradictsIsRefusedWithItsMeasure) {
   const Window window = two_places();
   Belief belief{BeliefConfig{}};
-  belief.set(fix_at(here, {0, 0, 0}));
-  const auto refused = belief.correct(fix_at(here, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window);
+  belief.set(fix_at(kHere, {0, 0, 0}));
+  const auto refused = belief.correct(fix_at(kHere, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, "disagrees_with_prediction");
   EXPECT_GT(refused.error().measured, refused.error().bound);
@@ -159,32 +160,32 @@ TEST(Belief, FixesThatAgreeWithOneAnotherOverruleIt) {
   const BeliefConfig config;
   const Window window = two_places();
   Belief belief{config};
-  belief.set(fix_at(here, {0, 0, 0}));
+  belief.set(fix_at(kHere, {0, 0, 0}));
   for (std::uint32_t i = 1; i < config.overrule_fixes; ++i) {
-    EXPECT_FALSE(belief.correct(fix_at(here, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window));
+    EXPECT_FALSE(belief.correct(fix_at(kHere, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window));
   }
-  EXPECT_TRUE(belief.correct(fix_at(here, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window));
+  EXPECT_TRUE(belief.correct(fix_at(kHere, {0.5, 0.5, 0}), belief.estimate()->place_from_robot, window));
   EXPECT_NEAR(planar(belief.estimate()->place_from_robot).x, 0.5, 1e-9);
 }
 
 TEST(Belief, UnseededItIsMadeByFixesOfTwoPlacesThatAgree) {
   const Window window = two_places();
   Belief belief{BeliefConfig{}};
-  const auto first = belief.propose(fix_at(here, {0.1, 0, 0}), window, 2);
+  const auto first = belief.propose(fix_at(kHere, {0.1, 0, 0}), window, 2);
   ASSERT_FALSE(first);
   EXPECT_EQ(first.error().reason, "unconfirmed");
   EXPECT_FALSE(belief.estimate());
   belief.advance(seen_step(0.05));
-  EXPECT_TRUE(belief.propose(fix_at(there, {-0.05, 0, 0}), window, 2));
+  EXPECT_TRUE(belief.propose(fix_at(kThere, {-0.05, 0, 0}), window, 2));
   ASSERT_TRUE(belief.estimate());
-  EXPECT_EQ(belief.estimate()->place, there);
+  EXPECT_EQ(belief.estimate()->place, kThere);
 }
 
 TEST(Belief, UnseededFixesThatDisagreeMakeNone) {
   const Window window = two_places();
   Belief belief{BeliefConfig{}};
   for (const double y : {0.0, 0.5, -0.5, 0.9, -0.9}) {
-    EXPECT_FALSE(belief.propose(fix_at(here, {0.1, y, 0}), window, 2));
+    EXPECT_FALSE(belief.propose(fix_at(kHere, {0.1, y, 0}), window, 2));
   }
   // Places that nothing joins cannot confirm each other.
   EXPECT_FALSE(belief.propose(fix_at({{9}, 4}, {0, 0, 0}), window, 2));
@@ -194,9 +195,9 @@ TEST(Belief, UnseededFixesThatDisagreeMakeNone) {
 TEST(Between, ComposesAlongTheWindowBothWays) {
   const Window window = two_places();
   const BeliefConfig config;
-  EXPECT_NEAR(planar(between(config, window, here, there, 3).value()).x, 0.2, 1e-9);
-  EXPECT_NEAR(planar(between(config, window, there, here, 3).value()).x, -0.2, 1e-9);
-  EXPECT_FALSE(between(config, window, here, {{9}, 9}, 3));
+  EXPECT_NEAR(planar(between(config, window, kHere, kThere, 3).value()).x, 0.2, 1e-9);
+  EXPECT_NEAR(planar(between(config, window, kThere, kHere, 3).value()).x, -0.2, 1e-9);
+  EXPECT_FALSE(between(config, window, kHere, {{9}, 9}, 3));
 }
 
 TEST(NavigationConfig, BadBoundsAreAllNamed) {

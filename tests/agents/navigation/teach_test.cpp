@@ -76,6 +76,20 @@ TEST_F(Teach, TheEndWaitsForAView) {
   EXPECT_FALSE(robot.navigator().is_taught());
 }
 
+TEST_F(Teach, TheEndWaitsForAViewThatShowsSomething) {
+  NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  robot.navigator().begin_teach({first, RobotId{{1}}});
+  robot.hand(Course({5, 5, 0}).straight(0.3).poses, [&] { robot.step(server.map(), true); });
+  robot.dark = true;
+  robot.step(server.map(), true);
+  EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
+  EXPECT_TRUE(robot.navigator().is_taught()) << "the next view may show more";
+  robot.dark = false;
+  robot.step(server.map(), true);
+  EXPECT_EQ(robot.navigator().end_teach(server.map()).size(), 1U);
+  EXPECT_FALSE(robot.navigator().is_taught());
+}
+
 TEST_F(Teach, ItCanBeLeftWithoutAnEnd) {
   NavigatedRobot robot = robot_at({5, 5, 0}, 1);
   robot.navigator().begin_teach({first, RobotId{{1}}});

@@ -86,16 +86,34 @@ TEST(FocalShareOf, IsToldWhereverTheRobotIs) {
 
 TEST(FocalShareOf, IsAsSureAsItIsRight) {
   double sum = 0.0;
+  int told = 0;
   constexpr int many = 200;
   for (std::uint64_t seed = 0; seed < many; ++seed) {
     Random random(1000 + seed);
     const Passage passage{
         .truly_m = random.normal(0.0, 0.1), .focal_share = random.normal(0.0, kSaidTo), .seed = seed};
     const auto found = measured(views(passage));
-    ASSERT_TRUE(found);
+    if (!found) continue;
     sum += std::pow(found->share - passage.focal_share, 2) / found->variance;
+    ++told;
   }
-  EXPECT_NEAR(sum / many, 1.0, 0.35);
+  ASSERT_GE(told, 9 * many / 10);
+  EXPECT_NEAR(sum / told, 1.0, 0.35);
+}
+
+/// What is held beforehand is not in what is told, or it would count with each look.
+TEST(FocalShareOf, LooksThatTellLittleAreRightOnAverage) {
+  constexpr double share = 0.02;
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto found = measured(views({.focal_share = share, .nearest_m = 3.0, .furthest_m = 7.0, .seed = seed}));
+    if (!found) continue;
+    sum += found->share / found->variance;
+    weights += 1.0 / found->variance;
+  }
+  ASSERT_GT(weights, 0.0);
+  EXPECT_NEAR(sum / weights, share, 0.0025);
 }
 
 TEST(FocalShareOf, WrongMatchesHardlyCount) {
@@ -106,8 +124,7 @@ TEST(FocalShareOf, WrongMatchesHardlyCount) {
 
 TEST(FocalShareOf, WhereAllStandsAtOneDistanceItIsNotTold) {
   const auto near = measured(views({.nearest_m = 3.9, .furthest_m = 4.1, .seed = 6}));
-  ASSERT_TRUE(near);
-  EXPECT_GT(std::sqrt(near->variance), 0.5 * kSaidTo) << "a step ahead would look the same";
+  EXPECT_TRUE(!near || std::sqrt(near->variance) > 0.5 * kSaidTo) << "a step ahead would look the same";
 }
 
 TEST(FocalShareOf, HardlyAnythingTellsNothing) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/upright_scene.hpp"
 
 namespace weft::agents {
@@ -66,6 +68,32 @@ TEST_F(HeadingVoteTest, OfStrangersNothingIsSaid) {
     }
   }
   EXPECT_LE(said, 2);
+}
+
+TEST_F(HeadingVoteTest, ACameraThatLooksFurtherDownSeesTheSameFurtherUp) {
+  const auto taught = features(scene_.view(200, 40, kWidth, kHeight));
+  for (const int lower : {-36, 45, 70}) {
+    const auto seen = features(scene_.view(170, 40 + lower, kWidth, kHeight, 1.0, 2.0, 7));
+    const double rise_px = frequent_rise(taught, seen, kWidth, {});
+    EXPECT_NEAR(rise_px, -lower, 3.0);
+    const auto found = vote_heading(taught, seen, kWidth, {}, rise_px);
+    ASSERT_TRUE(found) << lower << ": " << found.error().reason;
+    EXPECT_NEAR(found->shift_px, 30.0, 2.0);
+  }
+  const auto unknowing =
+      vote_heading(taught, features(scene_.view(170, 110, kWidth, kHeight, 1.0, 2.0, 7)), kWidth, {});
+  EXPECT_FALSE(unknowing && std::abs(unknowing->shift_px - 30.0) < 5.0);
+}
+
+TEST_F(HeadingVoteTest, WhatAVoteStandsAnywayIsNoRise) {
+  const auto taught = features(scene_.view(200, 40, kWidth, kHeight));
+  EXPECT_EQ(frequent_rise(taught, features(scene_.view(190, 50, kWidth, kHeight, 1.0, 2.0, 7)), kWidth, {}), 0.0);
+  EXPECT_EQ(
+      frequent_rise(taught,
+                    features(Image{kWidth, kHeight,
+                                   std::make_shared<const Bytes>(static_cast<std::size_t>(kWidth * kHeight), 90)}),
+                    kWidth, {}),
+      0.0);
 }
 
 TEST_F(HeadingVoteTest, TooFewFeaturesAreCounted) {

@@ -39,6 +39,19 @@ TEST_F(BearingTest, TellsByHowMuchTheRobotIsTurned) {
   }
 }
 
+TEST_F(BearingTest, TellsTheHeadingOfARobotWhoseCameraLooksFurtherDown) {
+  const BearingContent taught = at(6.0);
+  agents::sim::Site site = test::aisle_site();
+  site.forward_camera.pitch_rad += 0.12;  // by more rows than a vote stands
+  test::Lookout low(site);
+  const Bearing other = *Bearing::make({}, low.camera());
+  for (const double turned : {-0.1, 0.0, 0.15}) {
+    const auto related = other.relate(taught, seen(other, low, {6.0, 6.0, turned}), std::nullopt);
+    ASSERT_TRUE(related) << turned << " " << related.error().reason;
+    EXPECT_NEAR(along(related->a_from_b).heading_shift_rad, turned, 0.02);
+  }
+}
+
 TEST_F(BearingTest, WishesAnExposureThatATurnDoesNotBlur) {
   View view = lookout_.from({6.0, 6.0, 0.0});
   view.exposure = Exposure{0.015, 1.0};
@@ -89,6 +102,18 @@ TEST_F(BearingTest, LookingBackIsRefused) {
   const auto related = method_.relate(at(6.0), at(10.0, 6.0, M_PI), std::nullopt);
   ASSERT_FALSE(related);
   EXPECT_EQ(related.error().reason, "no_majority");
+}
+
+TEST_F(BearingTest, WhoDescribesFeaturesOtherwiseIsTold) {
+  BearingConfig config;
+  config.features.description = Description::brief;
+  const Bearing others = *Bearing::make(config, lookout_.camera());
+  const BearingContent brief = seen(others, lookout_, {6.05, 6.0, 0.1});
+  const auto related = method_.relate(at(6.0), brief, std::nullopt);
+  ASSERT_FALSE(related);
+  EXPECT_EQ(related.error().reason, "described_otherwise");
+  EXPECT_FALSE(method_.learn(at(6.0), brief, AlongPath{0.05, 1e-4}));
+  EXPECT_TRUE(others.relate(seen(others, lookout_, {6.0, 6.0, 0.0}), brief, std::nullopt));
 }
 
 TEST_F(BearingTest, AnotherRobotsCameraSeesTheSame) {
@@ -189,6 +214,15 @@ TEST_F(BearingLocateTest, WhereThePathBeginsItHasNeighboursOnOneSideOnly) {
   EXPECT_NEAR(along(located.fix->place_from_robot).distance_m, -0.05, 0.05);
 }
 
+TEST_F(BearingLocateTest, PlacesDescribedOtherwiseTellNothing) {
+  BearingContent view = at(7.0);
+  view.description = Description::brief;
+  const auto located = method_.locate(chart_, {AlongPath{0.0, 0.04}}, {AlongPath{}, true, {}}, view);
+  EXPECT_FALSE(located.fix);
+  ASSERT_FALSE(located.refusals.empty());
+  EXPECT_EQ(located.refusals.front().reason, "described_otherwise");
+}
+
 TEST_F(BearingLocateTest, AHeadingThatTheOthersDoNotTellIsNone) {
   // The nearest place says that the robot is turned by 0.3 rad, all others that it is not.
   around_[10].content = std::make_shared<const BearingContent>(at(7.0, 6.0, -0.3));
@@ -242,23 +276,52 @@ TEST_F(BearingLocateTest, ItsBeliefIsWhatNavigationMakesOfIt) {
   EXPECT_NEAR(now.centre_from_robot.distance_m, 0.23, 1e-12);
 }
 
-/// Through a longer lens than its data sheet says all things seem nearer, as from further ahead.
-TEST_F(BearingLocateTest, WhoseFocalLengthIsAnotherIsFoundOutOnTheWay) {
+/// Through a longer lens than its data sheet says all things seem nearer, as from further ahead. Each fix becomes
+/// where the robot believes to be, and it has come to believe something of the lens before.
+class BearingOtherLensTest : public BearingLocateTest,
+                             public testing::WithParamInterface<std::pair<double, double>> {};
+
+TEST_P(BearingOtherLensTest, IsFoundOutOnTheWay) {
+  const auto [error, believed_before] = GetParam();
   sim::Site site = test::aisle_site();
-  site.disturbances.focal_error = 0.02;  // too long, or too short
+  site.disturbances.focal_error = error;  // too long, or too short
   test::Lookout other{site};
   Bearing::Belief belief{AlongPath{-1.0, 0.01}};
+  if (believed_before != 0.0) belief.cameras.told({ExperienceId{}, {believed_before, 1e-4}}, 0.03);
   std::vector<double> off_m;
-  for (int i = 0; i <= 20; ++i) {
-    const double x = 6.0 + 0.1 * i;
-    const Step step{AlongPath{i > 0 ? 0.1 : 0.0, 1e-6}, true, {}};
+  for (int i = 0; i <= 120; ++i) {
+    const double x = 5.5 + 0.025 * i;
+    const Step step{AlongPath{i > 0 ? 0.025 : 0.5, 1e-6}, true, {}};
     const auto located = method_.locate(chart_, belief, step, seen(method_, other, {x, 6.0, 0.0}));
-    ASSERT_TRUE(located.fix);
-    belief = located.belief;
+    if (!located.fix) continue;
+    belief = method_.believed(chart_, located.belief, {located.fix->place, located.fix->place_from_robot, 0.0});
     off_m.push_back(along(located.fix->place_from_robot).distance_m - (x - (5.0 + 0.2 * located.fix->place.index)));
   }
-  EXPECT_NEAR(std::abs(belief.cameras.of(ExperienceId{}, 0.01).share), 0.02, 0.006);
-  EXPECT_LT(std::abs(off_m.back()), 0.025);
+  ASSERT_GT(off_m.size(), 100U);
+  EXPECT_NEAR(std::abs(belief.cameras.of(ExperienceId{}, 0.01).share), error, 0.006);
+  EXPECT_LT(std::abs(off_m.back()), 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lenses, BearingOtherLensTest,
+                         testing::Values(std::pair{0.02, 0.0}, std::pair{0.03, 0.0}, std::pair{0.0, 0.04},
+                                         std::pair{0.0, -0.04}));
+
+/// Around a place that is only supposed to be where it is, nothing is learned for good.
+TEST_F(BearingLocateTest, OfLensesOnlyViewsThatAreBelievedTell) {
+  sim::Site site = test::aisle_site();
+  site.disturbances.focal_error = 0.01;
+  test::Lookout other{site};
+  int looks = 0;
+  for (double x = 6.6; x < 7.4; x += 0.05) {
+    const auto located = method_.locate(chart_, {AlongPath{x - 7.0, 0.01}}, {AlongPath{}, true, {}},
+                                        seen(method_, other, {x, 6.0, 0.0}));
+    if (!located.belief.look) continue;
+    ++looks;
+    EXPECT_EQ(located.belief.cameras.of(ExperienceId{}, 0.01).share, 0.0);
+    const Bearing::Belief now = method_.believed(chart_, located.belief, {place(10), AlongPath{}, 0.0});
+    EXPECT_NE(now.cameras.of(ExperienceId{}, 0.01).share, 0.0);
+  }
+  EXPECT_GT(looks, 0);
 }
 
 TEST_F(BearingLocateTest, WhereNothingIsNearNothingIsSaid) {

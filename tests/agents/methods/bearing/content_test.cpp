@@ -49,7 +49,7 @@ TEST(BearingContent, WhatIsImpossibleIsRefused) {
   bytes[0] ^= 1U;
   EXPECT_THAT(decode_bearing_content(bytes).error().message, HasSubstr("magic"));
   bytes = good;
-  bytes[4] = 3;
+  bytes[4] = 5;
   EXPECT_EQ(decode_bearing_content(bytes).error().code, ErrorCode::newer);
   BearingContent content = some_content();
   content.focal_px = std::numeric_limits<double>::quiet_NaN();
@@ -82,6 +82,19 @@ TEST(BearingContent, SightingsComeBackAsTheyWere) {
   EXPECT_EQ(encode_bearing_content(*again), bytes);
   for (std::size_t size = 0; size < bytes.size(); size += 7)
     EXPECT_FALSE(decode_bearing_content(ByteView(bytes).first(size))) << size;
+}
+
+TEST(BearingContent, SaysHowItsFeaturesAreDescribed) {
+  for (BearingContent content : {some_content(), learned_content()}) {
+    EXPECT_EQ(decode_bearing_content(encode_bearing_content(content))->description, Description::gradients);
+    content.description = Description::brief;
+    const Bytes bytes = encode_bearing_content(content);
+    const auto again = decode_bearing_content(bytes);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->description, Description::brief);
+    EXPECT_EQ(again->sightings, content.sightings);
+    EXPECT_EQ(encode_bearing_content(*again), bytes);
+  }
 }
 
 TEST(BearingContent, SightingsThatCannotBeAreRefused) {
