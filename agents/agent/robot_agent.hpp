@@ -45,7 +45,7 @@ struct Teaching {
   std::size_t kept = 0;                 ///< places of all its experiences
   std::size_t joined = 0;               ///< of these, to places of other runs or far back in the same one
 
-  /// An edge between places that two cameras of this robot see joins nothing new.
+  /// An edge between places that two cameras of this robot see joins nothing new, nor one that nobody can drive.
   bool joins(const Edge& edge) const;
 };
 
@@ -118,6 +118,7 @@ class RobotAgent final : public Agent {
   void teach_on(const msg::AgentCommand& command, const CommandKey& key);
   void teach_stop(const CommandKey& key, SteadyTime now);
   void teach_report(const msg::AgentCommand& command, const CommandKey& key);
+  void tell_counts(const CommandKey& key);
   void localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now);
   void stop(const CommandKey& key, SteadyTime now);
   void resume(const CommandKey& key, SteadyTime now);

@@ -126,6 +126,13 @@ void RobotAgent::teach_report(const msg::AgentCommand& command, const CommandKey
   reply(key, done);
 }
 
+void RobotAgent::tell_counts(const CommandKey& key) {
+  msg::AgentReply done;
+  done.done = true;
+  for (const auto& [what, times] : counters()) done.counts.emplace_back(what, times);
+  reply(key, done);
+}
+
 void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
   if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
   if (teaching_.has_value()) return refuse(key, config_.name + " is being taught: stop that first");

@@ -130,7 +130,9 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
     case CommandLedger::Seen::fresh:
       break;
   }
-  if (command.kind != msg::AgentCommand::Kind::teach_report) teaching_failed_.clear();
+  const bool only_asks =
+      command.kind == msg::AgentCommand::Kind::teach_report || command.kind == msg::AgentCommand::Kind::counts;
+  if (!only_asks) teaching_failed_.clear();
   switch (command.kind) {
     case msg::AgentCommand::Kind::teach_start:
       return teach_start(command, key, now);
@@ -146,6 +148,8 @@ void RobotAgent::on(const msg::AgentCommand& command, SteadyTime now) {
       return keep_place(command, key, now);
     case msg::AgentCommand::Kind::teach_report:
       return teach_report(command, key);
+    case msg::AgentCommand::Kind::counts:
+      return tell_counts(key);
   }
   refuse(key, "this agent does not know the command");
 }

@@ -21,8 +21,11 @@ bool contains(const std::vector<ExperienceId>& all, ExperienceId one) {
 /// Whoever has led the robot is still there, and can lead it on to where it meets what was taught before.
 std::string what_was_taught(const Teaching& teaching) {
   const std::string places = std::to_string(teaching.kept) + (teaching.kept == 1 ? " place" : " places");
-  return teaching.joined > 0 ? places + ", " + std::to_string(teaching.joined) + " joined to what was taught before"
-                             : places + ", none joined to what was taught before, nor to the beginning of this";
+  return teaching.joined > 0
+             ? places + ", " + std::to_string(teaching.joined) +
+                   " joined to what was taught before, or to its own beginning"
+             : places +
+                   ", none joined to what was taught before, nor to its own beginning, in a way that can be driven";
 }
 }  // namespace
 
@@ -32,7 +35,8 @@ bool HandingIn::has(ExperienceId other) const {
 
 bool Teaching::joins(const Edge& edge) const {
   const bool is_own = edge.id.a.experience == experience || contains(others, edge.id.a.experience);
-  return edge.origin == Origin::stitch && (!is_own || edge.id.a.experience == edge.id.b.experience);
+  if (edge.origin != Origin::stitch || edge.drivable == Drivable::none) return false;
+  return !is_own || edge.id.a.experience == edge.id.b.experience;
 }
 
 std::string name_of_other(const std::string& name, const std::string& method) {
@@ -58,6 +62,7 @@ void RobotAgent::prepare_teaching(SteadyTime now) {
     refuse(teaching_->started_by, config_.name + " did not find itself around " + to_string(*teaching_->seed) +
                                       ": move it nearer, or teach without a seed");
     teaching_.reset();
+    navigator_->seek(std::nullopt);  // the seed has led to nothing
     return;
   }
   if (teaching_->phase != Teaching::Phase::preparing) return;
@@ -234,6 +239,7 @@ void RobotAgent::prepare_localising(SteadyTime now) {
   if (localising_->seeking) {
     if (now < localising_->deadline) return;
     const std::optional<CommandKey> asked_by = localising_->asked_by;
+    if (localising_->seed.has_value()) navigator_->seek(std::nullopt);  // it has led to nothing
     localising_.reset();
     if (asked_by.has_value()) {
       const std::string likeliest =

@@ -28,6 +28,7 @@ constexpr std::array kAskings{
     Asking{Command::stop, run_operator, kSoon},
     Asking{Command::resume, run_operator, kSoon},
     Asking{Command::robot_clear, run_operator, kSoon},
+    Asking{Command::robot_counts, run_counts, kSoon},
     Asking{Command::map_label, run_operator, 40s},
     Asking{Command::map_info, run_map, kSoon},
     Asking{Command::map_draw, run_map, kAMinute},

@@ -39,6 +39,8 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
 /// How what a robot was taught will be found again, as a table and a picture.
 Exit run_teach_report(Session& session, const Invocation& invocation, const Output& output);
+/// How often a robot found where it is, and what it refused.
+Exit run_counts(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
 /// The log of revisions, and what two of them differ in.
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);

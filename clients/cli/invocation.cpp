@@ -101,9 +101,14 @@ class Grammar {
                    Command::stop);
     stop_or_resume("resume", "Let ROBOT drive again", Command::resume);
 
-    CLI::App* const clear =
-        add(*group("robot", "Robots that need help"), "clear",
-            "Free what ROBOT occupies: only when it has been taken off the floor", Command::robot_clear);
+    CLI::App* const robot = group("robot", "One robot");
+    add(*robot, "counts", "How often ROBOT found where it is since its agent started, and what it refused, by reason",
+        Command::robot_counts)
+        ->add_option("ROBOT", into_.robot, "Its name or id")
+        ->required()
+        ->type_name("");
+    CLI::App* const clear = add(
+        *robot, "clear", "Free what ROBOT occupies: only when it has been taken off the floor", Command::robot_clear);
     clear->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
   }
 

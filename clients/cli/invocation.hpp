@@ -45,6 +45,7 @@ struct Invocation {
     stop,
     resume,
     robot_clear,
+    robot_counts,
     doctor,
     file_info,
     file_convert,

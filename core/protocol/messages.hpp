@@ -218,7 +218,8 @@ struct AgentCommand {
     stop = 4,
     resume = 5,
     keep_place = 6,
-    teach_report = 7
+    teach_report = 7,
+    counts = 8
   };
   struct Point {
     double x = 0.0;
@@ -256,6 +257,7 @@ struct AgentReply {
   PlaceId place;            ///< keep_place: the new place
   ExperienceId experience;  ///< teach, teach_report: which
   std::vector<TaughtStretch> report;
+  std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< counts: since the agent started, by name
 };
 
 /// What is to be done to the map; which fields count depends on the request's kind.
@@ -281,16 +283,17 @@ struct OperatorRequest {
     label = 8,
     label_here = 9,
     clear = 10,
-    rollback = 11,     ///< the map as it was at a revision, as a new one
-    undo = 12,         ///< a stitch, an experience, or what a revision changed
-    quarantine = 13,   ///< places out of the map until that is undone
-    replace = 14,      ///< an experience takes the place of what it covers
-    prune = 15,        ///< places that others cover go
-    compact = 16,      ///< delete for good what no revision from there on has
-    snapshot = 17,     ///< a copy of the store into a file
-    check = 18,        ///< every checksum and reference
-    stats = 19,        ///< what takes space
-    teach_report = 20  ///< how well a robot will find itself where it was taught
+    rollback = 11,      ///< the map as it was at a revision, as a new one
+    undo = 12,          ///< a stitch, an experience, or what a revision changed
+    quarantine = 13,    ///< places out of the map until that is undone
+    replace = 14,       ///< an experience takes the place of what it covers
+    prune = 15,         ///< places that others cover go
+    compact = 16,       ///< delete for good what no revision from there on has
+    snapshot = 17,      ///< a copy of the store into a file
+    check = 18,         ///< every checksum and reference
+    stats = 19,         ///< what takes space
+    teach_report = 20,  ///< how well a robot will find itself where it was taught
+    robot_counts = 21   ///< how often a robot found where it is, and what it refused, by reason
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
@@ -314,12 +317,12 @@ struct OperatorReply {
   GoalId goal;
   PlaceId place;
   ExperienceId experience;
-  Revision revision;                  ///< the one that an edit of the map made; 0: none
-  std::uint64_t done = 0, total = 0;  ///< of long work; total 0: not known
-  std::string unit;                   ///< of `done` and `total`, for people
-  std::vector<std::string> findings;  ///< new since the last reply
-  std::vector<std::pair<std::string, std::uint64_t>> counts;
-  std::vector<TaughtStretch> report;  ///< teach_report: the robot's
+  Revision revision;                                          ///< the one that an edit of the map made; 0: none
+  std::uint64_t done = 0, total = 0;                          ///< of long work; total 0: not known
+  std::string unit;                                           ///< of `done` and `total`, for people
+  std::vector<std::string> findings;                          ///< new since the last reply
+  std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< stats; robot_counts: the robot's
+  std::vector<TaughtStretch> report;                          ///< teach_report: the robot's
 };
 
 /// Client to server: read only.

@@ -76,7 +76,7 @@ Result<msg::AgentCommand> from_idl(const idl::AgentCommand& wire) {
   value.header = from_idl(wire.header(), reading.in("header"));
   value.to = reading.some("to", id_from<PeerId>(wire.to()));
   value.command = wire.command();
-  value.kind = reading.choice("kind", wire.kind(), Kind::teach_start, Kind::teach_report);
+  value.kind = reading.choice("kind", wire.kind(), Kind::teach_start, Kind::counts);
   value.name = reading.text("name", wire.name(), kNameLength);
   if (wire.has_seed()) value.seed = reading.some("seed", from_idl(wire.seed()));
   value.along = from_idl(wire.along(), reading.in("along"));
@@ -92,6 +92,7 @@ idl::AgentReply to_idl(const msg::AgentReply& message) {
   wire.place(to_idl(message.place));
   wire.experience(message.experience.value);
   wire.report(list_to_idl<idl::TaughtStretch>(message.report));
+  wire.counts(counts_to_idl(message.counts));
   return wire;
 }
 
@@ -105,6 +106,7 @@ Result<msg::AgentReply> from_idl(const idl::AgentReply& wire) {
   value.place = from_idl(wire.place());
   value.experience = ExperienceId{wire.experience()};
   value.report = list_from_idl<msg::TaughtStretch>(wire.report(), reading, "report", msg::kReportRows);
+  value.counts = counts_from_idl(wire.counts(), reading, "counts");
   return reading.finish(std::move(value));
 }
 

@@ -64,7 +64,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::teach_report);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::robot_counts);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
   value.place = from_idl(wire.place());

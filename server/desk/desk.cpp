@@ -70,6 +70,7 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
     case Kind::teach_start:
     case Kind::teach_stop:
     case Kind::teach_report:
+    case Kind::robot_counts:
     case Kind::localise:
       command_one(key, request, who, now);
       return;
@@ -126,6 +127,10 @@ Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request,
     command.kind = msg::AgentCommand::Kind::teach_stop;
     return command;
   }
+  if (request.kind == Kind::robot_counts) {
+    command.kind = msg::AgentCommand::Kind::counts;
+    return command;
+  }
   if (request.kind == Kind::teach_report) {
     command.kind = msg::AgentCommand::Kind::teach_report;
     command.name = request.label;
@@ -160,6 +165,7 @@ void Desk::command_one(const Key& key, const msg::OperatorRequest& request, cons
   }
   Result<msg::AgentCommand> command = command_for(request, **robot);
   if (!command) return answer(key, msg::Outcome::refused, command.error().message);
+  if (request.kind == Kind::robot_counts) return send_for(key, *std::move(command), now.steady);  // changes nothing
   const char* const kind = request.kind == Kind::teach_start    ? "robot.teach_asked"
                            : request.kind == Kind::teach_stop   ? "robot.teach_end_asked"
                            : request.kind == Kind::teach_report ? "robot.report_asked"

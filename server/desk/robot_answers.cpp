@@ -39,6 +39,7 @@ void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentRepl
   answered.place = reply.place;
   answered.experience = reply.experience;
   answered.report = reply.report;
+  answered.counts = reply.counts;
   answer(key, std::move(answered));
 }
 

@@ -251,7 +251,14 @@ void add_driving(std::vector<Example>& all) {
                                    place_id(1, 5),
                                    {{0.5, 1.5}, {2.5, -3.5}}}});
   all.push_back({"agent_reply", Role::agent,
-                 msg::AgentReply{header(), 19, true, "teaching", place_id(1, 5), ExperienceId{0xabcdef}, report()}});
+                 msg::AgentReply{header(),
+                                 19,
+                                 true,
+                                 "teaching",
+                                 place_id(1, 5),
+                                 ExperienceId{0xabcdef},
+                                 report(),
+                                 {{"navigation: fixes", 70}}}});
 }
 
 void add_operating(std::vector<Example>& all) {

@@ -147,6 +147,8 @@ TEST(FromIdl, RefusesReportsOutOfBounds) {
   EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].as_is = kNan; }),
               HasSubstr("as_is must be from 0 to 1"));
   EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].first = {}; }), HasSubstr("first must not be none"));
+  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.counts.resize(1001, m.counts[0]); }),
+              HasSubstr("counts has more than 1000 entries"));
   EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.report[1].to_m = 9.0; }),
               HasSubstr("to_m must not be before from_m"));
   EXPECT_THAT(refusal<msg::OperatorReply>([](auto& m) { m.report[1].sigma_m = -0.1; }), HasSubstr("sigma_m"));

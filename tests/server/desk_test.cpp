@@ -25,7 +25,8 @@ struct Desk : testing::Test {
                              .reason = reason,
                              .place = place,
                              .experience = {},
-                             .report = {}});
+                             .report = {},
+                             .counts = {}});
   }
   std::optional<msg::OperatorReply> reply() { return site.last<msg::OperatorReply>(); }
 
@@ -53,12 +54,26 @@ TEST_F(Desk, ReportIsAskedOfTheRobotAndPassedOn) {
   site.say(wanted);
   EXPECT_EQ(command().kind, msg::AgentCommand::Kind::teach_report);
   EXPECT_EQ(command().name, "loop");
-  msg::AgentReply reported{r1.header(), command().command, true, "", {}, run.id(), {}};
+  msg::AgentReply reported{r1.header(), command().command, true, "", {}, run.id(), {}, {}};
   reported.report = {{0.0, 9.5, 48, run.place(0), 1.0, 0.75, 0.5, 0.004, "few_inliers"}};
   site.say(reported);
   EXPECT_EQ(reply()->outcome, msg::Outcome::done);
   EXPECT_EQ(reply()->report, reported.report);
   EXPECT_EQ(reply()->experience, run.id());
+}
+
+TEST_F(Desk, CountsAreAskedOfTheRobotPassedOnAndLeaveNoEvent) {
+  const std::size_t before = site.disk->events.size();
+  msg::OperatorRequest wanted = site.request(Kind::robot_counts);
+  wanted.robot = "r1";
+  site.say(wanted);
+  EXPECT_EQ(command().kind, msg::AgentCommand::Kind::counts);
+  msg::AgentReply counted{r1.header(), command().command, true, "", {}, {}, {}, {}};
+  counted.counts = {{"navigation: few_matches", 3}, {"navigation: fixes", 70}};
+  site.say(counted);
+  EXPECT_EQ(reply()->outcome, msg::Outcome::done);
+  EXPECT_EQ(reply()->counts, counted.counts);
+  EXPECT_EQ(site.disk->events.size(), before);
 }
 
 TEST_F(Desk, CommandIsRepeatedUntilAnsweredAndTheRequestDoneOnce) {

@@ -212,7 +212,8 @@ TEST_F(GoalLife, StopPausesAndResumeGoesOn) {
                            .reason = {},
                            .place = {},
                            .experience = {},
-                           .report = {}});
+                           .report = {},
+                           .counts = {}});
   EXPECT_EQ(site.last<msg::OperatorReply>()->outcome, msg::Outcome::done);
   site.progress(r1, route, msg::RoutePhase::stopped, 3);
   EXPECT_EQ(site.goal(1).state, GoalState::paused);
@@ -318,7 +319,8 @@ TEST_F(GoalLife, StopThatCannotBeStoredStandsAllTheSame) {
                            .reason = {},
                            .place = {},
                            .experience = {},
-                           .report = {}});
+                           .report = {},
+                           .counts = {}});
   site.hush();
   msg::RobotState stopped = driving(route, run.place(3));
   stopped.mode = msg::RobotMode::stopped;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -269,6 +271,26 @@ TEST(Orders, AReportThatItCannotMakeIsRefusedInWords) {
   EXPECT_EQ(reply->command, 4U);
   EXPECT_FALSE(reply->done);
   EXPECT_NE(reply->reason.find("nothing has been taught"), std::string::npos);
+}
+
+TEST(Orders, WhatItFoundAndRefusedIsCountedByReasonAndTold) {
+  Driving rig;
+  rig.script->answer.fix = Fix{{rig.laid, 5}, Relation{}, {}};
+  rig.script->answer.refusals = {{"few_matches"}, {"few_matches"}, {"no_consensus"}};
+  std::uint64_t asked = 10;
+  const auto counted = [&] {
+    rig.tell(rig.command(Kind::counts, ++asked));
+    const auto reply = rig.last<msg::AgentReply>();
+    EXPECT_TRUE(reply.has_value() && reply->done);
+    return std::map<std::string, std::uint64_t>(reply->counts.begin(), reply->counts.end());
+  };
+  auto before = counted();
+  rig.run(1s);
+  auto after = counted();
+  const std::uint64_t steps = after["navigation: fixes"] - before["navigation: fixes"];
+  EXPECT_GT(steps, 0U);
+  EXPECT_EQ(after["navigation: few_matches"] - before["navigation: few_matches"], 2 * steps);
+  EXPECT_EQ(after["navigation: no_consensus"] - before["navigation: no_consensus"], steps);
 }
 
 TEST(Orders, LocaliseInVainSaysWhatToDo) {

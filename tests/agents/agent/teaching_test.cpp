@@ -94,6 +94,8 @@ TEST(Teaching, SeedThatIsNotFoundIsRefused) {
   rig.run(70s);
   ASSERT_TRUE(rig.last<msg::AgentReply>().has_value());
   EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("did not find itself"), std::string::npos);
+  ASSERT_FALSE(rig.script->sought.empty());
+  EXPECT_FALSE(rig.script->sought.back()) << "without a seed it looks elsewhere, too";
   EXPECT_TRUE(rig.script->taught.empty());
 }
 
@@ -180,6 +182,9 @@ TEST(Teaching, WhoeverHasTaughtIsToldWhetherItIsJoined) {
   Edge hop = stitch(7, 7);
   hop.origin = Origin::odometry;
   EXPECT_FALSE(run.joins(hop));
+  Edge across = stitch(3, 7);
+  across.drivable = Drivable::none;
+  EXPECT_FALSE(run.joins(across)) << "no robot can follow it";
 }
 
 TEST(Teaching, StopSaysHowManyPlacesAreJoined) {
@@ -193,7 +198,8 @@ TEST(Teaching, StopSaysHowManyPlacesAreJoined) {
   }
   rig.tell(rig.command(Kind::teach_stop, 4));
   rig.run(3s);
-  EXPECT_EQ(rig.last<msg::AgentReply>()->reason, "3 places, 2 joined to what was taught before");
+  EXPECT_EQ(rig.last<msg::AgentReply>()->reason,
+            "3 places, 2 joined to what was taught before, or to its own beginning");
 }
 
 TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
@@ -210,7 +216,7 @@ TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
   EXPECT_EQ(rig.sent<msg::AgentReply>().size(), 2U);
   const std::string said = rig.last<msg::AgentReply>()->reason;
   EXPECT_EQ(said.substr(said.find(" places")),
-            " places, none joined to what was taught before, nor to the beginning of this");
+            " places, none joined to what was taught before, nor to its own beginning, in a way that can be driven");
   EXPECT_EQ(std::stoul(said), rig.script->index);
 }
 

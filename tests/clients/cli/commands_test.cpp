@@ -61,6 +61,20 @@ TEST(Commands, RobotsShowsWhatTheyDo) {
   EXPECT_LT(rows[0]["silent_s"].get<double>(), 2.0);
 }
 
+TEST(Commands, RobotCountsShowsTheMostFrequentFirst) {
+  OneRobot fleet;
+  EXPECT_NE(fleet.weft({"robot", "counts", "r1"}).out.find("nothing"), std::string::npos);
+  fleet.r1.how = [](const msg::AgentCommand&, msg::AgentReply& reply) {
+    reply.counts = {{"navigation: few_matches", 3}, {"navigation: fixes", 70}};
+  };
+  const Said said = fleet.weft({"robot", "counts", "r1"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(said.out, "TIMES  WHAT\n70     navigation: fixes\n3      navigation: few_matches\n");
+  EXPECT_EQ(fleet.r1.told.back().kind, Kind::counts);
+  EXPECT_EQ(fleet.weft({"robot", "counts", "r1", "--json"}).json()["counts"]["navigation: fixes"], 70);
+  EXPECT_EQ(fleet.weft({"robot", "counts", "r9"}).exit, Exit::refused);
+}
+
 TEST(Commands, NoRobotsSaysHowToStartOne) {
   Fleet fleet;
   EXPECT_NE(fleet.weft({"robots"}).out.find("weft-agent"), std::string::npos);

@@ -33,6 +33,7 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"teach", "r1", "stop"}, Command::teach_stop},
       {{"teach", "r1", "report", "--draw", "a.svg"}, Command::teach_report},
       {{"localise", "r1", "--at", "dock"}, Command::localise},
+      {{"robot", "counts", "r1"}, Command::robot_counts},
       {{"map", "info"}, Command::map_info},
       {{"map", "draw", "a.png"}, Command::map_draw},
       {{"map", "label", "00000000000000a1:3", "dock"}, Command::map_label},

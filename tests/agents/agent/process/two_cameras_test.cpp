@@ -1,8 +1,9 @@
-// Robots with one camera teach a part each, one with both joins the parts, and one that was taught nothing drives
-// from the first to the last: by floor, then by bearing, without standing in between.
+// Robots teach a part each by one method, one with both joins the parts, and one that was taught nothing drives from
+// the first to the last: by one method, then by the other, without standing in between.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <string>
@@ -63,7 +64,9 @@ class Robot {
   }
   /// Experiences `run`, and one more for each further method; true poses of what was kept go to `truth`.
   void be_taught(std::uint64_t run, const std::string& line, std::map<PlaceId, Pose2>& truth) {
-    const auto led = body_->drive_by_hand(line_of(line));
+    const std::vector<SitePoint> way = line_of(line);
+    truth_->put({way[0].x, way[0].y, std::atan2(way[1].y - way[0].y, way[1].x - way[0].x)}, {});
+    const auto led = body_->drive_by_hand(way);
     ASSERT_TRUE(led) << led.error().message;
     navigator_->begin_teach({ExperienceId{run}, id_, {ExperienceId{run + 1}}});
     for (bool done = false; !done; done = hand_done_ && has_view_) take(step().kept, truth);
@@ -89,14 +92,22 @@ class Robot {
   double elapsed_s_ = 0.0;
 };
 
-TEST(TwoCameras, HandOverWithoutStopping) {
+/// Who teaches the way's two parts.
+struct Teachers {
+  std::string first, first_by, second, second_by;
+};
+
+class TwoCameras : public testing::TestWithParam<Teachers> {};
+
+TEST_P(TwoCameras, HandOverWithoutStopping) {
+  const Teachers& teachers = GetParam();
   weft::test::LittleServer map;
   std::map<PlaceId, Pose2> truth;
   {
-    Robot floor("r1", "floor", map);
-    floor.be_taught(10, "first.line", truth);
-    Robot ahead("r2", "bearing", map);
-    ahead.be_taught(20, "second.line", truth);
+    Robot first(teachers.first, teachers.first_by, map);
+    first.be_taught(10, "first.line", truth);
+    Robot second(teachers.second, teachers.second_by, map);
+    second.be_taught(20, "second.line", truth);
     Robot both("r3", "floor,bearing", map);
     both.look_around();
     both.be_taught(30, "crossing.line", truth);
@@ -139,12 +150,17 @@ TEST(TwoCameras, HandOverWithoutStopping) {
     last = here;
     begun_s = 0.0;
   }
-  EXPECT_EQ(by, (std::vector<std::string>{"floor", "bearing"}));
+  EXPECT_EQ(by, (std::vector<std::string>{teachers.first_by, teachers.second_by}));
   EXPECT_GT(slowest_m_s, 0.15) << "a bend may slow it where the ways meet; it does not stop for the change";
   EXPECT_EQ(now.following, Following::arrived) << now.reason;
   const Pose2 goal_from_robot = truth.at(goal).inverse() * stranger.pose();
   EXPECT_LT(goal_from_robot.translation().norm(), 0.15);
 }
+
+INSTANTIATE_TEST_SUITE_P(, TwoCameras,
+                         testing::Values(Teachers{"r1", "floor", "r2", "bearing"},
+                                         Teachers{"r4", "bearing", "r3", "floor"}),
+                         [](const auto& each) { return each.param.first_by + "First"; });
 
 }  // namespace
 }  // namespace weft::agents::test
