@@ -85,6 +85,15 @@ CLI::App* describe(CLI::App& app, HeadingOptions& options) {
   sub->add_option("--feature", options.feature, "What is compared: brief or gradients [gradients]")
       ->transform(CLI::CheckedTransformer(features).description(""))
       ->type_name("NAME");
+  sub->add_option("--features", options.features, "Of an image at most, 20 to 5000; robots drive with 300 [2000]")
+      ->check(CLI::Range(20, 5000).description(""))
+      ->type_name("N");
+  sub->add_option(
+         "--cell", options.cell_widths,
+         "Of the 4 x 4 cells that a feature is described by, each is so wide, 0.005 to 0.05 of the image; robots "
+         "drive with 0.022 [0.0156]")
+      ->check(CLI::Range(0.005, 0.05).description(""))
+      ->type_name("SHARE");
   sub->add_flag("--json", options.json, "One line of JSON instead of the table");
   return sub;
 }

@@ -48,12 +48,19 @@ int run(const evaluate::GenerateOptions& options) {
   return 130;
 }
 
-int finish(const Result<evaluate::Ended>& ended, const std::filesystem::path& out) {
+int finish(const Result<evaluate::Ended>& ended, const std::string& left) {
   if (!ended) return failed(ended.error());
   if (*ended == evaluate::Ended::complete) return 0;
-  std::cerr << "weft-evaluate: stopped; what was measured is in " << out.string()
-            << ", the same command goes on from there\n";
+  if (*ended == evaluate::Ended::missed) {
+    std::cerr << "weft-evaluate: not everything that is promised holds; the table says NOT MET where\n";
+    return 1;
+  }
+  std::cerr << "weft-evaluate: stopped; " << left << '\n';
   return 130;
+}
+
+int finish(const Result<evaluate::Ended>& ended, const std::filesystem::path& out) {
+  return finish(ended, "what was measured is in " + out.string() + ", the same command goes on from there");
 }
 
 int run(const evaluate::DisturbancesOptions& options) {
@@ -76,11 +83,8 @@ int run(const evaluate::RelocaliseOptions& options) {
   return finish(evaluate::floor::study_relocalisation(options, around), options.out);
 }
 
-int finish_at_once(const Result<evaluate::Ended>& ended, const char* left = "nothing was written") {
-  if (!ended) return failed(ended.error());
-  if (*ended == evaluate::Ended::complete) return 0;
-  std::cerr << "weft-evaluate: stopped; " << left << '\n';
-  return 130;
+int finish_at_once(const Result<evaluate::Ended>& ended, const std::string& left = "nothing was written") {
+  return finish(ended, left);
 }
 
 int run(const evaluate::ForetoldOptions& options) {

@@ -20,7 +20,8 @@ struct Surroundings {
   std::function<bool()> asked_to_stop;
 };
 
-enum class Ended { complete, stopped };
+/// `missed`: all was measured and written, and something that is promised does not hold; the table says what.
+enum class Ended { complete, stopped, missed };
 
 /// Rows there are to measure, and how fast it goes.
 class RowsMeasured {

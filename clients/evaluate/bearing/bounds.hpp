@@ -6,26 +6,41 @@
 
 namespace weft::evaluate::bearing {
 
-/// What is promised of a trial: the error after so many loops, its median and its worst over the seeds.
+/// What is promised of a trial, of its median and its worst over the seeds.
 struct Bound {
+  enum class Of {
+    error_m,         ///< after so many loops
+    band_m,          ///< by which the first loop lies beside the model
+    drift_m_a_loop,  ///< how fast it goes astray: at least so fast
+    loops_driven     ///< before it was lost
+  };
   const char* trial = "";
+  Of of = Of::error_m;
   std::size_t loops = 1;
   const char* paper = "";  ///< Krajnik et al. 2018
   double median = 0.0;
   double worst = 0.0;
+
+  /// What the paper shows to fail is to fail here.
+  bool is_least() const { return of == Of::drift_m_a_loop; }
 };
 const std::vector<Bound>& bounds();
 /// "oval, after 2 loops".
 std::string name_of(const Bound& bound);
+/// NaN: it has not come so far.
+double value_of(const Bound& bound, const Score& score);
 
 struct Judged {
   const Bound* bound = nullptr;
   std::size_t seeds = 0;
   double median = Score::kNothing;
-  double worst = Score::kNothing;  ///< NaN: one has not come so far
+  double worst =
+      Score::kNothing;  ///< NaN: one has not come so far; of what is promised to be at least so much, the least
   bool met = false;
 };
 std::vector<Judged> judge(const Rows& rows, Seeds seeds);
+/// Whether one that was measured does not hold.
+bool is_any_missed(const std::vector<Judged>& all);
 
 /// Errors of all seeds after so many loops; NaN: not come so far.
 std::vector<double> errors_after(const Rows& rows, Seeds seeds, const std::string& trial, std::size_t loops);

@@ -10,6 +10,7 @@ using namespace agents;
 namespace {
 
 constexpr int kLastViewAtMost = 10;  // samples for the last place
+constexpr int kSettles = 20;         // samples for the camera to find its exposure, as an agent that has been on has
 const ExperienceId kExperience{1};
 const RobotId kTeacher{{1}};
 
@@ -72,9 +73,20 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePo
   if (!body) return fail(body.error());
   auto navigator = make_navigator((*body)->cameras().front(), Parts::all);
   if (!navigator) return fail(navigator.error());
+  Course course;
+  const auto step = [&]() -> Result<std::pair<Navigated, bool>> {
+    const Result<Sample> sample = (*body)->step({});
+    if (!sample) return fail(sample.error());
+    const View* const view = sample->view ? &*sample->view : nullptr;
+    Navigated now =
+        (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
+    expose(**body, now);
+    return std::pair(std::move(now), sample->hand_done);
+  };
+  for (int i = 0; i < kSettles; ++i)
+    if (const auto looked = step(); !looked) return fail(looked.error());
   if (const Result<void> begun = (*body)->drive_by_hand(line); !begun) return fail(begun.error());
   (*navigator)->begin_teach({kExperience, kTeacher});
-  Course course;
   const auto take = [&](const std::vector<Kept>& kept) {
     for (const Kept& one : kept) {
       course.places.push_back(one.place.id);
@@ -85,14 +97,11 @@ Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePo
   int ending = 0;
   for (bool done = false; !done;) {
     if (drive.asked_to_stop()) return std::optional<Course>();
-    const Result<Sample> sample = (*body)->step({});
-    if (!sample) return fail(sample.error());
-    const View* const view = sample->view ? &*sample->view : nullptr;
-    const Navigated now =
-        (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
-    expose(**body, now);
+    const auto stepped = step();
+    if (!stepped) return fail(stepped.error());
+    const auto& [now, hand_done] = *stepped;
     if (const Result<void> taken = take(now.kept); !taken) return fail(taken.error());
-    if (!sample->hand_done) continue;
+    if (!hand_done) continue;
     if (const Result<void> taken = take((*navigator)->end_teach(course.map.view())); !taken)
       return fail(taken.error());
     done = !(*navigator)->is_taught() || ++ending > kLastViewAtMost;

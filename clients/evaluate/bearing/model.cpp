@@ -59,11 +59,8 @@ std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& cours
 }
 
 double band_of(const std::vector<ErrorAt>& driven, const std::vector<ErrorAt>& model) {
-  constexpr double turning_m = 1.0;
   double band = 0.0;
-  for (const ErrorAt& error : driven) {
-    if (error.along_m > turning_m) band = std::max(band, std::abs(error.error_m - error_at(model, error.along_m)));
-  }
+  for (const ErrorAt& error : driven) band = std::max(band, std::abs(error.error_m - error_at(model, error.along_m)));
   return band;
 }
 

@@ -22,7 +22,7 @@ std::vector<double> unwrapped(const std::vector<double>& along_m, double round_m
 /// The first loop as it was driven, as far as the taught way goes.
 std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course);
 
-/// Most by which the driven loop lies outside the model, after its first metre (the robot turns towards the way).
+/// Most by which the driven loop lies beside the model.
 double band_of(const std::vector<ErrorAt>& driven, const std::vector<ErrorAt>& model);
 
 /// Median horizontal distance of what the robot's camera shows along the taught way.

@@ -22,6 +22,7 @@ class Repeating {
       : course_(course), body_(std::move(body)), navigator_(std::move(navigator)) {}
 
   Navigator& navigator() { return *navigator_; }
+  double driven_m() const { return driven_m_; }
   double now_s() const { return now_s_; }
 
   Result<Navigated> step() {
@@ -57,10 +58,12 @@ class Repeating {
   double now_s_ = 0.0;
 };
 
-/// How many times it has come by where the way closes, of a route of many loops.
-std::size_t loops_done(const Course& course, std::uint32_t route_at) {
+/// How many times it has come by where the way closes, of a route of many loops. Who is off the way may take a place
+/// for its like of a later loop: a loop that was not driven for at least half of its length does not count.
+std::size_t loops_done(const Course& course, std::uint32_t route_at, double driven_m) {
   const std::size_t loop = course.places.size() - course.closes_at;
-  return route_at < course.closes_at ? 0 : (route_at - course.closes_at) / loop;
+  const std::size_t passed = route_at < course.closes_at ? 0 : (route_at - course.closes_at) / loop;
+  return std::min(passed, static_cast<std::size_t>(driven_m / (0.5 * course.round_m())));
 }
 
 void note(const Navigated& now, Repeated& repeated) {
@@ -82,7 +85,8 @@ Result<bool> follow(Repeating& robot, const Drive& drive, const Course& course, 
     const std::optional<Deviation> deviation = robot.deviation();
     if (deviation) repeated.along.push_back(*deviation);
     const bool arrived = now->following == Following::arrived;
-    const std::size_t done = arrived ? loops : std::min(loops - 1, loops_done(course, now->route_at));
+    const std::size_t done =
+        arrived ? loops : std::min(loops - 1, loops_done(course, now->route_at, robot.driven_m()));
     if (deviation && done > repeated.after_loop.size()) repeated.after_loop.push_back(*deviation);
     stood = now->command == Twist{} ? stood + 1 : 0;
     repeated.ended = now->lost ? "lost" : std::string(now->reason);

@@ -36,12 +36,20 @@ struct Measured {
   Shown shown;
 };
 
+/// A way that cannot be repeated counts as one that was not come back to, not as none.
+Measured not_taught(const std::string& why) {
+  Measured measured;
+  measured.score.ended = why;
+  return measured;
+}
+
 /// None: stopped.
 Result<std::optional<Measured>> measure(const Trial& trial, const Scene& scene, std::uint64_t seed,
                                         const Surroundings& around) {
   Drive taught_in = drive_of(scene, seed, 0, around.asked_to_stop);
   trial.as_taught(taught_in.body.site);
   const Result<std::optional<Course>> course = teach(taught_in, scene.line);
+  if (!course && course.error().code == ErrorCode::refused) return std::optional(not_taught(course.error().message));
   if (!course) return fail(course.error());
   if (!*course) return std::optional<Measured>();
   Drive repeated_in = drive_of(scene, seed, 1, around.asked_to_stop);
@@ -127,7 +135,7 @@ Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& a
   around.out << tables_of(*rows, options.seeds) << std::flush;
   around.progress << "weft-evaluate: bearing.csv, bearing.json and " << drawn->size() << " pictures are in "
                   << options.out.string() << '\n';
-  return Ended::complete;
+  return is_any_missed(judge(*rows, options.seeds)) ? Ended::missed : Ended::complete;
 }
 
 }  // namespace weft::evaluate::bearing

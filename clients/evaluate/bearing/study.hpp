@@ -18,7 +18,7 @@ namespace bearing {
 
 /// Measures what is not in the output folder yet, keeps each row as soon as it is there, and at the end prints the
 /// tables, writes bearing.csv and bearing.json and draws the pictures. not_found, invalid: scene or trial; conflict:
-/// the folder holds another study; refused: a way's end is not found to come back; unavailable: it cannot be written.
+/// the folder holds another study; unavailable: it cannot be written.
 Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& around);
 
 }  // namespace bearing

@@ -12,6 +12,7 @@ namespace {
 
 const Pose2 kAMetreAside{0.0, -1.0, 0.0};
 const Pose2 kAside{0.0, -1.5, 0.0};
+const Pose2 kBehindAndAside{-0.9, -0.8, 0.0};  // IV-B
 
 void as_it_is(Site&) {}
 
@@ -35,6 +36,22 @@ void other_camera(Site& site) {
   site.disturbances.focal_error = 0.02;
 }
 
+/// Of another make: wider, finer, with more of the lens, 10 cm higher and level.
+void other_make(Site& site) {
+  agents::sim::ForwardCameraSetup& camera = site.forward_camera;
+  camera.width = 400;
+  camera.height = 300;
+  camera.focal_px = 400.0;
+  camera.k1 = -0.15;
+  camera.height_m += 0.1;
+  camera.pitch_rad = 0.0;
+}
+
+template <auto... Changes>
+void all_of(Site& site) {
+  (Changes(site), ...);
+}
+
 void no_encoders(Site& site) {
   site.base.has_encoders = false;
 }
@@ -52,22 +69,20 @@ void other_stock_and_people(Site& site) {
 }  // namespace
 
 void dark(Site& site) {
-  site.ambient = 0.02;
-  site.lamps.clear();
+  site.change.ambient = 0.02;
+  site.change.lamps_failed = 1.0;
   site.forward_camera.headlight = 2.0;
 }
 
 void half_of_the_lamps(Site& site) {
-  const std::vector<agents::sim::Lamp> lamps = site.lamps;
   dark(site);
-  for (std::size_t i = 0; i < lamps.size(); i += 2) site.lamps.push_back(lamps[i]);
+  site.change.lamps_failed = 0.5;
 }
 
 Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day,
                const std::function<bool()>& asked_to_stop) {
   Drive drive;
   drive.body.site = scene.site;
-  drive.body.site.change.from_day = 1;
   drive.body.site.change.seed = seed;
   drive.body.robot = scene.site.robots.front().name;
   drive.body.seed = seed;
@@ -97,6 +112,8 @@ const std::vector<Trial>& trials() {
       {"oval-as-published", "oval, 1 m off, distance by wheels alone", "oval", "oval", kAMetreAside, 20,
        Parts::heading_only, as_it_is, as_it_is},
       {"oval-profile-only", "oval, profile only", "oval", "oval", {}, 5, Parts::profile_only, as_it_is, as_it_is},
+      {"oval-behind", "oval, 0.9 m behind and 0.8 m aside", "oval", "oval", kBehindAndAside, 5, Parts::all, as_it_is,
+       as_it_is},
       {"corners", "rectangle with sharp turns", "oval", "corners", {}, 2, Parts::all, as_it_is, as_it_is},
       {"corners-vision-only",
        "rectangle with sharp turns, vision only",
@@ -113,6 +130,8 @@ const std::vector<Trial>& trials() {
        no_encoders, no_encoders},
       {"oval-other-camera", "oval, 1 m off, focal length 2 % off the teacher's", "oval", "oval", kAMetreAside, 20,
        Parts::all, true_camera, other_camera},
+      {"oval-other-make", "oval, 1 m off, a camera of another make than the teacher's", "oval", "oval", kAMetreAside,
+       20, Parts::all, as_it_is, other_make},
       {"lemniscate", "17 m lemniscate, 1 m off", "lemniscate", "lemniscate", kAMetreAside, 19, Parts::all, as_it_is,
        as_it_is},
       {"lemniscate-bad-wheels", "lemniscate, 1 m off, wheels off by 10 %, asymmetric by 5 %", "lemniscate",
@@ -124,6 +143,10 @@ const std::vector<Trial>& trials() {
        half_of_the_lamps, half_of_the_lamps},
       {"yard-bad-wheels", "60 m, 1.5 m off, wheels off by 10 %, asymmetric by 5 %", "yard", "yard", kAside, 7,
        Parts::all, true_wheels, bad_wheels},
+      {"yard-dark-bad-wheels", "60 m, 1.5 m off, in the dark, wheels off by 10 %, asymmetric by 5 %", "yard", "yard",
+       kAside, 7, Parts::all, all_of<dark, true_wheels>, all_of<dark, bad_wheels>},
+      {"yard-half-bad-wheels", "60 m, 1.5 m off, half of the lamps, wheels off by 10 %, asymmetric by 5 %", "yard",
+       "yard", kAside, 7, Parts::all, all_of<half_of_the_lamps, true_wheels>, all_of<half_of_the_lamps, bad_wheels>},
       {"yard-changed", "60 m, 1.5 m off, 30 % of the stock changed, 3 people", "yard", "yard", kAside, 7, Parts::all,
        as_it_is, other_stock_and_people},
   };

@@ -20,12 +20,12 @@ struct Scene {
 /// not_found, invalid: names file and line.
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site, const std::string& line);
 
-/// By its first robot, so many days after teaching. What has changed in the site has changed since the first of them.
+/// By its first robot, so many days after teaching.
 Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day, const std::function<bool()>& asked_to_stop);
 
 /// Starlight, and a lamp on the robot.
 void dark(agents::sim::Site& site);
-/// The same with every second lamp.
+/// The same with half of the lamps, which ones by the seed.
 void half_of_the_lamps(agents::sim::Site& site);
 
 /// One of the experiments of Krajnik et al. 2018, or one that goes beyond.

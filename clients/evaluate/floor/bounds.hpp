@@ -1,5 +1,9 @@
 #pragma once
+#include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clients/evaluate/floor/score.hpp"
@@ -24,11 +28,17 @@ struct Bound {
   double median = 0.0;
   double worst = 0.0;
   bool of_refusers = false;  ///< holds for floors too on which a refusal to localise is right
-  /// Not the median and the worst seed are bounded, but the mean of all floors, lights and seeds together: from the
-  /// first number to the second.
+  /// Not the median and the worst seed are bounded, but the mean of all lights and seeds together, on the floors by
+  /// which nothing was set: from the first number to the second.
   bool is_share = false;
 };
+/// What `weft-evaluate floor` measures itself.
 const std::vector<Bound>& bounds();
+
+/// All seeds of a floor and part.
+using GroupKey = std::pair<std::string, std::string>;  // kind, part
+std::map<GroupKey, std::vector<const Score*>> grouped(const Rows& rows, Seeds seeds);
+std::vector<double> values_of(const std::vector<const Score*>& scores, double Score::*value);
 
 /// One bound on one floor and, of a repeat, under one light.
 struct Group {
@@ -45,13 +55,15 @@ struct Judged {
   std::vector<Group> groups;
   double median = Score::kNothing;  ///< of the group that is worst; of a share the mean, as `worst`
   double worst = Score::kNothing;
-  bool met = false;  ///< by every group, and there is one
+  bool met = false;                 ///< by every group, and there is one
+  const char* command = "floor";    ///< of weft-evaluate, that measures it
+  std::optional<std::size_t> of{};  ///< attempts or trials, where they are counted
 };
-/// All bounds, over the seeds that are there.
+/// All of `bounds`, over the seeds that are there.
 std::vector<Judged> judge(const Rows& rows, Seeds seeds);
 
-/// Two tables: the bounds, and the medians of every column by floor and light.
-std::string tables_of(const Rows& rows, Seeds seeds);
+/// Whether one that was measured does not hold.
+bool is_any_missed(const std::vector<Judged>& all);
 
 /// The median and the largest; NaN without values. A value that is none (it could not be measured) is the worst.
 struct MedianWorst {
@@ -59,5 +71,8 @@ struct MedianWorst {
   double worst = 0.0;
 };
 MedianWorst median_worst(std::vector<double> values);
+
+/// Of those that are numbers; NaN without.
+double mean_of(const std::vector<double>& values);
 
 }  // namespace weft::evaluate::floor

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "clients/evaluate/files.hpp"
-#include "clients/evaluate/floor/bounds.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -22,6 +22,7 @@ Score score_from(const json& row) {
     score.*column.value = number.is_null() ? Score::kNothing : number.get<double>();
   }
   score.blind_distances_m = row.at("blind_distances_m").get<std::vector<double>>();
+  score.refusals = row.at("refusals").get<std::map<std::string, std::uint64_t>>();
   return score;
 }
 
@@ -31,7 +32,8 @@ json json_of(const Judged& judged) {
               {"paper", bound.paper},         {"median", judged.median},
               {"bound_median", bound.median}, {"worst", judged.worst},
               {"bound_worst", bound.worst},   {"met", judged.met},
-              {"groups", json::array()}};
+              {"groups", json::array()},      {"command", std::string("weft-evaluate ") + judged.command}};
+  if (judged.of) row["of"] = *judged.of;
   for (const Group& group : judged.groups) {
     row["groups"].push_back({{"floor", group.kind},
                              {"part", group.part},
@@ -70,13 +72,15 @@ Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) 
   return rows;
 }
 
-Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows, Seeds seeds) {
+Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows,
+                        const std::vector<Judged>& promises) {
   json document = {{"study", json_of(study)}, {"bounds", json::array()}, {"rows", json::array()}};
-  for (const Judged& judged : judge(rows, seeds)) document["bounds"].push_back(json_of(judged));
+  for (const Judged& judged : promises) document["bounds"].push_back(json_of(judged));
   for (const auto& [key, score] : rows) {
     json row = {{"floor", key.kind}, {"part", key.part}, {"seed", key.seed}};
     for (const Column& column : columns()) row[column.name] = score.*column.value;  // NaN becomes null
     row["blind_distances_m"] = score.blind_distances_m;
+    row["refusals"] = score.refusals;
     document["rows"].push_back(row);
   }
   return write_text(folder / kJson, document.dump(1) + "\n");
@@ -86,14 +90,17 @@ Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
   std::ostringstream text;
   text << "floor,part,seed";
   for (const Column& column : columns()) text << ',' << column.name;
-  text << '\n';
+  text << ",refusals\n";
   for (const auto& [key, score] : rows) {
     text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed;
     for (const Column& column : columns()) {
       text << ',';
       if (std::isfinite(score.*column.value)) text << score.*column.value;
     }
-    text << '\n';
+    text << ",\"";
+    for (const char* between = ""; const auto& [reason, times] : score.refusals)
+      text << std::exchange(between, "; ") << reason << ' ' << times;
+    text << "\"\n";
   }
   return write_text(folder / kCsv, text.str());
 }
@@ -104,6 +111,12 @@ json json_of(const Study& study) {
           {"line_sha256", study.line_sha256},
           {"floors_sha256", study.floors_sha256},
           {"metres", study.metres}};
+}
+
+Study study_from(const json& study) {
+  return {study.at("software").get<std::string>(), study.at("site_sha256").get<std::string>(),
+          study.at("line_sha256").get<std::string>(), study.at("floors_sha256").get<std::string>(),
+          study.at("metres").get<double>()};
 }
 
 std::string stamp_of(const Study& study) {

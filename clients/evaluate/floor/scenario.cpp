@@ -54,6 +54,10 @@ bool is_textured(const std::string& kind) {
   return kind != "epoxy" && !repeats_itself(kind);
 }
 
+bool was_set_by(const std::string& kind) {
+  return kind == "epoxy" || kind == "polished-concrete";
+}
+
 Result<Scenario> Scenario::make(const Stage& stage, const std::string& kind, std::uint64_t seed) {
   Stage here = stage;
   if (here.floors_dir) {

@@ -29,6 +29,9 @@ const std::vector<std::string>& lights();
 bool repeats_itself(const std::string& kind);
 /// A floor with much to see; the bounds of others are wider.
 bool is_textured(const std::string& kind);
+/// A floor by which odometry's covariance was set (docs/decisions/024): how often it holds there says nothing of
+/// others.
+bool was_set_by(const std::string& kind);
 
 /// One kind of floor and one seed: another patch of that floor, other wear, calibration, noise and wander.
 class Scenario {
@@ -38,7 +41,7 @@ class Scenario {
 
   /// The robot that is taught.
   Drive first() const;
-  /// The same one where its mount is calibrated before: on another part of the floor; and what it is led along.
+  /// The same one where its mount is calibrated before: on the same floor; and what it is led along.
   Drive for_calibration() const;
   std::vector<agents::SitePoint> calibration_line() const;
   /// The same one with its mount off by 5 mm and 0.5 degrees.

@@ -55,6 +55,7 @@ Score score_of_mapping(const Trace& taught, const Trace& wrong_mount, const Trac
   score.speed_wrong_mount_percent = speed_error(wrong_mount).percent;
   score.speed_fast_percent = speed_error(fast).percent;
   add_held(taught, score);
+  score.refusals = taught.refusals;
   return score;
 }
 
@@ -77,6 +78,7 @@ Score score_of_repeat(const Taught& taught, const Repeated& repeated) {
   score.fixes = fixes(trace);
   add_held(trace, score);
   score.wrong_fixes = wrong_fixes(trace, taught.places.site_from_place);
+  score.refusals = trace.refusals;
   return score;
 }
 

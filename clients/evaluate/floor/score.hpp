@@ -49,6 +49,8 @@ struct Score {
   double seconds = kNothing;  ///< that it took to compute, the simulation included
 
   std::vector<double> blind_distances_m;  ///< all of them
+  std::map<std::string, std::uint64_t>
+      refusals;  ///< how often localisation or odometry refused a view, by its reason
 };
 
 /// The numbers in order: name as in the files, heading of the table, digits there.

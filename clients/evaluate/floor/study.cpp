@@ -11,9 +11,11 @@
 #include "clients/evaluate/floor/figure_runs.hpp"
 #include "clients/evaluate/floor/figures.hpp"
 #include "clients/evaluate/floor/measurement.hpp"
+#include "clients/evaluate/floor/other_promises.hpp"
 #include "clients/evaluate/floor/rows.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "clients/evaluate/floor/subject.hpp"
+#include "clients/evaluate/floor/tables.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -41,9 +43,16 @@ std::size_t kept_of(const Rows& rows, const Subject& subject, const FloorOptions
   return kept;
 }
 
+/// Its own and other commands'.
+std::vector<Judged> promises_of(const Rows& rows, Seeds seeds, const std::vector<Judged>& others) {
+  std::vector<Judged> promises = judge(rows, seeds);
+  promises.insert(promises.end(), others.begin(), others.end());
+  return promises;
+}
+
 /// Seed by seed, so that what an interruption leaves is whole comparisons of the floors.
-Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, Rows& rows, RowsMeasured& progress,
-                          const Surroundings& around) {
+Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, const std::vector<Judged>& others,
+                          Rows& rows, RowsMeasured& progress, const Surroundings& around) {
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
     for (const std::string& kind : subject.kinds) {
       const Result<Scenario> scenario = Scenario::make(subject.stage, kind, seed);
@@ -51,7 +60,7 @@ Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, R
       const auto keep = [&](const RowKey& key, const Score& score) {
         rows.insert_or_assign(key, score);
         progress.row(key.kind + ", " + key.part + ", seed " + std::to_string(key.seed));
-        return write_rows(options.out, subject.study, rows, options.seeds);
+        return write_rows(options.out, subject.study, rows, promises_of(rows, options.seeds, others));
       };
       const bool is_shown = seed == options.seeds.first;
       Measurement measurement(*scenario, shelf_of(subject, options, kind, seed), is_shown, around, keep);
@@ -100,19 +109,19 @@ Rows asked_for(const Rows& rows, const Subject& subject, Seeds seeds) {
   return some;
 }
 
-Result<Ended> report(const Subject& subject, const FloorOptions& options, const Rows& rows, const Pictured& pictured,
-                     const Surroundings& around) {
+Result<Ended> report(const Subject& subject, const FloorOptions& options, const std::vector<Judged>& others,
+                     const Rows& rows, const Pictured& pictured, const Surroundings& around) {
   if (const Result<void> csv = write_csv(options.out, rows); !csv) return fail(csv.error());
-  if (const Result<void> json = write_rows(options.out, subject.study, rows, options.seeds); !json) {
-    return fail(json.error());
-  }
+  const Result<void> json = write_rows(options.out, subject.study, rows, promises_of(rows, options.seeds, others));
+  if (!json) return fail(json.error());
   const Rows asked = asked_for(rows, subject, options.seeds);
   const Result<std::vector<std::string>> drawn = draw_figures(pictured, asked, options.seeds, options.out);
   if (!drawn) return fail(drawn.error());
-  around.out << tables_of(asked, options.seeds) << std::flush;
+  const std::vector<Judged> promises = promises_of(asked, options.seeds, others);
+  around.out << tables_of(promises, asked, options.seeds) << std::flush;
   around.progress << "weft-evaluate: floor.csv, floor.json and " << drawn->size() << " pictures are in "
                   << options.out.string() << '\n';
-  return Ended::complete;
+  return is_any_missed(judge(asked, options.seeds)) ? Ended::missed : Ended::complete;
 }
 
 }  // namespace
@@ -123,15 +132,17 @@ Result<Ended> study_floor(const FloorOptions& options, const Surroundings& aroun
   if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
   Result<Rows> rows = read_rows(options.out, subject->study);
   if (!rows) return fail(rows.error());
+  const Result<std::vector<Judged>> others = judge_others(options.out, subject->study);
+  if (!others) return fail(others.error());
   const std::size_t seeds = options.seeds.last - options.seeds.first + 1;
   const std::size_t all = subject->kinds.size() * (parts_of(*subject).size() * seeds + 1);
   RowsMeasured progress(all, kept_of(*rows, *subject, options), around);
-  const Result<Ended> measured = measure_all(*subject, options, *rows, progress, around);
+  const Result<Ended> measured = measure_all(*subject, options, *others, *rows, progress, around);
   if (!measured || *measured == Ended::stopped) return measured;
   Pictured pictured;
   const Result<Ended> shown = show_all(*subject, options, pictured, progress);
   if (!shown || *shown == Ended::stopped) return shown;
-  return report(*subject, options, *rows, pictured, around);
+  return report(*subject, options, *others, *rows, pictured, around);
 }
 
 }  // namespace weft::evaluate::floor

@@ -72,6 +72,8 @@ Result<Ended> study_heading(const HeadingOptions& options, const Surroundings& a
   if (!known) return fail(known.error());
   agents::UprightConfig config;
   config.description = options.feature;
+  config.count = options.features;
+  config.cell_widths = options.cell_widths;
   std::vector<std::vector<UprightFeature>> features;
   std::vector<double> widths;
   for (const std::filesystem::path& file : known->images) {

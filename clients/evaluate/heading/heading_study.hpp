@@ -10,7 +10,9 @@ namespace weft::evaluate {
 struct HeadingOptions {
   std::filesystem::path folder;  ///< in one of GRIEF's layouts
   agents::Description feature = agents::Description::gradients;
-  bool json = false;  ///< one line of JSON instead of the table
+  bool json = false;                                         ///< one line of JSON instead of the table
+  int features = agents::UprightConfig{}.count;              ///< of an image at most
+  double cell_widths = agents::UprightConfig{}.cell_widths;  ///< of the image, of a cell of those that describe one
 };
 
 namespace heading {

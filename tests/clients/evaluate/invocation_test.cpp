@@ -54,6 +54,17 @@ TEST(EvaluateInvocation, RelocalisationHasAHallOfItsOwn) {
   EXPECT_EQ(given.trials, 7U);
 }
 
+TEST(EvaluateInvocation, HeadingsAreToldAtTheirBestOrAsRobotsTellThem) {
+  const auto plain = std::get<HeadingOptions>(parsed({"heading", "dir"}));
+  EXPECT_EQ(plain.features, 2000);
+  EXPECT_EQ(plain.cell_widths, 1.0 / 64);
+  const auto given = std::get<HeadingOptions>(parsed({"heading", "dir", "--features", "300", "--cell", "0.022"}));
+  EXPECT_EQ(given.features, 300);
+  EXPECT_EQ(given.cell_widths, 0.022);
+  EXPECT_EQ(std::get<NotRun>(parsed({"heading", "dir", "--features", "19"})).exit_code, 2);
+  EXPECT_EQ(std::get<NotRun>(parsed({"heading", "dir", "--cell", "0.06"})).exit_code, 2);
+}
+
 TEST(EvaluateInvocation, OdometryAsksForCandidatesByFlag) {
   const auto plain = std::get<OdometryOptions>(parsed({"odometry"}));
   EXPECT_FALSE(plain.candidates);

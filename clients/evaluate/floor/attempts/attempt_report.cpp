@@ -101,10 +101,10 @@ using Bins = std::array<std::size_t, Recall::kBins>;
 
 /// Bins with too few attempts say nothing.
 Curve recall_curve(const std::string& name, const Bins& tried, const Bins& right, double bin, const Colour& ink) {
-  constexpr std::size_t kFewest = 5;
+  constexpr std::size_t kFewestInBin = 5;
   Curve curve{name, {}, ink, Curve::Look::line, 1.8};
   for (std::size_t i = 0; i < Recall::kBins; ++i) {
-    if (tried[i] < kFewest) continue;
+    if (tried[i] < kFewestInBin) continue;
     curve.dots.push_back(
         {bin * (static_cast<double>(i) + 0.5), static_cast<double>(right[i]) / static_cast<double>(tried[i])});
   }

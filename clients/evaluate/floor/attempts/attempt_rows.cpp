@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/floor/study_in.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -98,6 +99,12 @@ Result<AttemptRows> read_attempts(const std::filesystem::path& folder, const Att
                                         "); give another --out, or remove the file");
   }
   return rows;
+}
+
+Result<std::optional<AttemptsStudy>> attempts_study_in(const std::filesystem::path& folder) {
+  return study_in<AttemptsStudy>(json_in(folder), [](const json& study) {
+    return AttemptsStudy{study_from(study), study.at("attempts_a_row").get<std::size_t>()};
+  });
 }
 
 Result<void> write_attempts(const std::filesystem::path& folder, const AttemptsStudy& study,

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "clients/evaluate/floor/attempts/tally.hpp"
 #include "clients/evaluate/floor/rows.hpp"
@@ -18,6 +19,8 @@ using AttemptRows = std::map<RowKey, Tally>;
 
 /// DIR/attempts.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is none.
 Result<AttemptRows> read_attempts(const std::filesystem::path& folder, const AttemptsStudy& study);
+/// Of which study DIR/attempts.json is; none: there is no such file. corrupt: it is none.
+Result<std::optional<AttemptsStudy>> attempts_study_in(const std::filesystem::path& folder);
 /// Whole or not at all. unavailable: names the file.
 Result<void> write_attempts(const std::filesystem::path& folder, const AttemptsStudy& study, const AttemptRows& rows);
 /// DIR/attempts.csv, a row a (floor, light, seed, sort of attempt, what came of it).

@@ -125,7 +125,9 @@ Result<Ended> report_trials(const Trials& study, const Surroundings& around) {
   around.out << tables_of(asked) << std::flush;
   around.progress << "weft-evaluate: relocalise.csv, relocalise.json and floor-relocalise.png are in " << out.string()
                   << '\n';
-  if (wrong == 0) return Ended::complete;
+  const std::vector<TrialGroup> groups = judge(asked);
+  const bool all_met = std::all_of(groups.begin(), groups.end(), [](const TrialGroup& group) { return group.met; });
+  if (wrong == 0) return all_met ? Ended::complete : Ended::missed;
   return fail(ErrorCode::refused, std::to_string(wrong) + " of " + std::to_string(count) +
                                       " robots believed a wrong place; " + (out / "relocalise.csv").string() +
                                       " names each");

@@ -15,8 +15,6 @@ namespace {
 
 using namespace charts;
 
-constexpr double kMedianPercent = 99.0;
-constexpr double kWorstPercent = 97.0;
 constexpr std::array kTrialInks = {kBlue, kVermilion, kGreen, kOrange, kPurple, kSky, kInk, kQuiet};
 
 bool found_rightly(const Trial& trial) {
@@ -28,6 +26,10 @@ std::vector<Trial> going(const std::vector<Trial>& trials, Along along) {
   std::copy_if(trials.begin(), trials.end(), std::back_inserter(some),
                [&](const Trial& trial) { return trial.along == along; });
   return some;
+}
+
+std::ptrdiff_t count_wrong(const std::vector<Trial>& trials) {
+  return std::count_if(trials.begin(), trials.end(), [](const Trial& trial) { return trial.is_wrong; });
 }
 
 double percent_found(const std::vector<Trial>& trials) {
@@ -91,35 +93,40 @@ Chart failure_map(const std::string& kind, const std::vector<Trial>& trials,
 
 }  // namespace
 
-std::string tables_of(const TrialRows& rows) {
-  struct OneWay {
-    std::vector<double> missed;  ///< percent, a number a seed
-    std::vector<Trial> trials;
+std::vector<TrialGroup> judge(const TrialRows& rows) {
+  std::vector<TrialGroup> groups;
+  const auto group_of = [&](const RowKey& key, Along along) -> TrialGroup& {
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const TrialGroup& group) {
+      return group.kind == key.kind && group.part == key.part && group.along == along;
+    });
+    return found != groups.end() ? *found : groups.emplace_back(TrialGroup{key.kind, key.part, along, {}, {}, false});
   };
-  std::map<std::pair<std::string, std::string>, std::map<Along, OneWay>> groups;
   for (const auto& [key, trials] : rows) {
     for (const Along along : kBothWays) {
       const std::vector<Trial> some = going(trials, along);
       if (some.empty()) continue;
-      OneWay& group = groups[{key.kind, key.part}][along];
-      group.missed.push_back(100.0 - percent_found(some));
+      TrialGroup& group = group_of(key, along);
+      group.missed_percent.push_back(100.0 - percent_found(some));
       group.trials.insert(group.trials.end(), some.begin(), some.end());
     }
   }
+  for (TrialGroup& group : groups) {
+    const MedianWorst missed = median_worst(group.missed_percent);
+    const bool is_found = 100.0 - missed.median >= kFoundMedianPercent && 100.0 - missed.worst >= kFoundWorstPercent;
+    group.met = count_wrong(group.trials) == 0 && (is_found || repeats_itself(group.kind));
+  }
+  return groups;
+}
+
+std::string tables_of(const TrialRows& rows) {
   std::vector<std::vector<std::string>> cells = {{"floor", "light", "pushed", "", "seeds", "trials",
                                                   "found, %, median", "worst seed", "after, m, median", "WRONG"}};
-  for (const auto& [key, ways] : groups) {
-    for (const auto& [along, group] : ways) {
-      const MedianWorst missed = median_worst(group.missed);
-      const auto wrong =
-          std::count_if(group.trials.begin(), group.trials.end(), [](const Trial& trial) { return trial.is_wrong; });
-      const bool is_found = 100.0 - missed.median >= kMedianPercent && 100.0 - missed.worst >= kWorstPercent;
-      const bool is_met = wrong == 0 && (is_found || repeats_itself(key.first));
-      cells.push_back({key.first, key.second, name_of(along), is_met ? "met" : "NOT MET",
-                       std::to_string(group.missed.size()), std::to_string(group.trials.size()),
-                       cell(100.0 - missed.median, 2), cell(100.0 - missed.worst, 2), cell(middle_m(group.trials), 2),
-                       std::to_string(wrong)});
-    }
+  for (const TrialGroup& group : judge(rows)) {
+    const MedianWorst missed = median_worst(group.missed_percent);
+    cells.push_back({group.kind, group.part, name_of(group.along), group.met ? "met" : "NOT MET",
+                     std::to_string(group.missed_percent.size()), std::to_string(group.trials.size()),
+                     cell(100.0 - missed.median, 2), cell(100.0 - missed.worst, 2), cell(middle_m(group.trials), 2),
+                     std::to_string(count_wrong(group.trials))});
   }
   return markdown_table(cells, 4);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "agents/bodies/body.hpp"
 #include "clients/evaluate/floor/relocalise/trial_rows.hpp"
@@ -8,8 +9,22 @@
 
 namespace weft::evaluate::floor {
 
-/// By floor, light and direction: the share that found itself, median and worst over the seeds, against what is
-/// promised (99 and 97 %, none wrong; of floors that repeat: none wrong).
+/// Promised: so many percent of the median and of the worst seed find themselves.
+inline constexpr double kFoundMedianPercent = 99.0;
+inline constexpr double kFoundWorstPercent = 97.0;
+
+/// What was pushed one way on a floor, in a light.
+struct TrialGroup {
+  std::string kind;
+  std::string part;
+  Along along = Along::forwards;
+  std::vector<double> missed_percent;  ///< a number a seed
+  std::vector<Trial> trials;           ///< of all seeds
+  bool met = false;  ///< 99 % found, of the worst seed 97 %, none wrong; of floors that repeat: none wrong
+};
+std::vector<TrialGroup> judge(const TrialRows& rows);
+
+/// A row a group: the share that found itself, median and worst over the seeds, against what is promised.
 std::string tables_of(const TrialRows& rows);
 
 /// DIR/floor-relocalise.png: the share found within so many metres, and where robots did not find themselves.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/floor/study_in.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -59,6 +60,10 @@ Result<TrialRows> read_trials(const std::filesystem::path& folder, const Study& 
                                         "); give another --out, or remove the file");
   }
   return rows;
+}
+
+Result<std::optional<Study>> trials_study_in(const std::filesystem::path& folder) {
+  return study_in<Study>(trials_in(folder), study_from);
 }
 
 Result<void> write_trials(const std::filesystem::path& folder, const Study& study, const TrialRows& rows) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "clients/evaluate/floor/relocalise/trial.hpp"
@@ -15,6 +16,8 @@ using TrialRows = std::map<RowKey, std::vector<Trial>>;
 /// DIR/relocalise.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is
 /// none.
 Result<TrialRows> read_trials(const std::filesystem::path& folder, const Study& study);
+/// Of which study DIR/relocalise.json is; none: there is no such file. corrupt: it is none.
+Result<std::optional<Study>> trials_study_in(const std::filesystem::path& folder);
 /// Whole or not at all. unavailable: names the file.
 Result<void> write_trials(const std::filesystem::path& folder, const Study& study, const TrialRows& rows);
 /// DIR/relocalise.csv, a row a trial.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "agents/methods/bearing/content.hpp"
 #include "clients/evaluate/bearing/model.hpp"
 #include "clients/evaluate/bearing/trials.hpp"
 
@@ -77,6 +78,21 @@ TEST_F(BearingDrive, ARunThatStopsJustBehindItsLastPlaceIsClosedToo) {
   EXPECT_TRUE(taught) << taught.error().message;
 }
 
+TEST_F(BearingDrive, InTheDarkTheFirstPlaceIsSeenAsWellAsTheNext) {
+  // A camera that has just been switched on exposes as by day.
+  Drive drive = drive_;
+  dark(drive.body.site);
+  const Result<Scene> scene = read_scene(std::filesystem::path(WEFT_SITES) / "bearing", "oval", "oval");
+  ASSERT_TRUE(scene);
+  const auto taught = teach(drive, scene->line);
+  ASSERT_TRUE(taught) << taught.error().message;
+  const auto features = [&](std::size_t at) {
+    const Place* const place = (*taught)->map.view().window.place((*taught)->places[at]);
+    return agents::decode_bearing_content(*(*taught)->map.find(place->content.hash))->features.size();
+  };
+  EXPECT_GT(features(0), features(3) / 2);
+}
+
 TEST_F(BearingDrive, AMetreAsideItComesBackToTheWay) {
   const Repeated repeated = driven(a_day_later(), {{0.0, -1.0, 0.0}}, 2);
   EXPECT_EQ(repeated.ended, "");
@@ -108,9 +124,10 @@ TEST_F(BearingDrive, ByVisionAloneTheFirstSharpTurnIsMissed) {
   ASSERT_TRUE(scene) << scene.error().message;
   const auto sharp = teach(drive_, scene->line);
   ASSERT_TRUE(sharp) << sharp.error().message;
-  const auto repeated = repeat(a_day_later(), **sharp, {}, 1, Parts::vision_only);
+  const auto repeated = repeat(a_day_later(), **sharp, {}, 2, Parts::vision_only);
   ASSERT_TRUE(repeated) << repeated.error().message;
   EXPECT_NE((*repeated)->ended, "");
+  EXPECT_TRUE((*repeated)->after_loop.empty()) << "who is off the route has driven no loop";
   constexpr double straight_m = 1.5;  // before the turn
   for (const Deviation& deviation : (*repeated)->along) {
     if (deviation.driven_m < straight_m) {

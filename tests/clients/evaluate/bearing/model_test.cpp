@@ -49,9 +49,11 @@ TEST(BearingModel, FurtherLandmarksMeanSlowerConvergence) {
   }
 }
 
-TEST(BearingModel, TheBandIsTheLargestDifferenceAfterTheFirstMetre) {
+TEST(BearingModel, TheBandIsTheLargestDifference) {
   const std::vector<ErrorAt> model = {{0.0, 1.0}, {2.0, 0.5}, {4.0, 0.25}};
-  EXPECT_NEAR(band_of({{0.5, 3.0}, {2.0, 0.6}, {4.0, 0.2}}, model), 0.1, 1e-12);
+  EXPECT_NEAR(band_of({{2.0, 0.6}, {4.0, 0.2}}, model), 0.1, 1e-12);
+  EXPECT_NEAR(band_of({{0.0, model.front().error_m + 0.3}, {2.0, 0.6}}, model), 0.3, 1e-12)
+      << "from its beginning on";
   EXPECT_NEAR(band_of({{3.0, 0.375}}, model), 0.0, 1e-12) << "between two places it lies between theirs";
 }
 

@@ -69,6 +69,39 @@ TEST(BearingBounds, AreOfMedianAndWorst) {
   EXPECT_FALSE(judged_of(judge(rows, {1, 4}), "oval, after 20 loops").met) << "the worst may be 0.05 m";
 }
 
+TEST(BearingBounds, OneThatWasMeasuredAndDoesNotHoldIsMissed) {
+  Rows rows;
+  EXPECT_FALSE(is_any_missed(judge(rows, {1, 1}))) << "nothing was measured";
+  rows[{"oval", 1}] = score_of(0.01, 20);
+  EXPECT_FALSE(is_any_missed(judge(rows, {1, 1})));
+  rows[{"oval", 1}] = score_of(0.01, 5);
+  EXPECT_TRUE(is_any_missed(judge(rows, {1, 1}))) << "it was to come round 20 times";
+}
+
+TEST(BearingBounds, WhatThePaperShowsToFailIsToFail) {
+  Rows rows;
+  rows[{"oval-profile-only", 1}] = score_of(2.0, 5);
+  rows[{"oval-profile-only", 2}] = Score{};  // off the way in its first loop
+  rows[{"corners-vision-only", 1}] = Score{};
+  const auto astray = "oval-profile-only, goes astray by at least, a loop";
+  EXPECT_TRUE(judged_of(judge(rows, {1, 2}), astray).met);
+  EXPECT_NEAR(judged_of(judge(rows, {1, 2}), astray).worst, 0.4, 1e-12);
+  EXPECT_TRUE(judged_of(judge(rows, {1, 2}), "corners-vision-only, loops before it is lost").met);
+  rows[{"oval-profile-only", 3}] = score_of(0.05, 5);
+  rows[{"corners-vision-only", 2}] = score_of(0.5, 2);
+  EXPECT_FALSE(judged_of(judge(rows, {1, 3}), astray).met) << "it has stayed on its way";
+  EXPECT_FALSE(judged_of(judge(rows, {1, 3}), "corners-vision-only, loops before it is lost").met);
+}
+
+TEST(BearingBounds, TheFirstLoopIsHeldAgainstTheModel) {
+  Rows rows;
+  rows[{"oval-as-published", 1}] = score_of(0.1, 20);
+  const auto beside = "oval-as-published, first loop beside the model";
+  EXPECT_FALSE(judged_of(judge(rows, {1, 1}), beside).met) << "without a band nothing is shown";
+  rows[{"oval-as-published", 1}].band_m = 0.12;
+  EXPECT_TRUE(judged_of(judge(rows, {1, 1}), beside).met);
+}
+
 TEST(BearingBounds, WhoDoesNotComeSoFarIsTheWorst) {
   Rows rows;
   rows[{"oval", 1}] = score_of(0.01, 20);

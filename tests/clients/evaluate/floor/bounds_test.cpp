@@ -52,6 +52,17 @@ TEST(FloorBounds, TheWorstGroupDecides) {
   EXPECT_TRUE(of(judge(rows, {2, 3}), "goal, position").groups.size() == 1U);
 }
 
+TEST(FloorBounds, OneThatWasMeasuredAndDoesNotHoldIsMissed) {
+  Rows rows;
+  EXPECT_FALSE(is_any_missed(judge(rows, {1, 1}))) << "nothing was measured";
+  Score& score = rows[{"concrete", kMapping, 1}];
+  score.speed_percent = score.speed_wrong_mount_percent = score.speed_fast_percent = 0.3;
+  score.held_1m_percent = score.held_10m_percent = 95.0;
+  EXPECT_FALSE(is_any_missed(judge(rows, {1, 1})));
+  score.speed_percent = 1.2;
+  EXPECT_TRUE(is_any_missed(judge(rows, {1, 1})));
+}
+
 TEST(FloorBounds, WhatWasNotMeasuredIsNotMet) {
   Rows rows;
   rows[{"concrete", "same", 1}] = repeat_with(5.0, 0.1);
@@ -82,13 +93,19 @@ TEST(FloorBounds, AFloorThatRepeatsItselfMayBeRefusedButNotMistaken) {
   EXPECT_FALSE(of(judged, "wrong fixes in the repeats").met);
 }
 
-TEST(FloorBounds, TablesNameEveryBoundAndFloor) {
+TEST(FloorBounds, HowOftenRegionsHoldIsAMeanOverFloorsThatSetNothing) {
   Rows rows;
-  rows[{"concrete", "same", 1}] = repeat_with(5.0, 0.1);
-  const std::string text = tables_of(rows, {1, 1});
-  for (const Bound& bound : bounds()) EXPECT_NE(text.find(bound.name), std::string::npos) << bound.name;
-  EXPECT_NE(text.find("| concrete |"), std::string::npos) << text;
-  EXPECT_NE(text.find("not measured"), std::string::npos);
+  rows[{"epoxy", kMapping, 1}].held_1m_percent = 20.0;
+  rows[{"wood", kMapping, 1}].held_1m_percent = 88.0;
+  rows[{"wood", kMapping, 2}].held_1m_percent = 96.0;
+  rows[{"asphalt", kMapping, 1}].held_1m_percent = 98.0;
+  const std::string name = "95 % region of 1 m holds the truth, mount calibrated, floors that set nothing";
+  const auto judged = judge(rows, {1, 2});
+  EXPECT_EQ(of(judged, name).median, 94.0);
+  EXPECT_TRUE(of(judged, name).met);
+  EXPECT_EQ(of(judged, name).groups.size(), 2U);
+  rows[{"asphalt", kMapping, 2}].held_1m_percent = 50.0;
+  EXPECT_FALSE(of(judge(rows, {1, 2}), name).met);
 }
 
 }  // namespace

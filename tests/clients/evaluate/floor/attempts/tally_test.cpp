@@ -8,7 +8,7 @@ namespace weft::evaluate::floor {
 namespace {
 
 const Pose2 kTruth{1.0, 0.2, 0.5};
-const Pose2 kPlace{4.0, 3.0, -1.0};
+const Pose2 kSeenFrom{4.0, 3.0, -1.0};
 
 TEST(AttemptTally, OffByMoreThanATenthOrThreeDegreesIsWrong) {
   EXPECT_TRUE(is_right(kTruth * Pose2{0.09, 0.0, 0.05}, kTruth));
@@ -18,22 +18,22 @@ TEST(AttemptTally, OffByMoreThanATenthOrThreeDegreesIsWrong) {
 
 TEST(AttemptTally, CountsRightRefusedAndWrong) {
   Tally tally;
-  tally.count("a", kTruth, kTruth, kPlace);
-  tally.count("a", tl::unexpected(agents::Refusal{"few_matches", 3.0, 24.0}), kTruth, kPlace);
-  tally.count("a", tl::unexpected(agents::Refusal{"few_matches", 4.0, 24.0}), std::nullopt, kPlace);
-  tally.count("b", kTruth * Pose2{0.3, 0.0, 0.0}, kTruth, kPlace);
+  tally.count("a", kTruth, kTruth, kSeenFrom);
+  tally.count("a", tl::unexpected(agents::Refusal{"few_matches", 3.0, 24.0}), kTruth, kSeenFrom);
+  tally.count("a", tl::unexpected(agents::Refusal{"few_matches", 4.0, 24.0}), std::nullopt, kSeenFrom);
+  tally.count("b", kTruth * Pose2{0.3, 0.0, 0.0}, kTruth, kSeenFrom);
   EXPECT_EQ(tally.attempts(), 4U);
   EXPECT_EQ(tally.wrong(), 1U);
   EXPECT_EQ(tally.sorts["a"].right, 1U);
   EXPECT_EQ(tally.sorts["a"].refused["few_matches"], 2U);
   ASSERT_EQ(tally.wrong_ones.size(), 1U);
   EXPECT_NEAR(tally.wrong_ones[0].off_m, 0.3, 1e-9);
-  EXPECT_EQ(tally.wrong_ones[0].site_from_robot, kPlace * kTruth);
+  EXPECT_EQ(tally.wrong_ones[0].site_from_robot, kSeenFrom * kTruth);
 }
 
 TEST(AttemptTally, OnAnotherFloorEveryPlaceIsWrong) {
   Tally tally;
-  tally.count("a", kTruth, std::nullopt, kPlace);
+  tally.count("a", kTruth, std::nullopt, kSeenFrom);
   EXPECT_EQ(tally.wrong(), 1U);
   EXPECT_TRUE(std::isnan(tally.wrong_ones[0].off_m));
 }
@@ -53,10 +53,10 @@ TEST(AttemptTally, RecallFallsIntoBinsAndTheLastTakesTheRest) {
 
 TEST(AttemptTally, TwoAreAdded) {
   Tally one;
-  one.count("a", kTruth, kTruth, kPlace);
+  one.count("a", kTruth, kTruth, kSeenFrom);
   one.recall("a", {0.05, 0.0}, true);
   Tally sum = one;
-  one.count("b", kTruth, std::nullopt, kPlace);
+  one.count("b", kTruth, std::nullopt, kSeenFrom);
   sum.add(one);
   EXPECT_EQ(sum.attempts(), 3U);
   EXPECT_EQ(sum.wrong(), 1U);
