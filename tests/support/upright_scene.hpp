@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "agents/perception/view.hpp"
@@ -23,9 +24,12 @@ class UprightScene {
     for (double area = 0.0; area < share * width_ * height_;) area += 0.6 * paste(random);
   }
 
-  /// Columns from `left` on, rows from `top` on; grey values times `gain`, with noise of `noise` grey levels.
+  /// Columns from `left` on, rows from `top` on; grey values times `gain`, with noise of `noise` grey levels. Throws
+  /// std::out_of_range when the view reaches beyond the wall.
   agents::Image view(int left, int top, int width, int height, double gain = 1.0, double noise = 2.0,
                      std::uint64_t seed = 1) const {
+    if (left < 0 || top < 0 || left + width > width_ || top + height > height_)
+      throw std::out_of_range("a view reaches beyond the wall of cards");
     Random random(seed);
     Bytes pixels;
     for (int v = 0; v < height; ++v) {

@@ -21,7 +21,7 @@ class HeadingVoteTest : public testing::Test {
   }
   static auto vote(const Image& a, const Image& b) { return vote_heading(features(a), features(b), kWidth, {}); }
 
-  test::UprightScene scene_{5, 700, 320};
+  test::UprightScene scene_{5, 700, 360};
 };
 
 TEST_F(HeadingVoteTest, TellsByHowMuchTheViewHasTurned) {
