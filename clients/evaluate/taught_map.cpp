@@ -41,7 +41,8 @@ bool TaughtMap::take(const agents::Lesson& lesson) {
   learned.places = SharedRow<Place>(std::move(places));
   Snapshot::Experiences experiences = snapshot_.experiences();
   experiences[lesson.place.experience] = std::make_shared<const Experience>(std::move(learned));
-  snapshot_ = Snapshot(Revision{snapshot_.revision().value + 1}, std::move(experiences), snapshot_.shared_labels());
+  snapshot_ = Snapshot(Revision{snapshot_.revision().value + 1}, std::move(experiences), snapshot_.shared_labels(),
+                       snapshot_.shared_aparts());
   look_at_all();
   return true;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/network/apart.hpp"
 #include "core/network/index_of.hpp"
 
 namespace weft {
@@ -53,10 +54,14 @@ void index_stitches(Experience& experience) {
   std::sort(experience.stitch_ends.begin(), experience.stitch_ends.end());
 }
 
-Snapshot::Snapshot() : labels_(std::make_shared<const Labels>()) {}
+Snapshot::Snapshot() : Snapshot({}, {}, std::make_shared<const Labels>()) {}
 
-Snapshot::Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels)
-    : revision_(revision), experiences_(std::move(experiences)), labels_(std::move(labels)) {}
+Snapshot::Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
+                   std::shared_ptr<const Aparts> aparts)
+    : revision_(revision),
+      experiences_(std::move(experiences)),
+      labels_(std::move(labels)),
+      aparts_(aparts ? std::move(aparts) : std::make_shared<const Aparts>()) {}
 
 const Experience* Snapshot::experience(ExperienceId id) const {
   const auto found = experiences_.find(id);

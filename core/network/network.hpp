@@ -95,19 +95,27 @@ struct Experience {
 /// Sorts `stitches` and makes `stitch_ends` anew; to be called after either was changed.
 void index_stitches(Experience& experience);
 
+struct Apart;  // core/network/apart.hpp
+
 /// The network at one revision. Immutable; revisions share what did not change. Cheap to copy.
 class Snapshot {
  public:
   using Experiences = std::map<ExperienceId, std::shared_ptr<const Experience>>;
   using Labels = std::map<std::string, PlaceId>;
+  using Aparts = std::vector<Apart>;
 
   Snapshot();
-  Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels);
+  /// `aparts` is sorted, each `ordered`; null: none.
+  Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
+           std::shared_ptr<const Aparts> aparts = nullptr);
 
   Revision revision() const { return revision_; }
   const Experiences& experiences() const { return experiences_; }
   const Labels& labels() const { return *labels_; }
   std::shared_ptr<const Labels> shared_labels() const { return labels_; }
+  /// What operators vouch to be different floors; sorted. Part of neither windows nor digests.
+  const Aparts& aparts() const { return *aparts_; }
+  std::shared_ptr<const Aparts> shared_aparts() const { return aparts_; }
 
   const Experience* experience(ExperienceId id) const;
   const Place* place(const PlaceId& id) const;
@@ -124,6 +132,7 @@ class Snapshot {
   Revision revision_;
   Experiences experiences_;
   std::shared_ptr<const Labels> labels_;
+  std::shared_ptr<const Aparts> aparts_;
 };
 
 template <class Visit>

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "core/network/apart.hpp"
+
 namespace weft {
 namespace {
 
@@ -80,6 +82,10 @@ class Thinning {
 };
 
 }  // namespace
+
+std::string to_string(const Stretch& stretch) {
+  return to_string(PlaceId{stretch.experience, stretch.first}) + ".." + std::to_string(stretch.last);
+}
 
 Result<void> check(const Snapshot& snapshot, const Removal& removal) {
   if (removal.empty()) return fail(ErrorCode::invalid, "nothing is named that could leave the map");
@@ -164,8 +170,13 @@ Snapshot without(const Snapshot& snapshot, const Removal& removal) {
   const Snapshot thinned({snapshot.revision().value + 1}, thinning.finish(), snapshot.shared_labels());
   Snapshot::Labels labels = snapshot.labels();
   std::erase_if(labels, [&](const auto& entry) { return thinned.place(entry.second) == nullptr; });
-  if (labels.size() == snapshot.labels().size()) return thinned;
-  return {thinned.revision(), thinned.experiences(), std::make_shared<const Snapshot::Labels>(std::move(labels))};
+  Snapshot::Aparts aparts = snapshot.aparts();
+  std::erase_if(aparts, [&](const Apart& apart) { return !is_served(thinned, apart); });
+  const bool all_labels = labels.size() == snapshot.labels().size();
+  const bool all_aparts = aparts.size() == snapshot.aparts().size();
+  return {thinned.revision(), thinned.experiences(),
+          all_labels ? snapshot.shared_labels() : std::make_shared<const Snapshot::Labels>(std::move(labels)),
+          all_aparts ? snapshot.shared_aparts() : std::make_shared<const Snapshot::Aparts>(std::move(aparts))};
 }
 
 }  // namespace weft

@@ -14,6 +14,9 @@ struct Stretch {
   auto operator<=>(const Stretch&) const = default;
 };
 
+/// "E:I..J", as operators write it.
+std::string to_string(const Stretch& stretch);
+
 /// What leaves the network or comes back to it. Places take their edges and labels along.
 struct Removal {
   std::vector<Stretch> places;
