@@ -18,6 +18,15 @@ using namespace sqlite;
 constexpr std::uint64_t kEpochsUnknown = 1U << 20U;
 constexpr std::size_t kNamed = 10;
 
+Result<std::uint64_t> has_sound_pages(const Database& database) {
+  return database.number("SELECT count(*) = 1 AND min(quick_check) = 'ok' FROM pragma_quick_check(1)");
+}
+
+bool is_of_older_schema(const Database& database) {
+  return database.number("PRAGMA application_id").value_or(0) == kApplicationId &&
+         database.number("PRAGMA user_version").value_or(schema_version()) < schema_version();
+}
+
 class Restoring {
  public:
   Restoring(const std::filesystem::path& snapshot, const std::filesystem::path& directory,
@@ -63,8 +72,11 @@ class Restoring {
     auto database = Database::open(copy_, "");
     if (!database) return fail(database.error());
     tell("look at pages", 0, 1, "file");
-    const auto is_sound =
-        database->number("SELECT count(*) = 1 AND min(quick_check) = 'ok' FROM pragma_quick_check(1)");
+    auto is_sound = has_sound_pages(*database);
+    if (is_sound && *is_sound == 0 && is_of_older_schema(*database)) {
+      // Up to schema 5 the look found damage in sound rows (schema.cpp); of the newest it does not.
+      if (auto done = prepare_schema(*database, snapshot_); done) is_sound = has_sound_pages(*database);
+    }
     if (!is_sound || *is_sound == 0) {
       return fail(ErrorCode::corrupt, what_ + ": its pages are damaged or it is no SQLite file" +
                                           (is_sound ? "" : " (" + is_sound.error().message + ")") +

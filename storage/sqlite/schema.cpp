@@ -158,6 +158,22 @@ CREATE TABLE place_anew (
 ) WITHOUT ROWID;
 CREATE INDEX place_anew_by_revision ON place_anew (revision);
 )sql",
+    // In a table WITHOUT ROWID, quick_check of SQLite 3.40 takes a NOT NULL column that stands before a later column
+    // of the key for NULL. So the columns of the key come first, in its order.
+    R"sql(
+CREATE TABLE moved_places_anew (
+  revision    INTEGER NOT NULL,
+  experience  INTEGER NOT NULL,
+  first_place INTEGER NOT NULL,
+  is_back     INTEGER NOT NULL,
+  last_place  INTEGER NOT NULL,
+  PRIMARY KEY (revision, experience, first_place, is_back)
+) WITHOUT ROWID;
+INSERT INTO moved_places_anew (revision, experience, first_place, is_back, last_place)
+  SELECT revision, experience, first_place, is_back, last_place FROM moved_places;
+DROP TABLE moved_places;
+ALTER TABLE moved_places_anew RENAME TO moved_places;
+)sql",
 };
 
 Error is_foreign(const std::filesystem::path& file, const std::string& why) {
