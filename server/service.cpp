@@ -17,6 +17,7 @@
 #include "server/recognise/recognition.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
+#include "server/traffic/unjoined.hpp"
 
 namespace weft::server {
 namespace {
@@ -41,11 +42,12 @@ class FleetMapServer final : public Service {
         shelf_(context_),
         recognition_(context_),
         traffic_(context_, std::move(stored.occupancies), now),
+        unjoined_(context_, fleet_, traffic_),
         routes_(context_),
         dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
         desk_(context_, fleet_, traffic_, dispatcher_),
-        answers_(context_, fleet_, traffic_, dispatcher_.book(), intake_),
+        answers_(context_, fleet_, traffic_, unjoined_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       record_.note(
@@ -76,6 +78,7 @@ class FleetMapServer final : public Service {
     recognition_.tick(now);
     desk_.tick(now);
     answers_.tick(now.steady);
+    traffic_.tick(now);
     routes_.tick(now);
     settle(now);
     return out_.take();
@@ -85,7 +88,7 @@ class FleetMapServer final : public Service {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
          {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(), recognition_.next(),
-          dispatcher_.next(), desk_.next(), answers_.next(), routes_.next()}) {
+          dispatcher_.next(), desk_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -115,6 +118,7 @@ class FleetMapServer final : public Service {
       subscriptions_.tick(now.steady);
       dispatcher_.network_changed();
     }
+    unjoined_.tick(now);
     dispatcher_.tick(now);
   }
 
@@ -242,6 +246,7 @@ class FleetMapServer final : public Service {
   Shelf shelf_;
   Recognition recognition_;
   Traffic traffic_;
+  UnjoinedWatch unjoined_;
   Routes routes_;
   Dispatcher dispatcher_;
   Desk desk_;

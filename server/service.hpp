@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,12 @@
 
 namespace weft::server {
 
+/// Robots in parts of the map that nothing joins do not see one another.
+enum class Unjoined : std::uint8_t {
+  warn,       ///< an event and `weft doctor` say so
+  one_drives  ///< and no more than one robot is on its way at a time
+};
+
 struct ServiceConfig {
   PeerId self;
   std::uint64_t incarnation = 0;
@@ -20,7 +27,8 @@ struct ServiceConfig {
   std::string software;
   std::string vendor;                 ///< for the hello
   double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
-  Signers signers{};                  ///< of contents that can be recognised; none: robots look for themselves alone
+  Unjoined unjoined = Unjoined::warn;
+  Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 
 /// Both clocks at one moment: `steady` decides, `wall` is written down.

@@ -306,6 +306,7 @@ struct OperatorRequest {
   GoalId goal;    ///< goal_cancel; goal_send: the id to be, drawn by the client
   std::vector<AgentCommand::Point> along;
   MapWork work;
+  bool is_sure = false;  ///< clear: also when the robot is heard
 };
 
 struct OperatorReply {
@@ -378,8 +379,9 @@ struct MapInfo {
   std::uint64_t experiences = 0, places = 0, stitches = 0, contents = 0, content_bytes = 0;
   std::uint64_t batches_acknowledged = 0, batches_refused = 0;
   std::uint64_t disk_free_bytes = 0;
-  std::string software, vendor, engine;                         ///< engine: sqlite | memory
-  std::string stopped;                                          ///< why the store takes nothing now; empty: it works
+  std::string software, vendor, engine;  ///< engine: sqlite | memory
+  std::string stopped;                   ///< why the store takes nothing now; empty: it works
+  std::string unjoined;  ///< robots in parts of the map that nothing joins, and what to do; empty: there are none
   std::vector<std::pair<std::string, std::uint64_t>> counters;  ///< refused messages by reason, and the like
 };
 

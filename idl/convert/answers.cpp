@@ -146,6 +146,7 @@ static idl::MapInfo info_to_idl(const msg::MapInfo& info) {
   wire.vendor(info.vendor);
   wire.engine(info.engine);
   wire.stopped(info.stopped);
+  wire.unjoined(info.unjoined);
   wire.counters(counts_to_idl(info.counters));
   return wire;
 }
@@ -166,6 +167,7 @@ static msg::MapInfo from_idl(const idl::MapInfo& wire, Reading reading) {
   value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
   value.engine = reading.text("engine", wire.engine(), kNameLength);
   value.stopped = reading.text("stopped", wire.stopped(), kTextLength);
+  value.unjoined = reading.text("unjoined", wire.unjoined(), kTextLength);
   value.counters = counts_from_idl(wire.counters(), reading, "counters");
   return value;
 }

@@ -55,6 +55,7 @@ idl::OperatorRequest to_idl(const msg::OperatorRequest& message) {
   wire.goal(message.goal.bytes);
   wire.along(to_idl(message.along));
   wire.work(work_to_idl(message.work));
+  wire.is_sure(message.is_sure);
   return wire;
 }
 
@@ -73,6 +74,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   reading.require(!needs_goal || value.goal, "goal", "must not be none");
   value.along = from_idl(wire.along(), reading.in("along"));
   value.work = from_idl(wire.work(), reading.in("work"));
+  value.is_sure = wire.is_sure();
   return reading.finish(std::move(value));
 }
 

@@ -10,14 +10,22 @@
 #include "server/intake/intake.hpp"
 #include "server/keeper/past.hpp"
 #include "server/traffic/traffic.hpp"
+#include "server/traffic/unjoined.hpp"
 
 namespace weft::server {
 
 /// Answers what clients ask to see, in parts of bounded size. Changes nothing of what it shows.
 class Answers {
  public:
-  Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const GoalBook& book, const Intake& intake)
-      : context_(context), fleet_(fleet), traffic_(traffic), book_(book), intake_(intake), past_(context) {}
+  Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
+          const GoalBook& book, const Intake& intake)
+      : context_(context),
+        fleet_(fleet),
+        traffic_(traffic),
+        unjoined_(unjoined),
+        book_(book),
+        intake_(intake),
+        past_(context) {}
 
   void on_query(const msg::Query& query, SteadyTime now);
   void tick(SteadyTime now) { past_.tick(now); }
@@ -38,6 +46,7 @@ class Answers {
   Context& context_;
   const Fleet& fleet_;
   const Traffic& traffic_;
+  const UnjoinedWatch& unjoined_;
   const GoalBook& book_;
   const Intake& intake_;
   Past past_;

@@ -303,7 +303,7 @@ void Desk::label_here(const Key& key, const msg::OperatorRequest& request, const
 void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
   const Result<RobotId> id = fleet_.by_name(request.robot);
   if (!id) return answer(key, msg::Outcome::refused, id.error().message);
-  const Result<std::string> done = dispatcher_.clear(*id, who, now);
+  const Result<std::string> done = dispatcher_.clear(*id, request.is_sure, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
 }

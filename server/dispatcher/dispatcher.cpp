@@ -156,24 +156,40 @@ Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& 
   return "its goal " + to_string(goal->id) + " goes on";
 }
 
-Result<std::string> Dispatcher::clear(const RobotId& robot, const std::string& who, Now now) {
+/// Over, when it is not yet: what the robot holds is the caller's.
+Result<void> Dispatcher::fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now) {
   const auto errand = errands_.find(robot);
-  const Robot* const known = fleet_.find(robot);
-  if (errand != errands_.end()) {
-    const bool is_heard = known != nullptr && !known->silent;
-    if (is_heard && known->state && known->state->route) {
-      return fail(ErrorCode::refused,
-                  known->name + " is heard and follows a route; cancel its goal, or end its agent first");
-    }
-    if (!errand->second.ending) {
-      finish(robot, errand->second, GoalState::failed, "its robot was cleared away", who, now);
-    }
-    const auto still = errands_.find(robot);
-    if (still != errands_.end() && !still->second.ending) {
-      return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
-    }
-    errands_.erase(robot);
+  if (errand == errands_.end() || errand->second.ending) return {};
+  finish(robot, errand->second, GoalState::failed, cause, who, now);
+  const auto still = errands_.find(robot);
+  if (still == errands_.end() || still->second.ending) return {};
+  return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
+}
+
+/// It is told to end its route, again and again until it has; meanwhile the place is held where it says that it is.
+Result<std::string> Dispatcher::clear_heard(const Robot& robot, const std::string& who, Now now) {
+  if (const Result<void> over = fail_goal(robot.id, "its robot was cleared off its route", who, now); !over) {
+    return fail(over.error());
   }
+  look_again_ = true;
+  const bool knows = robot.state && robot.state->localised && robot.state->place;
+  return traffic_.clear_route(robot.id, knows ? std::optional(robot.state->place) : std::nullopt, who, now);
+}
+
+Result<std::string> Dispatcher::clear(const RobotId& robot, bool is_sure, const std::string& who, Now now) {
+  const Robot* const known = fleet_.find(robot);
+  const bool is_heard = known != nullptr && !known->silent;
+  if (is_heard && is_sure) return clear_heard(*known, who, now);
+  if (is_heard) {
+    return fail(ErrorCode::refused, known->name +
+                                        " is heard, so it stands where it says: take it off the floor and "
+                                        "end its agent before it is cleared; `weft robot clear " +
+                                        known->name + " --yes` frees its route alone, and fails its goal");
+  }
+  if (const Result<void> over = fail_goal(robot, "its robot was cleared away", who, now); !over) {
+    return fail(over.error());
+  }
+  errands_.erase(robot);
   look_again_ = true;
   return traffic_.clear(robot, who, now);
 }

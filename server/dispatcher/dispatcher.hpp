@@ -36,8 +36,9 @@ class Dispatcher {
   /// The robot's goal, if it has one; says what happened.
   Result<std::string> pause(const RobotId& robot, const std::string& who, Now now);
   Result<std::string> resume(const RobotId& robot, const std::string& who, Now now);
-  /// The robot is vouched to be away: its goal fails, and what it held is free. refused while it is heard and drives.
-  Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
+  /// The robot is vouched to be away: its goal fails, and what it held is free. Of one that is heard only the route
+  /// is, and that is refused unless `is_sure`.
+  Result<std::string> clear(const RobotId& robot, bool is_sure, const std::string& who, Now now);
 
   // What robots report.
   void on_state(const Robot& robot, Now now);
@@ -72,7 +73,7 @@ class Dispatcher {
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
     std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
-    std::optional<RobotId> waits_for;
+    std::string waits;                 ///< what for, as it was told; empty: for nothing
   };
 
   // assign.cpp
@@ -86,6 +87,9 @@ class Dispatcher {
   FindWay ways_to(const PlaceId& to, Now now);
   RouteId new_route_id();
 
+  Result<std::string> clear_heard(const Robot& robot, const std::string& who, Now now);
+  Result<void> fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
+
   // mend.cpp
   void mend(const RobotId& robot, Errand& errand, Now now);
   void plan_on(const RobotId& robot, Errand& errand, Now now);
@@ -95,7 +99,8 @@ class Dispatcher {
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
   void release(const RobotId& robot, Errand& errand, Now now);
-  void note_waiting(const RobotId& robot, Errand& errand, const std::optional<RobotId>& blocker, Now now);
+  void note_waiting(const RobotId& robot, Errand& errand, const std::string& what_for, Now now);
+  std::string what_it_waits_for(const Traffic::Way& way) const;
   void send_order(const RobotId& robot, Errand& errand, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause, const std::string& who,

@@ -45,7 +45,9 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
   if (way.through) {
     Route next = route;
     next.released = *way.through;
-    next.reason = way.blocked_by ? "waits for " + fleet_.name_of(*way.blocked_by) : "";
+    next.reason = way.blocked_by                           ? "waits for " + fleet_.name_of(*way.blocked_by)
+                  : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
+                                                           : "";
     const std::uint32_t from = told ? traffic_.held(robot)->from : 0;
     const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, from, next.released);
     storage::Transaction transaction;
@@ -59,19 +61,34 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
     errand.wait = Duration{};
     send_order(robot, errand, now.steady);
   }
-  note_waiting(robot, errand, way.blocked_by, now);
+  note_waiting(robot, errand, what_it_waits_for(way), now);
 }
 
-void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const std::optional<RobotId>& blocker, Now now) {
-  if (errand.waits_for == blocker) return;
-  const std::optional<RobotId> before = std::exchange(errand.waits_for, blocker);
+std::string Dispatcher::what_it_waits_for(const Traffic::Way& way) const {
+  switch (way.end) {
+    case Traffic::Way::End::free:
+      return {};
+    case Traffic::Way::End::held:
+      return fleet_.name_of(*way.blocked_by) + " has left its way";
+    case Traffic::Way::End::one_at_once:
+      return fleet_.name_of(*way.blocked_by) +
+             " has arrived: robots are in parts of the map that nothing joins, and one drives at a time";
+    case Traffic::Way::End::not_laid:
+      return "it is laid out where the places of the map lie";
+  }
+  return {};
+}
+
+void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const std::string& what_for, Now now) {
+  if (errand.waits == what_for) return;
+  const std::string before = std::exchange(errand.waits, what_for);
   const Goal& goal = *book_.find(errand.goal);
+  const bool waits = !what_for.empty();
   const std::string cause =
-      blocker ? fleet_.name_of(robot) + " waits until " + fleet_.name_of(*blocker) + " has left its way"
-              : fleet_.name_of(*before) + " has left the way";
-  // Lost only if the store takes nothing; the next change of blocker is told again.
+      waits ? fleet_.name_of(robot) + " waits until " + what_for : "it waits no longer until " + before;
+  // Lost only if the store takes nothing; the next change is told again.
   std::ignore = book_.write(
-      goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = blocker ? "goal.waits" : "goal.goes_on"},
+      goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = waits ? "goal.waits" : "goal.goes_on"},
       std::nullopt, {}, now);
 }
 
@@ -196,7 +213,11 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   Errand& errand = found->second;
   const Route& route = *book_.route(errand.goal);
   if (errand.ending) {
-    if (!has_forgotten(errand, state, route, now.steady)) return;
+    if (!has_forgotten(errand, state, route, now.steady)) {
+      // Cleared off its route, and not standing yet.
+      if (!traffic_.holds_route(robot.id, route.id)) traffic_.stands(state, now);
+      return;
+    }
     errands_.erase(found);
     traffic_.stands(state, now);
     return;

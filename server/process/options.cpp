@@ -18,7 +18,7 @@ constexpr int kUsage = 2;
 /// As given on the command line; none: not given.
 struct Flags {
   std::string config;
-  std::optional<std::string> store, name, dds, listen;
+  std::optional<std::string> store, name, dds, listen, unjoined;
   std::optional<unsigned> domain, index;
   std::optional<double> robot_silent_after_s;
 };
@@ -37,6 +37,9 @@ void declare(CLI::App& app, Flags& flags) {
   app.add_option("--name", flags.name, "What people call this server [server]");
   app.add_option("--robot-silent-after-s", flags.robot_silent_after_s,
                  "Seconds after which a robot counts as silent, over 0 to 3600 [5]");
+  app.add_option("--unjoined", flags.unjoined,
+                 "warn | one_drives: whether, of robots in parts of the map that nothing joins, one at a time is "
+                 "released [warn]");
 }
 
 template <class T>
@@ -73,6 +76,8 @@ Options read(const config::Table& table) {
   options.listen = table.text("listen", "127.0.0.1", 64);
   options.index = static_cast<unsigned>(table.integer("index", 0, 0, 100));
   options.robot_silent_after_s = table.number("robot_silent_after_s", 5.0, 0.001, 3600.0);
+  const std::string unjoined = table.choice("unjoined", "warn", {"warn", "one_drives"});
+  options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
   options.effective = table.effective();
   return options;
 }
@@ -85,6 +90,7 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.domain) options.domain = given.domain;
   if (flags.listen) options.listen = given.listen;
   if (flags.index) options.index = given.index;
+  if (flags.unjoined) options.unjoined = given.unjoined;
   if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
   for (config::Setting& setting : options.effective) {
     for (const config::Setting& other : given.effective) {
@@ -127,6 +133,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "listen", flags.listen);
   lay_over(text, "index", flags.index);
   lay_over(text, "robot_silent_after_s", flags.robot_silent_after_s);
+  lay_over(text, "unjoined", flags.unjoined);
   const config::Table from_flags = config::parse(text, "command line");
   const Options given = read(from_flags);
   if (const Result<void> good = from_flags.result(); !good) return failed(good.error(), kUsage);

@@ -6,6 +6,7 @@
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
+#include "server/service.hpp"
 
 namespace weft::server {
 
@@ -18,6 +19,7 @@ struct Options {
   std::string listen;
   unsigned index = 0;
   double robot_silent_after_s = 0.0;
+  Unjoined unjoined = Unjoined::warn;
   std::vector<config::Setting> effective;  ///< for the log
 };
 

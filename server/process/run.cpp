@@ -155,6 +155,7 @@ Result<void> run(const Options& options) {
   config.software = WEFT_VERSION;
   config.vendor = link.bus().vendor();
   config.robot_silent_after_s = options.robot_silent_after_s;
+  config.unjoined = options.unjoined;
   config.signers = all_signers();
   Result<std::unique_ptr<Service>> service = start(config, **store, random, now());
   if (!service) return fail(service.error());

@@ -15,8 +15,11 @@ class Ground {
   Ground(const Snapshot& now) : now_(&now) {}  // NOLINT(google-explicit-constructor): a network alone is ground
   Ground(const Snapshot& now, const Pasts& pasts) : now_(&now), pasts_(&pasts) {}
 
+  const Snapshot& now() const { return *now_; }
+  /// Whether it is in the network as it is.
+  bool is_in(const PlaceId& place) const { return now_->place(place) != nullptr; }
   bool has(const PlaceId& place) const {
-    if (now_->place(place) != nullptr) return true;
+    if (is_in(place)) return true;
     if (pasts_ == nullptr) return false;
     for (const auto& past : *pasts_) {
       if (past->place(place) != nullptr) return true;

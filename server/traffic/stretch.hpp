@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/network/goal.hpp"
-#include "server/traffic/nearness.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {
@@ -25,18 +24,5 @@ std::vector<Touched> touched_by(const Route& route, std::uint32_t from, std::uin
 inline std::vector<Touched> touched_by(const storage::PutOccupancy& held, double footprint_m) {
   return touched_by(held.held, held.from, held.to, footprint_m);
 }
-
-/// The same with what lies around the place; as short-lived as `Nearness::around`.
-struct Looked {
-  Touched touched;
-  const std::vector<Near>* around = nullptr;
-};
-Looked look(const Ground& ground, Nearness& nearness, const Touched& touched);
-std::vector<Looked> look(const Ground& ground, Nearness& nearness, const std::vector<Touched>& touched);
-
-/// Whether two robots could touch: a place of one lies within both reaches and the margin of a place of the other,
-/// seen from either side. Two runs over one floor that nothing stitches together know nothing of each other.
-bool overlap(const Looked& a, const Looked& b);
-bool overlap(const Ground& ground, Nearness& nearness, const std::vector<Touched>& a, const std::vector<Touched>& b);
 
 }  // namespace weft::server

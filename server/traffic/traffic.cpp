@@ -37,9 +37,13 @@ Touched standing(const msg::RobotState& state, double footprint_m) {
 }  // namespace
 
 Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored, Now now)
-    : context_(context), nearness_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m) {
+    : context_(context),
+      proximity_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m),
+      next_piece_(now.steady) {
   for (auto& entry : stored) holder(entry.first).occupancy = std::move(entry.second);
   recall_pasts(now);
+  proximity_.layout().lay(context_.snapshots.shared_current());
+  lay_out_at_once();
 }
 
 /// Of stretches that were given out before an edit of the map, and held when the server ended.
@@ -82,13 +86,7 @@ bool Traffic::holds_what_is_out() const {
 void Traffic::drop_pasts() {
   if (pasts_.empty() || holds_what_is_out()) return;
   pasts_.clear();
-  nearness_.forget();
-}
-
-void Traffic::edited(const Snapshot& before) {
-  nearness_.forget();
-  if (holds_what_is_out()) pasts_.push_back(std::make_shared<const Snapshot>(before));
-  ++version_;
+  proximity_.forget();
 }
 
 Traffic::Holder& Traffic::holder(const RobotId& robot) {
@@ -110,12 +108,7 @@ void Traffic::set_footprint(const RobotId& robot, double radius_m) {
   Holder& known = holder(robot);
   if (known.footprint_m == radius_m) return;
   known.footprint_m = radius_m;
-  nearness_.look_at_least(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
-  ++version_;
-}
-
-void Traffic::joined(const Batch& batch) {
-  nearness_.joined(batch);
+  proximity_.look_at_least(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
   ++version_;
 }
 
@@ -123,16 +116,15 @@ std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
   std::vector<Other> others;
   for (const auto& [other, holder] : holders_) {
     if (other == robot) continue;
-    others.push_back({other, look(ground(), nearness_, touched(holder))});
+    others.push_back({other, proximity_.look(ground(), touched(holder))});
   }
   return others;
 }
 
 std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Touched& place) {
-  const Looked here = look(ground(), nearness_, place);
+  const Looked here = proximity_.look(ground(), place);
   const auto found = std::find_if(others.begin(), others.end(), [&](const Other& other) {
-    return std::any_of(other.touched.begin(), other.touched.end(),
-                       [&](const Looked& there) { return overlap(here, there); });
+    return proximity_.overlap(ground(), here, other.touched);
   });
   if (found == others.end()) return std::nullopt;
   return found->robot;
@@ -147,19 +139,30 @@ void Traffic::leave_room(const Route& route, std::uint32_t from, Way& way) {
   }
 }
 
+/// What keeps the robot where it is wherever it is going.
+Traffic::Way Traffic::held_back(const RobotId& robot, const std::vector<Other>& others) {
+  const auto is_laid = [](const Looked& place) { return place.is_laid; };
+  const bool are_laid = std::all_of(others.begin(), others.end(), [&](const Other& other) {
+    return std::all_of(other.touched.places.begin(), other.touched.places.end(), is_laid);
+  });
+  if (!are_laid) return {.through = {}, .end = Way::End::not_laid, .blocked_by = {}};
+  if (context_.config.unjoined != Unjoined::one_drives || by_part().size() < 2) return {};
+  const std::optional<RobotId> driver = other_that_drives(robot);
+  return {.through = {}, .end = driver ? Way::End::one_at_once : Way::End::free, .blocked_by = driver};
+}
+
 Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
-  Way way;
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   const std::vector<Other> others = others_of(route.robot);
+  Way way = held_back(route.robot, others);
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
-  for (std::uint32_t i = 0; i < wanted.size(); ++i) {
+  for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
     way.blocked_by = holder_near(others, wanted[i]);
-    if (way.blocked_by) {
-      leave_room(route, from, way);
-      return way;
-    }
-    way.through = from + i;
+    if (way.blocked_by) way.end = Way::End::held;
+    if (!proximity_.look(ground(), wanted[i]).is_laid) way.end = Way::End::not_laid;
+    if (way.end == Way::End::free) way.through = from + i;
   }
+  if (way.end != Way::End::free) leave_room(route, from, way);
   return way;
 }
 
@@ -200,12 +203,9 @@ bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) 
   if (held.held.places.empty() || held.from != held.to) return false;
   const PlaceId at = held.held.places[held.from];
   if (at == state.place) return true;
-  // Between two places the nearest one flickers.
-  const std::vector<Near>& around = nearness_.around(ground(), at);
-  const auto found = std::lower_bound(around.begin(), around.end(), state.place,
-                                      [](const Near& near, const PlaceId& id) { return near.place < id; });
-  return found != around.end() && found->place == state.place &&
-         found->clearance_m + distance_m(state.place_from_robot) <= kSameStand_m;
+  // Between two places, or two runs over one floor, the nearest one flickers.
+  const std::optional<double> farthest_m = proximity_.farthest_m(ground(), at, state.place);
+  return farthest_m && *farthest_m + distance_m(state.place_from_robot) <= kSameStand_m;
 }
 
 void Traffic::stands(const msg::RobotState& state, Now now) {
@@ -286,6 +286,35 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
   ++version_;
   drop_pasts();
   return "nothing is held for it any more, from " + to_string(at) + " on";
+}
+
+Result<std::string> Traffic::clear_route(const RobotId& robot, const std::optional<PlaceId>& at,
+                                         const std::string& who, Now now) {
+  Holder& known = holder(robot);
+  const storage::PutOccupancy& held = known.occupancy;
+  if (held.held.places.empty()) return std::string("it held nothing");
+  const PlaceId stands_at = at && ground().is_in(*at) ? *at : held.held.places[held.from];
+  const std::string stays = to_string(stands_at) +
+                            ", where it stands, stays held until it reports from elsewhere, or is silent and is "
+                            "cleared again";
+  if (!held.held.id) return "it holds no route; " + stays;
+  storage::PutOccupancy next = standing_at(robot, stands_at, context_.snapshots.current().revision());
+  storage::Transaction transaction;
+  transaction.changes.emplace_back(next);
+  transaction.changes.emplace_back(storage::PutEvent{{.at = {},
+                                                      .kind = "traffic.route_cleared",
+                                                      .robot = robot,
+                                                      .goal = {},
+                                                      .cause = "all but " + to_string(stands_at),
+                                                      .who = who}});
+  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+    return fail(done.error());
+  }
+  known.occupancy = std::move(next);
+  known.is_stored = true;
+  ++version_;
+  drop_pasts();
+  return "its route is free; " + stays;
 }
 
 const storage::PutOccupancy* Traffic::held(const RobotId& robot) const {

@@ -8,7 +8,7 @@
 
 #include "core/protocol/messages.hpp"
 #include "server/context.hpp"
-#include "server/traffic/nearness.hpp"
+#include "server/traffic/proximity.hpp"
 #include "server/traffic/stretch.hpp"
 #include "storage/map_store.hpp"
 
@@ -23,8 +23,15 @@ class Traffic {
 
   /// How far a route can be released for its robot.
   struct Way {
+    enum class End : std::uint8_t {
+      free,         ///< nothing is in the way
+      held,         ///< somebody holds what comes next
+      not_laid,     ///< it is not known yet where what comes next lies, or where somebody is
+      one_at_once,  ///< somebody drives, and robots are in parts of the map that nothing joins
+    };
     std::optional<std::uint32_t> through;  ///< none: not even its first place is free
-    std::optional<RobotId> blocked_by;     ///< who holds what comes next; none: free to the end
+    End end = End::free;
+    std::optional<RobotId> blocked_by;  ///< held, one_at_once: by whom
   };
   Way way(const Route& route, std::uint32_t from);
 
@@ -39,11 +46,21 @@ class Traffic {
   void stands(const msg::RobotState& state, Now now);
   /// An operator vouches that the robot is not there. It holds nothing until it reports another place.
   Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
+  /// An operator has the robot let go of its route. It holds where it stands: `at`, or else the first place it held.
+  Result<std::string> clear_route(const RobotId& robot, const std::optional<PlaceId>& at, const std::string& who,
+                                  Now now);
 
   void set_footprint(const RobotId& robot, double radius_m);
   void joined(const Batch& batch);
   /// The map was edited. What is held stays held, on the ground that it was given on.
   void edited(const Snapshot& before);
+  /// One bounded piece of laying out the map, if there is any to do.
+  void tick(Now now);
+  std::optional<SteadyTime> next() const;
+  bool is_laying_out() const { return proximity_.layout().has_work(); }
+  /// The robots that hold something, by the part of the map in which they are; those of which that is not known yet
+  /// are in none.
+  std::vector<std::vector<RobotId>> by_part();
   /// Whether somebody holds a place that is out of the map.
   bool holds_what_is_out() const;
   std::set<PlaceId> held_places() const;
@@ -66,9 +83,11 @@ class Traffic {
 
   struct Other {
     RobotId robot;
-    std::vector<Looked> touched;
+    LookedAll touched;
   };
 
+  Way held_back(const RobotId& robot, const std::vector<Other>& others);
+  void lay_out_at_once();
   static void leave_room(const Route& route, std::uint32_t from, Way& way);
   Holder& holder(const RobotId& robot);
   std::vector<Touched> touched(const Holder& holder) const;
@@ -77,15 +96,20 @@ class Traffic {
   void drop_pasts();
   std::vector<Other> others_of(const RobotId& robot);
   std::optional<RobotId> holder_near(const std::vector<Other>& others, const Touched& place);
+  std::optional<RobotId> other_that_drives(const RobotId& robot) const;
+  void tell_of_layout(Now now);
   bool is_there_still(const Holder& holder, const msg::RobotState& state);
   void settle(const RobotId& robot, Holder& holder, const msg::RobotState& state, Now now);
   bool store(const RobotId& robot, Holder& holder, storage::PutOccupancy next, Now now);
 
   Context& context_;
-  Nearness nearness_;
+  Proximity proximity_;
   std::map<RobotId, Holder> holders_;
   Ground::Pasts pasts_;  ///< that have what is held and out of the map; usually none
   std::uint64_t version_ = 1;
+  SteadyTime next_piece_;             ///< of laying out the map
+  std::uint64_t laid_told_ = 0;       ///< places, when that was told last
+  bool is_layout_announced_ = false;  ///< it takes a while: people are told how far it is
 };
 
 }  // namespace weft::server

@@ -157,9 +157,22 @@ msg::QueryReply query_reply() {
   made.events = {event()};
   made.log = {
       {Revision{9}, Revision{4}, WallTime(std::chrono::seconds(1'700'000'000)), "rollback", "anna", "to revision 4"}};
-  made.info = {Revision{99}, Epoch{7},  2,        400,         12,
-               380,          9'000'000, 55,       1,           1ULL << 40U,
-               "weft 0.1.0", "fastdds", "sqlite", "disk full", {{"weft/1/query: Query.kind must be from 1 to 6", 2}}};
+  made.info = {Revision{99},
+               Epoch{7},
+               2,
+               400,
+               12,
+               380,
+               9'000'000,
+               55,
+               1,
+               1ULL << 40U,
+               "weft 0.1.0",
+               "fastdds",
+               "sqlite",
+               "disk full",
+               "r1 and r2",
+               {{"weft/1/query: Query.kind must be from 1 to 6", 2}}};
   made.network.revision = Revision{88};
   made.network.places = {place(1), place(2)};
   made.network.edges = {edge(metric2(), Origin::stitch)};
@@ -277,7 +290,8 @@ void add_operating(std::vector<Example>& all) {
                                        true,
                                        0.25,
                                        0.5,
-                                       "/var/backups/map.sqlite"}}});
+                                       "/var/backups/map.sqlite"},
+                                      true}});
   all.push_back({"operator_reply", Role::server,
                  msg::OperatorReply{header(),
                                     example_addressee(),

@@ -96,6 +96,7 @@ void Site::start_server() {
   config.software = "test";
   config.vendor = "inprocess";
   config.signers = signers_;
+  config.unjoined = unjoined;
   Result<std::unique_ptr<Service>> started = start(config, *store_, Random(42 + starts_), now);
   ASSERT_TRUE(started) << started.error().message;
   service_ = *std::move(started);
@@ -197,13 +198,16 @@ void Site::hand_in(Peer& robot, const Handed& handed) {
   for (const Bytes& content : handed.contents) send_content(robot, content);
 }
 
-std::uint64_t Site::counted(const std::string& what) {
+msg::MapInfo Site::info() {
   msg::Query query;
   query.header = client.header();
   query.kind = msg::Query::Kind::info;
   say(query);
-  const msg::MapInfo info = last<msg::QueryReply>().value().info;
-  for (const auto& [counter, times] : info.counters) {
+  return last<msg::QueryReply>().value().info;
+}
+
+std::uint64_t Site::counted(const std::string& what) {
+  for (const auto& [counter, times] : info().counters) {
     if (counter == what) return times;
   }
   return 0;

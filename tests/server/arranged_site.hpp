@@ -85,6 +85,7 @@ class Site {
 
   const Goal& goal(std::uint8_t number);
   std::vector<std::string> events_of(const std::string& kind) const;
+  msg::MapInfo info();
   /// How often the server counted that.
   std::uint64_t counted(const std::string& what);
 
@@ -106,6 +107,7 @@ class Site {
   void hush() { said_.clear(); }
 
   std::shared_ptr<storage::MemoryDisk> disk;
+  Unjoined unjoined = Unjoined::warn;  ///< from the next restart on
   Service& service() { return *service_; }
   Now now{.steady = SteadyTime(1000s), .wall = WallTime(5000s)};
   Peer client{.id = robot_id(200), .incarnation = 7, .sequence = 0, .name = "anna"};

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/traffic/stretch.hpp"
+#include "server/traffic/proximity.hpp"
 #include "tests/server/arranged_site.hpp"
 
 namespace weft::server::test {
@@ -31,13 +31,15 @@ struct TrafficTest : testing::Test {
     return found;
   }
   void expect_apart() {
-    Nearness nearness(3.0);
+    Proximity proximity(3.0);
+    proximity.layout().lay(std::make_shared<const Snapshot>(site.service().snapshot()));
+    proximity.layout().work(1'000'000);
     const auto& held = site.disk->occupancies;
     for (const auto& [a, one] : held) {
       for (const auto& [b, other] : held) {
         const bool nobody_gave_it = !one.held.id && !other.held.id;
         if (!(a < b) || nobody_gave_it) continue;
-        EXPECT_FALSE(overlap(site.service().snapshot(), nearness, touched_by(one, 0.4), touched_by(other, 0.4)))
+        EXPECT_FALSE(proximity.overlap(site.service().snapshot(), touched_by(one, 0.4), touched_by(other, 0.4)))
             << to_string(a) << " and " << to_string(b);
       }
     }
@@ -83,9 +85,9 @@ TEST_F(TrafficTest, RoomIsLeftForTheFirstStepOfOneThatStands) {
   storage::PutOccupancy step_back;
   step_back.robot = r2.id;
   step_back.held.places = {run.place(29)};
-  Nearness nearness(3.0);
-  EXPECT_FALSE(overlap(site.service().snapshot(), nearness, touched_by(site.disk->occupancies.at(r1.id), 0.4),
-                       touched_by(step_back, 0.4)));
+  Proximity proximity(3.0);
+  EXPECT_FALSE(proximity.overlap(site.service().snapshot(), touched_by(site.disk->occupancies.at(r1.id), 0.4),
+                                 touched_by(step_back, 0.4)));
 }
 
 TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
@@ -174,6 +176,58 @@ TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
   EXPECT_THAT(site.events_of("traffic.cleared"), SizeIs(1));
 }
 
+TEST_F(TrafficTest, ClearingARobotThatIsHeardIsRefused) {
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  const std::uint32_t before = order_to(r1)->released;
+  msg::OperatorRequest clear = site.request(Kind::clear);
+  clear.robot = "r2";
+  const msg::OperatorReply reply = site.ask(clear);
+  EXPECT_EQ(reply.outcome, msg::Outcome::refused);
+  EXPECT_THAT(reply.message, HasSubstr("weft robot clear r2 --yes"));
+  site.pass(1s);
+  EXPECT_EQ(order_to(r1)->released, before);
+}
+
+TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace) {
+  site.say(site.state(r1, run.place(0)));
+  site.say(site.state(r2, run.place(25)));
+  site.send_goal(2, "end", "r2");
+  site.send_goal(1, "end", "r1");
+  const Route first = order_to(r2).value();
+  site.progress(r2, first, msg::RoutePhase::driving, 5);
+  msg::RobotState on_its_way = site.state(r2, run.place(32));
+  on_its_way.route = first.id;
+  on_its_way.mode = msg::RobotMode::driving;
+  site.say(on_its_way);
+  msg::OperatorRequest clear = site.request(Kind::clear);
+  clear.robot = "r2";
+  clear.is_sure = true;
+  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(2).state, GoalState::failed);
+  EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(32)});
+  site.pass(1s);
+  EXPECT_LE(order_to(r1)->released, 29U) << "r2 stands at 32";
+  expect_apart();
+  // It rolled on before it had the order to end its route.
+  on_its_way = site.state(r2, run.place(34));
+  on_its_way.route = first.id;
+  site.say(on_its_way);
+  EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(34)});
+  // Silent, and cleared again: now nothing is held for it.
+  site.pass(20s);
+  EXPECT_EQ(site.ask([&] {
+                  msg::OperatorRequest again = site.request(Kind::clear);
+                  again.robot = "r2";
+                  return again;
+                }())
+                .outcome,
+            msg::Outcome::done);
+  site.pass(1s);
+  EXPECT_EQ(order_to(r1)->released, 59U);
+}
+
 TEST_F(TrafficTest, ClearingARobotWithAGoalFailsTheGoal) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
@@ -208,6 +262,76 @@ TEST_F(TrafficTest, RunsOverOneFloorMeetThroughAStitch) {
   EXPECT_GE(order_to(r1)->released, 30U);
   EXPECT_LE(order_to(r1)->released, 32U);
   expect_apart();
+}
+
+TEST_F(TrafficTest, RunsThatMeetFarFromTheirStitchAreOneFloor) {
+  // Both begin at one place and come together again 20 m on.
+  TaughtRun other(r2, 11);
+  Handed beside = other.next(41);
+  beside.batch.edges.push_back(stitch(run.place(0), other.place(0), 0.0, 0.2));
+  site.hand_in(r2, beside);
+  site.say(site.state(r2, other.place(40)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  EXPECT_GE(order_to(r1)->released, 30U);
+  EXPECT_LE(order_to(r1)->released, 37U);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r1 waits until r2 has left its way"));
+  expect_apart();
+}
+
+TEST_F(TrafficTest, NothingIsReleasedBeforeItIsKnownWherePlacesLie) {
+  TaughtRun large(r2, 12);
+  for (int i = 0; i < 5; ++i) site.hand_in(r2, large.next(1000, 1));
+  site.label("far", large.place(4));
+  site.pass(2s);
+  site.restart();
+  site.arrive(r1, large.place(0));
+  site.send_goal(1, "far", "r1");
+  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
+  EXPECT_FALSE(order_to(r1));
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("laid out"));
+  site.pass(1s);
+  ASSERT_TRUE(order_to(r1));
+  EXPECT_EQ(order_to(r1)->released, 4U);
+}
+
+TEST_F(TrafficTest, RobotsInPartsThatNothingJoinsAreWarnedOfOnce) {
+  TaughtRun other(r2, 11);
+  site.hand_in(r2, other.next(10));
+  EXPECT_THAT(site.info().unjoined, IsEmpty());
+  site.say(site.state(r2, other.place(5)));
+  site.say(site.state(r1, run.place(0)));
+  site.say(site.state(r1, run.place(7)));
+  ASSERT_THAT(site.events_of("traffic.unjoined"), SizeIs(1));
+  EXPECT_THAT(site.events_of("traffic.unjoined").front(), HasSubstr("the part with r1 and that with r2"));
+  EXPECT_THAT(site.events_of("traffic.unjoined").front(), HasSubstr("unjoined = one_drives"));
+  EXPECT_THAT(site.info().unjoined, HasSubstr("teach a way that joins them"));
+  Handed more = other.next(1);
+  more.batch.edges.push_back(stitch(run.place(40), other.place(10), 0.2));
+  site.hand_in(r2, more);
+  EXPECT_THAT(site.events_of("traffic.joined"), SizeIs(1));
+  EXPECT_THAT(site.info().unjoined, IsEmpty());
+}
+
+TEST_F(TrafficTest, OfRobotsThatNothingJoinsOneDrivesAtATimeWhereThatIsSet) {
+  site.unjoined = Unjoined::one_drives;
+  TaughtRun other(r2, 11);
+  site.hand_in(r2, other.next(30));
+  site.label("there", other.place(29));
+  site.restart();
+  site.arrive(r2, other.place(0));
+  site.arrive(r1, run.place(0));
+  site.send_goal(1, "end", "r1");
+  const Route first = order_to(r1).value();
+  EXPECT_EQ(first.released, 59U);
+  site.send_goal(2, "there", "r2");
+  EXPECT_FALSE(order_to(r2));
+  EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has arrived"));
+  site.progress(r1, first, msg::RoutePhase::arrived, 59);
+  site.pass(1s);
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_EQ(order_to(r2)->released, 29U);
 }
 
 TEST_F(TrafficTest, RobotThatDoesNotKnowWhereItIsHoldsNothing) {

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "server/traffic/traffic.hpp"
+
+/// How traffic has the map laid out, and what it knows from that of the whole fleet.
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+/// At the start and after an edit: nobody has to wait for a small map.
+constexpr std::size_t kPlacesAtOnce = 2000;
+/// Between two messages: less than 1 ms.
+constexpr std::size_t kPlacesOfPiece = 500;
+constexpr Duration kBetweenPieces = 2ms;
+/// What takes longer than a moment is told, and how far it is.
+constexpr std::uint64_t kWorthTelling = 20'000;
+constexpr std::uint64_t kTimesTold = 5;
+/// A robot is on its way as long as it may drive further than this beyond its own size.
+constexpr double kStandsWithin_m = 1.0;
+
+double length_m(const storage::PutOccupancy& held) {
+  double length = 0.0;
+  for (std::uint32_t i = held.from; i < held.to; ++i) length += distance_m(held.held.relations[i]);
+  return length;
+}
+
+}  // namespace
+
+void Traffic::lay_out_at_once() {
+  proximity_.layout().work(kPlacesAtOnce);
+  ++version_;
+}
+
+void Traffic::edited(const Snapshot& before) {
+  if (holds_what_is_out()) pasts_.push_back(std::make_shared<const Snapshot>(before));
+  proximity_.edited(context_.snapshots.shared_current(), before);
+  lay_out_at_once();
+}
+
+void Traffic::joined(const Batch& batch) {
+  proximity_.joined(context_.snapshots.shared_current(), batch);
+  proximity_.layout().work(kPlacesOfPiece);
+  ++version_;
+}
+
+void Traffic::tick(Now now) {
+  if (!proximity_.layout().has_work()) return;
+  if (next_piece_ > now.steady) return;
+  next_piece_ = now.steady + kBetweenPieces;
+  tell_of_layout(now);
+  if (proximity_.layout().work(kPlacesOfPiece)) ++version_;
+  tell_of_layout(now);
+}
+
+std::optional<SteadyTime> Traffic::next() const {
+  if (!proximity_.layout().has_work()) return std::nullopt;
+  return next_piece_;
+}
+
+void Traffic::tell_of_layout(Now now) {
+  const std::uint64_t total = context_.snapshots.current().place_count();
+  const std::uint64_t laid = proximity_.layout().laid() + proximity_.layout().under_way();
+  const bool is_done = !proximity_.layout().has_work();
+  const std::uint64_t left = total - std::min(total, laid);
+  if (!is_layout_announced_ && left < kWorthTelling) return;
+  const bool is_farther = laid >= laid_told_ + total / kTimesTold;
+  if (is_layout_announced_ && !is_done && !is_farther) return;
+  is_layout_announced_ = !is_done;
+  laid_told_ = laid;
+  const std::string places =
+      std::to_string(laid) + " of " + std::to_string(total) + " places of the map are laid out";
+  context_.record.note({.at = {},
+                        .kind = is_done ? "traffic.laid_out" : "traffic.laying_out",
+                        .robot = {},
+                        .goal = {},
+                        .cause = places + (is_done ? "" : "; no robot is released over a part before all of it is"),
+                        .who = "server"},
+                       now);
+}
+
+std::vector<std::vector<RobotId>> Traffic::by_part() {
+  std::map<std::uint32_t, std::vector<RobotId>> robots;
+  for (const auto& [robot, holder] : holders_) {
+    const storage::PutOccupancy& held = holder.occupancy;
+    if (held.held.places.empty()) continue;
+    const Looked looked = proximity_.look(ground(), {.place = held.held.places[held.from], .reach_m = 0.0});
+    if (!looked.spots.empty()) robots[looked.spots.front().part].push_back(robot);
+  }
+  std::vector<std::vector<RobotId>> parts;
+  for (auto& [part, of_part] : robots) parts.push_back(std::move(of_part));
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+std::optional<RobotId> Traffic::other_that_drives(const RobotId& robot) const {
+  const auto found = std::find_if(holders_.begin(), holders_.end(), [&](const auto& entry) {
+    const auto& [other, holder] = entry;
+    return other != robot && length_m(holder.occupancy) > 2 * holder.footprint_m + kStandsWithin_m;
+  });
+  if (found == holders_.end()) return std::nullopt;
+  return found->first;
+}
+
+}  // namespace weft::server
