@@ -35,6 +35,8 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   found.push_back({"disk", room,
                    fixed(static_cast<double>(info.disk_free_bytes) / kGiB, 1) + " GiB free at the server" +
                        (room ? "" : ": make room, or batches will be refused")});
+  const bool joined = info.unjoined.empty();
+  found.push_back({"traffic", joined, joined ? "all robots are in one part of the map" : info.unjoined});
   for (const auto& [what, times] : info.counters) {
     found.push_back({"counted", true, std::to_string(times) + " x " + what});
   }

@@ -110,6 +110,8 @@ class Grammar {
     CLI::App* const clear = add(
         *robot, "clear", "Free what ROBOT occupies: only when it has been taken off the floor", Command::robot_clear);
     clear->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
+    clear->add_flag("--yes", into_.is_sure,
+                    "Also when ROBOT is heard: its route is freed and its goal fails; where it stands stays held");
   }
 
   void stop_or_resume(const char* name, const char* help, Command command) {

@@ -65,6 +65,7 @@ struct Invocation {
   Revision from, to;               ///< map diff; map log: the newest to show (to)
   std::uint32_t most = 20;         ///< map log: how many
   std::string what;                ///< map undo, quarantine, replace: a stitch, places, an experience's name or id
+  bool is_sure = false;            ///< robot clear: also when the robot is heard
   bool only_say = false;           ///< map edits: say what would be done
   std::string store;               ///< map restore: the server's directory
   bool accept_damage = false;      ///< map restore: of a damaged snapshot what is sound

@@ -114,6 +114,7 @@ json to_json(const msg::MapInfo& info) {
           {"vendor", info.vendor},
           {"engine", info.engine},
           {"stopped", info.stopped},
+          {"unjoined", info.unjoined},
           {"counters", std::move(counters)}};
 }
 

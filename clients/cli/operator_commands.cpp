@@ -40,6 +40,7 @@ Result<msg::OperatorRequest> request_for(const Invocation& invocation) {
   request.kind = kind_of(invocation.command, here);
   request.robot = invocation.robot;
   request.label = invocation.name;
+  request.is_sure = invocation.is_sure;
   if (!invocation.file.empty()) {
     Result<std::vector<msg::AgentCommand::Point>> along = read_polyline(invocation.file);
     if (!along) return fail(along.error());

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "server/service.hpp"
+#include "server/traffic/layout.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 #include "tests/bench/scale/load.hpp"
 #include "tests/bench/scale/plain.hpp"
@@ -67,6 +68,29 @@ void plain_search(benchmark::State& state, const Running& running) {
   }
   times.report(state);
   state.counters["places"] = places / static_cast<double>(state.iterations());
+}
+
+/// Where all places lie, made in the pieces that the server makes it in; and how near two places are.
+void laying_out(benchmark::State& state, const Running& running) {
+  const auto snapshot = std::make_shared<const Snapshot>(running.service->snapshot());
+  const double before_MB = resident_MB();
+  server::Layout layout;
+  Times pieces;
+  for (auto _ : state) {
+    layout.lay(snapshot);
+    while (layout.has_work()) pieces.measure([&] { layout.work(500); });
+  }
+  pieces.report(state, "piece_");
+  state.counters["bytes_a_place"] = 1e6 * (resident_MB() - before_MB) / static_cast<double>(layout.laid());
+  Random random(7);
+  std::vector<server::Spot> spots;
+  for (int i = 0; i < 1000; ++i) spots.push_back(*layout.spot(support::pick_place(random, *snapshot)));
+  Times pairs;
+  for (std::size_t i = 0; i + 1 < spots.size(); ++i) {
+    const bool is_one_part = spots[i].part == spots[i + 1].part;
+    if (is_one_part) pairs.measure([&] { benchmark::DoNotOptimize(layout.clearance_m(spots[i], spots[i + 1])); });
+  }
+  pairs.report(state, "pair_");
 }
 
 void windows(benchmark::State& state, const Running& running, bool with_digest) {
@@ -146,6 +170,7 @@ int run(int argc, char** argv) {
   const auto once = [](auto* bench) { bench->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1); };
   once(benchmark::RegisterBenchmark("start", [&](auto& state) { starting(state, copy.path(), running); }));
   once(benchmark::RegisterBenchmark("rows_by_plain_sqlite", [&](auto& state) { reading_rows(state, copy.path()); }));
+  once(benchmark::RegisterBenchmark("layout", [&](auto& state) { laying_out(state, running); }));
   benchmark::RegisterBenchmark("search_in_plain_rows", [&](auto& state) {
     plain_search(state, running);
   })->Iterations(1000);
