@@ -94,6 +94,12 @@ class FleetMapServer final : public Service {
     return next;
   }
 
+  void was_away(Duration away, Now now) override {
+    fleet_.excuse(away, now.steady);
+    dispatcher_.excuse(away, now.steady);
+    ++counters_["server: away from its inbox for more than a second"];
+  }
+
   void count(const std::string& what, std::uint64_t times) override { counters_[what] += times; }
   void sent(const msg::Message& message, std::size_t bytes) override {
     if (const auto* const patch = std::get_if<msg::WindowPatch>(&message)) fleet_.sent_window(patch->to, bytes);

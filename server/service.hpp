@@ -46,6 +46,9 @@ class Service {
   /// Retries, repeats, silence; to be called when `next_tick` has come, harmless earlier.
   virtual std::vector<msg::Message> tick(Now now) = 0;
   virtual std::optional<SteadyTime> next_tick() const = 0;
+  /// The process was away for so long until now and could hear nobody. To be said before what has come in meanwhile
+  /// is handled, and that before the next tick: nobody is blamed for silence in that time.
+  virtual void was_away(Duration away, Now now) = 0;
   /// Refusals seen by the wire, to be shown in `map info`.
   virtual void count(const std::string& what, std::uint64_t times) = 0;
 

@@ -64,6 +64,9 @@ class Agent {
   virtual AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) = 0;
   virtual AgentOutput tick(SteadyTime now) = 0;
   virtual std::optional<SteadyTime> next_tick() const = 0;
+  /// The process was away for so long until now. To be said before what has come in meanwhile is handled: no wait for
+  /// the server's answer or for a view counts that time.
+  virtual void was_away(Duration away, SteadyTime now) = 0;
   virtual AgentOutput step(const Sample& sample, SteadyTime now) = 0;
   /// The body broke down (its error): stand, say so, refuse goals.
   virtual AgentOutput body_failed(const Error& error, SteadyTime now) = 0;

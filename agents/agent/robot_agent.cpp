@@ -153,6 +153,17 @@ std::optional<SteadyTime> RobotAgent::next_tick() const {
   return next;
 }
 
+void RobotAgent::was_away(Duration away, SteadyTime now) {
+  session_.was_away(away, now);
+  keeping_until_ += away;
+  follow_at_latest_ += away;
+  if (teaching_.has_value()) teaching_->deadline += away;
+  if (keeping_alone_.has_value()) keeping_alone_->deadline += away;
+  if (handing_in_.has_value()) handing_in_->deadline += away;
+  if (localising_.has_value()) localising_->deadline += away;
+  ++seen_["agent: away from its inbox for more than a second"];
+}
+
 Counters RobotAgent::counters() const {
   Counters all = session_.counters();
   add_to(all, replica_.counters());

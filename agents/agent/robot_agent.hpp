@@ -89,6 +89,7 @@ class RobotAgent final : public Agent {
   AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) override;
   AgentOutput tick(SteadyTime now) override;
   std::optional<SteadyTime> next_tick() const override;
+  void was_away(Duration away, SteadyTime now) override;
   AgentOutput step(const Sample& sample, SteadyTime now) override;
   AgentOutput body_failed(const Error& error, SteadyTime now) override;
   AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) override;

@@ -1,5 +1,6 @@
 #include "agents/agent/session.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -69,6 +70,10 @@ std::optional<msg::Hello> Session::due(SteadyTime now) {
   if (now < next_hello_) return std::nullopt;
   next_hello_ = now + (heard_server() ? kHelloHeard : kHelloUnheard);
   return own_;
+}
+
+void Session::was_away(Duration away, SteadyTime now) {
+  started_ = std::min(started_ + away, now);
 }
 
 }  // namespace weft::agents

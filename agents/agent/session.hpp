@@ -35,6 +35,8 @@ class Session {
   /// Our hello, when it is time to (again) say it.
   std::optional<msg::Hello> due(SteadyTime now);
   SteadyTime next() const { return next_hello_; }
+  /// Nothing could be heard for so long until now.
+  void was_away(Duration away, SteadyTime now);
 
   bool heard_server() const { return server_incarnation_.has_value(); }
   Epoch epoch() const { return epoch_; }

@@ -50,6 +50,8 @@ class Dispatcher {
   /// Something left the map or came back: routes under way are held against it at the next tick.
   void network_edited() { routes_checked_ = false; }
   void tick(Now now);
+  /// Leaves out of every wait for a robot's word what the server itself was away.
+  void excuse(Duration away, SteadyTime now);
   std::optional<SteadyTime> next() const;
 
   const GoalBook& book() const { return book_; }

@@ -268,6 +268,14 @@ void Dispatcher::tick(Now now) {
   assign_waiting(now);
 }
 
+void Dispatcher::excuse(Duration away, SteadyTime now) {
+  for (auto& [robot, errand] : errands_) {
+    for (std::optional<SteadyTime>* const since : {&errand.ordered_at, &errand.missing_since}) {
+      if (*since) *since = std::min(**since + away, now);
+    }
+  }
+}
+
 std::optional<SteadyTime> Dispatcher::next() const {
   std::optional<SteadyTime> next;
   const auto sooner = [&next](SteadyTime at) { next = next ? std::min(*next, at) : at; };

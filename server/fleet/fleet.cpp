@@ -1,7 +1,9 @@
 #include "server/fleet/fleet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 #include "core/protocol/version.hpp"
@@ -13,6 +15,13 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
 constexpr std::size_t kListed = 20;  ///< names in an error
+
+/// As people write it: 5, not 5.000000.
+std::string seconds_in_words(double duration_s) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g s", duration_s);
+  return text.data();
+}
 
 std::string call_for_help(const std::string& name, const msg::RobotState& state) {
   std::string text = "it stands and needs help (" + state.reason + ")";
@@ -79,12 +88,11 @@ bool Fleet::on_hello(const msg::Hello& hello, Now now) {
 
 void Fleet::named(Robot& robot, const std::string& name, Now now) {
   if (robot.name == name || name.empty()) return;
+  const bool was_nameless = robot.name.empty();
   // If it cannot be kept, the next description brings it again.
-  if (!context_.record.commit({{storage::PutRobot{robot.id, name}}}, now)) {
-    if (robot.name.empty()) robot.name = name;
-    return;
-  }
-  robot.name = name;
+  const bool is_kept = context_.record.commit({{storage::PutRobot{robot.id, name}}}, now).has_value();
+  if (is_kept || was_nameless) robot.name = name;
+  if (was_nameless && !robot.silent) note("robot.heard", robot, "it speaks", now);
 }
 
 void Fleet::on_description(const msg::RobotDescription& description, Now now) {
@@ -104,7 +112,8 @@ std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool s
   robot.heard = now.steady;
   if (robot.silent) {
     robot.silent = false;
-    note("robot.heard", robot, "it speaks", now);
+    // A new robot's state can come before the hello that names it.
+    if (!robot.name.empty()) note("robot.heard", robot, "it speaks", now);
   }
   if (verdict == Incarnations::Verdict::fresh) {
     robot.state.reset();
@@ -150,8 +159,8 @@ std::vector<RobotId> Fleet::tick(Now now) {
     if (robot.silent) continue;
     if (now.steady - robot.heard >= silent_after_) {
       robot.silent = true;
-      note("robot.silent", robot,
-           "nothing heard of it for " + std::to_string(context_.config.robot_silent_after_s) + " s", now);
+      note("robot.silent", robot, "nothing heard of it for " + seconds_in_words(context_.config.robot_silent_after_s),
+           now);
       fell_silent.push_back(id);
       continue;
     }
@@ -165,6 +174,14 @@ std::vector<RobotId> Fleet::tick(Now now) {
     context_.out.send(msg::ClockProbe{.header = {}, .to = id, .probe = probe, .sent = now.wall});
   }
   return fell_silent;
+}
+
+void Fleet::excuse(Duration away, SteadyTime now) {
+  for (auto& [id, robot] : robots_) {
+    if (robot.silent) continue;
+    robot.heard = std::min(robot.heard + away, now);
+    robot.incarnations.excuse(away, now);
+  }
 }
 
 std::optional<SteadyTime> Fleet::next() const {

@@ -56,6 +56,8 @@ class Fleet {
 
   /// Silence, ended twins, clock probes. Returns robots that fell silent just now.
   std::vector<RobotId> tick(Now now);
+  /// Leaves out of every robot's silence what the server itself was away.
+  void excuse(Duration away, SteadyTime now);
   std::optional<SteadyTime> next() const;
 
   const std::map<RobotId, Robot>& robots() const { return robots_; }

@@ -55,4 +55,9 @@ bool Incarnations::settle(SteadyTime now, Duration quiet) {
   return true;
 }
 
+void Incarnations::excuse(Duration away, SteadyTime now) {
+  for (Known& known : known_) known.heard = std::min(known.heard + away, now);
+  since_ = std::min(since_ + away, now);
+}
+
 }  // namespace weft::server

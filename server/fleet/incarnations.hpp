@@ -22,6 +22,8 @@ class Incarnations {
   bool twins() const { return twins_; }
   /// Ends the twins' state once only one of them was heard within `quiet`. True if it ended now.
   bool settle(SteadyTime now, Duration quiet);
+  /// Nobody could be heard for so long until now: it counts for no one's silence.
+  void excuse(Duration away, SteadyTime now);
   std::uint64_t current() const { return current_; }
 
  private:

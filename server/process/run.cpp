@@ -26,6 +26,9 @@ using namespace std::chrono_literals;
 constexpr int kMessagesATurn = 256;
 constexpr Duration kLongestSleep = 1s;
 constexpr std::size_t kRefusalsLogged = 10;  ///< a turn
+constexpr Duration kAway = 1s;
+constexpr Duration kQuiet = 50ms;  ///< nothing more comes of what was sent meanwhile
+constexpr Duration kCatchUpAtMost = 1s;
 
 Now now() {
   return {.steady = SteadyTime(std::chrono::steady_clock::now().time_since_epoch()),
@@ -66,7 +69,8 @@ class StopSignal {
 /// Carries messages between the bus and the service, in this thread.
 class Loop {
  public:
-  Loop(Service& service, bus::Link& link, spdlog::logger& log) : service_(service), link_(link), log_(log) {}
+  Loop(Service& service, bus::Link& link, spdlog::logger& log)
+      : service_(service), link_(link), log_(log), looked_(now().steady) {}
 
   Result<void> until(const StopSignal& stop) {
     send(service_.tick(now()));
@@ -75,12 +79,13 @@ class Loop {
       const Duration sleep =
           next ? std::clamp<Duration>(*next - now().steady, Duration{}, kLongestSleep) : kLongestSleep;
       if (sleep > Duration{}) link_.wait(sleep);
-      for (int i = 0; i < kMessagesATurn; ++i) {
-        const std::optional<msg::Message> message = link_.take();
-        if (!message) break;
-        send(service_.handle(*message, now()));
+      const bool was_away = note_absence(std::max(sleep, Duration{}));
+      take_messages();
+      if (was_away) catch_up();
+      if (const auto due = service_.next_tick(); due && *due <= now().steady) {
+        send(service_.tick(now()));
+        note_absence({});
       }
-      if (const auto due = service_.next_tick(); due && *due <= now().steady) send(service_.tick(now()));
       report_refusals();
       if (const std::optional<Error> broken = service_.broken()) return fail(*broken);
     }
@@ -88,6 +93,34 @@ class Loop {
   }
 
  private:
+  void take_messages() {
+    for (int i = 0; i < kMessagesATurn; ++i) {
+      const std::optional<msg::Message> message = link_.take();
+      if (!message) break;
+      send(service_.handle(*message, now()));
+      note_absence({});
+    }
+  }
+
+  /// Takes what still comes of the time in which this process stood still: the bus's threads wake with it.
+  void catch_up() {
+    const SteadyTime end = now().steady + kCatchUpAtMost;
+    while (now().steady < end && link_.wait(kQuiet)) take_messages();
+    looked_ = now().steady;
+  }
+
+  /// Tells the service when this thread was away from its inbox for a second longer than it meant to sleep: it was
+  /// busy, or the process stood still. True if so.
+  bool note_absence(Duration meant) {
+    const Now at = now();
+    const Duration away = at.steady - looked_ - meant;
+    looked_ = at.steady;
+    if (away <= kAway) return false;
+    service_.was_away(away, at);
+    log_.warn("was away for {:.1f} s: nobody is blamed for silence in that time", seconds(away));
+    return true;
+  }
+
   void send(const std::vector<msg::Message>& messages) {
     for (const msg::Message& message : messages) {
       if (const auto* const note = std::get_if<msg::EventNote>(&message)) {
@@ -119,6 +152,7 @@ class Loop {
   Service& service_;
   bus::Link& link_;
   spdlog::logger& log_;
+  SteadyTime looked_;  ///< when the inbox was last looked at
   std::map<std::string, std::uint64_t> told_;
 };
 

@@ -11,6 +11,9 @@ using namespace std::chrono_literals;
 constexpr int kMessagesATurn = 256;
 constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in between
 constexpr Duration kBehind = 500ms;        ///< later than this is not caught up with
+constexpr Duration kAway = 1s;
+constexpr Duration kQuiet = 50ms;  ///< nothing more comes of what was sent meanwhile
+constexpr Duration kCatchUpAtMost = 1s;
 constexpr Duration kBetweenCounters = 30s;
 constexpr Duration kFirstSilent = 5s;
 constexpr Duration kSilent = 12s;  ///< a server greets every 5 s
@@ -27,13 +30,17 @@ WallTime wall_now() {
 Loop::Loop(const Parts& parts, double pace)
     : parts_(parts),
       pace_(pace),
-      step_at_(steady_now()),
+      looked_(steady_now()),
+      step_at_(looked_),
       counters_at_(step_at_ + kBetweenCounters),
       silent_at_(step_at_ + kFirstSilent) {}
 
 Result<void> Loop::until(const std::function<bool()>& stop) {
+  Duration slept{};
   while (!stop()) {
+    const bool was_away = note_absence(slept);
     take_messages();
+    if (was_away) catch_up();
     if (const auto due = parts_.agent.next_tick(); due.has_value() && *due <= steady_now()) {
       perform(parts_.agent.tick(steady_now()));
     }
@@ -43,8 +50,8 @@ Result<void> Loop::until(const std::function<bool()>& stop) {
     SteadyTime next = steady_now() + kLongestSleep;
     if (body_works_) next = std::min(next, step_at_);
     if (const auto due = parts_.agent.next_tick(); due.has_value()) next = std::min(next, *due);
-    const Duration sleep = next - steady_now();
-    if (sleep > Duration{}) parts_.link.wait(sleep);
+    slept = std::max(next - steady_now(), Duration{});
+    if (slept > Duration{}) parts_.link.wait(slept);
   }
   if (damage_) return tl::unexpected(*damage_);
   return {};
@@ -58,6 +65,26 @@ void Loop::take_messages() {
     perform(parts_.agent.handle(*message, steady_now(), wall_now()));
   }
   for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: {}", text);
+}
+
+/// Takes what still comes of the time in which this process stood still (the bus's threads wake with it), before the
+/// body moves again: an order may be among it.
+void Loop::catch_up() {
+  const SteadyTime end = steady_now() + kCatchUpAtMost;
+  while (steady_now() < end && parts_.link.wait(kQuiet)) take_messages();
+  looked_ = steady_now();
+}
+
+/// Tells the agent when this thread was away from its inbox for a second longer than it meant to sleep. True if so.
+bool Loop::note_absence(Duration meant) {
+  const SteadyTime now = steady_now();
+  const Duration away = now - looked_ - meant;
+  looked_ = now;
+  if (away <= kAway) return false;
+  parts_.agent.was_away(away, now);
+  silent_at_ += away;
+  parts_.log.warn("was away for {:.1f} s", seconds(away));
+  return true;
 }
 
 void Loop::step() {

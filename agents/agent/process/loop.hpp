@@ -36,6 +36,8 @@ class Loop {
 
  private:
   void take_messages();
+  void catch_up();
+  bool note_absence(Duration meant);
   void step();
   void schedule(SensorTime sample);
   void note(const AgentOutput& output);
@@ -56,6 +58,7 @@ class Loop {
     SensorTime sensor;
   };
   std::optional<Anchor> anchor_;
+  SteadyTime looked_;  // when the inbox was last looked at
   SteadyTime step_at_;
   SteadyTime counters_at_;
   SteadyTime silent_at_;  // when it is said that no server is heard

@@ -5,6 +5,8 @@
 #include <spdlog/sinks/ringbuffer_sink.h>
 
 #include <chrono>
+#include <optional>
+#include <thread>
 #include <utility>
 
 #include "agents/agent/process/records.hpp"
@@ -22,6 +24,7 @@ class Clockwork final : public Body {
   explicit Clockwork(std::uint64_t frames) : frames_(frames) {}
   Result<Sample> step(const Twist& command) override {
     commands.push_back(command);
+    if (frame_ == stalls_at) std::this_thread::sleep_for(1100ms);
     if (frame_ == frames_) return fail(ending, "recording is over");
     Sample sample;
     sample.frame = ++frame_;
@@ -44,6 +47,7 @@ class Clockwork final : public Body {
   std::vector<std::pair<std::string, double>> exposed;
   bool can_be_told = true;
   ErrorCode ending = ErrorCode::unavailable;
+  std::optional<std::uint64_t> stalls_at;  ///< after that frame it keeps its caller waiting for more than a second
 
  private:
   std::uint64_t frames_;
@@ -56,6 +60,7 @@ class Echo final : public Agent {
   AgentOutput handle(const msg::Message&, SteadyTime, WallTime) override { return {}; }
   AgentOutput tick(SteadyTime) override { return {}; }
   std::optional<SteadyTime> next_tick() const override { return std::nullopt; }
+  void was_away(Duration away, SteadyTime) override { absences.emplace_back(frames.size(), away); }
   AgentOutput step(const Sample& sample, SteadyTime now) override {
     frames.push_back(sample.frame);
     times.push_back(now);
@@ -87,7 +92,8 @@ class Echo final : public Agent {
   std::vector<SteadyTime> times;
   std::string failure;
   std::string hand_answer;
-  std::vector<AckRecord> acks;  ///< to go out with the next sample
+  std::vector<std::pair<std::size_t, Duration>> absences;  ///< after how many frames, how long
+  std::vector<AckRecord> acks;                             ///< to go out with the next sample
 
  private:
   Window window_;
@@ -173,6 +179,15 @@ TEST(AgentLoop, ABodyThatCannotBeToldHowToExposeDrivesOnAndThatIsSaidOnce) {
   for (const std::string& line : said->last_formatted())
     times += line.find("body clockwork cannot be told how its camera forward exposes") != std::string::npos ? 1 : 0;
   EXPECT_EQ(times, 1);
+}
+
+TEST(AgentLoop, TheAgentIsToldThatTheLoopWasAwayBeforeItsNextSample) {
+  Bench bench(4);
+  bench.body.stalls_at = 2;
+  EXPECT_TRUE(bench.run(0.0));
+  ASSERT_FALSE(bench.agent.absences.empty());
+  EXPECT_EQ(bench.agent.absences.front().first, 3U);
+  EXPECT_GT(bench.agent.absences.front().second, 1s);
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {
