@@ -71,7 +71,7 @@ class FleetMapServer final : public Service {
 
   std::vector<msg::Message> tick(Now now) override {
     if (next_hello_ <= now.steady) say_hello(now.steady);
-    for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot);
+    for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot, now.steady);
     after(intake_.tick(now), now);
     subscriptions_.tick(now.steady);
     shelf_.tick(now);

@@ -65,6 +65,9 @@ Exit run_operator(Session& session, const Invocation& invocation, const Output& 
   if (!request) return report(request.error(), invocation.json, output);
   const Result<msg::OperatorReply> reply = session.ask(std::move(*request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
+  if (!invocation.json) {
+    for (const std::string& line : reply->findings) output.out << line << '\n';  // of each robot
+  }
   const bool is_taught = reply->outcome == msg::Outcome::done && reply->experience;
   if (!invocation.replace || !is_taught) return show(*reply, invocation, output);
   if (!invocation.json) output.out << reply->message << '\n';

@@ -1,5 +1,6 @@
 #include "server/desk/desk.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -94,6 +95,7 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
 
 void Desk::tick(Now now) {
   commands_.tick(now.steady);
+  answer_overdue(now.steady);
   for (auto& [key, reply] : jobs_.tick(now)) {
     if (reply.outcome != msg::Outcome::under_way) {
       answer(key, std::move(reply));
@@ -106,8 +108,10 @@ void Desk::tick(Now now) {
 }
 
 std::optional<SteadyTime> Desk::next() const {
-  const std::optional<SteadyTime> work = jobs_.next();
-  return work ? work : commands_.next();
+  std::optional<SteadyTime> next = jobs_.next();
+  if (!next) next = commands_.next();
+  for (const auto& [key, called] : called_) next = next ? std::min(*next, called.answer_by) : called.answer_by;
+  return next;
 }
 
 Result<const Robot*> Desk::reachable(const std::string& name) const {
@@ -179,73 +183,6 @@ void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
   const std::uint64_t number = commands_.give(std::move(command), now);
   asked_for_[number] = key;
   waiting_[key].commands.insert(number);
-}
-
-Result<std::string> Desk::stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now) {
-  const Result<std::string> done = stops ? dispatcher_.pause(robot, who, now) : dispatcher_.resume(robot, who, now);
-  const std::string name = fleet_.name_of(robot) + ": ";
-  if (done) return name + *done;
-  return fail(ErrorCode::unavailable,
-              name + "its goal's state could not be stored: " + done.error().message + (stops ? "" : ": try again"));
-}
-
-void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
-  const bool stops = request.kind == Kind::stop;
-  std::vector<RobotId> robots;
-  if (request.robot.empty()) {
-    for (const auto& [id, robot] : fleet_.robots()) robots.push_back(id);
-  } else {
-    const Result<RobotId> id = fleet_.by_name(request.robot);
-    if (!id) return answer(key, msg::Outcome::refused, id.error().message);
-    robots.push_back(*id);
-  }
-  if (robots.empty()) return answer(key, msg::Outcome::done, "there is no robot");
-  std::string message;
-  bool waits = false;
-  bool failed = false;
-  for (const RobotId& id : robots) {
-    const Robot& robot = *fleet_.find(id);
-    message += message.empty() ? "" : "; ";
-    if (!stops && robot.incarnations.twins()) {
-      message += unreachable_reason(robot);
-      continue;
-    }
-    context_.record.note({.at = {},
-                          .kind = stops ? "robot.stop_asked" : "robot.resume_asked",
-                          .robot = id,
-                          .goal = {},
-                          .cause = request.robot.empty() ? "all robots" : "",
-                          .who = who},
-                         now);
-    const Result<std::string> stored = stop_or_resume_goal(stops, id, who, now);
-    message += stored ? *stored : stored.error().message;
-    // To stand is more urgent than to write it down; to go on while the goal is paused would be undone at once.
-    if (!stored && !stops) {
-      failed = true;
-      continue;
-    }
-    if (stored) {
-      unstored_stops_.erase(id);
-    } else {
-      unstored_stops_[id] = who;
-    }
-    msg::AgentCommand command;
-    command.to = id;
-    command.kind = stops ? msg::AgentCommand::Kind::stop : msg::AgentCommand::Kind::resume;
-    if (robot.silent) {
-      message += " (not heard; it is told when it is)";
-      commands_.give(std::move(command), now.steady);
-    } else {
-      send_for(key, std::move(command), now.steady);
-      waits = true;
-    }
-  }
-  if (waits) {
-    waiting_[key].message = message;
-    waiting_[key].failed = failed;
-  } else {
-    answer(key, failed ? msg::Outcome::failed : msg::Outcome::accepted, message);
-  }
 }
 
 Result<void> Desk::put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ class Desk {
   void on_reply(const msg::AgentReply& reply, Now now);
   /// Tells a robot again what it should know: a paused goal's robot stands, that of another goal drives.
   void on_state(const Robot& robot, Now now);
-  void on_silence(const RobotId& robot);
+  void on_silence(const RobotId& robot, SteadyTime now);
   /// Two live agents share the robot's id.
   void on_twins(const RobotId& robot, Now now);
   void joined(const Batch& batch, Now now);
@@ -52,10 +53,35 @@ class Desk {
     bool failed = false;
   };
 
+  /// Robots that were told together to stop or to go on, and what each has said.
+  struct Called {
+    struct Robot {
+      RobotId id;
+      std::string goal;                      ///< what became of its goal
+      std::optional<std::uint64_t> command;  ///< not answered yet
+      bool has_confirmed = false;
+      std::string refusal;
+    };
+    bool stops = true;
+    std::vector<Robot> robots;
+    SteadyTime answer_by;
+  };
+
   void answer(const Key& key, msg::OperatorReply reply);
   void answer(const Key& key, msg::Outcome outcome, const std::string& message);
   void command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+
+  // Standing and going on (stopping.cpp).
   void stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  Called::Robot call(const Key& key, const Robot& robot, const msg::OperatorRequest& request, const std::string& who,
+                     Now now);
+  void called_answered(const Key& key, std::uint64_t command, const msg::AgentReply& reply, SteadyTime now);
+  void called_fell_silent(const Key& key, std::uint64_t command, SteadyTime now);
+  void answer_overdue(SteadyTime now);
+  void answer_called(const Key& key, SteadyTime now);
+  std::string line_of(const Called& called, const Called::Robot& robot, SteadyTime now) const;
+  std::string reach_of(const RobotId& robot) const;
+
   void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -81,6 +107,7 @@ class Desk {
   Commands commands_;
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;
+  std::map<Key, Called> called_;
   std::map<std::uint64_t, Key> asked_for_;         ///< by command
   std::map<Key, std::string> asked_by_;            ///< names, of those that wait for a kept place
   std::map<RobotId, std::string> unstored_stops_;  ///< who asked; the goal is still to be paused

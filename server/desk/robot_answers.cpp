@@ -14,6 +14,7 @@ void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentRepl
   if (asked == asked_for_.end()) return;
   const Key key = asked->second;
   asked_for_.erase(asked);
+  if (called_.contains(key)) return called_answered(key, command.command, reply, now.steady);
   const auto found = waiting_.find(key);
   if (found == waiting_.end()) return;
   Waiting& waiting = found->second;
@@ -105,12 +106,13 @@ void Desk::on_state(const Robot& robot, Now now) {
   commands_.give(std::move(command), now.steady);
 }
 
-void Desk::on_silence(const RobotId& robot) {
+void Desk::on_silence(const RobotId& robot, SteadyTime now) {
   for (const msg::AgentCommand& command : commands_.give_up(robot)) {
     const auto asked = asked_for_.find(command.command);
     if (asked == asked_for_.end()) continue;
     const Key key = asked->second;
     asked_for_.erase(asked);
+    if (called_.contains(key)) called_fell_silent(key, command.command, now);
     if (waiting_.erase(key) == 0) continue;
     asked_by_.erase(key);
     answer(key, msg::Outcome::failed,

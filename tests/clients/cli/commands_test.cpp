@@ -264,6 +264,21 @@ TEST(Commands, StopAndResume) {
   EXPECT_EQ(r2.told.back().kind, Kind::stop);
 }
 
+TEST(Commands, StopAllSaysOfEachRobotHowItStandsAlsoWhenOneHasJustDied) {
+  OneRobot fleet;
+  Puppet& r2 = fleet.add_robot("r2");
+  fleet.run(1s);
+  r2.answers = false;
+  r2.speak_at = SteadyTime::max();
+  const SteadyTime asked = fleet.now;
+  const Said said = fleet.weft({"stop", "--all"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_LT(fleet.now - asked, 4s) << "less than the server takes to count r2 as silent";
+  EXPECT_NE(said.out.find("r1: stands"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("r2: not heard for"), std::string::npos) << said.out;
+  EXPECT_NE(said.err.find("1 of 2 robots stand"), std::string::npos) << said.err;
+}
+
 TEST(Commands, ClearNeedsARobot) {
   OneRobot fleet;
   EXPECT_EQ(fleet.weft({"robot", "clear", "r9"}).exit, Exit::refused);
