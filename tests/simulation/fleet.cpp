@@ -26,10 +26,10 @@ std::optional<agents::Signature> sign_marks(ByteView content) {
 
 }  // namespace
 
-Fleet::Fleet(std::uint64_t seed, std::size_t robots)
+Fleet::Fleet(std::string_view site, std::uint64_t seed, std::size_t robots)
     : random_(seed),
       now_(std::chrono::hours(1)),
-      site_(std::make_shared<RingSite>(random_.fork(1))),
+      site_(std::make_shared<const Site>(make_site(site, random_.fork(1)))),
       net_(random_.fork(2)),
       ledger_(kFootprint_m) {
   net_.set_now(now_);
@@ -46,9 +46,9 @@ Fleet::Fleet(std::uint64_t seed, std::size_t robots)
     robot.id = draw_id();
     robot.name = "r" + std::to_string(i);
     robot.disk = std::make_shared<storage::SpoolDisk>();
-    const double start = 9.0 + static_cast<double>(i) * site_->length_m() / static_cast<double>(robots);
-    robot.body = std::make_unique<MarksBody>(site_, site_->pose(start, {}), random_.fork(100 + i));
-    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}};
+    const Pose2 start = site_->pose(site_->course().start_m(i, robots), {});
+    robot.body = std::make_unique<MarksBody>(site_, start, random_.fork(100 + i));
+    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}, 0.0};
     start_robot(i);
   }
 }
@@ -199,6 +199,7 @@ void Fleet::sample(RobotProcess& robot) {
     carry_out(robot, std::move(output));
   }
   robot.next = need(robot.body->step(robot.command), "body");
+  ledger_.body_moved(robot.id);
   robot.due = now_ + robot.next->motion.elapsed;
 }
 
@@ -213,6 +214,10 @@ void Fleet::carry_out(RobotProcess& robot, agents::AgentOutput output) {
     const Result<void> answer = robot.body->drive_by_hand(*output.hand_start);
     carry_out(robot, robot.agent->hand_answered(answer, clock(robot)));
   }
+}
+
+bool Fleet::take_by_hand(std::size_t robot, const std::vector<agents::SitePoint>& along) {
+  return robots_[robot].body->drive_by_hand(along).has_value();
 }
 
 template <class Asked>

@@ -14,7 +14,7 @@
 #include "storage/spool/memory_spool.hpp"
 #include "tests/simulation/ledger.hpp"
 #include "tests/simulation/marks_body.hpp"
-#include "tests/simulation/ring_site.hpp"
+#include "tests/simulation/site.hpp"
 
 namespace weft::simulation {
 
@@ -22,7 +22,7 @@ namespace weft::simulation {
 /// moment and started again on what its disk holds; each has clocks of its own.
 class Fleet {
  public:
-  Fleet(std::uint64_t seed, std::size_t robots);
+  Fleet(std::string_view site, std::uint64_t seed, std::size_t robots);
 
   SteadyTime now() const { return now_; }
   /// Plays everything due up to `until`.
@@ -45,7 +45,10 @@ class Fleet {
   std::vector<msg::OperatorReply> take_replies();
   std::vector<msg::QueryReply> take_answers();
 
-  const RingSite& site() const { return *site_; }
+  const Site& site() const { return *site_; }
+  /// Leads the robot along a line without teaching it; how far it is, `body` tells. False: too far from the line.
+  bool take_by_hand(std::size_t robot, const std::vector<agents::SitePoint>& along);
+  void let_go(std::size_t robot) { robots_[robot].body->stop_hand(); }
   const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }
   const msg::RobotState& state(std::size_t robot) const { return ledger_.robots.at(robots_[robot].id).state; }
   const RobotId& id_of(std::size_t robot) const { return robots_[robot].id; }
@@ -112,7 +115,7 @@ class Fleet {
 
   Random random_;
   SteadyTime now_{};
-  std::shared_ptr<const RingSite> site_;
+  std::shared_ptr<const Site> site_;
   bus::InProcessNet net_;
   Ledger ledger_;
   ServerProcess server_;

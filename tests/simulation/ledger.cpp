@@ -21,6 +21,7 @@ std::optional<Pose2> Ledger::truth_of(const PlaceId& place) const {
 void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
   Robot& by = robots.at(robot);
   if (const auto* state = std::get_if<msg::RobotState>(&message)) by.state = *state;
+  if (const auto* is = std::get_if<msg::RobotDescription>(&message)) by.footprint_m = is->footprint_radius_m;
   if (const auto* request = std::get_if<msg::WindowRequest>(&message)) by.wants = request->definition;
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) by.progress = *progress;
   if (const auto* sent = std::get_if<msg::ExperienceBatch>(&message)) {
@@ -199,6 +200,20 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
   if (!by.body->by_hand()) {
     check_released_point(by);
     check_belief(by);
+  }
+}
+
+/// Two bodies never touch while one of them drives by itself.
+void Ledger::body_moved(const RobotId& robot) {
+  constexpr double moves_m_s = 0.01;
+  const Robot& mine = robots.at(robot);
+  Stance stance{mine.body->site_from_robot().translation(), mine.footprint_m, false, mine.body->by_hand()};
+  stance.drives = !stance.led && std::abs(mine.body->true_speed_m_s()) > moves_m_s;
+  for (const Contacts::Touch& touch : contacts_.moved(robot, stance)) {
+    const Robot& other = robots.at(touch.other);
+    broken("contact", mine.name + (stance.drives ? " drives into " : " stands and is touched by ") + other.name +
+                          ", " + std::to_string(-touch.gap_m) + " m deep, at " + to_string(mine.state.place) +
+                          " and " + to_string(other.state.place));
   }
 }
 

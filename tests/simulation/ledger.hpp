@@ -10,6 +10,7 @@
 #include "core/protocol/messages.hpp"
 #include "server/service.hpp"
 #include "storage/memory/memory_store.hpp"
+#include "tests/simulation/contacts.hpp"
 #include "tests/simulation/marks_body.hpp"
 
 namespace weft::simulation {
@@ -32,6 +33,7 @@ class Ledger {
     WindowDefinition wants;       ///< last one asked for
     std::optional<Route> had;     ///< its route when last looked at
     msg::RouteProgress progress;  ///< last one said
+    double footprint_m = 0.0;     ///< as it describes itself
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
@@ -48,6 +50,8 @@ class Ledger {
   void server_heard(const msg::Message& message);
   void client_heard(const msg::Message& message);
   void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
+  /// The body has taken a step: how that stands to all others, by the truth.
+  void body_moved(const RobotId& robot);
   /// What must hold at any moment at which a server is up.
   void look(const server::Service& service, const storage::MemoryDisk& disk);
   /// What must hold once faults are over, everyone is up, people have helped where robots waited for one another, and
@@ -96,6 +100,7 @@ class Ledger {
   std::map<GoalId, GoalState> ended_;
   std::map<GoalId, GoalState> seen_;
   std::set<EdgeId> checked_stitches_;
+  Contacts contacts_;
 };
 
 }  // namespace weft::simulation

@@ -11,9 +11,23 @@ constexpr double kRestPeriod_s = 2.0;
 constexpr double kDarkens = 2e-4;  // at a frame of a robot that drives itself: once in some ten minutes of driving
 constexpr std::size_t kTruthFrames = 4000;
 
+/// Where the line leads at first, when that is not ahead.
+std::optional<Eigen::Vector2d> off_to_the_side(const Pose2& site_from_robot,
+                                               const std::vector<agents::SitePoint>& along) {
+  constexpr double lead_m = 0.5;
+  constexpr double aside_rad = 1.0;
+  for (const agents::SitePoint& point : along) {
+    const Eigen::Vector2d there = site_from_robot.inverse() * Eigen::Vector2d(point.x, point.y);
+    if (there.norm() < lead_m) continue;
+    if (std::abs(std::atan2(there.y(), there.x())) < aside_rad) return std::nullopt;
+    return Eigen::Vector2d(point.x, point.y);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-MarksBody::MarksBody(std::shared_ptr<const RingSite> site, const Pose2& site_from_robot, Random random)
+MarksBody::MarksBody(std::shared_ptr<const Site> site, const Pose2& site_from_robot, Random random)
     : site_(std::move(site)),
       random_(random),
       base_({.lag_s = 0.1, .delay_samples = 1, .slip = 0.01, .turn_slip = 0.02, .drift_rad_per_m = 0.005},
@@ -77,11 +91,23 @@ Result<void> MarksBody::drive_by_hand(const std::vector<agents::SitePoint>& alon
   hand_ = along;
   hand_at_ = 0;
   hand_done_ = false;
+  hand_turns_to_ = off_to_the_side(site_from_robot(), along);
   return {};
 }
 
-/// Looks 0.6 m ahead on the line and wanders a few centimetres about it.
 agents::Twist MarksBody::hand_twist() {
+  if (!hand_turns_to_) return follow_hand();
+  constexpr double ahead_rad = 0.2;
+  constexpr double turn_rad_s = 0.8;
+  const Eigen::Vector2d target = site_from_robot().inverse() * *hand_turns_to_;
+  const double bearing = std::atan2(target.y(), target.x());
+  if (std::abs(bearing) > ahead_rad) return {0.0, bearing > 0.0 ? turn_rad_s : -turn_rad_s};
+  hand_turns_to_.reset();
+  return follow_hand();
+}
+
+/// Looks 0.6 m ahead on the line and wanders a few centimetres about it.
+agents::Twist MarksBody::follow_hand() {
   const Pose2 robot_from_site = site_from_robot().inverse();
   const auto local = [&](std::size_t i) { return robot_from_site * Eigen::Vector2d(hand_[i].x, hand_[i].y); };
   while (hand_at_ + 1 < hand_.size() && (local(hand_at_).norm() < 0.6 || local(hand_at_).x() < 0.0)) ++hand_at_;

@@ -8,21 +8,22 @@
 
 #include "agents/bodies/body.hpp"
 #include "core/random.hpp"
-#include "tests/simulation/ring_site.hpp"
+#include "tests/simulation/site.hpp"
 #include "tests/support/unicycle.hpp"
 
 namespace weft::simulation {
 
-/// A robot on the ring that sees marks: noisy, sometimes nothing, sometimes the marks of quite another spot.
+/// A robot on a site that sees marks: noisy, sometimes nothing, sometimes the marks of quite another spot.
 class MarksBody : public agents::Body {
  public:
-  MarksBody(std::shared_ptr<const RingSite> site, const Pose2& site_from_robot, Random random);
+  MarksBody(std::shared_ptr<const Site> site, const Pose2& site_from_robot, Random random);
 
   Result<agents::Sample> step(const agents::Twist& command) override;
   Result<void> drive_by_hand(const std::vector<agents::SitePoint>& along) override;
   void stop_hand() override {
     hand_.clear();
     hand_done_ = false;
+    hand_turns_to_.reset();
   }
   std::vector<agents::CameraModel> cameras() const override { return {}; }
   std::string kind() const override { return "marks"; }
@@ -36,9 +37,10 @@ class MarksBody : public agents::Body {
 
  private:
   agents::Twist hand_twist();
+  agents::Twist follow_hand();
   agents::View look();
 
-  std::shared_ptr<const RingSite> site_;
+  std::shared_ptr<const Site> site_;
   Random random_;
   test::Unicycle base_;
   double wheel_scale_;
@@ -49,6 +51,7 @@ class MarksBody : public agents::Body {
   std::vector<agents::SitePoint> hand_;
   std::size_t hand_at_ = 0;
   bool hand_done_ = false;
+  std::optional<Eigen::Vector2d> hand_turns_to_;  ///< on the spot, before it goes along the line
   double wander_ = 0.0;
   agents::Twist driven_;  ///< the last command
   std::map<std::uint64_t, Pose2> truth_;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,14 @@
 
 namespace weft::simulation {
 
-/// What people ask of the fleet: they teach the ring and its sidings, then send robots about, change their minds,
+/// What people ask of the fleet: they teach the course and its sidings, then send robots about, change their minds,
 /// teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until it is
 /// answered, as `weft` does. Faults play on meanwhile.
 class Operator {
  public:
   Operator(Fleet& fleet, Chaos& chaos, Random random) : fleet_(fleet), chaos_(chaos), random_(random) {}
 
-  /// One lap for each robot, through its own sidings; then each is sent to a station. False when it could not be done
+  /// Each robot its lesson; then each is sent to a station. False when it could not be done
   /// in time.
   bool teach_all();
   /// One random errand. Never waits longer than a few minutes for it.
@@ -42,18 +43,24 @@ class Operator {
   };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
   std::optional<msg::QueryReply> look_at(const GoalId& goal);
-  bool teach_lap(std::size_t robot);
+  bool teach_lesson(std::size_t robot);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);
-  void teach_more(std::size_t robot);
-  bool is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line) const;
+  /// False: somebody stands in the way, or it has something to do.
+  bool teach_more(std::size_t robot);
+  void take_away(std::size_t robot);
+  void find_at(std::size_t robot, const std::string& label);
+  bool is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line, bool leaving) const;
   void send_goal(const std::string& label, const std::string& robot);
   void stop_a_while(std::size_t robot);
   void edit_a_while();
   void look_around();
   void help_waiting(const GoalId& id, Open& open);
+  bool waits_for(std::size_t robot, const std::string& other) const;
+  std::vector<std::string> free_stations() const;
   std::string free_station();
   std::optional<std::size_t> robot_named(const std::string& name) const;
+  std::optional<std::size_t> serving(const Goal& goal) const;
   bool is_idle(std::size_t robot) const;
   bool has_errand(std::size_t robot) const;
   template <class Condition>
@@ -73,6 +80,7 @@ class Operator {
   Chaos& chaos_;
   Random random_;
   std::string trouble_;
+  std::set<std::size_t> starts_;                 ///< robots whose start has a label
   std::map<std::string, std::size_t> stations_;  ///< labels that stand, and which station of the site
   std::map<GoalId, Open> open_;
   std::uint64_t goals_sent_ = 0;

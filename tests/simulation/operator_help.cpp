@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kRoom_m = 2.5;
 constexpr Duration kPatience = std::chrono::minutes(4);
+constexpr Duration kFaceToFace = std::chrono::seconds(40);
 
 /// Who the goal waits for, by the last that its history says of it: "A waits until B has left its way".
 std::string blocker_of(const Goal& goal) {
@@ -32,6 +33,14 @@ std::optional<std::size_t> Operator::robot_named(const std::string& name) const 
   return std::nullopt;
 }
 
+/// Who the goal was given to.
+std::optional<std::size_t> Operator::serving(const Goal& goal) const {
+  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    if (goal.robot == fleet_.id_of(robot)) return robot;
+  }
+  return std::nullopt;
+}
+
 bool Operator::is_idle(std::size_t robot) const {
   const msg::RobotState& state = fleet_.state(robot);
   return fleet_.robot_up(robot) && state.mode == msg::RobotMode::idle && !state.route;
@@ -45,13 +54,13 @@ bool Operator::has_errand(std::size_t robot) const {
   });
 }
 
-/// One that nobody is sent to, and where nobody stands, as one sees who walks there. Empty when there is none.
-std::string Operator::free_station() {
+/// Those that nobody is sent to, and where nobody stands, as one sees who walks there.
+std::vector<std::string> Operator::free_stations() const {
   std::vector<std::string> free;
   for (const auto& [label, station] : stations_) {
     const bool is_asked_for =
         std::any_of(open_.begin(), open_.end(), [&](const auto& entry) { return entry.second.label == label; });
-    const Pose2 there = fleet_.site().pose(fleet_.site().station_m(station), {station});
+    const Pose2 there = fleet_.site().station(station);
     bool is_taken = false;
     for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
       const Pose2& here = fleet_.body(robot).site_from_robot();
@@ -59,6 +68,12 @@ std::string Operator::free_station() {
     }
     if (!is_asked_for && !is_taken) free.push_back(label);
   }
+  return free;
+}
+
+/// Empty when there is none.
+std::string Operator::free_station() {
+  const std::vector<std::string> free = free_stations();
   return free.empty() ? std::string() : free[random_.below(free.size())];
 }
 
@@ -98,8 +113,15 @@ void Operator::look_around() {
   }
 }
 
+bool Operator::waits_for(std::size_t robot, const std::string& other) const {
+  return std::any_of(open_.begin(), open_.end(), [&](const auto& entry) {
+    return entry.second.goal.robot == fleet_.id_of(robot) && blocker_of(entry.second.goal) == other;
+  });
+}
+
 /// Who stands in the way with nothing to do is sent away. Who waits for long all the same gives up, and a hand takes
-/// it on a little: two robots that stand too close each keep the other from setting off.
+/// it on a little: two robots that stand too close each keep the other from setting off. Of two that stand face to
+/// face, each on the other's way, one is taken out of it.
 void Operator::help_waiting(const GoalId& id, Open& open) {
   const std::optional<std::size_t> blocker = robot_named(blocker_of(open.goal));
   if (!blocker) return;
@@ -107,16 +129,16 @@ void Operator::help_waiting(const GoalId& id, Open& open) {
     if (const std::string label = free_station(); !label.empty()) send_goal(label, fleet_.name(*blocker));
     return;
   }
-  if (fleet_.now() - open.since < kPatience || fleet_.state(*blocker).mode == msg::RobotMode::driving) return;
+  const std::optional<std::size_t> waiting = serving(open.goal);
+  const bool face_to_face = waiting && waits_for(*blocker, fleet_.name(*waiting));
+  if (fleet_.now() - open.since < (face_to_face ? kFaceToFace : kPatience) || fleet_.state(*blocker).mode == msg::RobotMode::driving) return;
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::goal_cancel;
   request.goal = id;
   ask(request);
-  for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
-    if (fleet_.id_of(robot) != open.goal.robot) continue;
-    wait(20.0, [&] { return is_idle(robot); });
-    teach_more(robot);
-  }
+  if (!waiting) return;
+  wait(20.0, [&] { return is_idle(*waiting); });
+  if (face_to_face || !teach_more(*waiting)) take_away(*waiting);
 }
 
 void Operator::help() {

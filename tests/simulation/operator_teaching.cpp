@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/simulation/operator.hpp"
+#include "tests/simulation/ways_by_hand.hpp"
 
 namespace weft::simulation {
 
@@ -21,34 +23,31 @@ bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const 
   return false;
 }
 
-bool Operator::teach_lap(std::size_t robot) {
-  const RingSite& site = fleet_.site();
-  const auto start_of = [&](std::size_t i) {
-    return 9.0 + static_cast<double>(i) * site.length_m() / static_cast<double>(fleet_.robots());
-  };
+bool Operator::teach_lesson(std::size_t robot) {
+  const Course& course = fleet_.site().course();
   struct Spot {
     double at_m;
     std::string label;
     std::optional<std::size_t> station;
   };
-  std::vector<std::size_t> through;
-  std::vector<Spot> spots;
-  const double begin = start_of(robot);
+  const Lesson lesson = course.lesson(robot, fleet_.robots());
   const auto ahead = [&](double at_m) {
-    return begin + std::fmod(at_m - begin + 2.0 * site.length_m(), site.length_m());
+    return lesson.from_m + std::fmod(at_m - lesson.from_m + 2.0 * course.length_m(), course.length_m());
   };
-  for (std::size_t k = robot; k < site.stations(); k += fleet_.robots()) {
-    through.push_back(k);
-    spots.push_back({ahead(site.station_m(k)), "station-" + std::to_string(k), k});
+  std::vector<Spot> spots;
+  for (const std::size_t k : lesson.through)
+    spots.push_back({ahead(course.stations()[k].at_m), "station-" + std::to_string(k), k});
+  for (std::size_t i = 1; i < fleet_.robots(); ++i) {
+    const double at_m = ahead(course.start_m(i, fleet_.robots()));
+    if (i == robot || at_m > lesson.to_m || !starts_.insert(i).second) continue;
+    spots.push_back({at_m, "start-" + std::to_string(i), {}});
   }
-  for (std::size_t i = 1; robot == 0 && i < fleet_.robots(); ++i)
-    spots.push_back({start_of(i), "start-" + std::to_string(i), {}});
   std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.at_m < b.at_m; });
-  spots.push_back({begin + site.length_m() + 1.5, "", {}});
+  spots.push_back({lesson.to_m, "", {}});
 
-  double at = begin;
+  double at = lesson.from_m;
   for (const Spot& spot : spots) {
-    if (!teach_piece(robot, at, spot.at_m, through)) return false;
+    if (!teach_piece(robot, at, spot.at_m, lesson.through)) return false;
     at = spot.at_m;
     if (spot.label.empty()) continue;
     msg::OperatorRequest label;
@@ -79,7 +78,7 @@ bool Operator::teach_all() {
         return give_up("localise " + fleet_.name(robot), reply);
       }
     }
-    if (!teach_lap(robot)) return false;
+    if (!teach_lesson(robot)) return false;
   }
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) send_goal(free_station(), fleet_.name(robot));
   return true;
@@ -92,23 +91,26 @@ void Operator::teach_stop(std::size_t robot) {
   ask(stop);
 }
 
-/// Nobody drives a robot into another one; into the way of another one, perhaps.
-bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line) const {
+/// Nobody leads a robot into another one, nor nearer to one that is close already; into the way of another one,
+/// perhaps.
+bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line, bool leaving) const {
   constexpr double room_m = 1.5;
+  constexpr double leaving_m = 1.0;
   for (std::size_t other = 0; other < fleet_.robots(); ++other) {
     const Pose2& there = fleet_.body(other).site_from_robot();
-    const bool is_near = std::any_of(line.begin(), line.end(), [&](const agents::SitePoint& point) {
-      return std::hypot(point.x - there.x, point.y - there.y) < room_m;
-    });
+    const auto away = [&](const agents::SitePoint& point) { return std::hypot(point.x - there.x, point.y - there.y); };
+    const double room = leaving ? std::min(leaving_m, away(line.front()) - 0.05) : room_m;
+    const bool is_near = std::any_of(line.begin(), line.end(),
+                                     [&](const agents::SitePoint& point) { return away(point) < room; });
     if (other != robot && is_near) return false;
   }
   return true;
 }
 
-/// A hand takes an idle robot a few metres along the ring, teaching.
-void Operator::teach_more(std::size_t robot) {
-  if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return;
-  const RingSite& site = fleet_.site();
+/// A hand takes an idle robot a few metres along the course, teaching.
+bool Operator::teach_more(std::size_t robot) {
+  if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return false;
+  const Site& site = fleet_.site();
   const Pose2& here = fleet_.body(robot).site_from_robot();
   double best = 1e9;
   double at = 0.0;
@@ -116,8 +118,9 @@ void Operator::teach_more(std::size_t robot) {
   for (double along = 0.0; along < site.length_m(); along += 0.1) {
     for (std::size_t k = 0; k <= site.stations(); ++k) {
       const std::vector<std::size_t> way = k < site.stations() ? std::vector{k} : std::vector<std::size_t>{};
-      const double away = (site.pose(along, way).translation() - here.translation()).norm();
-      if (away < best) {
+      const Pose2 there = site.pose(along, way);
+      const double away = (there.translation() - here.translation()).norm();
+      if (away < best && std::abs(wrap_angle(there.heading - here.heading)) < std::numbers::pi / 2.0) {
         best = away;
         at = along;
         through = way;
@@ -125,9 +128,40 @@ void Operator::teach_more(std::size_t robot) {
     }
   }
   const double to = at + random_.uniform(3.0, 9.0);
-  if (!is_clear(robot, site.line(at, to, through))) return;
+  if (!is_clear(robot, site.line(at, to, through), false)) return false;
   teach_piece(robot, at, to, through);
   if (fleet_.robot_up(robot) && fleet_.state(robot).mode == msg::RobotMode::teaching) teach_stop(robot);
+  return true;
+}
+
+/// A hand turns an idle robot and takes it to a free station, around whoever stands near, and tells it where that is.
+void Operator::take_away(std::size_t robot) {
+  constexpr double before_m = 3.5;  // along the siding, so that it stands as it was taught there
+  if (!is_idle(robot)) return;
+  const Site& site = fleet_.site();
+  for (const std::string& label : free_stations()) {
+    const std::size_t station = stations_.at(label);
+    const double at = site.course().stations()[station].at_m;
+    const std::vector<agents::SitePoint> last = site.line(at - before_m, at, {station});
+    for (const double turned : {std::numbers::pi, std::numbers::pi / 2.0, -std::numbers::pi / 2.0, 0.0}) {
+      const Pose2 here = fleet_.body(robot).site_from_robot() * Pose2{0.0, 0.0, turned};
+      for (std::vector<agents::SitePoint> way : ways_by_hand(here, site.pose(at - before_m, {station}))) {
+        way.insert(way.end(), last.begin() + 1, last.end());
+        if (!is_clear(robot, way, true) || !fleet_.take_by_hand(robot, way)) continue;
+        wait(200.0, [&] { return !fleet_.body(robot).by_hand(); });
+        fleet_.let_go(robot);
+        return find_at(robot, label);
+      }
+    }
+  }
+}
+
+void Operator::find_at(std::size_t robot, const std::string& label) {
+  msg::OperatorRequest localise;
+  localise.kind = msg::OperatorRequest::Kind::localise;
+  localise.robot = fleet_.name(robot);
+  localise.label = label;
+  ask(localise);
 }
 
 }  // namespace weft::simulation

@@ -17,7 +17,7 @@ constexpr Duration kUntilQuiet = std::chrono::minutes(2);
 
 RunResult run(const RunConfig& config) {
   Random random(config.seed * 0x9e3779b97f4a7c15ULL + 1);
-  Fleet fleet(config.seed, config.robots);
+  Fleet fleet(config.site, config.seed, config.robots);
   Chaos chaos(fleet, random.fork(1));
   Operator people(fleet, chaos, random.fork(2));
   const SteadyTime began = fleet.now();

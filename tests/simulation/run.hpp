@@ -9,6 +9,7 @@
 namespace weft::simulation {
 
 struct RunConfig {
+  std::string site = "ring";  ///< one of site_names()
   std::uint64_t seed = 1;
   std::size_t robots = 4;
   double hours = 1.0;

@@ -13,10 +13,12 @@
 #include <sstream>
 
 #include "tests/simulation/run.hpp"
+#include "tests/simulation/site.hpp"
 
 namespace {
 
 struct Options {
+  std::vector<std::string> sites = weft::simulation::site_names();
   std::string seeds = "1..10";
   std::size_t robots = 4;
   double hours = 1.0;
@@ -38,31 +40,48 @@ bool parse(const std::string& text, Seeds& seeds) {
   return (first >> seeds.first) && first.eof() && (last >> seeds.last) && last.eof() && seeds.first <= seeds.last;
 }
 
-std::string one(const Options& options, std::uint64_t seed) {
-  const auto result = weft::simulation::run({.seed = seed, .robots = options.robots, .hours = options.hours});
+/// One fleet's life: a seed on a site.
+struct Life {
+  std::string site;
+  std::uint64_t seed = 0;
+};
+
+/// Every seed on every site, seed by seed.
+std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
+  std::vector<Life> lives;
+  for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    for (const std::string& site : options.sites) lives.push_back({site, seed});
+  }
+  return lives;
+}
+
+std::string one(const Options& options, const Life& life) {
+  const auto result = weft::simulation::run(
+      {.site = life.site, .seed = life.seed, .robots = options.robots, .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
   for (const auto& entry : result.diary) {
     if (options.diary) line << "! " << entry << '\n';
   }
   for (const auto& violation : result.violations)
-    line << "! seed " << seed << ": " << violation.invariant << ": " << violation.what << '\n';
-  line << seed << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
+    line << "! seed " << life.seed << " on " << life.site << ": " << violation.invariant << ": " << violation.what
+         << '\n';
+  line << life.seed << ' ' << life.site << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
        << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' ' << result.acknowledged
        << ' ' << result.trace;
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
   return line.str() + "\n";
 }
 
-/// Every jobs-th seed, a line each into the pipe.
-void work(const Options& options, const Seeds& seeds, std::size_t worker, int to) {
+/// Every jobs-th life, a line each into the pipe.
+void work(const Options& options, const std::vector<Life>& lives, std::size_t worker, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   // Windows come and go all the time: their memory is kept, not handed back and cleared again.
   constexpr int megabytes = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 * megabytes);
   mallopt(M_TRIM_THRESHOLD, 256 * megabytes);
-  for (std::uint64_t seed = seeds.first + worker; seed <= seeds.last; seed += options.jobs) {
-    const std::string line = one(options, seed);
+  for (std::size_t at = worker; at < lives.size(); at += options.jobs) {
+    const std::string line = one(options, lives[at]);
     for (std::size_t done = 0; done < line.size();) {
       const ssize_t wrote = write(to, line.data() + done, line.size() - done);
       if (wrote <= 0) _exit(1);
@@ -73,18 +92,22 @@ void work(const Options& options, const Seeds& seeds, std::size_t worker, int to
 }
 
 struct Totals {
-  std::uint64_t seeds = 0, broken = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
+  std::uint64_t lives = 0, broken = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
   double hours = 0.0;
   std::map<std::string, std::uint64_t> goals;
 };
 
-void add(Totals& totals, const std::string& line) {
+/// The totals of each site.
+using Tally = std::map<std::string, Totals>;
+
+void add(Tally& tally, const std::string& line) {
   std::istringstream in(line);
   std::uint64_t seed = 0, violations = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
   double hours = 0.0;
-  std::string trace;
-  in >> seed >> violations >> hours >> messages >> faults >> sent >> accepted >> acknowledged >> trace;
-  ++totals.seeds;
+  std::string site, trace;
+  in >> seed >> site >> violations >> hours >> messages >> faults >> sent >> accepted >> acknowledged >> trace;
+  Totals& totals = tally[site];
+  ++totals.lives;
   totals.broken += violations > 0 ? 1 : 0;
   totals.hours += hours;
   totals.messages += messages;
@@ -95,6 +118,15 @@ void add(Totals& totals, const std::string& line) {
   for (std::string word; in >> word;) {
     totals.goals[word.substr(0, word.find('='))] += std::stoull(word.substr(word.find('=') + 1));
   }
+}
+
+void say(const std::string& site, const Totals& totals) {
+  std::cout << site << ": " << totals.lives << " seeds, " << totals.hours << " robot-hours, " << totals.messages
+            << " messages, " << totals.faults << " faults, " << totals.sent << " goals sent, " << totals.accepted
+            << " accepted (";
+  for (const auto& [state, count] : totals.goals) std::cout << ' ' << state << ' ' << count;
+  std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.broken
+            << " seeds broke an invariant\n";
 }
 
 /// A simulation in which nothing drives checks nothing. Empty when enough did.
@@ -124,7 +156,7 @@ int main(int argc, char** argv) try {
   Options options;
   Seeds seeds;
   CLI::App app(
-      "Simulates whole fleets under faults and checks what must always hold. Prints the seed of each failure;\n"
+      "Simulates whole fleets under faults, each seed on each site, and checks what must always hold. Prints the seed of each failure;\n"
       "the same seed gives the same trace.",
       "tests/simulate");
   app.add_option("--seeds", options.seeds, "Seeds A to B, or one")
@@ -133,6 +165,11 @@ int main(int argc, char** argv) try {
       ->check([&](const std::string& text) {
         return parse(text, seeds) ? std::string() : "'" + text + "' is not A..B with A <= B";
       });
+  app.add_option("--site", options.sites, "a site, or several: ring (one way round, sidings), aisles (one driven both\n"
+                                          "ways, a crossing); all when not given")
+      ->delimiter(',')
+      ->type_name("NAME")
+      ->check(CLI::IsMember(weft::simulation::site_names()).description(""));
   app.add_option("--robots", options.robots, "robots in each fleet, 1 to 8")
       ->capture_default_str()
       ->type_name("N")
@@ -158,6 +195,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   parse(options.seeds, seeds);
+  const std::vector<Life> lives = lives_of(options, seeds);
 
   int ends[2];
   if (pipe(ends) != 0) return 1;
@@ -166,15 +204,17 @@ int main(int argc, char** argv) try {
     const pid_t child = fork();
     if (child == 0) {
       close(ends[0]);
-      work(options, seeds, worker, ends[1]);
+      work(options, lives, worker, ends[1]);
     }
     children.push_back(child);
   }
   close(ends[1]);
 
   const auto began = std::chrono::steady_clock::now();
-  const std::uint64_t wanted = seeds.last - seeds.first + 1;
-  Totals totals;
+  Tally tally;
+  std::uint64_t done = 0;
+  std::uint64_t broken = 0;
+  double hours = 0.0;
   FILE* in = fdopen(ends[0], "r");
   char* buffer = nullptr;
   std::size_t size = 0;
@@ -184,19 +224,26 @@ int main(int argc, char** argv) try {
       std::cout << line.substr(2) << std::flush;
       continue;
     }
-    add(totals, line);
+    add(tally, line);
+    ++done;
+    broken = 0;
+    hours = 0.0;
+    for (const auto& [site, totals] : tally) {
+      broken += totals.broken;
+      hours += totals.hours;
+    }
     if (options.verbose) std::cout << "seed " << line << std::flush;
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    if (totals.seeds % 10 == 0 || totals.seeds == wanted) {
-      std::cout << totals.seeds << " of " << wanted << " seeds, " << static_cast<std::uint64_t>(totals.hours)
-                << " robot-hours, " << static_cast<std::uint64_t>(totals.hours * 3600.0 / spent)
+    if (done % 10 == 0 || done == lives.size()) {
+      std::cout << done << " of " << lives.size() << " lives, " << static_cast<std::uint64_t>(hours)
+                << " robot-hours, " << static_cast<std::uint64_t>(hours * 3600.0 / spent)
                 << " robot-seconds a second, "
-                << static_cast<std::uint64_t>(spent / static_cast<double>(totals.seeds) *
-                                              static_cast<double>(wanted - totals.seeds))
+                << static_cast<std::uint64_t>(spent / static_cast<double>(done) *
+                                              static_cast<double>(lives.size() - done))
                 << " s remaining\n"
                 << std::flush;
     }
-    if (totals.broken > 0 && !options.keep_going) {
+    if (broken > 0 && !options.keep_going) {
       for (const pid_t child : children) kill(child, SIGKILL);
       break;
     }
@@ -204,20 +251,20 @@ int main(int argc, char** argv) try {
   free(buffer);
   fclose(in);
   bool died = false;
+  bool quiet = false;
   for (const pid_t child : children) {
     int status = 0;
     waitpid(child, &status, 0);
     died = died || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
   }
-  std::cout << totals.seeds << " seeds, " << totals.hours << " robot-hours, " << totals.messages << " messages, "
-            << totals.faults << " faults, " << totals.sent << " goals sent, " << totals.accepted << " accepted (";
-  for (const auto& [state, count] : totals.goals) std::cout << ' ' << state << ' ' << count;
-  std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.broken
-            << " seeds broke an invariant\n";
-  if (died && totals.broken == 0) std::cout << "a worker ended early\n";
-  const std::string quiet = totals.seeds == wanted ? too_quiet(totals) : "";
-  if (!quiet.empty()) std::cout << quiet << '\n';
-  return totals.broken > 0 || died || totals.seeds != wanted || !quiet.empty() ? 1 : 0;
+  for (const auto& [site, totals] : tally) {
+    say(site, totals);
+    const std::string why = done == lives.size() ? too_quiet(totals) : "";
+    quiet = quiet || !why.empty();
+    if (!why.empty()) std::cout << site << ": " << why << '\n';
+  }
+  if (died && broken == 0) std::cout << "a worker ended early\n";
+  return broken > 0 || died || done != lives.size() || quiet ? 1 : 0;
 } catch (const std::exception& problem) {
   std::fprintf(stderr, "simulate: ended by a defect: %s\n", problem.what());
   return 1;

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/simulation/run.hpp"
+#include "tests/simulation/site.hpp"
 
 namespace weft::simulation {
 namespace {
 
-TEST(Simulation, TheSameSeedGivesTheSameLife) {
-  const RunConfig config{.seed = 1, .robots = 2, .hours = 0.05};
+class Simulation : public testing::TestWithParam<std::string> {};
+
+TEST_P(Simulation, TheSameSeedGivesTheSameLife) {
+  const RunConfig config{.site = GetParam(), .seed = 1, .robots = 2, .hours = 0.05};
   const RunResult first = run(config);
   const RunResult second = run(config);
   EXPECT_GT(first.acknowledged, 0U);
@@ -15,12 +18,14 @@ TEST(Simulation, TheSameSeedGivesTheSameLife) {
   for (const Violation& violation : first.violations) ADD_FAILURE() << violation.invariant << ": " << violation.what;
 }
 
-TEST(Simulation, AnotherSeedGivesAnotherLife) {
-  const RunConfig config{.seed = 1, .robots = 1, .hours = 0.05};
+TEST_P(Simulation, AnotherSeedGivesAnotherLife) {
+  const RunConfig config{.site = GetParam(), .seed = 1, .robots = 1, .hours = 0.05};
   RunConfig other = config;
   other.seed = 2;
   EXPECT_NE(run(config).trace, run(other).trace);
 }
+
+INSTANTIATE_TEST_SUITE_P(OnEverySite, Simulation, testing::ValuesIn(site_names()));
 
 }  // namespace
 }  // namespace weft::simulation

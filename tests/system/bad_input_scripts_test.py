@@ -24,6 +24,7 @@ class Flags(Case):
         self.refused(2, ['simulate: ', '--colour', '--help'], SIMULATE, '--colour')
         self.refused(2, ['simulate: ', '--seeds', '3..1'], SIMULATE, '--seeds', '3..1')
         self.refused(2, ['simulate: ', '--robots', '9'], SIMULATE, '--robots', '9')
+        self.refused(2, ['simulate: ', '--site', 'moon', 'ring', 'aisles'], SIMULATE, '--site', 'moon')
 
     def test_test_runner_and_installer_too(self):
         self.refused(2, ['--colour', 'usage'], ROOT / 'tests/run', '--colour')

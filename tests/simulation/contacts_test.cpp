@@ -1,0 +1,59 @@
+#include "tests/simulation/contacts.hpp"
+
+#include <gtest/gtest.h>
+
+namespace weft::simulation {
+namespace {
+
+RobotId robot(std::uint8_t number) {
+  RobotId id;
+  id.bytes[0] = number;
+  return id;
+}
+
+Stance standing(double x) {
+  return {{x, 0.0}, 0.4, false, false};
+}
+
+Stance driving(double x) {
+  return {{x, 0.0}, 0.4, true, false};
+}
+
+Stance led(double x) {
+  return {{x, 0.0}, 0.4, false, true};
+}
+
+TEST(Contacts, OneThatDrivesIntoAnotherIsSeen) {
+  Contacts contacts;
+  EXPECT_TRUE(contacts.moved(robot(1), standing(1.0)).empty());
+  EXPECT_TRUE(contacts.moved(robot(2), driving(0.19)).empty());
+  const auto touches = contacts.moved(robot(2), driving(0.21));
+  ASSERT_EQ(touches.size(), 1U);
+  EXPECT_EQ(touches[0].other, robot(1));
+  EXPECT_NEAR(touches[0].gap_m, -0.01, 1e-9);
+}
+
+TEST(Contacts, ItIsSeenFromWhicheverSideMovesLast) {
+  Contacts contacts;
+  contacts.moved(robot(2), driving(0.3));
+  EXPECT_EQ(contacts.moved(robot(1), standing(1.0)).size(), 1U);
+}
+
+TEST(Contacts, TwoThatStandTouchNobody) {
+  Contacts contacts;
+  contacts.moved(robot(1), standing(1.0));
+  EXPECT_TRUE(contacts.moved(robot(2), standing(0.5)).empty());
+}
+
+TEST(Contacts, WhatAHandBringsTogetherIsTheHandsDoingUntilTheyAreApart) {
+  Contacts contacts;
+  contacts.moved(robot(1), led(1.0));
+  EXPECT_TRUE(contacts.moved(robot(2), driving(0.4)).empty());
+  contacts.moved(robot(1), standing(1.0));
+  EXPECT_TRUE(contacts.moved(robot(2), driving(0.35)).empty());
+  EXPECT_TRUE(contacts.moved(robot(2), driving(0.0)).empty());
+  EXPECT_EQ(contacts.moved(robot(2), driving(0.4)).size(), 1U);
+}
+
+}  // namespace
+}  // namespace weft::simulation

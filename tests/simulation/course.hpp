@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/geometry/pose2.hpp"
+
+namespace weft::simulation {
+
+/// A spot that robots are sent to: so far along the course, and beside it where a siding leads past.
+struct Station {
+  double at_m = 0.0;
+  double right_m = 0.0;  ///< of the course, in its siding; negative: left; 0: on the course itself
+};
+
+/// What one robot is taught: a stretch of the course, through these stations' sidings and past all others.
+struct Lesson {
+  double from_m = 0.0;
+  double to_m = 0.0;
+  std::vector<std::size_t> through;
+};
+
+/// The one closed way of a site that holds all its lanes, in the order and direction in which they are driven. It may
+/// come by one spot several times. Metres along it; every distance is taken modulo the length.
+class Course {
+ public:
+  virtual ~Course() = default;
+  virtual const std::string& name() const = 0;
+  virtual double length_m() const = 0;
+  /// Point and direction.
+  virtual Pose2 at(double along_m) const = 0;
+  virtual const std::vector<Station>& stations() const = 0;
+  /// Where a robot of so many stands at first.
+  virtual double start_m(std::size_t robot, std::size_t robots) const = 0;
+  /// From where it stands at first. Lessons of all robots together hold the whole course and every station.
+  virtual Lesson lesson(std::size_t robot, std::size_t robots) const = 0;
+};
+
+}  // namespace weft::simulation
