@@ -55,5 +55,18 @@ TEST(Contacts, WhatAHandBringsTogetherIsTheHandsDoingUntilTheyAreApart) {
   EXPECT_EQ(contacts.moved(robot(2), driving(0.4)).size(), 1U);
 }
 
+TEST(Contacts, WhereAHandPutsARobotDownOnAWayThatWasGivenIsTheHandsDoingUntilItDrivesOff) {
+  Contacts contacts;
+  contacts.moved(robot(1), led(5.0));
+  contacts.moved(robot(1), standing(5.0));
+  contacts.put_down_before(robot(1), robot(2));
+  EXPECT_TRUE(contacts.moved(robot(2), driving(4.3)).empty());
+  EXPECT_EQ(contacts.moved(robot(3), driving(5.7)).size(), 1U);
+  contacts.moved(robot(3), standing(9.0));
+  contacts.moved(robot(2), standing(0.0));
+  contacts.moved(robot(1), driving(5.1));
+  EXPECT_EQ(contacts.moved(robot(2), driving(4.4)).size(), 1U);
+}
+
 }  // namespace
 }  // namespace weft::simulation

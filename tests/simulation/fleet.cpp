@@ -48,7 +48,7 @@ Fleet::Fleet(std::string_view site, std::uint64_t seed, std::size_t robots)
     robot.disk = std::make_shared<storage::SpoolDisk>();
     const Pose2 start = site_->pose(site_->course().start_m(i, robots), {});
     robot.body = std::make_unique<MarksBody>(site_, start, random_.fork(100 + i));
-    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}, 0.0};
+    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}, 0.0, false};
     start_robot(i);
   }
 }

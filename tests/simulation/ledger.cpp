@@ -203,17 +203,43 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
   }
 }
 
+/// Whose way a hand has put it on.
+void Ledger::note_put_down(const RobotId& robot) {
+  constexpr double aside_m = 0.3;  // of the way that it is driven
+  const Robot& mine = robots.at(robot);
+  const Eigen::Vector2d here = mine.body->site_from_robot().translation();
+  for (const auto& [id, other] : robots) {
+    if (id == robot || other.agent == nullptr) continue;
+    const std::optional<Route> route = other.agent->route();
+    if (!route) continue;
+    const double reach_m = mine.footprint_m + other.footprint_m + aside_m;
+    for (std::uint32_t i = ahead_from(other, *route); i <= route->released; ++i) {
+      const auto place = truth_of(route->places[i]);
+      if (place && (place->translation() - here).norm() < reach_m) contacts_.put_down_before(robot, id);
+    }
+  }
+}
+
 /// Two bodies never touch while one of them drives by itself.
 void Ledger::body_moved(const RobotId& robot) {
   constexpr double moves_m_s = 0.01;
-  const Robot& mine = robots.at(robot);
+  Robot& mine = robots.at(robot);
   Stance stance{mine.body->site_from_robot().translation(), mine.footprint_m, false, mine.body->by_hand()};
   stance.drives = !stance.led && std::abs(mine.body->true_speed_m_s()) > moves_m_s;
-  for (const Contacts::Touch& touch : contacts_.moved(robot, stance)) {
+  const std::vector<Contacts::Touch> touches = contacts_.moved(robot, stance);
+  if (mine.led && !stance.led) note_put_down(robot);
+  mine.led = stance.led;
+  for (const Contacts::Touch& touch : touches) {
     const Robot& other = robots.at(touch.other);
-    broken("contact", mine.name + (stance.drives ? " drives into " : " stands and is touched by ") + other.name +
-                          ", " + std::to_string(-touch.gap_m) + " m deep, at " + to_string(mine.state.place) +
-                          " and " + to_string(other.state.place));
+    const Robot& driver = stance.drives ? mine : other;
+    const Robot& met = stance.drives ? other : mine;
+    const std::optional<Route> route = driver.agent != nullptr ? driver.agent->route() : std::nullopt;
+    const auto end = route ? truth_of(route->places[route->released]) : std::nullopt;
+    const double away_m =
+        end ? (end->translation() - met.body->site_from_robot().translation()).norm() : std::nan("");
+    broken("contact", driver.name + " drives into " + met.name + ", " + std::to_string(-touch.gap_m) +
+                          " m deep, at " + to_string(driver.state.place) + " and " + to_string(met.state.place) +
+                          "; its released point is " + std::to_string(away_m) + " m from there");
   }
 }
 

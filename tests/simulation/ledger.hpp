@@ -34,6 +34,7 @@ class Ledger {
     std::optional<Route> had;     ///< its route when last looked at
     msg::RouteProgress progress;  ///< last one said
     double footprint_m = 0.0;     ///< as it describes itself
+    bool led = false;             ///< when it last moved
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
@@ -77,6 +78,7 @@ class Ledger {
   std::uint32_t ahead_from(const Robot& robot, const Route& route) const;
   void check_release(const Route& route, const Snapshot& snapshot);
   void check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot);
+  void note_put_down(const RobotId& robot);
   void check_released_point(const Robot& robot);
   void check_belief(const Robot& robot);
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
