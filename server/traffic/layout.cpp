@@ -35,14 +35,26 @@ std::set<ExperienceId> changed(const Snapshot& before, const Snapshot& now) {
 }  // namespace
 
 void Layout::lay(Network network, std::vector<PlaceId> roots) {
+  start(std::move(network), std::move(roots));
+  ids_.reserve(network_->place_count());
+  branch_of_.reserve(network_->place_count());
+  looked_till_ = PlaceId{};
+}
+
+void Layout::lay_around(const Network& network, const PlaceId& root, std::size_t most) {
+  start(network, {root});
+  work(most);
+  heap_.clear();
+  if (part_ != kNone) end_branches();
+  network_.reset();
+}
+
+void Layout::start(Network network, std::vector<PlaceId> roots) {
   const double keep_share = keep_share_;
   *this = Layout();
   keep_share_ = keep_share;
   network_ = std::move(network);
-  ids_.reserve(network_->place_count());
-  branch_of_.reserve(network_->place_count());
   fresh_.assign(roots.begin(), roots.end());
-  looked_till_ = PlaceId{};
 }
 
 void Layout::joined(Network network, const Batch& batch) {

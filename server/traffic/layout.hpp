@@ -36,6 +36,8 @@ class Layout {
   using Network = std::shared_ptr<const Snapshot>;
   /// Nothing is laid out any more; all of it is to be. Parts begin at `roots`, where they are named.
   void lay(Network network, std::vector<PlaceId> roots = {});
+  /// The same at once, of no more than so many places around one: those that are less uncertain from there.
+  void lay_around(const Network& network, const PlaceId& root, std::size_t most);
   /// The batch has joined the network.
   void joined(Network network, const Batch& batch);
   /// Something left the network or came back: the parts that had or have it are laid out anew.
@@ -90,6 +92,7 @@ class Layout {
   };
   using Seed = std::pair<PlaceId, PlaceId>;
 
+  void start(Network network, std::vector<PlaceId> roots);
   Index find(const PlaceId& place) const;
   Index find_or_add(const PlaceId& place);
   void forget(const PlaceId& place);

@@ -48,6 +48,7 @@ void Proximity::edited(const Layout::Network& network, const Snapshot& before) {
 
 void Proximity::forget() {
   nearness_.forget();
+  surroundings_.forget();
   anchors_.clear();
 }
 
@@ -86,21 +87,22 @@ LookedAll Proximity::look(const Ground& ground, const std::vector<Touched>& touc
   return all;
 }
 
-bool Proximity::are_near_by_layout(const Ground& ground, const Looked& a, const Looked& b) const {
+bool Proximity::are_near_by_layout(const Ground& ground, const Looked& a, const Looked& b) {
   for (const Spot& of_a : a.spots) {
     for (const Spot& of_b : b.spots) {
       if (!layout_.are_near(of_a, of_b, room_m(a, b))) continue;
-      return !are_apart(ground.now(), a.touched.place, b.touched.place);
+      if (are_apart(ground.now(), a.touched.place, b.touched.place)) return false;
+      return !surroundings_.are_clear(ground.now(), a.touched.place, b.touched.place, room_m(a, b));
     }
   }
   return false;
 }
 
-bool Proximity::overlap(const Ground& ground, const Looked& a, const Looked& b) const {
+bool Proximity::overlap(const Ground& ground, const Looked& a, const Looked& b) {
   return overlap_around(a, b) || are_near_by_layout(ground, a, b);
 }
 
-bool Proximity::overlap(const Ground& ground, const Looked& a, const LookedAll& others) const {
+bool Proximity::overlap(const Ground& ground, const Looked& a, const LookedAll& others) {
   const auto meet = [&](const auto& test) { return std::any_of(others.places.begin(), others.places.end(), test); };
   if (meet([&](const Looked& b) { return overlap_around(a, b); })) return true;
   const bool may_meet = std::any_of(a.spots.begin(), a.spots.end(), [&](const Spot& spot) {

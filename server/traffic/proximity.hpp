@@ -9,6 +9,7 @@
 #include "server/traffic/layout.hpp"
 #include "server/traffic/nearness.hpp"
 #include "server/traffic/stretch.hpp"
+#include "server/traffic/surroundings.hpp"
 
 namespace weft::server {
 
@@ -27,8 +28,9 @@ struct LookedAll {
 };
 
 /// Whether places are near one another: by a search of what lies around each (`Nearness`), and by where the network
-/// says that both lie, however long the way from one to the other (`Layout`). An operator's word that two stretches
-/// are apart outweighs the layout, which is reckoned, and not the search, which finds what was measured beside it.
+/// says that both lie, however long the way from one to the other (`Layout`, and from nearby `Surroundings`). An
+/// operator's word that two stretches are apart outweighs the layout, which is reckoned, and not the search, which
+/// finds what was measured beside it.
 class Proximity {
  public:
   explicit Proximity(double radius_m) : nearness_(radius_m) {}
@@ -47,19 +49,20 @@ class Proximity {
 
   /// Whether two robots could touch: places that are no farther apart than both reaches and the margin. Two parts
   /// of the network that nothing joins know nothing of each other.
-  bool overlap(const Ground& ground, const Looked& a, const Looked& b) const;
-  bool overlap(const Ground& ground, const Looked& a, const LookedAll& others) const;
+  bool overlap(const Ground& ground, const Looked& a, const Looked& b);
+  bool overlap(const Ground& ground, const Looked& a, const LookedAll& others);
   bool overlap(const Ground& ground, const std::vector<Touched>& a, const std::vector<Touched>& b);
 
   /// How far `other` is from `place` at most, by either; none: that is not known.
   std::optional<double> farthest_m(const Ground& ground, const PlaceId& place, const PlaceId& other);
 
  private:
-  bool are_near_by_layout(const Ground& ground, const Looked& a, const Looked& b) const;
+  bool are_near_by_layout(const Ground& ground, const Looked& a, const Looked& b);
   const std::vector<Anchor>& anchors(const Ground& ground, const PlaceId& gone);
 
   Nearness nearness_;
   Layout layout_;
+  Surroundings surroundings_;
   std::map<PlaceId, std::vector<Anchor>> anchors_;  ///< of places that are out of the map, as they are asked for
 };
 

@@ -121,8 +121,7 @@ std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
   return others;
 }
 
-std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Touched& place) {
-  const Looked here = proximity_.look(ground(), place);
+std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Looked& here) {
   const auto found = std::find_if(others.begin(), others.end(), [&](const Other& other) {
     return proximity_.overlap(ground(), here, other.touched);
   });
@@ -157,9 +156,10 @@ Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
   Way way = held_back(route.robot, others);
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
   for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
-    way.blocked_by = holder_near(others, wanted[i]);
+    const Looked here = proximity_.look(ground(), wanted[i]);
+    way.blocked_by = holder_near(others, here);
     if (way.blocked_by) way.end = Way::End::held;
-    if (!proximity_.look(ground(), wanted[i]).is_laid) way.end = Way::End::not_laid;
+    if (!here.is_laid) way.end = Way::End::not_laid;
     if (way.end == Way::End::free) way.through = from + i;
   }
   if (way.end != Way::End::free) leave_room(route, from, way);
@@ -226,7 +226,7 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
 
 void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState& state, Now now) {
   const Touched here = standing(state, known.footprint_m);
-  const std::optional<RobotId> other = holder_near(others_of(robot), here);
+  const std::optional<RobotId> other = holder_near(others_of(robot), proximity_.look(ground(), here));
   if (!other || !known.intruding || known.intruding->place != here.place) {
     // Stored also where somebody else holds that: nobody is released towards it, after a restart neither.
     const Revision revision = context_.snapshots.current().revision();

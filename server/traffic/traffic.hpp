@@ -95,7 +95,7 @@ class Traffic {
   void recall_pasts(Now now);
   void drop_pasts();
   std::vector<Other> others_of(const RobotId& robot);
-  std::optional<RobotId> holder_near(const std::vector<Other>& others, const Touched& place);
+  std::optional<RobotId> holder_near(const std::vector<Other>& others, const Looked& here);
   std::optional<RobotId> other_that_drives(const RobotId& robot) const;
   void tell_of_layout(Now now);
   bool is_there_still(const Holder& holder, const msg::RobotState& state);

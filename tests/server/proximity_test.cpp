@@ -14,7 +14,9 @@ constexpr double kTouch_m = 0.56;
 constexpr double kPi = std::numbers::pi;
 
 bool meet(Proximity& proximity, const Ground& ground, const PlaceId& a, const PlaceId& b) {
-  return proximity.overlap(ground, {{.place = a, .reach_m = kReach_m}}, {{.place = b, .reach_m = kReach_m}});
+  const std::vector<Touched> of_a = {{.place = a, .reach_m = kReach_m}};
+  const std::vector<Touched> of_b = {{.place = b, .reach_m = kReach_m}};
+  return proximity.overlap(ground, of_a, of_b);
 }
 
 struct Seen {
@@ -109,6 +111,30 @@ TEST(Proximity, LoopOfTwoHundredMetresMeetsItsBeginning) {
     EXPECT_TRUE(meet(proximity, site.network(), first, last)) << "seed " << seed;
     const PlaceId across = SurveyedSite::place(run, 200 * 2 + 10);
     EXPECT_FALSE(meet(proximity, site.network(), first, across)) << "seed " << seed;
+  }
+}
+
+TEST(Proximity, NeighboursWhoseBranchesPartFarAwayAreSeenFromNearby) {
+  SurveyedSite site(1);
+  // Two lanes of 300 m side by side, joined at both ends; the tree of the whole parts them at one of these.
+  Lane there({});
+  Lane back({0.0, 4.0, 0.0});
+  const std::uint64_t first = site.teach(there.ahead(300.0));
+  const std::uint64_t second = site.teach(back.ahead(300.0));
+  Lane near_end({0.0, 0.0, kPi / 2});
+  Lane far_end({300.0, 0.0, kPi / 2});
+  const std::uint64_t third = site.teach(near_end.ahead(4.0));
+  const std::uint64_t fourth = site.teach(far_end.ahead(4.0));
+  site.stitch(SurveyedSite::place(first, 0), SurveyedSite::place(third, 0));
+  site.stitch(SurveyedSite::place(third, 16), SurveyedSite::place(second, 0));
+  site.stitch(SurveyedSite::place(first, 1200), SurveyedSite::place(fourth, 0));
+  site.stitch(SurveyedSite::place(fourth, 16), SurveyedSite::place(second, 1200));
+  Proximity proximity = proximity_of(site.network());
+  for (const std::uint32_t at : {20U, 1180U}) {
+    const Spot a = *proximity.layout().spot(SurveyedSite::place(first, at));
+    const Spot b = *proximity.layout().spot(SurveyedSite::place(second, at));
+    EXPECT_EQ(proximity.layout().are_near(a, b, 2 * kReach_m + kMargin_m), at == 1180U) << "by the whole";
+    EXPECT_FALSE(meet(proximity, site.network(), SurveyedSite::place(first, at), SurveyedSite::place(second, at)));
   }
 }
 

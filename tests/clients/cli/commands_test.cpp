@@ -301,6 +301,42 @@ TEST(Commands, DoctorFindsWhatIsWrong) {
   EXPECT_NE(said.out.find("camera unplugged"), std::string::npos);
 }
 
+TEST(Commands, DoctorNamesRobotsInPartsThatNothingJoins) {
+  OneRobot fleet;
+  Puppet& r2 = fleet.add_robot("r2");
+  Batch batch;
+  batch.experience = {0xC3};
+  batch.sequence = 1;
+  batch.robot = r2.id;
+  batch.method = "marks";
+  Place alone;
+  alone.id = {batch.experience, 0};
+  alone.method = "marks";
+  alone.robot = r2.id;
+  alone.content = {content_hash(), content_bytes().size()};
+  batch.places = {alone};
+  msg::ExperienceBatch handed;
+  handed.header.sender = r2.id;
+  handed.header.incarnation = 1;
+  handed.batch = batch;
+  fleet.service->handle(handed, {.steady = fleet.now, .wall = {}});
+  r2.state.localised = true;
+  r2.state.place = alone.id;
+  fleet.run(2s);
+  const Said said = fleet.weft({"doctor"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.out.find("nothing in the map joins the part with r1 and that with r2"), std::string::npos)
+      << said.out;
+}
+
+TEST(Commands, RobotThatIsHeardIsClearedForSureAlone) {
+  OneRobot fleet;
+  const Said refused = fleet.weft({"robot", "clear", "r1"});
+  EXPECT_EQ(refused.exit, Exit::refused);
+  EXPECT_NE(refused.err.find("--yes"), std::string::npos) << refused.err;
+  EXPECT_EQ(fleet.weft({"robot", "clear", "r1", "--yes"}).exit, Exit::done);
+}
+
 TEST(Commands, DoctorNamesAgentsOfAnotherVersion) {
   OneRobot fleet;
   EXPECT_EQ(fleet.weft({"doctor"}).out.find("PROBLEM"), std::string::npos);

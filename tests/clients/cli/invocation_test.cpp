@@ -49,6 +49,7 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"stop", "--all"}, Command::stop},
       {{"resume", "--all"}, Command::resume},
       {{"robot", "clear", "r1"}, Command::robot_clear},
+      {{"robot", "clear", "r1", "--yes"}, Command::robot_clear},
       {{"doctor"}, Command::doctor},
       {{"calibrate", "camera", "--help"}, Command::calibrate},
   };
