@@ -145,7 +145,7 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
   errand.lost = false;
   errand.cut = false;
   errand.is_over_there = false;
-  errand.waits.clear();  // told anew, if it waits again
+  errand.told_way = {};  // told anew, if it waits again
   errand.has_latest_order = false;
   errand.heard_of_it.reset();
   errand.missing_since.reset();

@@ -75,7 +75,7 @@ class Dispatcher {
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
     std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
-    std::string waits;                 ///< what for, as it was told; empty: for nothing
+    Traffic::Way told_way;             ///< what it waits for, as it was told
   };
 
   // assign.cpp
@@ -101,8 +101,9 @@ class Dispatcher {
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
   void release(const RobotId& robot, Errand& errand, Now now);
-  void note_waiting(const RobotId& robot, Errand& errand, const std::string& what_for, Now now);
-  std::string what_it_waits_for(const Traffic::Way& way) const;
+  void note_waiting(const RobotId& robot, Errand& errand, const Traffic::Way& way, Now now);
+  std::string why_it_waits(const Traffic::Way& way) const;
+  std::string why_it_goes_on(const Traffic::Way& way) const;
   void send_order(const RobotId& robot, Errand& errand, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause, const std::string& who,

@@ -61,31 +61,40 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
     errand.wait = Duration{};
     send_order(robot, errand, now.steady);
   }
-  note_waiting(robot, errand, what_it_waits_for(way), now);
+  note_waiting(robot, errand, way, now);
 }
 
-std::string Dispatcher::what_it_waits_for(const Traffic::Way& way) const {
+std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
   switch (way.end) {
-    case Traffic::Way::End::free:
-      return {};
     case Traffic::Way::End::held:
       return fleet_.name_of(*way.blocked_by) + " has left its way";
     case Traffic::Way::End::one_at_once:
       return fleet_.name_of(*way.blocked_by) +
              " has arrived: robots are in parts of the map that nothing joins, and one drives at a time";
-    case Traffic::Way::End::not_laid:
+    default:
       return "it is laid out where the places of the map lie";
   }
-  return {};
 }
 
-void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const std::string& what_for, Now now) {
-  if (errand.waits == what_for) return;
-  const std::string before = std::exchange(errand.waits, what_for);
+std::string Dispatcher::why_it_goes_on(const Traffic::Way& way) const {
+  switch (way.end) {
+    case Traffic::Way::End::held:
+      return fleet_.name_of(*way.blocked_by) + " has left the way";
+    case Traffic::Way::End::one_at_once:
+      return fleet_.name_of(*way.blocked_by) +
+             " is not on its way any more, or all robots are in one part of the map";
+    default:
+      return "it is laid out where the places of the map lie";
+  }
+}
+
+void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const Traffic::Way& way, Now now) {
+  if (errand.told_way.ends_alike(way)) return;
+  const Traffic::Way before = std::exchange(errand.told_way, way);
   const Goal& goal = *book_.find(errand.goal);
-  const bool waits = !what_for.empty();
+  const bool waits = way.end != Traffic::Way::End::free;
   const std::string cause =
-      waits ? fleet_.name_of(robot) + " waits until " + what_for : "it waits no longer until " + before;
+      waits ? fleet_.name_of(robot) + " waits until " + why_it_waits(way) : why_it_goes_on(before);
   // Lost only if the store takes nothing; the next change is told again.
   std::ignore = book_.write(
       goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = waits ? "goal.waits" : "goal.goes_on"},

@@ -130,11 +130,17 @@ void Layout::forget(const PlaceId& place) {
   rows_.at(place.experience)[place.index] = kNone;
 }
 
-std::optional<Spot> Layout::spot(const PlaceId& place) const {
+std::optional<std::uint32_t> Layout::part_of(const PlaceId& place) const {
   const Index index = find(place);
-  if (index == kNone) return std::nullopt;
+  const Index part = index == kNone ? kNone : places_[index].part;
+  if (part == kNone || !parts_.at(part).is_ready) return std::nullopt;
+  return part;
+}
+
+std::optional<Spot> Layout::spot(const PlaceId& place) const {
+  if (!part_of(place)) return std::nullopt;
+  const Index index = find(place);
   const Laid& laid = places_[index];
-  if (laid.part == kNone || !parts_.at(laid.part).is_ready) return std::nullopt;
   return Spot{.at = index,
               .part = laid.part,
               .part_from_place = laid.part_from_place,

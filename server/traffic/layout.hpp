@@ -49,6 +49,8 @@ class Layout {
 
   /// None: the network does not have the place, or its part is not laid out yet.
   std::optional<Spot> spot(const PlaceId& place) const;
+  /// The same number for all places of a part; none as of `spot`.
+  std::optional<std::uint32_t> part_of(const PlaceId& place) const;
   /// Of something that hangs on a laid place, `place_from_it` away.
   Spot hung(const Spot& place, const Metric2& place_from_it) const;
   /// The least distance within three standard deviations. The spots are of one part.

@@ -118,6 +118,14 @@ bool Proximity::overlap(const Ground& ground, const std::vector<Touched>& a, con
                      [&](const Touched& one) { return overlap(ground, look(ground, one), others); });
 }
 
+std::optional<std::uint32_t> Proximity::part_of(const Ground& ground, const PlaceId& place) {
+  if (ground.is_in(place)) return layout_.part_of(place);
+  for (const Anchor& anchor : anchors(ground, place)) {
+    if (const std::optional<std::uint32_t> part = layout_.part_of(anchor.place)) return part;
+  }
+  return std::nullopt;
+}
+
 std::optional<double> Proximity::farthest_m(const Ground& ground, const PlaceId& place, const PlaceId& other) {
   if (place == other) return 0.0;
   if (const Near* const found = found_in(nearness_.around(ground, place), other)) return found->clearance_m;

@@ -53,6 +53,8 @@ class Proximity {
   bool overlap(const Ground& ground, const Looked& a, const LookedAll& others);
   bool overlap(const Ground& ground, const std::vector<Touched>& a, const std::vector<Touched>& b);
 
+  /// The part in which the place is, or on which it hangs; none: that is not known yet.
+  std::optional<std::uint32_t> part_of(const Ground& ground, const PlaceId& place);
   /// How far `other` is from `place` at most, by either; none: that is not known.
   std::optional<double> farthest_m(const Ground& ground, const PlaceId& place, const PlaceId& other);
 

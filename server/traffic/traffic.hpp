@@ -32,6 +32,7 @@ class Traffic {
     std::optional<std::uint32_t> through;  ///< none: not even its first place is free
     End end = End::free;
     std::optional<RobotId> blocked_by;  ///< held, one_at_once: by whom
+    bool ends_alike(const Way& other) const { return end == other.end && blocked_by == other.blocked_by; }
   };
   Way way(const Route& route, std::uint32_t from);
 

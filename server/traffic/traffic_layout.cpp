@@ -11,8 +11,8 @@ using namespace std::chrono_literals;
 
 /// At the start and after an edit: nobody has to wait for a small map.
 constexpr std::size_t kPlacesAtOnce = 2000;
-/// Between two messages: less than 1 ms.
-constexpr std::size_t kPlacesOfPiece = 500;
+/// Between two messages: about 1 ms on a large map.
+constexpr std::size_t kPlacesOfPiece = 250;
 constexpr Duration kBetweenPieces = 2ms;
 /// What takes longer than a moment is told, and how far it is.
 constexpr std::uint64_t kWorthTelling = 20'000;
@@ -85,8 +85,8 @@ std::vector<std::vector<RobotId>> Traffic::by_part() {
   for (const auto& [robot, holder] : holders_) {
     const storage::PutOccupancy& held = holder.occupancy;
     if (held.held.places.empty()) continue;
-    const Looked looked = proximity_.look(ground(), {.place = held.held.places[held.from], .reach_m = 0.0});
-    if (!looked.spots.empty()) robots[looked.spots.front().part].push_back(robot);
+    const std::optional<std::uint32_t> part = proximity_.part_of(ground(), held.held.places[held.from]);
+    if (part) robots[*part].push_back(robot);
   }
   std::vector<std::vector<RobotId>> parts;
   for (auto& [part, of_part] : robots) parts.push_back(std::move(of_part));

@@ -111,6 +111,9 @@ TEST_F(ServerProcess, WrongUsageIsExitTwo) {
   EXPECT_EQ(run({"--store", directory.string(), "--domain", "999"}), 2);
   EXPECT_THAT(said, HasSubstr("[0, 200]"));
   expect_one_line();
+  EXPECT_EQ(run({"--store", directory.string(), "--unjoined", "ignore"}), 2);
+  EXPECT_THAT(said, HasSubstr("one_drives"));
+  expect_one_line();
 }
 
 TEST_F(ServerProcess, WrongConfigurationNamesTheKey) {

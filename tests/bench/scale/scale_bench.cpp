@@ -78,7 +78,7 @@ void laying_out(benchmark::State& state, const Running& running) {
   Times pieces;
   for (auto _ : state) {
     layout.lay(snapshot);
-    while (layout.has_work()) pieces.measure([&] { layout.work(500); });
+    while (layout.has_work()) pieces.measure([&] { layout.work(250); });
   }
   pieces.report(state, "piece_");
   state.counters["bytes_a_place"] = 1e6 * (resident_MB() - before_MB) / static_cast<double>(layout.laid());
