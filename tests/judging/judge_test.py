@@ -24,6 +24,7 @@ def pose(x, y=0.0, heading=0.0):
 def made():
     truth = [dict(robot='r1', frame=f, t=f / 10, **pose(f / 10)) for f in range(0, 101)]
     truth += [dict(robot='r2', frame=f, t=f / 10, **pose(5 + f / 10, 0.1)) for f in range(0, 101)]
+    truth += [dict(robot='r2', frame=101, t=10.1, **pose(20, 5))]
     truth += [dict(robot='r1', frame=200 + f, t=20 + f / 10, **pose(f / 10, 0.1 if f > 60 else 0.0)) for f in range(0, 151)]
     places = [dict(id=f'{A}:{i}', experience=A, index=i, robot=R1, frame=2 * i) for i in range(51)]
     places += [dict(id=f'{B}:{i}', experience=B, index=i, robot=R2, frame=2 * i) for i in range(51)]
@@ -113,6 +114,27 @@ class Judge(unittest.TestCase):
             pieces, joins = metrics.taught_polyline(records.read(written(folder, content)), route)
         self.assertEqual([len(piece) for piece in pieces], [19, 41])
         self.assertEqual(len(joins), 3)
+
+    def test_touching_bodies_are_seen_when_one_drives_by_itself(self):
+        def beside(y):
+            return lambda c: [row for row in c['truth.jsonl'] if row['frame'] == 101][0].update(pose(8, y))
+        self.assertIn('r1 drove into r2: gap -0.460 m < 0.0', self.broken(beside(0.2)))
+        self.assertNotIn('drove into', self.broken(beside(0.67)))
+        self.assertAlmostEqual(judged(made())['nearest']['gap_m'], 5 * 2 ** 0.5 - 0.56, delta=0.2)
+
+    def test_one_that_stands_or_is_led_touches_nobody(self):
+        def led(content):    # the drive is nobody's; r1 is led into r2
+            content['drives.jsonl'] = []
+            beside = [row for row in content['truth.jsonl'] if row['frame'] == 101][0]
+            beside.update(pose(8, 0.2))
+        self.assertNotIn('drove into', self.broken(led))
+
+    def test_the_radius_is_the_sites(self):
+        with tempfile.TemporaryDirectory() as folder:
+            content = made()
+            [row for row in content['truth.jsonl'] if row['frame'] == 101][0].update(pose(8, 0.6))
+            (pathlib.Path(folder) / 'site.toml').write_text('[base]\nradius_m = 0.2\n')
+            self.assertAlmostEqual(metrics.summarise(records.read(written(folder, content)))['nearest']['gap_m'], 0.1, places=6)
 
     def test_driving_beside_the_taught_path_is_seen(self):
         def off(content):

@@ -1,7 +1,7 @@
 """What the judge counts. Truth is joined by frame number, never by time."""
 import math
 
-from judging import geometry
+from judging import contact, geometry
 
 RIGHT_FIX = (0.05, 2.0)       # metres, degrees
 RIGHT_STITCH = (0.10, 3.0)
@@ -155,6 +155,7 @@ def summarise(records):
         experiences=len({row['experience'] for row in records.places.values()}),
         stitches=len(found), wrong_stitches=sum(not row['right'] for row in found),
         stitched_metres=stitched_metres(records, found),
+        nearest=contact.nearest(records, goal_frames),
         goals=[judge_goal(records, goal) for goal in records.goals],
         acknowledged=acknowledged, lost_acknowledged=lost,
         server_rss_mb=rss.get('server'),

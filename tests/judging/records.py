@@ -29,6 +29,7 @@ def pose(row):
 @dataclass
 class Records:
     truth: dict = field(default_factory=dict)        # robot -> frame -> (x, y, heading)
+    order: list = field(default_factory=list)        # (robot, frame) as the truth was written
     fixes: list = field(default_factory=list)        # robot, frame, place, place_from_robot
     drives: list = field(default_factory=list)       # robot, frame, goal, phase
     acks: list = field(default_factory=list)         # robot, experience, sequence, first, places
@@ -58,6 +59,7 @@ def read(folder):
     records = Records(site=folder / 'site.toml', floor=folder / 'floor.pgm')
     for row in lines(folder / 'truth.jsonl'):
         records.truth.setdefault(row['robot'], {})[row['frame']] = pose(row)
+        records.order.append((row['robot'], row['frame']))
     records.fixes = lines(folder / 'fixes.jsonl')
     records.drives = lines(folder / 'drives.jsonl')
     records.acks = lines(folder / 'acks.jsonl')

@@ -4,6 +4,7 @@ import re
 from judging import repeats
 
 BOUNDS = (('final_error_m', 0.05), ('final_heading_error_deg', 3.0), ('lateral_rmse_m', 0.05))
+LEAST_GAP_M = 0.0              # between two bodies of which one drives by itself
 
 
 def faults(summary, wanted_goals=2):
@@ -22,6 +23,10 @@ def faults(summary, wanted_goals=2):
         first = summary['goals'][0]
         if len(first['route_experiences']) != 2 or first['taught_whole']:
             broken.append(f"the first goal's route is of {len(first['route_experiences'])} experiences, 2 wanted")
+    near = summary['nearest']
+    if near and near['gap_m'] < LEAST_GAP_M:
+        broken.append(f"{near['robots'][0]} drove into {near['robots'][1]}: gap {near['gap_m']:.3f} m < {LEAST_GAP_M}, at frame "
+                      f"{near['frame']} of {near['robots'][0]}")
     if summary['wrong_stitches']:
         broken.append(f"{summary['wrong_stitches']} wrong stitches of {summary['stitches']}")
     if summary['stitched_metres'] < 5:
@@ -63,6 +68,9 @@ def table(summary):
            f"{summary['stitches']} stitches ({summary['wrong_stitches']} wrong) over {summary['stitched_metres']} separate metres")
     yield f"{summary['acknowledged']} batches acknowledged, {summary['lost_acknowledged']} lost"
     yield 'dds: ' + ', '.join(f'{name} {vendor}' for name, vendor in summary['dds'].items())
+    if summary['nearest']:
+        yield (f"nearest while driving: {' and '.join(summary['nearest']['robots'])}, "
+               f"{number(summary['nearest']['gap_m'], 2)} m between their bodies")
     agents = max(summary['agent_rss_mb'].values(), default=None)
     yield f"peak memory: server {number(summary['server_rss_mb'], 0)} MB, largest agent {number(agents, 0)} MB"
     yield ''
