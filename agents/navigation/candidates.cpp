@@ -23,8 +23,8 @@ bool is_beyond(const Reached& reached, const Relation& centre_from_robot, double
 
 }  // namespace
 
-std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
-                                  std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred) {
+std::vector<Candidate> at_any_heading(const NavigationConfig& config, const Window& window, const Estimate& estimate,
+                                      std::uint32_t hops, double reach_m) {
   constexpr std::uint32_t cap = 2000;
   std::vector<Candidate> found;
   for (const Reached& reached : breadth_first(window, estimate.place, hops, cap)) {
@@ -32,17 +32,27 @@ std::vector<Candidate> candidates(const NavigationConfig& config, const Window& 
     const double edges = std::sqrt(static_cast<double>(reached.depth));
     const Relation believed_from_place =
         with_noise(reached.centre_from_place, edges * config.belief.map_sigma_m, edges * config.belief.map_sigma_rad);
-    Candidate candidate{reached.id, reached.depth, compose(inverse(believed_from_place), estimate.place_from_robot),
-                        0.0};
-    candidate.cost = norm(candidate.place_from_robot);
-    if (candidate.cost > reach_m) continue;
-    if (preferred.contains(reached.id)) candidate.cost *= config.locate.route_preference;
-    found.push_back(std::move(candidate));
+    found.push_back({reached.id, reached.depth, compose(inverse(believed_from_place), estimate.place_from_robot), 0.0});
+    found.back().cost = norm(found.back().place_from_robot);
   }
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+  return found;
+}
+
+std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
+                                  std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred) {
+  std::vector<Candidate> found = at_any_heading(config, window, estimate, hops, reach_m);
+  std::erase_if(found, [&](const Candidate& candidate) { return candidate.cost > reach_m; });
+  for (Candidate& candidate : found) {
+    if (preferred.contains(candidate.place)) candidate.cost *= config.locate.route_preference;
+  }
+  sort_by_cost(found);
+  return found;
+}
+
+void sort_by_cost(std::vector<Candidate>& candidates) {
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.cost, a.place) < std::tie(b.cost, b.place);
   });
-  return found;
 }
 
 std::uint32_t search_hops(const NavigationConfig& config, double blind_m) {

@@ -21,6 +21,13 @@ struct Candidate {
 std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
                                   std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred);
 
+/// The same, those within `reach_m` by distance alone, whichever way they look; in the order of the search.
+std::vector<Candidate> at_any_heading(const NavigationConfig& config, const Window& window, const Estimate& estimate,
+                                      std::uint32_t hops, double reach_m);
+
+/// By cost, ties by place.
+void sort_by_cost(std::vector<Candidate>& candidates);
+
 /// Depth and reach of the search: near after a fix, growing with what was travelled blind up to d_max.
 std::uint32_t search_hops(const NavigationConfig& config, double blind_m);
 double search_reach_m(const NavigationConfig& config, double blind_m);

@@ -62,6 +62,7 @@ void each_stitch(Config& stitch, const In& in) {
   in("sure_m", stitch.sure_m, Low::open, 0, 1);
   in("drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);
+  in("across_every_m", stitch.across_every_m, Low::open, 0, 10);
   in("merge_m", stitch.merge_m, Low::open, 0, 10);
 }
 

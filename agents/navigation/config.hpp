@@ -54,6 +54,7 @@ struct StitchConfig {
   double sure_m = 0.2;             ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
   double drivable_m = 0.6;         ///< places farther apart cannot be driven across; (0, 3]
   double drivable_rad = 0.5;       ///< headings that differ by more than this cannot be driven across; (0, 3.2]
+  double across_every_m = 0.6;     ///< way from one stitch to a lane met head-on or across to the next; (0, 10]
   double merge_m = 2.0;            ///< a change over to the other place's way takes no longer than this; (0, 10]
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/navigation/across.hpp"
 #include "agents/navigation/agreement.hpp"
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
@@ -18,7 +19,8 @@ namespace weft::agents {
 
 /// Joins a place just kept to places of the map (III-C: "an edge is created"). Each stitch is a relation of the two
 /// contents themselves that agrees with the way there, or, where the way is too uncertain to judge (a loop closing),
-/// one that agrees with the stitch found at the kept place before.
+/// one that agrees with the stitch found at the kept place before. Lanes that the robot cannot change over to are
+/// joined by the same rules, less often: so the network says where they lie.
 template <Method M>
 class Stitcher {
  public:
@@ -29,9 +31,10 @@ class Stitcher {
     std::vector<Refusal> refusals;
   };
 
-  Stitcher(const M& method, const NavigationConfig& config) : method_(&method), config_(config) {}
+  Stitcher(const M& method, const NavigationConfig& config)
+      : method_(&method), config_(config), across_(config.stitch) {}
 
-  void clear() { pending_.reset(); }
+  void clear() { *this = Stitcher(*method_, config_); }
 
   /// `map` holds the kept place already; `teacher` has just kept it.
   Found look(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Teacher& teacher,
@@ -40,7 +43,8 @@ class Stitcher {
     if (!config_.stitch.enabled) return found;
     std::set<ExperienceId> joined;
     std::uint32_t tries = config_.stitch.tries;
-    const std::vector<Candidate> near = worth_comparing(map, teacher, kept.id);
+    const std::vector<Candidate> around = known_around(map, teacher, kept.id, content);
+    const std::vector<Candidate> near = worth_comparing(around);
     if constexpr (ChartsItself<M>) {
       if (!near.empty() && std::holds_alternative<AlongPath>(near.front().place_from_robot))
         return located(map, bytes, decoded, near.front(), kept.id, content);
@@ -54,7 +58,7 @@ class Stitcher {
         continue;
       }
       --tries;
-      const OrRefusal<Related> related = verified(map, **other, content, candidate, kept.id);
+      const OrRefusal<Related> related = verified(map, **other, content, candidate, kept.id, pending_);
       if (!related) {
         found.refusals.push_back(related.error());
         continue;
@@ -63,6 +67,8 @@ class Stitcher {
       found.edges.push_back(edge(candidate.place, kept.id, *related));
       if (!found.fix) found.fix = Fix{candidate.place, related->a_from_b, *related};
     }
+    if (auto crossing = across(map, bytes, decoded, around, teacher, kept.id, content))
+      found.edges.push_back(*std::move(crossing));
     return found;
   }
 
@@ -87,21 +93,49 @@ class Stitcher {
     Relation place_from_kept;
   };
 
-  std::vector<Candidate> worth_comparing(const Window& map, const Teacher& teacher, const PlaceId& kept) const {
+  /// All that may be seen from here, at any heading. Not what has just been driven.
+  std::vector<Candidate> known_around(const Window& map, const Teacher& teacher, const PlaceId& kept,
+                                      const Content& content) const {
     constexpr std::uint32_t everywhere = 100'000;  // hops; the number of places is bounded by the window's cap
-    const StitchConfig& stitch = config_.stitch;
     const Estimate here{kept, Metric2{}, 0.0};
-    std::vector<Candidate> near = candidates(config_, map, here, everywhere, stitch.most_reach_m, {});
-    std::erase_if(near, [&](const Candidate& candidate) {
-      if (candidate.place.experience == kept.experience &&
-          (candidate.place.index + 1 >= kept.index ||
-           teacher.driven_since_m(candidate.place.index) < stitch.own_distance_m)) {
-        return true;
-      }
-      constexpr double sigmas = 3.0;
-      return candidate.cost > stitch.reach_m + sigmas * spread_of(candidate.place_from_robot).metres;
+    double reach_m = config_.stitch.most_reach_m;
+    if constexpr (Gazes<M>) reach_m += 2.0 * method_->gaze(content).norm();  // two robots that face one another
+    std::vector<Candidate> around = at_any_heading(config_, map, here, everywhere, reach_m);
+    std::erase_if(around, [&](const Candidate& candidate) {
+      return candidate.place.experience == kept.experience &&
+             (candidate.place.index + 1 >= kept.index ||
+              teacher.driven_since_m(candidate.place.index) < config_.stitch.own_distance_m);
     });
+    return around;
+  }
+
+  /// Of those the ones that look the same way, the likeliest first.
+  std::vector<Candidate> worth_comparing(std::vector<Candidate> near) const {
+    std::erase_if(near, [&](const Candidate& candidate) {
+      constexpr double sigmas = 3.0;
+      const double reach_m = config_.stitch.reach_m + sigmas * spread_of(candidate.place_from_robot).metres;
+      return candidate.cost > std::min(reach_m, config_.stitch.most_reach_m);
+    });
+    sort_by_cost(near);
     return near;
+  }
+
+  /// A stitch to a lane that is met head-on or across. Refusals are not told: mostly nothing of it is in view.
+  std::optional<Edge> across(const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+                             const std::vector<Candidate>& around, const Teacher& teacher, const PlaceId& kept,
+                             const Content& content) {
+    if constexpr (Gazes<M>) {
+      for (const Candidate& candidate :
+           across_.worth_comparing(around, method_->gaze(content), teacher.driven_m())) {
+        const auto other = decoded.find(*map.place(candidate.place), bytes);
+        if (!other) continue;
+        const OrRefusal<Related> related = verified(map, **other, content, candidate, kept, pending_across_);
+        if (!related) continue;
+        across_.joined(related->a_from_b, teacher.driven_m());
+        return edge(candidate.place, kept, *related);
+      }
+    }
+    return std::nullopt;
   }
 
   /// Two contents alone do not say how far apart along a path they are: the method does, in a chart of that path.
@@ -137,7 +171,7 @@ class Stitcher {
   }
 
   OrRefusal<Related> verified(const Window& map, const Content& other, const Content& content,
-                              const Candidate& candidate, const PlaceId& kept) {
+                              const Candidate& candidate, const PlaceId& kept, std::optional<Pending>& pending) {
     const Spread spread = spread_of(candidate.place_from_robot);
     const bool trusted = spread.metres <= config_.stitch.trusted_sigma_m;
     const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
@@ -152,26 +186,29 @@ class Stitcher {
       if (refusal) return tl::unexpected(*refusal);
       return related;
     }
-    const std::optional<Relation> expected = through_pending(map, candidate.place, kept);
+    const std::optional<Relation> expected = through_pending(map, candidate.place, kept, pending);
     const bool confirmed = expected && !agrees(*expected, {});
-    pending_ = Pending{candidate.place, kept, related->a_from_b};
+    pending = Pending{candidate.place, kept, related->a_from_b};
     if (confirmed) return related;
     return tl::unexpected(Refusal{"stitch_unconfirmed", spread.metres, config_.stitch.trusted_sigma_m});
   }
 
   /// place_from_kept as the pending stitch and the chains between both pairs of places say.
-  std::optional<Relation> through_pending(const Window& map, const PlaceId& place, const PlaceId& kept) const {
+  std::optional<Relation> through_pending(const Window& map, const PlaceId& place, const PlaceId& kept,
+                                          const std::optional<Pending>& pending) const {
     constexpr std::uint32_t hops = 8;
-    if (!pending_ || pending_->kept == kept) return std::nullopt;
-    const auto place_from_there = between(config_.belief, map, place, pending_->place, hops);
-    const auto there_from_kept = between(config_.belief, map, pending_->kept, kept, hops);
+    if (!pending || pending->kept == kept) return std::nullopt;
+    const auto place_from_there = between(config_.belief, map, place, pending->place, hops);
+    const auto there_from_kept = between(config_.belief, map, pending->kept, kept, hops);
     if (!place_from_there || !there_from_kept) return std::nullopt;
-    return compose(compose(*place_from_there, pending_->place_from_kept), *there_from_kept);
+    return compose(compose(*place_from_there, pending->place_from_kept), *there_from_kept);
   }
 
   const M* method_;
   NavigationConfig config_;
+  Across across_;
   std::optional<Pending> pending_;
+  std::optional<Pending> pending_across_;
 };
 
 }  // namespace weft::agents

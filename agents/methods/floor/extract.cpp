@@ -30,4 +30,10 @@ OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) cons
   return content;
 }
 
+Eigen::Vector2d Floor::gaze(const Content& content) const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const FloorFeature& feature : content.features) sum += feature.on_floor;
+  return sum / std::max(1.0, static_cast<double>(content.features.size()));
+}
+
 }  // namespace weft::agents

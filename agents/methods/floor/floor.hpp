@@ -88,6 +88,9 @@ class Floor {
   /// `widest_gate_m`), so that the relation is one of several.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
+  /// The middle of the features.
+  Eigen::Vector2d gaze(const Content& content) const;
+
   /// How often each of 512 words occurs among the features, whichever way the robot looked: views of one stretch of
   /// floor are nearer to each other than nearly all others. None: a content without features.
   std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }

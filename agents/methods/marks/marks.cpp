@@ -236,6 +236,12 @@ std::optional<Signature> MarksMethod::sign(const Content& content) const {
   return signature;
 }
 
+Eigen::Vector2d MarksMethod::gaze(const Content& content) const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Sighting& seen : content.sightings) sum += seen.robot_from_mark.translation();
+  return sum / std::max(1.0, static_cast<double>(content.sightings.size()));
+}
+
 static_assert(Method<MarksMethod>);
 
 }  // namespace weft::agents

@@ -52,6 +52,8 @@ class MarksMethod {
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
   /// Histogram of mark numbers in 32 bins, of unit length; none without marks.
   std::optional<Signature> sign(const Content& content) const;
+  /// The middle of the marks seen; ahead of the robot.
+  Eigen::Vector2d gaze(const Content& content) const;
 
  private:
   MarksConfig config_;
