@@ -45,38 +45,25 @@ class UdpSocket {
   int fd_;
 };
 
-Result<std::string> ipv4_of(const std::string& host) {
-  addrinfo hints{};
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_DGRAM;
-  addrinfo* found = nullptr;
-  const int status = getaddrinfo(host.c_str(), nullptr, &hints, &found);
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
-  if (status != 0 || found == nullptr) {
-    return fail(ErrorCode::unavailable,
-                "host '" + host + "' has no known IPv4 address (" + gai_strerror(status) + "): check the name");
-  }
-  char text[INET_ADDRSTRLEN] = {};
-  inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(found->ai_addr)->sin_addr, text, sizeof text);
-  return std::string(text);
-}
-
-Result<ServerAddress> server_address(const std::string& text, unsigned domain) {
-  const std::size_t colon = text.find(':');
+struct ServerName {
+  std::string host;
   unsigned index = 0;
+};
+
+Result<ServerName> server_name(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  ServerName name{text.substr(0, colon), 0};
   if (colon != std::string::npos) {
     const char* const first = text.data() + colon + 1;
     const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(first, last, index);
-    if (error != std::errc{} || end != last || index > kMostIndex) {
+    const auto [end, error] = std::from_chars(first, last, name.index);
+    if (error != std::errc{} || end != last || name.index > kMostIndex) {
       return fail(ErrorCode::invalid, "server '" + text + "' is not HOST or HOST:INDEX with an index of at most " +
                                           std::to_string(kMostIndex));
     }
   }
-  if (text.empty() || colon == 0) return fail(ErrorCode::invalid, "server '" + text + "' names no host");
-  Result<std::string> host = ipv4_of(text.substr(0, colon));
-  if (!host) return fail(std::move(host.error()));
-  return ServerAddress{*host, ports_of(domain, index).discovery};
+  if (name.host.empty()) return fail(ErrorCode::invalid, "server '" + text + "' names no host");
+  return name;
 }
 
 Result<void> check_bound(const BusConfig& config, const std::string& listen, std::uint16_t port) {
@@ -102,7 +89,23 @@ Ports ports_of(unsigned domain, unsigned index) {
   return {static_cast<std::uint16_t>(block + kDiscovery), static_cast<std::uint16_t>(block + kData)};
 }
 
-Result<Addresses> look_up(const BusConfig& config) {
+Result<std::string> ipv4_of(const std::string& host) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = SOCK_DGRAM;
+  addrinfo* found = nullptr;
+  const int status = getaddrinfo(host.c_str(), nullptr, &hints, &found);
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
+  if (status != 0 || found == nullptr) {
+    return fail(ErrorCode::unavailable,
+                "host '" + host + "' has no known IPv4 address (" + gai_strerror(status) + "): check the name");
+  }
+  char text[INET_ADDRSTRLEN] = {};
+  inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(found->ai_addr)->sin_addr, text, sizeof text);
+  return std::string(text);
+}
+
+Result<void> check(const BusConfig& config) {
   if (config.domain > kMostDomain) {
     return fail(ErrorCode::invalid,
                 "domain " + std::to_string(config.domain) + " is above " + std::to_string(kMostDomain));
@@ -111,31 +114,39 @@ Result<Addresses> look_up(const BusConfig& config) {
     return fail(ErrorCode::invalid,
                 "server_index " + std::to_string(config.server_index) + " is above " + std::to_string(kMostIndex));
   }
-  const bool is_server = config.role == msg::Role::server;
-  if (!is_server && config.servers.empty()) {
+  if (config.role != msg::Role::server && config.servers.empty()) {
     return fail(ErrorCode::invalid, "no server is given: agents and clients need its address");
   }
-  Result<std::string> listen = ipv4_of(config.listen);
-  if (!listen) return fail(std::move(listen.error()));
-  Addresses addresses{std::move(*listen), {}, {}};
-  UdpSocket discovery, data;
-  if (is_server) addresses.own = ports_of(config.domain, config.server_index);
-  for (const std::uint16_t port : {addresses.own.discovery, addresses.own.data}) {
-    if (Result<void> bound = check_bound(config, addresses.listen, port); !bound)
-      return fail(std::move(bound.error()));
-  }
-  if (!is_server) {
-    if (discovery.bind_to(addresses.listen, 0) != 0 || data.bind_to(addresses.listen, 0) != 0) {
-      return fail(ErrorCode::unavailable, "no free UDP port on " + addresses.listen);
-    }
-    addresses.own = {discovery.port(), data.port()};
-  }
   for (const std::string& text : config.servers) {
-    Result<ServerAddress> server = server_address(text, config.domain);
-    if (!server) return fail(std::move(server.error()));
-    addresses.servers.push_back(std::move(*server));
+    if (const Result<ServerName> name = server_name(text); !name) return fail(name.error());
   }
-  return addresses;
+  return {};
+}
+
+Result<std::vector<ServerAddress>> server_addresses(const BusConfig& config) {
+  std::vector<ServerAddress> servers;
+  for (const std::string& text : config.servers) {
+    const Result<ServerName> name = server_name(text);
+    if (!name) return fail(name.error());
+    Result<std::string> ipv4 = ipv4_of(name->host);
+    if (!ipv4) return fail(std::move(ipv4.error()));
+    servers.push_back({std::move(*ipv4), ports_of(config.domain, name->index).discovery});
+  }
+  return servers;
+}
+
+Result<Ports> own_ports(const BusConfig& config, const std::string& listen) {
+  const bool is_server = config.role == msg::Role::server;
+  const Ports fixed = is_server ? ports_of(config.domain, config.server_index) : Ports{};
+  for (const std::uint16_t port : {fixed.discovery, fixed.data}) {
+    if (const Result<void> bound = check_bound(config, listen, port); !bound) return fail(bound.error());
+  }
+  if (is_server) return fixed;
+  UdpSocket discovery, data;
+  if (discovery.bind_to(listen, 0) != 0 || data.bind_to(listen, 0) != 0) {
+    return fail(ErrorCode::unavailable, "no free UDP port on " + listen);
+  }
+  return Ports{discovery.port(), data.port()};
 }
 
 }  // namespace weft::bus

@@ -2,7 +2,9 @@
 #include <memory>
 #include <span>
 
+#include "idl/bus/addresses.hpp"
 #include "idl/bus/bus.hpp"
+#include "idl/bus/participant.hpp"
 #include "idl/bus/topics.hpp"
 
 /// What bus::open chooses from. Tests give a table of their own to send what the real one refuses.
@@ -10,8 +12,12 @@ namespace weft::bus {
 
 using TopicTable = std::span<const Topic, kTopics>;
 
-Result<std::unique_ptr<Bus>> open_fastdds(const BusConfig& config, TopicTable table);
-Result<std::unique_ptr<Bus>> open_cyclonedds(const BusConfig& config, TopicTable table);
+/// As bus::open.
+Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config, TopicTable table);
+Result<std::unique_ptr<Participant>> join_fastdds(const BusConfig& config, TopicTable table, const Addresses& at,
+                                                  Inbox& inbox);
+Result<std::unique_ptr<Participant>> join_cyclonedds(const BusConfig& config, TopicTable table, const Addresses& at,
+                                                     Inbox& inbox);
 std::string fastdds_version();
 std::string cyclonedds_version();
 
@@ -23,5 +29,12 @@ inline constexpr Duration kOrderedBlocking = std::chrono::milliseconds(20);
 inline constexpr Duration kBlocking = std::chrono::milliseconds(100);
 /// Receive and send buffers of sockets, where the system allows it.
 inline constexpr std::uint32_t kSocketBytes = 4U << 20U;
+/// Largest datagram. On wires it fits into one frame, also of WireGuard (1,420 bytes less 28 for IP and UDP): of a
+/// larger one each lost frame loses all. On loopback nothing is lost, and large ones give ten times the throughput.
+inline constexpr std::uint32_t kDatagramOnWires = 1392;
+inline constexpr std::uint32_t kDatagramOnLoopback = 65'500;
+inline std::uint32_t largest_datagram(const Addresses& addresses) {
+  return addresses.listen.starts_with("127.") ? kDatagramOnLoopback : kDatagramOnWires;
+}
 
 }  // namespace weft::bus

@@ -27,8 +27,9 @@ inline constexpr std::size_t kInboxBulkBytes = 64U << 20U;
 struct BusConfig {
   msg::Role role = msg::Role::agent;  ///< which topics are written and which are read
   PeerId self;
-  unsigned domain = 0;               ///< [0, 200]
-  std::string listen = "127.0.0.1";  ///< address of the interface to bind to; never all of them by accident
+  unsigned domain = 0;  ///< [0, 200]
+  /// Address or name of the interface to bind to; never all of them by accident. A name follows its address.
+  std::string listen = "127.0.0.1";
   std::vector<std::string> servers;  ///< agents and clients: addresses of the server, HOST or HOST:INDEX
   unsigned server_index = 0;         ///< server: its fixed participant index; in use: `unavailable`
   /// What waits to be taken; beyond it the oldest are dropped and counted. Bulk has a bound of its own
@@ -41,7 +42,8 @@ struct BusCounters {
 };
 
 /// A star over DDS: byte messages on the table's topics. Implementations deliver from threads of their own into a
-/// bounded inbox; everything else happens in the caller's thread. Destruction leaves the domain.
+/// bounded inbox, and keep the link open; everything else happens in the caller's thread. Destruction leaves the
+/// domain.
 class Bus {
  public:
   virtual ~Bus() = default;
@@ -59,12 +61,17 @@ class Bus {
   virtual BusCounters counters() const = 0;
   /// What waits for the peer is dropped, and the means to write to it: when it has come anew or is gone for good.
   virtual void forget(const PeerId& peer) = 0;
+  /// False while it waits for its link or is being opened anew: publish says `unavailable` then.
+  virtual bool is_open() const { return true; }
+  /// What happened to its link since the last call, for the log: "waits for its link: ...".
+  virtual std::vector<std::string> drain_notices() { return {}; }
 };
 
 enum class Vendor : std::uint8_t { fastdds, cyclonedds };
 Result<Vendor> parse_vendor(std::string_view text);
 /// Of the library that this was built with: "Fast DDS 2.9.1".
 std::string library_version(Vendor vendor);
+/// Open at once, or, where the interface has no carrier or no address yet, as soon as it has (see `is_open`).
 /// unavailable: the participant index is in use (server), no such address, or the vendor refused; says which.
 Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config);
 

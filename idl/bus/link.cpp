@@ -1,5 +1,6 @@
 #include "idl/bus/link.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "idl/bus/topics.hpp"
@@ -80,6 +81,18 @@ void Link::count_bus_refusals() {
 
 std::vector<std::string> Link::drain_refusal_texts() {
   return std::exchange(texts_, {});
+}
+
+bool wait_until_open(Link& link, const std::function<bool()>& stop,
+                     const std::function<void(const std::string&)>& tell) {
+  constexpr Duration kBetween = std::chrono::milliseconds(200);
+  for (;;) {
+    const bool is_open = link.bus().is_open();
+    for (const std::string& notice : link.bus().drain_notices()) tell(notice);
+    if (is_open) return true;
+    if (stop()) return false;
+    link.wait(kBetween);
+  }
 }
 
 }  // namespace weft::bus

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,10 @@ class Link {
   std::map<std::string, std::uint64_t> refusals_;
   std::vector<std::string> texts_;
 };
+
+/// Waits until the link is open, and tells what happens to it meanwhile. False: `stop` held first.
+bool wait_until_open(Link& link, const std::function<bool()>& stop,
+                     const std::function<void(const std::string&)>& tell);
 
 /// The pure halves, for golden bytes and fuzzing.
 struct Encoded {

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
+
 #include "idl/bus/backends.hpp"
+#include "idl/bus/dds_bus.hpp"
 
 namespace weft::bus {
 
@@ -9,7 +13,19 @@ Result<Vendor> parse_vendor(std::string_view text) {
 }
 
 Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config) {
-  return vendor == Vendor::fastdds ? open_fastdds(config, topics()) : open_cyclonedds(config, topics());
+  return open(vendor, config, topics());
+}
+
+Result<std::unique_ptr<Bus>> open(Vendor vendor, const BusConfig& config, TopicTable table) {
+  const bool fast = vendor == Vendor::fastdds;
+  std::array<Topic, kTopics> own{};  // the caller's table may be gone when the link comes up
+  std::copy(table.begin(), table.end(), own.begin());
+  const auto join = [fast, config, own](const Addresses& at, Inbox& inbox) {
+    return fast ? join_fastdds(config, own, at, inbox) : join_cyclonedds(config, own, at, inbox);
+  };
+  auto bus = std::make_unique<DdsBus>(config, table, fast ? "fastdds" : "cyclonedds", join);
+  if (Result<void> started = bus->start(); !started) return fail(std::move(started.error()));
+  return bus;
 }
 
 std::string library_version(Vendor vendor) {

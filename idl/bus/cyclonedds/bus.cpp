@@ -1,7 +1,9 @@
 #include <dds/ddsi/ddsi_serdata.h>
 #include <dds/version.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -49,24 +51,19 @@ void on_log(void* inbox, const dds_log_data_t* entry) {
   if (text.find("deserialization") != std::string_view::npos) static_cast<Inbox*>(inbox)->count_refused_by_vendor();
 }
 
-class CycloneBus final : public Bus {
+class CycloneParticipant final : public Participant {
  public:
-  CycloneBus(const BusConfig& config, TopicTable table)
-      : role_(config.role), table_(table.begin(), table.end()), inbox_(config.inbox_messages), sinks_(table.size()) {}
-  ~CycloneBus() override;
-  CycloneBus(const CycloneBus&) = delete;
-  CycloneBus& operator=(const CycloneBus&) = delete;
+  CycloneParticipant(const BusConfig& config, TopicTable table, Inbox& inbox)
+      : role_(config.role), table_(table.begin(), table.end()), inbox_(inbox), sinks_(table.size()) {}
+  ~CycloneParticipant() override;
+  CycloneParticipant(const CycloneParticipant&) = delete;
+  CycloneParticipant& operator=(const CycloneParticipant&) = delete;
 
   Result<void> start(const BusConfig& config, const Addresses& addresses);
 
-  Result<void> publish(TopicId id, const PeerId& to, ByteView cdr) override;
-  std::optional<Delivery> take() override { return inbox_.take(); }
-  bool wait(Duration at_most) override { return inbox_.wait(at_most); }
-  void wake() override { inbox_.wake(); }
-  std::string vendor() const override { return "cyclonedds"; }
-  msg::Role role() const override { return role_; }
-  BusCounters counters() const override { return inbox_.counters(); }
+  Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr) override;
   void forget(const PeerId& peer) override;
+  void forget_readerless(SteadyTime now) override;
 
  private:
   using Writers = std::map<TopicId, dds_entity_t>;
@@ -74,16 +71,16 @@ class CycloneBus final : public Bus {
   struct Peer {
     dds_entity_t publisher = 0;
     Writers writers;
+    Readers readers;
   };
 
   Result<void> create_reader(const Topic& topic, dds_entity_t subscriber);
-  Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr);
   Result<dds_entity_t> writer_for(const Topic& topic, const PeerId& to);
   Result<dds_entity_t> writer_in(Writers& writers, dds_entity_t publisher, const Topic& topic);
 
   const msg::Role role_;
   const std::vector<Topic> table_;
-  Inbox inbox_;  ///< outlives the readers
+  Inbox& inbox_;
   std::vector<Sink> sinks_;
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
@@ -92,13 +89,35 @@ class CycloneBus final : public Bus {
   std::map<PeerId, Peer> peers_;
 };
 
-CycloneBus::~CycloneBus() {
+/// Makes a server known to this domain by a first participant, before the one that has the readers and writers
+/// announces itself. Otherwise a Fast DDS server's word on its endpoints comes before the server is known here, is
+/// lost, and is said again only a second later. The first one stays: a Fast DDS server that hears of its end may
+/// forget the other.
+Result<void> meet_server(dds_domainid_t domain) {
+  const dds_entity_t scout = dds_create_participant(domain, nullptr, nullptr);
+  if (scout < 0) return refused("a first participant", scout);
+  const dds_entity_t reader = dds_create_reader(scout, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr);
+  if (reader < 0) return refused("a reader of participants", reader);
+  constexpr int kKnown = 2;    // itself and the server
+  constexpr int kLooks = 300;  // a millisecond each: then there is no server yet
+  for (int count = 0, looks = 0; count < kKnown && looks < kLooks; ++looks) {
+    dds_sleepfor(DDS_MSECS(1));
+    void* samples[kKnown] = {};
+    dds_sample_info_t infos[kKnown];
+    count = dds_read(reader, samples, infos, kKnown, kKnown);
+    if (count > 0) dds_return_loan(reader, samples, count);
+  }
+  dds_delete(reader);
+  return {};
+}
+
+CycloneParticipant::~CycloneParticipant() {
   if (domain_ <= 0) return;
   dds_delete(domain_);
   dds_set_log_sink(nullptr, nullptr);
 }
 
-Result<void> CycloneBus::start(const BusConfig& config, const Addresses& addresses) {
+Result<void> CycloneParticipant::start(const BusConfig& config, const Addresses& addresses) {
   const dds_entity_t domain = dds_create_domain(config.domain, domain_xml(config, addresses).c_str());
   if (domain == DDS_RETCODE_PRECONDITION_NOT_MET) {
     return fail(ErrorCode::unavailable, "this process is in DDS domain " + std::to_string(config.domain) +
@@ -107,6 +126,9 @@ Result<void> CycloneBus::start(const BusConfig& config, const Addresses& address
   if (domain < 0) return refused("the domain on " + addresses.listen, domain);
   domain_ = domain;
   dds_set_log_sink(on_log, &inbox_);
+  if (role_ != msg::Role::server) {
+    if (const Result<void> met = meet_server(config.domain); !met) return met;
+  }
   participant_ = dds_create_participant(config.domain, nullptr, nullptr);
   if (participant_ < 0) return refused("a participant on " + addresses.listen, participant_);
   const dds_entity_t addressed = dds_create_subscriber(participant_, partition_qos(config.self).get(), nullptr);
@@ -131,7 +153,7 @@ Result<void> CycloneBus::start(const BusConfig& config, const Addresses& address
   return {};
 }
 
-Result<void> CycloneBus::create_reader(const Topic& topic, dds_entity_t subscriber) {
+Result<void> CycloneParticipant::create_reader(const Topic& topic, dds_entity_t subscriber) {
   Sink& sink = sinks_[static_cast<std::size_t>(topic.id)];
   sink = {&topic, &inbox_};
   const std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> listener(dds_create_listener(&sink),
@@ -143,7 +165,7 @@ Result<void> CycloneBus::create_reader(const Topic& topic, dds_entity_t subscrib
   return {};
 }
 
-Result<dds_entity_t> CycloneBus::writer_in(Writers& writers, dds_entity_t publisher, const Topic& topic) {
+Result<dds_entity_t> CycloneParticipant::writer_in(Writers& writers, dds_entity_t publisher, const Topic& topic) {
   const auto known = writers.find(topic.id);
   if (known != writers.end()) return known->second;
   const dds_entity_t writer = dds_create_writer(publisher, topics_.at(topic.id), writer_qos(topic).get(), nullptr);
@@ -152,7 +174,7 @@ Result<dds_entity_t> CycloneBus::writer_in(Writers& writers, dds_entity_t publis
   return writer;
 }
 
-Result<dds_entity_t> CycloneBus::writer_for(const Topic& topic, const PeerId& to) {
+Result<dds_entity_t> CycloneParticipant::writer_for(const Topic& topic, const PeerId& to) {
   if (!topic.addressed) return writer_in(writers_, participant_, topic);
   Peer& peer = peers_[to];
   if (peer.publisher == 0) {
@@ -163,16 +185,7 @@ Result<dds_entity_t> CycloneBus::writer_for(const Topic& topic, const PeerId& to
   return writer_in(peer.writers, peer.publisher, topic);
 }
 
-Result<void> CycloneBus::publish(TopicId id, const PeerId& to, ByteView cdr) {
-  const Topic& topic = table_[static_cast<std::size_t>(id)];
-  Result<void> done = check_publish(topic, role_, to, cdr);
-  const bool oversized = cdr.size() > topic.max_bytes;
-  if (done) done = write(topic, to, cdr);
-  inbox_.count_publish(done, oversized);
-  return done;
-}
-
-Result<void> CycloneBus::write(const Topic& topic, const PeerId& to, ByteView cdr) {
+Result<void> CycloneParticipant::write(const Topic& topic, const PeerId& to, ByteView cdr) {
   Result<dds_entity_t> writer = writer_for(topic, to);
   if (!writer) return fail(std::move(writer.error()));
   const dds_return_t code = write_bytes(*writer, with_padding(cdr));
@@ -185,11 +198,24 @@ Result<void> CycloneBus::write(const Topic& topic, const PeerId& to, ByteView cd
                                       " (" + dds_strretcode(code) + ")");
 }
 
-void CycloneBus::forget(const PeerId& id) {
+void CycloneParticipant::forget(const PeerId& id) {
   const auto found = peers_.find(id);
   if (found == peers_.end()) return;
   dds_delete(found->second.publisher);
   peers_.erase(found);
+}
+
+void CycloneParticipant::forget_readerless(SteadyTime now) {
+  const auto has_reader = [](const Writers::value_type& entry) {
+    dds_publication_matched_status_t status{};
+    return dds_get_publication_matched_status(entry.second, &status) == DDS_RETCODE_OK && status.current_count > 0;
+  };
+  for (auto entry = peers_.begin(); entry != peers_.end();) {
+    const Writers& writers = entry->second.writers;
+    const bool is_gone = entry->second.readers.are_gone(now, std::any_of(writers.begin(), writers.end(), has_reader));
+    if (is_gone) dds_delete(entry->second.publisher);
+    entry = is_gone ? peers_.erase(entry) : std::next(entry);
+  }
 }
 
 }  // namespace
@@ -199,12 +225,11 @@ std::string cyclonedds_version() {
   return "Cyclone DDS " DDS_VERSION;
 }
 
-Result<std::unique_ptr<Bus>> open_cyclonedds(const BusConfig& config, TopicTable table) {
-  Result<Addresses> addresses = look_up(config);
-  if (!addresses) return fail(std::move(addresses.error()));
-  auto bus = std::make_unique<cyclonedds::CycloneBus>(config, table);
-  if (Result<void> started = bus->start(config, *addresses); !started) return fail(std::move(started.error()));
-  return bus;
+Result<std::unique_ptr<Participant>> join_cyclonedds(const BusConfig& config, TopicTable table, const Addresses& at,
+                                                     Inbox& inbox) {
+  auto participant = std::make_unique<cyclonedds::CycloneParticipant>(config, table, inbox);
+  if (Result<void> started = participant->start(config, at); !started) return fail(std::move(started.error()));
+  return participant;
 }
 
 }  // namespace weft::bus

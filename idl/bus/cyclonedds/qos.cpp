@@ -5,9 +5,8 @@
 namespace weft::bus::cyclonedds {
 namespace {
 
-constexpr std::uint32_t kFragmentOnWires = 1344;
-constexpr std::uint32_t kFragmentOnLoopback = 63'000;  // ten times the throughput, and nothing is lost there
-constexpr std::uint32_t kLargestDatagram = 65'500;
+/// Bytes of a datagram that RTPS's own headers may take: what is left is a fragment's.
+constexpr std::uint32_t kHeaders = 160;
 /// Unacknowledged bytes at which a writer waits: that many of the largest chunks.
 constexpr std::uint32_t kUnacknowledged = 8U << 20U;
 
@@ -33,21 +32,23 @@ std::string domain_xml(const BusConfig& config, const Addresses& addresses) {
     return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(d).count()) + "ms";
   };
   const auto bytes = [](std::uint32_t count) { return std::to_string(count) + "B"; };
-  const bool loopback = addresses.listen.starts_with("127.");
+  const std::uint32_t datagram = largest_datagram(addresses);
   const bool server = config.role == msg::Role::server;
   std::string peers;
   for (const ServerAddress& address : addresses.servers) {
     peers += "<Peer address=\"" + address.ipv4 + ":" + std::to_string(address.discovery_port) + "\"/>";
   }
-  const std::string general = "<Interfaces><NetworkInterface address=\"" + addresses.listen +
-                              "\" multicast=\"false\"/></Interfaces>" + element("AllowMulticast", "false") +
-                              element("MaxMessageSize", bytes(kLargestDatagram)) +
-                              element("FragmentSize", bytes(loopback ? kFragmentOnLoopback : kFragmentOnWires));
+  const std::string general =
+      "<Interfaces><NetworkInterface address=\"" + addresses.listen + "\" multicast=\"false\"/></Interfaces>" +
+      element("AllowMulticast", "false") + element("MaxMessageSize", bytes(datagram)) +
+      element("MaxRexmitMessageSize", bytes(datagram)) + element("FragmentSize", bytes(datagram - kHeaders));
   const std::string discovery = element("ParticipantIndex", server ? std::to_string(config.server_index) : "none") +
                                 element("SPDPInterval", ms(kAnnouncementPeriod)) +
                                 element("LeaseDuration", ms(kParticipantLease)) +
                                 (peers.empty() ? std::string() : element("Peers", peers));
-  const std::string internal = "<SocketReceiveBufferSize min=\"default\" max=\"" + bytes(kSocketBytes) + "\"/>" +
+  // A thread of its own for a socket is ended by a datagram to itself, which comes never once the address is gone.
+  const std::string internal = element("MultipleReceiveThreads", "false") +
+                               "<SocketReceiveBufferSize min=\"default\" max=\"" + bytes(kSocketBytes) + "\"/>" +
                                element("Watermarks", element("WhcHigh", bytes(kUnacknowledged)));
   return element("CycloneDDS", element("Domain", element("General", general) + element("Discovery", discovery) +
                                                      element("Internal", internal)));

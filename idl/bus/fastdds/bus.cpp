@@ -1,4 +1,5 @@
 #include <fastrtps/config.h>
+#include <algorithm>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -8,6 +9,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,24 +43,19 @@ class Listener final : public dds::DataReaderListener {
   Inbox& inbox_;
 };
 
-class FastBus final : public Bus {
+class FastParticipant final : public Participant {
  public:
-  FastBus(const BusConfig& config, TopicTable table)
-      : role_(config.role), table_(table.begin(), table.end()), inbox_(config.inbox_messages) {}
-  ~FastBus() override;
-  FastBus(const FastBus&) = delete;
-  FastBus& operator=(const FastBus&) = delete;
+  FastParticipant(const BusConfig& config, TopicTable table, Inbox& inbox)
+      : role_(config.role), table_(table.begin(), table.end()), inbox_(inbox) {}
+  ~FastParticipant() override;
+  FastParticipant(const FastParticipant&) = delete;
+  FastParticipant& operator=(const FastParticipant&) = delete;
 
   Result<void> start(const BusConfig& config, const Addresses& addresses);
 
-  Result<void> publish(TopicId id, const PeerId& to, ByteView cdr) override;
-  std::optional<Delivery> take() override { return inbox_.take(); }
-  bool wait(Duration at_most) override { return inbox_.wait(at_most); }
-  void wake() override { inbox_.wake(); }
-  std::string vendor() const override { return "fastdds"; }
-  msg::Role role() const override { return role_; }
-  BusCounters counters() const override { return inbox_.counters(); }
+  Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr) override;
   void forget(const PeerId& peer) override;
+  void forget_readerless(SteadyTime now) override;
 
  private:
   using Writers = std::map<TopicId, dds::DataWriter*>;
@@ -66,16 +63,17 @@ class FastBus final : public Bus {
   struct Peer {
     dds::Publisher* publisher = nullptr;
     Writers writers;
+    Readers readers;
   };
 
   Result<void> create_reader(const Topic& topic, dds::Subscriber* subscriber);
-  Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr);
   Result<dds::DataWriter*> writer_for(const Topic& topic, const PeerId& to);
   Result<dds::DataWriter*> writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic);
+  void remove(const Peer& peer);
 
   const msg::Role role_;
   const std::vector<Topic> table_;
-  Inbox inbox_;  ///< outlives the listeners
+  Inbox& inbox_;
   std::vector<std::unique_ptr<Listener>> listeners_;
   dds::DomainParticipant* participant_ = nullptr;
   dds::Publisher* publisher_ = nullptr;
@@ -88,13 +86,13 @@ tl::unexpected<Error> refused(std::string_view what) {
   return fail(ErrorCode::unavailable, "Fast DDS refused to create " + std::string(what));
 }
 
-FastBus::~FastBus() {
+FastParticipant::~FastParticipant() {
   if (participant_ == nullptr) return;
   participant_->delete_contained_entities();
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
-Result<void> FastBus::start(const BusConfig& config, const Addresses& addresses) {
+Result<void> FastParticipant::start(const BusConfig& config, const Addresses& addresses) {
   auto* const factory = dds::DomainParticipantFactory::get_instance();
   participant_ = factory->create_participant(config.domain, participant_qos(config, addresses), nullptr,
                                              dds::StatusMask::none());
@@ -124,7 +122,7 @@ Result<void> FastBus::start(const BusConfig& config, const Addresses& addresses)
   return {};
 }
 
-Result<void> FastBus::create_reader(const Topic& topic, dds::Subscriber* subscriber) {
+Result<void> FastParticipant::create_reader(const Topic& topic, dds::Subscriber* subscriber) {
   listeners_.push_back(std::make_unique<Listener>(topic, inbox_));
   if (subscriber->create_datareader(topics_.at(topic.id), reader_qos(topic), listeners_.back().get()) == nullptr) {
     return refused("a reader of " + std::string(topic.name));
@@ -132,14 +130,14 @@ Result<void> FastBus::create_reader(const Topic& topic, dds::Subscriber* subscri
   return {};
 }
 
-Result<dds::DataWriter*> FastBus::writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic) {
+Result<dds::DataWriter*> FastParticipant::writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic) {
   dds::DataWriter*& writer = writers[topic.id];
   if (writer == nullptr) writer = publisher->create_datawriter(topics_.at(topic.id), writer_qos(topic));
   if (writer == nullptr) return refused("a writer of " + std::string(topic.name));
   return writer;
 }
 
-Result<dds::DataWriter*> FastBus::writer_for(const Topic& topic, const PeerId& to) {
+Result<dds::DataWriter*> FastParticipant::writer_for(const Topic& topic, const PeerId& to) {
   if (!topic.addressed) return writer_in(writers_, publisher_, topic);
   Peer& peer = peers_[to];
   if (peer.publisher == nullptr) {
@@ -151,16 +149,7 @@ Result<dds::DataWriter*> FastBus::writer_for(const Topic& topic, const PeerId& t
   return writer_in(peer.writers, peer.publisher, topic);
 }
 
-Result<void> FastBus::publish(TopicId id, const PeerId& to, ByteView cdr) {
-  const Topic& topic = table_[static_cast<std::size_t>(id)];
-  Result<void> done = check_publish(topic, role_, to, cdr);
-  const bool oversized = cdr.size() > topic.max_bytes;
-  if (done) done = write(topic, to, cdr);
-  inbox_.count_publish(done, oversized);
-  return done;
-}
-
-Result<void> FastBus::write(const Topic& topic, const PeerId& to, ByteView cdr) {
+Result<void> FastParticipant::write(const Topic& topic, const PeerId& to, ByteView cdr) {
   Result<dds::DataWriter*> writer = writer_for(topic, to);
   if (!writer) return fail(std::move(writer.error()));
   Sample sample{{}, with_padding(cdr)};
@@ -171,12 +160,30 @@ Result<void> FastBus::write(const Topic& topic, const PeerId& to, ByteView cdr) 
                                           std::to_string(code()) + "); try again later");
 }
 
-void FastBus::forget(const PeerId& id) {
+void FastParticipant::remove(const Peer& peer) {
+  for (const auto& [topic, writer] : peer.writers) peer.publisher->delete_datawriter(writer);
+  participant_->delete_publisher(peer.publisher);
+}
+
+void FastParticipant::forget(const PeerId& id) {
   const auto found = peers_.find(id);
   if (found == peers_.end()) return;
-  for (const auto& [topic, writer] : found->second.writers) found->second.publisher->delete_datawriter(writer);
-  participant_->delete_publisher(found->second.publisher);
+  remove(found->second);
   peers_.erase(found);
+}
+
+void FastParticipant::forget_readerless(SteadyTime now) {
+  const auto has_reader = [](const Writers::value_type& entry) {
+    dds::PublicationMatchedStatus status;
+    return entry.second->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK &&
+           status.current_count > 0;
+  };
+  for (auto entry = peers_.begin(); entry != peers_.end();) {
+    const Writers& writers = entry->second.writers;
+    const bool is_gone = entry->second.readers.are_gone(now, std::any_of(writers.begin(), writers.end(), has_reader));
+    if (is_gone) remove(entry->second);
+    entry = is_gone ? peers_.erase(entry) : std::next(entry);
+  }
 }
 
 }  // namespace
@@ -186,12 +193,11 @@ std::string fastdds_version() {
   return "Fast DDS " FASTRTPS_VERSION_STR;
 }
 
-Result<std::unique_ptr<Bus>> open_fastdds(const BusConfig& config, TopicTable table) {
-  Result<Addresses> addresses = look_up(config);
-  if (!addresses) return fail(std::move(addresses.error()));
-  auto bus = std::make_unique<fastdds::FastBus>(config, table);
-  if (Result<void> started = bus->start(config, *addresses); !started) return fail(std::move(started.error()));
-  return bus;
+Result<std::unique_ptr<Participant>> join_fastdds(const BusConfig& config, TopicTable table, const Addresses& at,
+                                                  Inbox& inbox) {
+  auto participant = std::make_unique<fastdds::FastParticipant>(config, table, inbox);
+  if (Result<void> started = participant->start(config, at); !started) return fail(std::move(started.error()));
+  return participant;
 }
 
 }  // namespace weft::bus

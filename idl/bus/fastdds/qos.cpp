@@ -60,6 +60,7 @@ dds::DomainParticipantQos participant_qos(const BusConfig& config, const Address
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {addresses.listen};
   udp->sendBufferSize = udp->receiveBufferSize = kSocketBytes;
+  udp->maxMessageSize = largest_datagram(addresses);
   qos.transport().user_transports.push_back(udp);
   return qos;
 }

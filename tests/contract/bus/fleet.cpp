@@ -62,7 +62,8 @@ void Fleet::start_server() {
 
 Peer& Fleet::start_peer(msg::Role role, PeerId id, bool lax) {
   if (!pairing_.peer) return peers_.emplace_back(id, net_.attach(role, id));
-  auto bus = RemoteBus::start({*pairing_.peer, role, id, domain_, "127.0.0.1:0", lax});
+  auto bus = RemoteBus::start(
+      {.vendor = *pairing_.peer, .role = role, .self = id, .domain = domain_, .server = "127.0.0.1:0", .lax = lax});
   if (!bus) throw std::runtime_error(bus.error().message);
   return peers_.emplace_back(id, std::move(*bus));
 }

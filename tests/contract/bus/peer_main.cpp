@@ -1,3 +1,6 @@
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -13,31 +16,67 @@
 #include "tests/contract/bus/frames.hpp"
 
 /// A bus in a process of its own, driven over stdin and stdout by the contract tests' RemoteBus:
-/// weft-bus-peer VENDOR ROLE HEX_ID DOMAIN SERVER [lax]. `lax` sends what the topic table's bounds forbid.
+/// weft-bus-peer VENDOR ROLE HEX_ID DOMAIN LISTEN SERVER strict|lax PROCESS HOSTS. `lax` sends what the topic table's
+/// bounds forbid. PROCESS: in whose network namespace it lives, 0 for the one that it is started in. HOSTS: its
+/// /etc/hosts, or nothing.
 namespace weft::contract {
 namespace {
 
 using bus::Bus;
 
+enum Argument : std::uint8_t {
+  program,
+  vendor,
+  role,
+  id,
+  domain,
+  listen,
+  server,
+  bounds,
+  process,
+  hosts,
+  arguments_in_all
+};
+
+msg::Role role_from(std::string_view text) {
+  if (text == "server") return msg::Role::server;
+  return text == "client" ? msg::Role::client : msg::Role::agent;
+}
+
 bus::BusConfig config_from(char** arguments) {
   bus::BusConfig config;
-  config.role = std::strcmp(arguments[2], "client") == 0 ? msg::Role::client : msg::Role::agent;
-  parse_hex(arguments[3], config.self.bytes.data(), config.self.bytes.size());
-  config.domain = static_cast<unsigned>(std::strtoul(arguments[4], nullptr, 10));
-  config.servers = {arguments[5]};
+  config.role = role_from(arguments[role]);
+  parse_hex(arguments[id], config.self.bytes.data(), config.self.bytes.size());
+  config.domain = static_cast<unsigned>(std::strtoul(arguments[domain], nullptr, 10));
+  config.listen = arguments[listen];
+  if (arguments[server][0] != '\0') config.servers = {arguments[server]};
   return config;
 }
 
-Result<std::unique_ptr<Bus>> open_from(int count, char** arguments) {
+bool enter_network_of(const std::string& process) {
+  if (process == "0") return true;
+  const int network = open(("/proc/" + process + "/ns/net").c_str(), O_RDONLY | O_CLOEXEC);
+  return network >= 0 && setns(network, CLONE_NEWNET) == 0;
+}
+
+/// For this process alone.
+bool take_hosts_from(const char* file) {
+  return *file == '\0' ||
+         (unshare(CLONE_NEWNS) == 0 && mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+          mount(file, "/etc/hosts", nullptr, MS_BIND, nullptr) == 0);
+}
+
+Result<std::unique_ptr<Bus>> open_from(char** arguments) {
   std::array<bus::Topic, bus::kTopics> table{};
   std::copy(bus::topics().begin(), bus::topics().end(), table.begin());
   constexpr std::uint32_t kLax = 16;
-  if (count > 6 && std::strcmp(arguments[6], "lax") == 0) {
+  if (std::strcmp(arguments[bounds], "lax") == 0) {
     for (bus::Topic& topic : table) topic.max_bytes *= kLax;
   }
   const bus::BusConfig config = config_from(arguments);
-  return std::strcmp(arguments[1], "fastdds") == 0 ? bus::open_fastdds(config, table)
-                                                   : bus::open_cyclonedds(config, table);
+  const bus::Vendor by =
+      std::strcmp(arguments[vendor], "fastdds") == 0 ? bus::Vendor::fastdds : bus::Vendor::cyclonedds;
+  return bus::open(by, config, table);
 }
 
 Frame answer(Bus& bus, const Frame& frame) {
@@ -104,11 +143,15 @@ int main(int count, char** arguments) {
   using namespace weft::contract;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGPIPE, SIG_IGN);
-  if (count < 6) {
-    std::fputs("usage: weft-bus-peer VENDOR ROLE HEX_ID DOMAIN SERVER [lax]\n", stderr);
+  if (count < arguments_in_all) {
+    std::fputs("usage: weft-bus-peer VENDOR ROLE HEX_ID DOMAIN LISTEN SERVER strict|lax PROCESS HOSTS\n", stderr);
     return 2;
   }
-  auto bus = open_from(count, arguments);
+  if (!enter_network_of(arguments[process]) || !take_hosts_from(arguments[hosts])) {
+    write_frame(STDOUT_FILENO, {Op::failed, 0, {}, bytes_of("cannot take the machine's network and hosts")});
+    return 1;
+  }
+  auto bus = open_from(arguments);
   if (!bus) {
     write_frame(STDOUT_FILENO, {Op::failed, 0, {}, bytes_of(bus.error().message)});
     return 1;

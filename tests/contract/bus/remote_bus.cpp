@@ -16,6 +16,10 @@ const char* name(bus::Vendor vendor) {
   return vendor == bus::Vendor::fastdds ? "fastdds" : "cyclonedds";
 }
 
+const char* name(msg::Role role) {
+  return role == msg::Role::server ? "server" : role == msg::Role::client ? "client" : "agent";
+}
+
 /// The child's pid; 0 when it cannot be started.
 pid_t spawn(std::vector<std::string> arguments, int in, int out) {
   std::vector<char*> pointers;
@@ -38,10 +42,10 @@ Result<std::unique_ptr<RemoteBus>> RemoteBus::start(const Options& options) {
   int orders[2], answers[2];
   if (pipe2(orders, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0) return fail(ErrorCode::internal, "no pipe");
   std::signal(SIGPIPE, SIG_IGN);
-  const pid_t child =
-      spawn({WEFT_BUS_PEER, name(options.vendor), options.role == msg::Role::client ? "client" : "agent",
-             to_string(options.self), std::to_string(options.domain), options.server, options.lax ? "lax" : "strict"},
-            orders[0], answers[1]);
+  const pid_t child = spawn({WEFT_BUS_PEER, name(options.vendor), name(options.role), to_string(options.self),
+                             std::to_string(options.domain), options.listen, options.server,
+                             options.lax ? "lax" : "strict", std::to_string(options.network_of), options.hosts},
+                            orders[0], answers[1]);
   close(orders[0]);
   close(answers[1]);
   std::unique_ptr<RemoteBus> bus(new RemoteBus(child, orders[1], answers[0], options));

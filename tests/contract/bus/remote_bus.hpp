@@ -20,8 +20,11 @@ class RemoteBus final : public bus::Bus {
     msg::Role role{};
     PeerId self;
     unsigned domain = 0;
-    std::string server;
-    bool lax = false;  ///< sends what the table's bounds forbid
+    std::string listen = "127.0.0.1";
+    std::string server{};  ///< a server has none
+    bool lax = false;      ///< sends what the table's bounds forbid
+    pid_t network_of = 0;  ///< lives in the network namespace of this process; 0: in this one's
+    std::string hosts{};   ///< a file that it sees as /etc/hosts; empty: the system's
   };
   static Result<std::unique_ptr<RemoteBus>> start(const Options& options);
   ~RemoteBus() override;

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "core/result.hpp"
+
+namespace weft::bus {
+
+/// An interface of this machine as it is now.
+struct LocalLink {
+  std::string interface;  ///< its name; empty: no interface has the address
+  std::string ipv4;       ///< dotted; empty: the interface has none
+  bool carries = false;   ///< up, with carrier and address: sockets that are bound to it hear and are heard
+
+  friend bool operator==(const LocalLink&, const LocalLink&) = default;
+};
+
+/// Finds the interface that `listen` means: an IPv4 address of it, its name, or a host name for its address.
+/// unavailable: `listen` is a name that neither an interface nor a host has.
+Result<LocalLink> local_link(const std::string& listen);
+
+}  // namespace weft::bus

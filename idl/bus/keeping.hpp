@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/time.hpp"
+#include "idl/bus/addresses.hpp"
+#include "idl/bus/interfaces.hpp"
+
+namespace weft::bus {
+
+/// Everything that decides when a bus is opened and closed, at one moment.
+struct Sight {
+  SteadyTime now{};
+  std::uint64_t received = 0;  ///< messages since the process began
+  LocalLink link;              ///< of the interface that is listened on
+  /// Where the servers' names lead by the last answer of the resolver; none: it has not answered.
+  std::optional<std::vector<ServerAddress>> servers;
+};
+
+/// Decides when a process joins its DDS domain and when it leaves it to join anew: vendors bind to addresses once,
+/// and hear nothing when the interface was not running then, when its address has changed, or when the server has
+/// moved. A state machine without clock and sockets.
+class Keeping {
+ public:
+  enum class Step : std::uint8_t { stay, join, leave };
+  struct Decision {
+    Step step = Step::stay;
+    bool asks_resolver = false;  ///< for the servers' addresses
+    std::string notice;          ///< for the log; empty: none
+  };
+
+  /// `listen`: as the configuration says, for notices.
+  explicit Keeping(std::string listen) : listen_(std::move(listen)) {}
+
+  Decision next(const Sight& sight);
+  /// What came of a decision to join.
+  void joined(SteadyTime now, const Addresses& at);
+  void failed(SteadyTime now, const std::string& why);
+
+ private:
+  Decision outside(const Sight& sight);
+  Decision inside(const Sight& sight);
+  Decision leave(SteadyTime now, std::string why);
+  /// The text when it is new or has not been said for long.
+  std::string said(SteadyTime now, std::string text);
+
+  std::string listen_;
+  std::optional<Addresses> at_;  ///< none: outside the domain
+  SteadyTime joined_at_{};
+  SteadyTime join_at_{};
+  std::uint64_t received_ = 0;
+  SteadyTime heard_at_{};
+  Duration patience_{};
+  std::optional<SteadyTime> changed_since_;
+  SteadyTime ask_at_{};
+  std::string why_not_;  ///< it could not join when it tried last
+  std::string said_;
+  SteadyTime say_at_{};
+};
+
+}  // namespace weft::bus
