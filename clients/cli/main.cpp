@@ -55,7 +55,11 @@ cli::Exit run(const cli::Invocation& invocation) {
   Result<std::unique_ptr<bus::Bus>> opened = bus::open(*vendor, config);
   if (!opened) return cli::report(opened.error(), invocation.json, output);
   bus::Link link(std::move(*opened));
-  const cli::World world{steady_now, wall_now, [&link](Duration at_most) { link.wait(at_most); }};
+  const auto wait = [&link](Duration at_most) {
+    link.wait(at_most);
+    for (const std::string& notice : link.bus().drain_notices()) std::cerr << "weft: " << notice << "\n";
+  };
+  const cli::World world{steady_now, wall_now, wait};
   cli::Session session(link, world, random, self, operator_name());
   return cli::run(session, invocation, output);
 }

@@ -138,6 +138,7 @@ class Loop {
   }
 
   void report_refusals() {
+    for (const std::string& notice : link_.bus().drain_notices()) log_.warn("{}", notice);
     for (const auto& [what, times] : link_.refusals()) {
       std::uint64_t& told = told_[what];
       if (times > told) service_.count(what, times - told);
@@ -180,6 +181,11 @@ Result<void> run(const Options& options) {
                                                                         .server_index = options.index});
   if (!opened) return fail(opened.error());
   bus::Link link(*std::move(opened));
+  const StopSignal stop(signals, link.bus());
+  const auto tell = [&log](const std::string& notice) { log.warn("{}", notice); };
+  if (!bus::wait_until_open(
+          link, [&stop] { return stop.asked(); }, tell))
+    return {};
 
   Random random = random_from_machine();
   ServiceConfig config;
@@ -195,7 +201,6 @@ Result<void> run(const Options& options) {
   if (!service) return fail(service.error());
 
   log_settings(log, options);
-  const StopSignal stop(signals, link.bus());
   log.info("ready: store {}, {} on {}, domain {}, index {}", options.store, config.vendor, options.listen,
            options.domain, options.index);
   const Result<void> served = Loop(**service, link, log).until(stop);

@@ -64,6 +64,7 @@ void Loop::take_messages() {
     silent_at_ = steady_now() + kSilent;
     perform(parts_.agent.handle(*message, steady_now(), wall_now()));
   }
+  for (const std::string& notice : parts_.link.bus().drain_notices()) parts_.log.warn("{}", notice);
   for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: {}", text);
 }
 

@@ -111,6 +111,9 @@ Result<void> run(const Options& options) {
   Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
   if (!opened) return fail(opened.error());
   bus::Link link(std::move(*opened));
+  if (!bus::wait_until_open(
+          link, [&stop] { return stop.came(); }, warn))
+    return {};
 
   const AgentConfig config = config_of(options, *self, **body, *equipped, link.bus().vendor());
   const SteadyTime now{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
