@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <map>
 #include <utility>
 #include <variant>
@@ -138,7 +139,15 @@ class FleetMapServer final : public Service {
     hello.name = config_.name;
     hello.software = config_.software;
     hello.vendor = config_.vendor;
+    hello.answers = {answers_to_.begin(), answers_to_.end()};
     out_.send(std::move(hello));
+  }
+
+  /// The next hello shows the asker that this server lives and hears it.
+  void note_challenge(std::uint64_t challenge) {
+    if (challenge == 0 || std::find(answers_to_.begin(), answers_to_.end(), challenge) != answers_to_.end()) return;
+    if (answers_to_.size() == msg::kAnswers) answers_to_.pop_front();
+    answers_to_.push_back(challenge);
   }
 
   void after(const std::vector<Batch>& joined, Now now) {
@@ -178,7 +187,9 @@ class FleetMapServer final : public Service {
       ++counters_["hello of another server"];
       return;
     }
-    if (!fleet_.on_hello(hello, now)) return;
+    note_challenge(hello.challenge);
+    // One that is too new or too old hears that too: hellos are understood by all.
+    if (!fleet_.on_hello(hello, now)) return say_hello(now.steady);
     if (hello.role == msg::Role::client && (clients_.size() < kMostClients || clients_.contains(hello.peer))) {
       clients_[hello.peer] = hello.name;
     }
@@ -258,6 +269,7 @@ class FleetMapServer final : public Service {
   Desk desk_;
   Answers answers_;
   std::map<PeerId, std::string> clients_;
+  std::deque<std::uint64_t> answers_to_;  ///< challenges, the latest last
   Revision told_revision_;
   SteadyTime next_hello_;
 };

@@ -72,7 +72,7 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
     : config_(config),
       navigator_(std::move(navigator)),
       random_(random),
-      session_(hello(config), now),
+      session_(hello(config), random_.fork(1), now),
       spooler_(std::move(spooler)),
       replica_(everything(config), (random_.next() >> 1U) | 1U, now),
       recogniser_(random_.next() >> 1U),
@@ -97,6 +97,7 @@ AgentOutput RobotAgent::body_failed(const Error& error, SteadyTime now) {
 }
 
 void RobotAgent::pump(SteadyTime now) {
+  for (std::string& dropped : session_.drop_claims(now)) output_.notes.push_back(std::move(dropped));
   if (std::optional<msg::Hello> own = session_.due(now)) output_.send.emplace_back(std::move(*own));
   if (now >= describe_at_) send(description());
   if (now >= describe_at_) describe_at_ = now + std::chrono::seconds(10);

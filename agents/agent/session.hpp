@@ -3,8 +3,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/protocol/messages.hpp"
+#include "core/random.hpp"
 #include "core/time.hpp"
 
 namespace weft::agents {
@@ -13,16 +15,18 @@ namespace weft::agents {
 using Counters = std::map<std::string, std::uint64_t>;
 
 /// The agent's side of its relation to the server: who the server is, and the header of everything the agent says.
+/// Whoever speaks in a higher epoch only claims to be the server. The agent's hello asks with a random number; a
+/// hello that answers it shows that its sender lives, and makes it the server.
 class Session {
  public:
   /// `own` is the agent's hello; its protocol range is what this program speaks.
-  Session(msg::Hello own, SteadyTime now);
+  Session(msg::Hello own, Random random, SteadyTime now);
 
   enum class Heard { known, restarted, refused };
-  /// A server's hello. refused: a lower epoch than heard before, a second server in the same epoch, or no protocol
-  /// version in common.
+  /// A server's hello. refused: a lower epoch than heard before, a second server in the same epoch, a claim that is
+  /// not confirmed yet, or no protocol version in common.
   Heard hear(const msg::Hello& hello, SteadyTime now);
-  /// The header of any other message of the server's. The same rules hold.
+  /// The header of any other message of the server's. The same rules hold, and it confirms nothing.
   Heard hear(const msg::Header& header, SteadyTime now);
 
   /// The server has answered something that this incarnation asked: what it says from here on it says to us.
@@ -34,7 +38,9 @@ class Session {
   msg::Header header();
   /// Our hello, when it is time to (again) say it.
   std::optional<msg::Hello> due(SteadyTime now);
-  SteadyTime next() const { return next_hello_; }
+  /// Drops claims that nobody has confirmed in time. Returns what a log should say of each.
+  std::vector<std::string> drop_claims(SteadyTime now);
+  SteadyTime next() const;
   /// Nothing could be heard for so long until now.
   void was_away(Duration away, SteadyTime now);
 
@@ -45,14 +51,29 @@ class Session {
   const Counters& counters() const { return counters_; }
 
  private:
-  Heard hear(Epoch epoch, std::uint64_t incarnation, SteadyTime now);
+  struct Speaker {
+    Epoch epoch;
+    std::uint64_t incarnation = 0;
+    bool operator==(const Speaker&) const = default;
+  };
+  struct Claim {
+    Speaker who;
+    SteadyTime until;
+  };
+  Heard hear(const Speaker& who, bool is_confirmed, SteadyTime now);
+  bool is_server(const Speaker& who) const;
+  void claim(const Speaker& who, SteadyTime now);
+  /// Whether the hello answers what is being asked now.
+  bool answers(const msg::Hello& hello) const;
 
   msg::Hello own_;
+  Random random_;
   SteadyTime started_;
   SteadyTime next_hello_;
   std::uint64_t sequence_ = 0;
   Epoch epoch_;
   std::optional<std::uint64_t> server_incarnation_;
+  std::vector<Claim> claims_;  ///< oldest first
   struct Fence {
     Epoch epoch;
     std::uint64_t sequence = 0;

@@ -64,7 +64,8 @@ Session::Session(bus::Link& link, World world, Random random, PeerId self, std::
       random_(random),
       self_(self),
       name_(std::move(name)),
-      incarnation_(random_.next() | 1U) {}
+      incarnation_(random_.next() | 1U),
+      challenge_(random_.next() | 1U) {}
 
 msg::Header Session::header() {
   return {.sender = self_,
@@ -82,11 +83,15 @@ msg::Hello Session::hello() const {
   own.name = name_;
   own.software = WEFT_VERSION;
   own.vendor = link_.bus().vendor();
+  own.challenge = challenge_;
   return own;
 }
 
 void Session::note(const msg::Hello& hello) {
   if (hello.role != msg::Role::server) return;
+  is_server_heard_ = true;
+  // Whoever does not answer may be an old message of a server that is gone.
+  if (std::ranges::find(hello.answers, challenge_) == hello.answers.end()) return;
   if (!server_.has_value() || hello.epoch >= server_->epoch) server_ = hello;
 }
 
@@ -120,6 +125,11 @@ Result<void> Session::converse(const msg::Message& question, Duration at_most,
 
 Result<msg::Hello> Session::connect(Duration at_most) {
   const Result<void> heard = converse(hello(), at_most, [this](const msg::Message&) { return server_.has_value(); });
+  if (!heard && is_server_heard_) {
+    return fail(ErrorCode::unavailable, "a server is heard, but has not answered within " +
+                                            std::to_string(std::lround(seconds(at_most))) +
+                                            " s: can its machine reach this one (--listen, firewall)?");
+  }
   if (!heard) {
     return fail(ErrorCode::unavailable,
                 "no server was heard within " + std::to_string(std::lround(seconds(at_most))) +

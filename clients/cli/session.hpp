@@ -29,7 +29,8 @@ class Session {
   /// `name` is who asks, as events will show it.
   Session(bus::Link& link, World world, Random random, PeerId self, std::string name);
 
-  /// unavailable: no server was heard within `at_most`; refused: it speaks no protocol version that we do.
+  /// unavailable: no server has answered our hello within `at_most`; refused: it speaks no protocol version that we
+  /// do.
   Result<msg::Hello> connect(Duration at_most);
   using Progress = std::function<void(const msg::OperatorReply&)>;
   /// timed_out: no answer within `at_most`, and of long work no word for so long. What the request asked for may
@@ -67,8 +68,10 @@ class Session {
   PeerId self_;
   std::string name_;
   std::uint64_t incarnation_;
+  std::uint64_t challenge_;
   std::uint64_t sequence_ = 0;
-  std::optional<msg::Hello> server_;
+  bool is_server_heard_ = false;
+  std::optional<msg::Hello> server_;  ///< has answered our challenge
 };
 
 }  // namespace weft::cli

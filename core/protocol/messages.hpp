@@ -38,6 +38,8 @@ enum class Role : std::uint8_t { server = 1, agent = 2, client = 3 };
 /// under_way: long work has come so far; another reply follows.
 enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4, under_way = 5 };
 
+inline constexpr std::size_t kAnswers = 32;  ///< challenges in a server's hello
+
 /// Frozen for ever: every version can read it. Late joiners get the last one of each peer.
 struct Hello {
   PeerId peer;
@@ -49,6 +51,10 @@ struct Hello {
   std::string name;
   std::string software;  ///< version for people
   std::string vendor;    ///< fastdds | cyclonedds | inprocess, as the bus names itself
+  /// A peer's: a random number that a server's next hello is to answer; 0: none.
+  std::uint64_t challenge = 0;
+  /// A server's: the challenges that it has heard last, at most kAnswers. Whoever answers lives, and hears the asker.
+  std::vector<std::uint64_t> answers{};
 };
 
 struct Camera {

@@ -61,6 +61,10 @@ one is refused, named and counted, and never reaches deciding code. A key is the
 begins with. An addressed topic goes to one peer: the peer's readers and the server's writers for it meet in the DDS
 partition that is named by the peer's id in hex. Everything else is in the default partition.
 
+A server that is heard in an epoch higher than the present one, or at first contact, is believed once it has shown that it
+lives: the peer's hello has a random `challenge`, and the server's next hello has that among its `answers`. Until then
+nothing that it says counts; a claim that is not answered for within 3 s is dropped, said and counted.
+
 Reliable means between two live processes only. A message can be lost when either side restarts, when the network is
 away for longer than a participant's lease, or when a reader is not there yet; it can come twice, and late. Whoever
 needs an answer asks again. `unavailable` from publish means that the queue of an "all" topic is full: nothing was sent.
@@ -107,7 +111,7 @@ std::string bounds() {
          bound("cameras of a robot", kCameras) + bound("names and labels, bytes", kNameLength) +
          bound("reasons and other sentences, bytes", kTextLength) +
          bound("a camera's calibration, bytes", kCalibrationLength) +
-         bound("a header's signature, bytes", kSignatureBytes);
+         bound("a header's signature, bytes", kSignatureBytes) + bound("answers in a server's hello", msg::kAnswers);
 }
 
 }  // namespace

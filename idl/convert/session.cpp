@@ -30,6 +30,8 @@ idl::Hello to_idl(const msg::Hello& message) {
   wire.name(message.name);
   wire.software(message.software);
   wire.vendor(message.vendor);
+  wire.challenge(message.challenge);
+  wire.answers(message.answers);
   return wire;
 }
 
@@ -46,6 +48,8 @@ Result<msg::Hello> from_idl(const idl::Hello& wire) {
   value.name = reading.text("name", wire.name(), kNameLength);
   value.software = reading.text("software", wire.software(), kNameLength);
   value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
+  value.challenge = wire.challenge();
+  value.answers = reading.list("answers", wire.answers(), msg::kAnswers);
   return reading.finish(std::move(value));
 }
 

@@ -187,8 +187,17 @@ msg::QueryReply query_reply() {
 void add_session(std::vector<Example>& all) {
   using msg::Role;
   all.push_back({"hello", Role::agent,
-                 msg::Hello{id_of<PeerId>(0x10), 0x1122334455667788, Role::agent, 1, 2, Epoch{7}, "r1", "weft 0.1.0",
-                            "fastdds"}});
+                 msg::Hello{id_of<PeerId>(0x10),
+                            0x1122334455667788,
+                            Role::agent,
+                            1,
+                            2,
+                            Epoch{7},
+                            "r1",
+                            "weft 0.1.0",
+                            "fastdds",
+                            0x99aabbccddeeff00,
+                            {0x0102030405060708, 9}}});
   all.push_back({"robot_description", Role::agent, description()});
   all.push_back({"robot_state", Role::agent, state()});
   all.push_back({"clock_probe", Role::server,

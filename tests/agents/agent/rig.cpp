@@ -180,6 +180,11 @@ void FakeServer::restart() {
 }
 
 std::vector<msg::Message> FakeServer::answer(const msg::Message& message) {
+  if (const auto* const asked = std::get_if<msg::Hello>(&message)) {
+    msg::Hello answer = hello();
+    answer.answers = {asked->challenge};
+    return {answer};
+  }
   if (const auto* const batch = std::get_if<msg::ExperienceBatch>(&message)) return take(batch->batch);
   if (const auto* const request = std::get_if<msg::WindowRequest>(&message)) return serve(*request);
   if (const auto* const request = std::get_if<msg::ContentRequest>(&message)) return serve(*request);

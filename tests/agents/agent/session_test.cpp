@@ -78,6 +78,7 @@ TEST(Session, OrdersMeantForAnEarlierIncarnationAreNotCarriedOut) {
 
 TEST(Session, ClockProbesAreAnsweredWithBothTimes) {
   Rig rig;
+  rig.tell(rig.server.hello());
   msg::ClockProbe probe;
   probe.probe = 42;
   probe.sent = WallTime{3s};

@@ -70,7 +70,8 @@ TEST(WindowOfAgent, AnswersToAnEarlierIncarnationAreIgnored) {
   rig.run(1s);
   const std::uint64_t old = rig.last<msg::WindowRequest>()->definition_id;
   rig.restart_agent();
-  rig.lost_down = [](const msg::Message&) { return true; };
+  rig.lost_down = [](const msg::Message& message) { return std::holds_alternative<msg::WindowPatch>(message); };
+  rig.tell(rig.server.hello());
   msg::WindowPatch patch;
   patch.definition_id = old;
   rig.tell(rig.server.say(patch));
