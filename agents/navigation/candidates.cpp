@@ -32,7 +32,8 @@ std::vector<Candidate> at_any_heading(const NavigationConfig& config, const Wind
     const double edges = std::sqrt(static_cast<double>(reached.depth));
     const Relation believed_from_place =
         with_noise(reached.centre_from_place, edges * config.belief.map_sigma_m, edges * config.belief.map_sigma_rad);
-    found.push_back({reached.id, reached.depth, compose(inverse(believed_from_place), estimate.place_from_robot), 0.0});
+    found.push_back(
+        {reached.id, reached.depth, compose(inverse(believed_from_place), estimate.place_from_robot), 0.0});
     found.back().cost = norm(found.back().place_from_robot);
   }
   return found;

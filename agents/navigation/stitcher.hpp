@@ -125,8 +125,7 @@ class Stitcher {
                              const std::vector<Candidate>& around, const Teacher& teacher, const PlaceId& kept,
                              const Content& content) {
     if constexpr (Gazes<M>) {
-      for (const Candidate& candidate :
-           across_.worth_comparing(around, method_->gaze(content), teacher.driven_m())) {
+      for (const Candidate& candidate : across_.worth_comparing(around, method_->gaze(content), teacher.driven_m())) {
         const auto other = decoded.find(*map.place(candidate.place), bytes);
         if (!other) continue;
         const OrRefusal<Related> related = verified(map, **other, content, candidate, kept, pending_across_);

@@ -20,6 +20,7 @@ constexpr std::array<Colour, 7> kColours = {{{0.00, 0.45, 0.70},
                                              {0.34, 0.71, 0.91},
                                              {0.55, 0.45, 0.20}}};
 constexpr Colour kStitch = {0.45, 0.20, 0.55};
+constexpr double kThin = 0.6;  // of a stitch that nobody drives over
 
 /// What must be on the sheet.
 std::vector<Pose2> outline(const Layout& layout, const std::optional<Ground>& ground) {
@@ -69,7 +70,7 @@ class Drawing {
     }
     for (const auto& [id, place] : network_.places) canvas_.dot(at(id), 3.2, colours_.at(id.experience));
     for (const auto& [id, edge] : network_.edges) {
-      if (edge.origin == Origin::stitch) path(id, kStitch, 1.6, false);
+      if (edge.origin == Origin::stitch) path(id, kStitch, edge.drivable == Drivable::none ? kThin : 1.6, false);
     }
   }
 
@@ -99,6 +100,7 @@ class Drawing {
       canvas_.legend_line(taught + ": " + count_of(places, "place") + ", experience " + to_string(id), ink, 5.0);
     }
     canvas_.legend_line("stitch: the same spot, seen in two runs", kStitch, 1.6);
+    if (has_met(network_)) canvas_.legend_line("thin: nobody can change over there", kStitch, kThin);
     if (has_blind(network_)) canvas_.legend_line("dashed: joined by odometry alone", kInk, 4.0, true);
   }
 
@@ -109,13 +111,19 @@ class Drawing {
       experiences += id.experience != last ? 1 : 0;
       last = id.experience;
     }
-    return experiences + 1 + (has_blind(network) ? 1 : 0);
+    return experiences + 1 + (has_blind(network) ? 1 : 0) + (has_met(network) ? 1 : 0);
   }
 
  private:
   static bool has_blind(const Window& network) {
     return std::any_of(network.edges.begin(), network.edges.end(),
                        [](const auto& entry) { return entry.second.origin == Origin::blind; });
+  }
+
+  static bool has_met(const Window& network) {
+    return std::any_of(network.edges.begin(), network.edges.end(), [](const auto& entry) {
+      return entry.second.origin == Origin::stitch && entry.second.drivable == Drivable::none;
+    });
   }
 
   Point at(const PlaceId& id) const { return canvas_.sheet()(layout_.drawing_from_place.at(id)); }

@@ -131,7 +131,9 @@ void Operator::help_waiting(const GoalId& id, Open& open) {
   }
   const std::optional<std::size_t> waiting = serving(open.goal);
   const bool face_to_face = waiting && waits_for(*blocker, fleet_.name(*waiting));
-  if (fleet_.now() - open.since < (face_to_face ? kFaceToFace : kPatience) || fleet_.state(*blocker).mode == msg::RobotMode::driving) return;
+  if (fleet_.now() - open.since < (face_to_face ? kFaceToFace : kPatience) ||
+      fleet_.state(*blocker).mode == msg::RobotMode::driving)
+    return;
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::goal_cancel;
   request.goal = id;

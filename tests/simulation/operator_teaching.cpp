@@ -98,10 +98,12 @@ bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>&
   constexpr double leaving_m = 1.0;
   for (std::size_t other = 0; other < fleet_.robots(); ++other) {
     const Pose2& there = fleet_.body(other).site_from_robot();
-    const auto away = [&](const agents::SitePoint& point) { return std::hypot(point.x - there.x, point.y - there.y); };
+    const auto away = [&](const agents::SitePoint& point) {
+      return std::hypot(point.x - there.x, point.y - there.y);
+    };
     const double room = leaving ? std::min(leaving_m, away(line.front()) - 0.05) : room_m;
-    const bool is_near = std::any_of(line.begin(), line.end(),
-                                     [&](const agents::SitePoint& point) { return away(point) < room; });
+    const bool is_near =
+        std::any_of(line.begin(), line.end(), [&](const agents::SitePoint& point) { return away(point) < room; });
     if (other != robot && is_near) return false;
   }
   return true;

@@ -27,8 +27,7 @@ RingCourse::RingCourse() : length_m_(2.0 * (kLong + kShort) + 4.0 * kQuarter) {
   const double second = kLong + kQuarter;
   const double third = second + kShort + kQuarter;
   const double fourth = third + kLong + kQuarter;
-  for (const double at :
-       {4.5, 13.5, 22.5, second + 4.5, third + 4.5, third + 13.5, third + 22.5, fourth + 4.5})
+  for (const double at : {4.5, 13.5, 22.5, second + 4.5, third + 4.5, third + 13.5, third + 22.5, fourth + 4.5})
     stations_.push_back({at, kAside});
 }
 

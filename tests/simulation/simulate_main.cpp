@@ -56,8 +56,8 @@ std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
 }
 
 std::string one(const Options& options, const Life& life) {
-  const auto result = weft::simulation::run(
-      {.site = life.site, .seed = life.seed, .robots = options.robots, .hours = options.hours});
+  const auto result =
+      weft::simulation::run({.site = life.site, .seed = life.seed, .robots = options.robots, .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
   for (const auto& entry : result.diary) {
@@ -66,9 +66,9 @@ std::string one(const Options& options, const Life& life) {
   for (const auto& violation : result.violations)
     line << "! seed " << life.seed << " on " << life.site << ": " << violation.invariant << ": " << violation.what
          << '\n';
-  line << life.seed << ' ' << life.site << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' ' << result.messages << ' '
-       << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' ' << result.acknowledged
-       << ' ' << result.trace;
+  line << life.seed << ' ' << life.site << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' '
+       << result.messages << ' ' << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' '
+       << result.acknowledged << ' ' << result.trace;
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
   return line.str() + "\n";
 }
@@ -156,7 +156,8 @@ int main(int argc, char** argv) try {
   Options options;
   Seeds seeds;
   CLI::App app(
-      "Simulates whole fleets under faults, each seed on each site, and checks what must always hold. Prints the seed of each failure;\n"
+      "Simulates whole fleets under faults, each seed on each site, and checks what must always hold. Prints the "
+      "seed of each failure;\n"
       "the same seed gives the same trace.",
       "tests/simulate");
   app.add_option("--seeds", options.seeds, "Seeds A to B, or one")
@@ -165,8 +166,9 @@ int main(int argc, char** argv) try {
       ->check([&](const std::string& text) {
         return parse(text, seeds) ? std::string() : "'" + text + "' is not A..B with A <= B";
       });
-  app.add_option("--site", options.sites, "a site, or several: ring (one way round, sidings), aisles (one driven both\n"
-                                          "ways, a crossing); all when not given")
+  app.add_option("--site", options.sites,
+                 "a site, or several: ring (one way round, sidings), aisles (one driven both\n"
+                 "ways, a crossing); all when not given")
       ->delimiter(',')
       ->type_name("NAME")
       ->check(CLI::IsMember(weft::simulation::site_names()).description(""));

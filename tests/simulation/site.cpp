@@ -30,9 +30,7 @@ double Site::right_m(double along_m, const std::vector<std::size_t>& through) co
 }
 
 Pose2 Site::pose(double along_m, const std::vector<std::size_t>& through) const {
-  const auto point = [&](double at_m) {
-    return course_->at(at_m) * Eigen::Vector2d(0.0, -right_m(at_m, through));
-  };
+  const auto point = [&](double at_m) { return course_->at(at_m) * Eigen::Vector2d(0.0, -right_m(at_m, through)); };
   const Eigen::Vector2d here = point(along_m);
   const Eigen::Vector2d ahead = point(along_m + 0.01) - point(along_m - 0.01);
   return {here.x(), here.y(), std::atan2(ahead.y(), ahead.x())};
