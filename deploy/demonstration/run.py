@@ -21,8 +21,8 @@ RECORDS = ('truth.jsonl', 'fixes.jsonl', 'drives.jsonl', 'acks.jsonl', 'goals.js
 
 ABOUT = """Weft's main job on this machine, from nothing: installs the Debian packages that are missing, builds, starts a fleet map
 server and three simulated robots in a warehouse, teaches two of them a loop each, sends one over a road that nobody
-taught as a whole, has the third find itself and drive, kills and restarts the server meanwhile, and judges all of it by
-the simulation's truth. Takes 3 to 5 minutes once built. Nothing is left running; logs stay in DIR/run.
+taught as a whole, has the third find itself and drive, kills and restarts the server meanwhile, drives two at once on
+ways that cross, and judges all of it by the simulation's truth. Takes 3 to 5 minutes once built. Nothing is left running; logs stay in DIR/run.
 
 exit: 0 all goals reached and every bound of tests/judge held; 1 not so, or something is missing or wrong (one line
 says what); 2 wrong usage; 130 interrupted."""
@@ -63,7 +63,7 @@ def check(options):
         spots = {label for robot in ('r1', 'r2') for _, label in teach_lines.parts(lines / f'{robot}.line')}
     except ValueError as fault:
         return f'--site: {fault}'
-    missing = {scenario.R2_SEED, *(label for label, _ in scenario.GOALS)} - spots
+    missing = {scenario.R2_SEED, *(label for label, _ in scenario.GOALS + scenario.CROSSING)} - spots
     if missing:
         return f"--site: the lines in {lines} name no spot {', '.join(sorted(missing))} (a row '# label NAME')"
     if options.floors and not pathlib.Path(options.floors).is_dir():

@@ -5,6 +5,7 @@ from processes import wait_until
 TEACH = {'r1': 'loop-1', 'r2': 'loop-2'}
 R2_SEED = 'handover'          # a label of r1's, near which r2 starts
 GOALS = (('packing-3', 'r1'), ('dock-2', None))
+CROSSING = (('handover', 'r3'), ('yard', 'r2'))      # sent at once, on ways that cross
 
 
 def teach(fleet, robot, line, say):
@@ -73,6 +74,21 @@ def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
     return wait_until(f'goal {goal_id} to end', over, seconds, fleet.robots.values(), every=0.5)
 
 
+def cross(fleet, say):
+    """Both drive at once; who comes to the crossing second waits. The ends of both."""
+    sent = [send(fleet, label, robot, say) for label, robot in CROSSING]
+    together = []
+
+    def both(_):
+        states = [goal(fleet, one)['state'] for one in sent]
+        together.append(all(state == 'executing' for state in states))
+        return False
+    ended = [watch(fleet, sent[0], say, both), watch(fleet, sent[1], say)]
+    if not any(together):
+        raise RuntimeError('the two robots of the crossing never drove at once')
+    return ended
+
+
 class OnceInTheMiddle:
     """True once, when the robot has driven a third of its route."""
 
@@ -103,4 +119,4 @@ def run(fleet, site_lines, say):
     ended.append(watch(fleet, send(fleet, second, second_robot, say), say, middle))
     if not middle.fired:
         raise RuntimeError(f'the goal {second} ended before the server could be killed in the middle of it')
-    return ended
+    return ended + cross(fleet, say)

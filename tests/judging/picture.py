@@ -13,7 +13,7 @@ except ImportError:                       # Debian 12 has Python 3.11; this is f
     tomllib = None
 
 COLOURS = ('#0072b2', '#d55e00', '#009e73', '#cc79a7')      # Okabe & Ito 2008: told apart by everyone
-DRIVES = ('#111111', '#7a3db8')
+DRIVES = ('#111111', '#7a3db8', '#b8004f', '#5b7f00')
 
 
 COLOUR_OF = {'rack': '#c9b79c', 'pillar': '#8c8c8c'}

@@ -266,6 +266,18 @@ TEST(DemoSite, LinesOverlapInOneDirection) {
   EXPECT_GE(most - least, 6.0);
 }
 
+TEST(DemoSite, LinesCross) {
+  int crossings = 0;
+  const auto r2 = walk(line_of("r2.line"));
+  for (const Pose2& a : walk(line_of("r1.line"))) {
+    crossings += std::any_of(r2.begin(), r2.end(), [&](const Pose2& b) {
+      const double turned = std::abs(wrap_angle(a.heading - b.heading));
+      return distance_between(a, b) < 0.05 && std::abs(turned - M_PI / 2) < 0.2;
+    });
+  }
+  EXPECT_GT(crossings, 1);
+}
+
 TEST(DemoSite, RobotsStartWhereTheStoryNeedsThem) {
   const Site site = demo();
   const auto r1 = walk(line_of("r1.line"));
