@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bytes.hpp"
+#include "core/network/apart.hpp"
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
@@ -36,6 +37,11 @@ struct PutPlaces {
 struct PutLabel {
   std::string label;
   PlaceId place;
+};
+/// An operator vouches that two stretches are different floors, or no longer.
+struct PutApart {
+  Apart apart;
+  bool holds = true;
 };
 struct SealExperience {
   ExperienceId experience;
@@ -83,12 +89,12 @@ inline constexpr std::uint64_t kLargestPreparation = 512ULL << 20U;
 
 using RevisionNote = msg::RevisionNote;
 
-/// One atomic step. Batches, labels, seals and what goes out and comes back change the network: together they make
-/// one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in its
-/// step.
+/// One atomic step. Batches, labels, aparts, seals and what goes out and comes back change the network: together they
+/// make one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in
+/// its step.
 struct Transaction {
-  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, SealExperience, TakeOut, BringBack, RollBack,
-                           PutGoal, PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
+  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, SealExperience, TakeOut, BringBack,
+                           RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -101,6 +107,7 @@ struct RevisionChanges {
   Removal brought_back;
   std::vector<Place> known_anew;  ///< places that it had as they were learned
   std::set<std::string> labels;   ///< that it set, or took away
+  std::set<Apart> aparts;         ///< that it vouched for, or did no longer
 };
 
 /// Everything a server needs to resume. Contents stay on disk.
@@ -174,6 +181,11 @@ class MapStore {
   /// conflict: the file exists. refused: the engine has no file. exhausted, unavailable: the disk; nothing is left
   /// there.
   virtual Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) = 0;
+  /// Restores a snapshot into a folder beside it, checks all of it, and compares it with `live`, the map of that
+  /// revision; the folder goes with the job, whatever becomes of it. Findings: what is damaged, and what differs.
+  /// unavailable: the file cannot be read, or the folder not be made; exhausted: the disk has no room for a second
+  /// one.
+  virtual Result<std::unique_ptr<StoreJob>> verify(const std::filesystem::path& file, const Snapshot& live) = 0;
   /// Deletes for good what is in the map of no revision from `before` on, and gives its space back. `before` becomes
   /// the oldest revision that can be seen and gone back to; of those after it everything can still be undone. What
   /// was taken of a robot once is not taken again. A job that stops half way can be begun again with the same

@@ -1,6 +1,7 @@
 #include "storage/network_builder.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -65,6 +66,14 @@ void NetworkBuilder::add_label(const std::string& label, const PlaceId& place) {
     labels_[label] = place;
   } else {
     labels_.erase(label);
+  }
+}
+
+void NetworkBuilder::add_apart(const Apart& apart, bool holds) {
+  if (holds) {
+    aparts_.insert(apart);
+  } else {
+    aparts_.erase(apart);
   }
 }
 
@@ -269,7 +278,14 @@ Snapshot NetworkBuilder::build(Revision revision, const Snapshot& rest) {
     shared[id] = std::make_shared<const Experience>(std::move(experience));
   }
   const Snapshot network(revision, std::move(shared), rest.shared_labels());
-  return {revision, network.experiences(), labels_of(network)};
+  return {revision, network.experiences(), labels_of(network), aparts_of(network)};
+}
+
+std::shared_ptr<const Snapshot::Aparts> NetworkBuilder::aparts_of(const Snapshot& network) const {
+  auto aparts = std::make_shared<Snapshot::Aparts>();
+  std::ranges::copy_if(aparts_, std::back_inserter(*aparts),
+                       [&](const Apart& apart) { return weft::is_served(network, apart); });
+  return aparts;
 }
 
 std::shared_ptr<const Snapshot::Labels> NetworkBuilder::labels_of(const Snapshot& network) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/network/apart.hpp"
 #include "core/network/change.hpp"
 #include "core/network/network.hpp"
 #include "core/network/removal.hpp"
@@ -42,6 +43,8 @@ class NetworkBuilder {
   void move(const Removal& removal, bool is_back, Revision at);
   /// In the order of revisions. A place of no experience: the label goes.
   void add_label(const std::string& label, const PlaceId& place);
+  /// In the order of revisions; `apart` is `ordered`. Part of the map while each stretch has a place in it.
+  void add_apart(const Apart& apart, bool holds);
   void add_damage(std::string what);
 
   /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
@@ -79,12 +82,14 @@ class NetworkBuilder {
   void borrow_neighbours(const Snapshot& rest, std::map<ExperienceId, Experience>& experiences) const;
   void join_stitches(std::map<ExperienceId, Experience>& experiences);
   std::shared_ptr<const Snapshot::Labels> labels_of(const Snapshot& network);
+  std::shared_ptr<const Snapshot::Aparts> aparts_of(const Snapshot& network) const;
 
   std::map<ExperienceId, Rows> rows_;
   std::map<ExperienceId, std::vector<bool>> out_;  // of each index, for experiences of which something is out
   std::vector<Stitch> stitches_;
   std::map<EdgeId, Revision> stitches_out_;
   Snapshot::Labels labels_;
+  std::set<Apart> aparts_;
   std::set<PlaceId> damaged_places_;
   std::vector<std::string> damage_;
 };

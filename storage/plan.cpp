@@ -79,6 +79,14 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutApart& put) {
+    for (const Stretch& stretch : {put.apart.one, put.apart.other}) {
+      if (auto fits = check_stored(stretch); !fits) return fail(fits.error());
+    }
+    plan_.changes_network = true;
+    return true;
+  }
+
   Result<bool> operator()(const TakeOut& out) { return moved(out.what); }
   Result<bool> operator()(const BringBack& back) { return moved(back.what); }
 
@@ -150,13 +158,16 @@ class Planner {
            });
   }
 
+  Result<void> check_stored(const Stretch& stretch) const {
+    if (stretch.first <= stretch.last && is_stored(stretch.experience, stretch.last)) return {};
+    return fail(ErrorCode::conflict, "places " + std::to_string(stretch.first) + " to " +
+                                         std::to_string(stretch.last) + " of experience " +
+                                         to_string(stretch.experience) + " are not stored");
+  }
+
   Result<bool> moved(const Removal& removal) {
     for (const Stretch& stretch : removal.places) {
-      if (stretch.first > stretch.last || !is_stored(stretch.experience, stretch.last)) {
-        return fail(ErrorCode::conflict, "places " + std::to_string(stretch.first) + " to " +
-                                             std::to_string(stretch.last) + " of experience " +
-                                             to_string(stretch.experience) + " are not stored");
-      }
+      if (auto fits = check_stored(stretch); !fits) return fail(fits.error());
       if (is_deleted(stretch)) {
         return fail(ErrorCode::conflict, "places " + std::to_string(stretch.first) + " to " +
                                              std::to_string(stretch.last) + " of experience " +
@@ -267,6 +278,9 @@ Needs needs_of(const Transaction& transaction) {
         needs.experiences.insert(put.place.experience);
         needs.moved_in.insert(put.place.experience);
       },
+      [&](const PutApart& put) {
+        needs.experiences.insert({put.apart.one.experience, put.apart.other.experience});
+      },
       [&](const SealExperience& seal) { needs.experiences.insert(seal.experience); },
       [&](const TakeOut& out) { needs_of(out.what, needs); },
       [&](const BringBack& back) { needs_of(back.what, needs); },
@@ -329,6 +343,7 @@ RevisionNote note_of(const Transaction& transaction, Revision newest) {
       [&](const PutLabel& put) {
         add("label", put.label + (put.place.experience ? " is " + to_string(put.place) : " goes"));
       },
+      [&](const PutApart& put) { add("apart", to_string(put.apart) + (put.holds ? "" : " are so no longer")); },
       [&](const SealExperience& seal) { add("seal", to_string(seal.experience) + ": " + seal.reason); },
       [&](const TakeOut& out) { add("out", count_of(out.what)); },
       [&](const BringBack& back) { add("back", count_of(back.what)); },

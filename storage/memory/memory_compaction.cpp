@@ -31,7 +31,7 @@ class MemoryCompaction {
       if (auto* const batch = std::get_if<Batch>(&step->change)) thin(*batch, step->revision);
       if (auto* const put = std::get_if<PutPlaces>(&step->change)) thin(put->places, step->revision);
     }
-    thin_labels();
+    thin_latest();
     for (MemoryDisk::Step& step : disk_.history) {
       if (step.revision > retention_.floor()) break;
       if (auto* const out = std::get_if<TakeOut>(&step.change)) thin(out->what);
@@ -56,6 +56,14 @@ class MemoryCompaction {
     const auto found = disk_.deleted.find(place.experience);
     return found != disk_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& stretch) {
              return stretch.first <= place.index && place.index <= stretch.last;
+           });
+  }
+
+  /// All of it.
+  bool is_deleted(const Stretch& stretch) const {
+    const auto found = disk_.deleted.find(stretch.experience);
+    return found != disk_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& gone) {
+             return gone.first <= stretch.first && stretch.last <= gone.last;
            });
   }
 
@@ -93,12 +101,18 @@ class MemoryCompaction {
     });
   }
 
-  void thin_labels() {
-    std::map<std::string, LatestRetention> latest;
+  /// Labels, and what is apart.
+  void thin_latest() {
+    std::map<std::string, LatestRetention> labels;
+    std::map<Apart, LatestRetention> aparts;
     std::vector<MemoryDisk::Step> kept;
     for (auto step = disk_.history.rbegin(); step != disk_.history.rend(); ++step) {
       if (const auto* const put = std::get_if<PutLabel>(&step->change)) {
-        if (!latest.try_emplace(put->label, retention_).first->second.keeps(step->revision.value)) continue;
+        if (!labels.try_emplace(put->label, retention_).first->second.keeps(step->revision.value)) continue;
+      }
+      if (const auto* const put = std::get_if<PutApart>(&step->change)) {
+        const bool is_latest = aparts.try_emplace(put->apart, retention_).first->second.keeps(step->revision.value);
+        if (!is_latest || is_deleted(put->apart.one) || is_deleted(put->apart.other)) continue;
       }
       kept.push_back(std::move(*step));
     }
@@ -107,12 +121,7 @@ class MemoryCompaction {
   }
 
   void thin(Removal& removal) const {
-    std::erase_if(removal.places, [&](const Stretch& stretch) {
-      const auto found = disk_.deleted.find(stretch.experience);
-      return found != disk_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& gone) {
-               return gone.first <= stretch.first && stretch.last <= gone.last;
-             });
-    });
+    std::erase_if(removal.places, [&](const Stretch& stretch) { return is_deleted(stretch); });
     std::erase_if(removal.stitches, [&](const EdgeId& stitch) { return !disk_.edges.contains(stitch); });
   }
 

@@ -20,6 +20,7 @@ class Check {
     for (const MemoryDisk::Step& step : disk_.history) {
       if (const auto* const batch = std::get_if<Batch>(&step.change)) look(*batch);
       if (const auto* const put = std::get_if<PutLabel>(&step.change)) look(*put);
+      if (const auto* const put = std::get_if<PutApart>(&step.change)) look(*put);
       if (const auto* const known = known_anew(step)) look(*known);
     }
     for (const auto& [id, facts] : disk_.experiences) look(id, facts);
@@ -60,6 +61,12 @@ class Check {
   void look(const PutLabel& put) {
     if (put.place.experience && !has_place(put.place)) {
       found("label " + put.label + ": its place " + to_string(put.place) + " is not stored");
+    }
+  }
+  void look(const PutApart& put) {
+    for (const Stretch& stretch : {put.apart.one, put.apart.other}) {
+      if (has_place({stretch.experience, stretch.last})) continue;
+      found("apart " + to_string(put.apart) + ": the places of " + to_string(stretch) + " are not stored");
     }
   }
   void look(const ExperienceId& id, const ExperienceFacts& facts) {

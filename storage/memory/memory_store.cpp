@@ -53,6 +53,7 @@ class Writer {
   }
   void operator()(const PutPlaces& put) const { remember(put); }
   void operator()(const PutLabel& put) const { remember(put); }
+  void operator()(const PutApart& put) const { remember(PutApart{ordered(put.apart), put.holds}); }
   void operator()(const SealExperience& seal) const { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
   void operator()(const TakeOut& out) const { remember(out); }
   void operator()(const BringBack& back) const { remember(back); }
@@ -113,6 +114,9 @@ class Replay {
   }
   void operator()(const PutLabel& put) {
     if (is_in_) builder_.add_label(put.label, put.place);
+  }
+  void operator()(const PutApart& put) {
+    if (is_in_) builder_.add_apart(put.apart, put.holds);
   }
   void operator()(const TakeOut& out) {
     if (is_in_) builder_.move(out.what, false, at_);
@@ -204,6 +208,7 @@ class MemoryStore final : public MapStore {
     if (!plan) return fail(plan.error());
     if (auto error = disk_->faults.strike("memory store")) return fail(std::move(*error));
 
+    ++disk_->commits;
     const Writer write(*disk_, *coder_);
     for (std::size_t at = 0; at < transaction.changes.size(); ++at) {
       if (plan->fresh[at]) std::visit(write, transaction.changes[at]);
@@ -273,6 +278,7 @@ class MemoryStore final : public MapStore {
       if (const auto* out = std::get_if<TakeOut>(&step.change)) append(changes.taken_out, out->what);
       if (const auto* back = std::get_if<BringBack>(&step.change)) append(changes.brought_back, back->what);
       if (const auto* put = std::get_if<PutLabel>(&step.change)) changes.labels.insert(put->label);
+      if (const auto* put = std::get_if<PutApart>(&step.change)) changes.aparts.insert(put->apart);
       const std::vector<Place>* const known = known_anew(step);
       if (known != nullptr) changes.known_anew.insert(changes.known_anew.end(), known->begin(), known->end());
     }
@@ -290,6 +296,10 @@ class MemoryStore final : public MapStore {
   Result<std::unique_ptr<StoreJob>> check() override { return make_memory_check(*disk_); }
   Result<std::unique_ptr<StoreJob>> snapshot_to(const std::filesystem::path& file) override {
     return fail(ErrorCode::refused, "snapshot " + file.string() + ": the memory engine has no file to copy");
+  }
+
+  Result<std::unique_ptr<StoreJob>> verify(const std::filesystem::path& file, const Snapshot& /*live*/) override {
+    return fail(ErrorCode::refused, "snapshot " + file.string() + ": the memory engine reads no file");
   }
 
   Result<std::unique_ptr<StoreJob>> compact(Revision before) override {

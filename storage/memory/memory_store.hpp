@@ -28,6 +28,7 @@ struct MemoryDisk {
   };
 
   DiskFaults faults;
+  std::uint64_t commits = 0;  ///< that were kept, each a synchronised write of a store on disk
 
   Epoch epoch;
   Revision revision;
@@ -35,7 +36,7 @@ struct MemoryDisk {
   std::uint64_t content_bytes = 0;
   struct Step {
     Revision revision;
-    std::variant<Batch, Seal, PutPlaces, PutLabel, TakeOut, BringBack> change;
+    std::variant<Batch, Seal, PutPlaces, PutLabel, PutApart, TakeOut, BringBack> change;
   };
   std::vector<Step> history;           ///< in order of commit
   std::vector<RevisionNote> notes;     ///< of revision 1, 2, ...

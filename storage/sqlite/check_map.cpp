@@ -239,6 +239,37 @@ class LabelCheck final : public MapCheck<LabelRow> {
   }
 };
 
+struct ApartRow {
+  Apart apart;
+  std::uint64_t revision = 0;
+};
+
+class ApartCheck final : public MapCheck<ApartRow> {
+ public:
+  using MapCheck::MapCheck;
+
+ private:
+  ApartRow read(const Query& row) override {
+    ++done_;
+    return {apart(row), row.number(6)};
+  }
+  Result<void> look(const ApartRow& row, Findings& findings) override {
+    const std::string name = "apart " + to_string(row.apart);
+    check_revision(row.revision, name, findings);
+    for (const Stretch& stretch : {row.apart.one, row.apart.other}) {
+      const auto experience = lookup_.experience(stretch.experience);
+      if (!experience) return fail(experience.error());
+      if (!*experience) {
+        findings.push_back(name + ": experience " + to_string(stretch.experience) + " has no row");
+      } else if (stretch.last < stretch.first || stretch.last >= (*experience)->places) {
+        findings.push_back(name + ": experience " + to_string(stretch.experience) + " has " +
+                           std::to_string((*experience)->places) + " places");
+      }
+    }
+    return {};
+  }
+};
+
 struct MovedPlacesRow {
   std::uint64_t revision = 0;
   Stretch places;
@@ -325,6 +356,11 @@ Result<void> add_map_checks(const Parts& parts, CheckParts& to) {
         add<EdgeCheck>(parts, to, "edge", {"a_experience", "a_place", "b_experience", "b_place", "revision"}, "row");
   }
   if (done) done = add<LabelCheck>(parts, to, "label", {"label", "revision"}, "experience, place");
+  if (done) {
+    done = add<ApartCheck>(
+        parts, to, "apart",
+        {"one_experience", "one_first", "one_last", "other_experience", "other_first", "other_last", "revision"}, "");
+  }
   if (done) {
     done = add<MovedPlacesCheck>(parts, to, "moved_places", {"revision", "experience", "first_place", "is_back"},
                                  "last_place");

@@ -261,6 +261,64 @@ class DeleteLabels final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
+/// What was vouched for before the last word on it in every kept map, and of what is not stored any more. From the
+/// newest word to the oldest. Few: all in one piece.
+class DeleteAparts final : public CompactPart {
+ public:
+  explicit DeleteAparts(Statement drop) : drop_(std::move(drop)) {}
+
+  Result<bool> step(Compaction& compaction) override {
+    const Database& database = compaction.parts().database;
+    std::map<Apart, LatestRetention> latest;
+    std::vector<std::pair<Apart, std::uint64_t>> gone;
+    auto lookup = Lookup::make(database);
+    if (!lookup) return fail(lookup.error());
+    std::vector<std::pair<Apart, std::uint64_t>> rows;
+    auto done = for_each_row(database,
+                             std::string("SELECT ") + kApartColumns + ", revision FROM apart ORDER BY revision DESC",
+                             [&](const Query& row) { rows.emplace_back(apart(row), row.number(6)); });
+    if (!done) return fail(done.error());
+    done_ = rows.size();
+    for (const auto& row : rows) {
+      const bool is_latest = latest.try_emplace(row.first, compaction.retention()).first->second.keeps(row.second);
+      const Result<bool> deleted = is_deleted(row.first, *lookup);
+      if (!deleted) return fail(deleted.error());
+      if (!is_latest || *deleted) gone.push_back(row);
+    }
+    if (gone.empty()) return false;
+    done = compaction.write([&](StoreRow&) { return drop(gone); });
+    if (!done) return fail(done.error());
+    return false;
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  static Result<bool> is_deleted(const Apart& apart, Lookup& lookup) {
+    for (const Stretch& stretch : {apart.one, apart.other}) {
+      const auto deleted = lookup.deleted_of(stretch.experience);
+      if (!deleted) return fail(deleted.error());
+      for (const Stretch& part : **deleted) {
+        if (part.first <= stretch.first && stretch.last <= part.last) return true;
+      }
+    }
+    return false;
+  }
+  Result<void> drop(const std::vector<std::pair<Apart, std::uint64_t>>& rows) {
+    for (const auto& [apart, revision] : rows) {
+      Query query(drop_);
+      for (const Stretch& stretch : {apart.one, apart.other}) {
+        query << stretch.experience.value << std::uint64_t{stretch.first} << std::uint64_t{stretch.last};
+      }
+      query << revision;
+      if (auto done = query.run(); !done) return done;
+    }
+    return {};
+  }
+
+  Statement drop_;
+  std::uint64_t done_ = 0;
+};
+
 /// Moves up to the floor of what is not stored any more.
 class DeleteMoves final : public CompactPart {
  public:
@@ -325,6 +383,9 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
       need(database.prepare("DELETE FROM place_anew WHERE experience = ? AND place = ? AND revision = ?"));
   auto labels = need(Scan::make(database, "label", {"label", "revision"}, "", Scan::Order::down));
   auto drop_label = need(database.prepare("DELETE FROM label WHERE label = ? AND revision = ?"));
+  auto drop_apart = need(database.prepare(
+      "DELETE FROM apart WHERE one_experience = ? AND one_first = ? AND one_last = ? AND other_experience = ?"
+      " AND other_first = ? AND other_last = ? AND revision = ?"));
   auto drop_moved_places = need(database.prepare(kDropMovedPlaces));
   auto drop_moved_stitches = need(database.prepare(kDropMovedStitches));
   if (!is_whole) return fail(std::move(error));
@@ -334,6 +395,7 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
   to.push_back(std::make_unique<DeletePlaces>(std::move(*marks), std::move(*drop_places)));
   to.push_back(std::make_unique<DeletePlacesAnew>(std::move(*anew), std::move(*anew_lookup), std::move(*drop_anew)));
   to.push_back(std::make_unique<DeleteLabels>(std::move(*labels), std::move(*drop_label)));
+  to.push_back(std::make_unique<DeleteAparts>(std::move(*drop_apart)));
   to.push_back(std::make_unique<DeleteMoves>(std::move(*drop_moved_places), std::move(*drop_moved_stitches)));
   return {};
 }

@@ -20,6 +20,7 @@ ErrorCode code_from_sqlite(int extended) {
     case SQLITE_PERM:
     case SQLITE_READONLY:
     case SQLITE_PROTOCOL:
+    case SQLITE_INTERRUPT:
       return ErrorCode::unavailable;
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
@@ -197,6 +198,13 @@ void Database::watch_log(LogWatch watch) {
     return SQLITE_OK;
   };
   sqlite3_wal_hook(database_.get(), after_commit, watch_.get());
+}
+
+void Database::stop_when(std::function<bool()> stops) {
+  constexpr int kStepsBetweenQuestions = 10'000;
+  stops_ = std::make_unique<std::function<bool()>>(std::move(stops));
+  const auto ask = [](void* asked) { return (*static_cast<std::function<bool()>*>(asked))() ? 1 : 0; };
+  sqlite3_progress_handler(database_.get(), kStepsBetweenQuestions, ask, stops_.get());
 }
 
 Result<void> Database::empty_log() const {

@@ -96,6 +96,9 @@ class Database {
   /// After each commit: how many pages the log has. From now on it is emptied only when that says true, and when
   /// somebody calls `empty_log`.
   void watch_log(std::function<bool(std::uint64_t pages)> watch);
+  /// Asked again and again while a statement runs, by the thread that runs it. True: the statement ends as
+  /// unavailable.
+  void stop_when(std::function<bool()> stops);
   /// Moves what the log has into the file, as far as nobody reads it; waits for nobody.
   Result<void> empty_log() const;
 
@@ -105,7 +108,8 @@ class Database {
   struct Close {
     void operator()(sqlite3* database) const;
   };
-  std::unique_ptr<LogWatch> watch_;  ///< SQLite knows its address
+  std::unique_ptr<LogWatch> watch_;               ///< SQLite knows its address
+  std::unique_ptr<std::function<bool()>> stops_;  ///< and its
   std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -65,8 +65,16 @@ Result<void> sync_directory(const std::string& what, const std::filesystem::path
   return sync_path(what, directory, O_RDONLY | O_DIRECTORY);
 }
 
+Result<void> make_file(const std::string& what, const std::filesystem::path& file) {
+  const OpenFile made(file, O_WRONLY | O_CREAT | O_EXCL);
+  if (made.number() >= 0) return {};
+  Error error = file_error(what, file, "make");
+  if (error.code == ErrorCode::exhausted) return fail(std::move(error));
+  return fail(error.code, error.message + "; name a folder that is there and that the server may write to");
+}
+
 Result<void> copy_file(const std::string& what, const std::filesystem::path& from, const std::filesystem::path& to,
-                       const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+                       const std::function<bool(std::uint64_t, std::uint64_t)>& progress) {
   const OpenFile in(from, O_RDONLY);
   struct stat status {};
   if (in.number() < 0 || ::fstat(in.number(), &status) != 0) return fail(file_error(what, from, "open"));
@@ -75,7 +83,7 @@ Result<void> copy_file(const std::string& what, const std::filesystem::path& fro
   const auto total = static_cast<std::uint64_t>(status.st_size);
   Bytes piece(kCopied);
   for (std::uint64_t done = 0;;) {
-    progress(done, std::max(done, total));
+    if (!progress(done, std::max(done, total))) return fail(ErrorCode::unavailable, what + ": it was stopped");
     const ssize_t got = ::read(in.number(), piece.data(), piece.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return fail(file_error(what, from, "read"));

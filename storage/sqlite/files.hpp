@@ -17,9 +17,12 @@ Error file_error(const std::string& what, const std::filesystem::path& file, con
 Result<void> sync_file(const std::string& what, const std::filesystem::path& file);
 Result<void> sync_directory(const std::string& what, const std::filesystem::path& directory);
 
-/// Copies and synchronises; `to` is made anew. `progress(done, total)` in bytes.
+/// Makes an empty file that was not there. Says why it cannot be made: the folder, its permissions, the disk.
+Result<void> make_file(const std::string& what, const std::filesystem::path& file);
+
+/// Copies and synchronises; `to` is made anew. `progress(done, total)` in bytes; unavailable when it says false.
 Result<void> copy_file(const std::string& what, const std::filesystem::path& from, const std::filesystem::path& to,
-                       const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+                       const std::function<bool(std::uint64_t, std::uint64_t)>& progress);
 
 /// A database with what SQLite keeps beside it; what is not there is fine.
 void remove_database(const std::filesystem::path& file);

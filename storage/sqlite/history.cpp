@@ -126,6 +126,11 @@ Result<RevisionChanges> load_changes(const Database& database, Revision revision
   done = for_each_row(
       database, "SELECT label FROM label WHERE revision = ?",
       [&](const Query& row) { changes.labels.insert(row.text(0)); }, revision.value);
+  if (done) {
+    done = for_each_row(
+        database, std::string("SELECT ") + kApartColumns + " FROM apart WHERE revision = ?",
+        [&](const Query& row) { changes.aparts.insert(apart(row)); }, revision.value);
+  }
   if (!done) return fail(done.error());
   return changes;
 }

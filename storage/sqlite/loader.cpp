@@ -99,6 +99,14 @@ Result<void> load_labels(const Database& database, const Lineage& lineage, Netwo
                       });
 }
 
+Result<void> load_aparts(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  return for_each_row(database,
+                      std::string("SELECT ") + kApartColumns + ", holds, revision FROM apart ORDER BY revision",
+                      [&](const Query& row) {
+                        if (lineage.contains(row.number(7))) builder.add_apart(apart(row), row.number(6) != 0);
+                      });
+}
+
 Result<void> load_moves(const Database& database, const Scope& scope, const Lineage& lineage,
                         NetworkBuilder& builder) {
   auto done = for_each_row(
@@ -164,6 +172,7 @@ Result<void> load_network(const Database& database, const Scope& scope, const Li
   if (done) done = load_places_anew(database, scope, lineage, builder);
   if (done) done = load_edges(database, scope, lineage, builder);
   if (done) done = load_labels(database, lineage, builder);
+  if (done) done = load_aparts(database, lineage, builder);
   return done;
 }
 

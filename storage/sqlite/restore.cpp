@@ -52,9 +52,14 @@ class Restoring {
   }
 
  private:
-  void tell(const std::string& stage, std::uint64_t done, std::uint64_t total, const std::string& unit) const {
+  bool stops() const { return options_.stops && options_.stops(); }
+  /// False: nobody wants it any more.
+  bool tell(const std::string& stage, std::uint64_t done, std::uint64_t total, const std::string& unit) const {
     if (options_.progress) options_.progress({stage, done, total, unit});
+    return !stops();
   }
+
+  Error stopped() const { return {ErrorCode::unavailable, what_ + ": it was stopped. Nothing was replaced"}; }
 
   Result<void> copy() {
     remove_database(copy_);  // of a restore that was killed
@@ -65,18 +70,20 @@ class Restoring {
                                           "was not closed, no snapshot; start a server on it, or take a snapshot");
     }
     return copy_file(what_, snapshot_, copy_,
-                     [&](std::uint64_t done, std::uint64_t total) { tell("copy", done, total, "bytes"); });
+                     [&](std::uint64_t done, std::uint64_t total) { return tell("copy", done, total, "bytes"); });
   }
 
   Result<void> open_copy(DirectoryLock lock) {
     auto database = Database::open(copy_, "");
     if (!database) return fail(database.error());
+    if (options_.stops) database->stop_when(options_.stops);
     tell("look at pages", 0, 1, "file");
     auto is_sound = has_sound_pages(*database);
     if (is_sound && *is_sound == 0 && is_of_older_schema(*database)) {
       // Up to schema 5 the look found damage in sound rows (schema.cpp); of the newest it does not.
       if (auto done = prepare_schema(*database, snapshot_); done) is_sound = has_sound_pages(*database);
     }
+    if (stops()) return fail(stopped());
     if (!is_sound || *is_sound == 0) {
       return fail(ErrorCode::corrupt, what_ + ": its pages are damaged or it is no SQLite file" +
                                           (is_sound ? "" : " (" + is_sound.error().message + ")") +
@@ -108,7 +115,7 @@ class Restoring {
     for (bool finished = false; !finished;) {
       const auto progress = (*job)->step();
       if (!progress) return fail(progress.error());
-      tell("check", progress->done, progress->total, progress->unit);
+      if (!tell("check", progress->done, progress->total, progress->unit)) return fail(stopped());
       const auto& found = progress->findings;
       restored_.findings.insert(restored_.findings.end(), found.begin(), found.end());
       finished = progress->finished;

@@ -20,7 +20,8 @@ struct RestoreProgress {
 
 struct RestoreOptions {
   bool accept_damage = false;  ///< restore a snapshot in which the check finds damage: what is sound is served
-  std::function<void(const RestoreProgress&)> progress;
+  std::function<void(const RestoreProgress&)> progress{};
+  std::function<bool()> stops{};  ///< asked often; once it says true nothing is replaced: unavailable
 };
 
 struct Restored {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include "core/network/apart.hpp"
 #include "core/network/network.hpp"
 #include "core/result.hpp"
 #include "storage/sqlite/database.hpp"
@@ -33,6 +34,18 @@ auto decode_guarded(ByteView row, Decode&& decode) -> decltype(decode(row)) {
 
 inline PlaceId place_id(const Query& query, int column) {
   return {{query.number(column)}, static_cast<std::uint32_t>(query.number(column + 1))};
+}
+
+inline Stretch stretch(const Query& query, int column) {
+  const PlaceId first = place_id(query, column);
+  return {first.experience, first.index, static_cast<std::uint32_t>(query.number(column + 2))};
+}
+
+inline constexpr const char* kApartColumns =
+    "one_experience, one_first, one_last, other_experience, other_first, other_last";
+/// Of rows that begin with kApartColumns.
+inline Apart apart(const Query& query) {
+  return {stretch(query, 0), stretch(query, 3)};
 }
 
 }  // namespace weft::storage::sqlite

@@ -173,6 +173,18 @@ INSERT INTO moved_places_anew (revision, experience, first_place, is_back, last_
   SELECT revision, experience, first_place, is_back, last_place FROM moved_places;
 DROP TABLE moved_places;
 ALTER TABLE moved_places_anew RENAME TO moved_places;
+
+CREATE TABLE apart (
+  one_experience   INTEGER NOT NULL,
+  one_first        INTEGER NOT NULL,
+  one_last         INTEGER NOT NULL,
+  other_experience INTEGER NOT NULL,
+  other_first      INTEGER NOT NULL,
+  other_last       INTEGER NOT NULL,
+  revision         INTEGER NOT NULL,
+  holds            INTEGER NOT NULL,
+  PRIMARY KEY (one_experience, one_first, one_last, other_experience, other_first, other_last, revision)
+) WITHOUT ROWID;
 )sql",
 };
 

@@ -105,8 +105,12 @@ Result<std::unique_ptr<StoreJob>> make_snapshot(Parts& parts, const std::filesys
   std::filesystem::path partial = whole;
   partial += ".part";
   ::unlink(partial.c_str());  // of a process that was killed
+  if (auto made = make_file("snapshot " + whole.string(), partial); !made) return fail(made.error());
   auto copy = Database::open(partial, parts.vfs);
-  if (!copy) return fail(copy.error().code, "snapshot " + whole.string() + ": " + copy.error().message);
+  if (!copy) {
+    ::unlink(partial.c_str());
+    return fail(copy.error().code, "snapshot " + whole.string() + ": " + copy.error().message);
+  }
   // It counts only once it is whole and synchronised, so neither a journal nor SQLite's own syncs are needed.
   if (auto done = copy->run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA cache_size = -2048");
       !done) {

@@ -149,6 +149,10 @@ class SqliteStore final : public MapStore {
     return make_snapshot(*parts_, file);
   }
 
+  Result<std::unique_ptr<StoreJob>> verify(const std::filesystem::path& file, const Snapshot& live) override {
+    return make_verification(file, live);
+  }
+
   Result<std::unique_ptr<StoreJob>> compact(Revision before) override { return make_compaction(*parts_, before); }
   Result<std::unique_ptr<StoreJob>> stats() override { return make_stats(*parts_); }
 

@@ -38,6 +38,9 @@ Result<Statements> Statements::prepare(const Database& database) {
        " VALUES (?, ?, ?, ?, ?, ?)"},
       {&Statements::put_label,
        "INSERT OR REPLACE INTO label (label, revision, experience, place) VALUES (?, ?, ?, ?)"},
+      {&Statements::put_apart,
+       "INSERT OR REPLACE INTO apart (one_experience, one_first, one_last, other_experience, other_first, other_last,"
+       " revision, holds) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"},
       {&Statements::seal, "UPDATE experience SET sealed = 1, seal_reason = ? WHERE id = ?"},
       {&Statements::put_revision,
        "INSERT INTO revision (id, base, at_ns, kind, who, cause) VALUES (?, ?, ?, ?, ?, ?)"},

@@ -20,6 +20,8 @@ struct Table {
 
 std::vector<Table> tables() {
   const std::vector<std::string> stitch{"revision", "a_experience", "a_place", "b_experience", "b_place", "is_back"};
+  const std::vector<std::string> apart{"one_experience", "one_first",  "one_last", "other_experience",
+                                       "other_first",    "other_last", "revision"};
   return {
       {"place", "places", {"experience", "place"}, "length(row) + 16"},
       {"place_anew", "places", {"experience", "place", "revision"}, "length(row) + 24"},
@@ -28,6 +30,7 @@ std::vector<Table> tables() {
       {"batch", "batches", {"experience", "sequence"}, "52"},
       {"revision", "history", {"id"}, "length(kind) + length(who) + length(cause) + 24"},
       {"label", "history", {"label", "revision"}, "length(label) + 24"},
+      {"apart", "history", apart, "64"},
       {"moved_places", "history", {"revision", "experience", "first_place", "is_back"}, "32"},
       {"moved_stitch", "history", stitch, "40"},
       {"deleted_places", "history", {"experience", "first_place"}, "20"},

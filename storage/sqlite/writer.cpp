@@ -46,6 +46,16 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutApart& put) const {
+    const Apart apart = ordered(put.apart);
+    Query query(statements_.put_apart);
+    for (const Stretch& stretch : {apart.one, apart.other}) {
+      query << stretch.experience.value << std::uint64_t{stretch.first} << std::uint64_t{stretch.last};
+    }
+    query << row_.revision.value << std::uint64_t{put.holds};
+    return query.run();
+  }
+
   Result<void> operator()(const SealExperience& seal) const {
     Query query(statements_.seal);
     query << std::string_view(seal.reason) << seal.experience.value;

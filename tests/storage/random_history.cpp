@@ -46,10 +46,23 @@ RandomHistory::Step RandomHistory::draw_removal(const Snapshot& now, const Place
   return {{{TakeOut{removal}}, {}}, without(now, removal)};
 }
 
+/// One that is vouched for already is so no longer.
+std::optional<RandomHistory::Step> RandomHistory::draw_apart(const Snapshot& now, const PlaceId& one) {
+  const PlaceId other = pick(now);
+  const Apart apart = ordered({{one.experience, one.index, one.index}, {other.experience, other.index, other.index}});
+  if (!now.aparts().empty() && random_.below(3) == 0) {
+    const Apart& known = now.aparts()[random_.below(now.aparts().size())];
+    return Step{{{PutApart{known, false}}, {}}, without_apart(now, known)};
+  }
+  if (!check(now, apart)) return std::nullopt;
+  return Step{{{PutApart{apart}}, {}}, with_apart(now, apart)};
+}
+
 std::optional<RandomHistory::Step> RandomHistory::draw(const Snapshot& now, Revision oldest) {
   const std::uint64_t kind = random_.below(10);
   const PlaceId some = pick(now);
   if (kind < 5 || !some.experience) return draw_batch(now, some);
+  if (kind == 5 && random_.below(2) == 0) return draw_apart(now, some);
   if (kind == 5) {
     const std::string label = "label" + std::to_string(random_.below(3));
     return Step{{{PutLabel{label, some}}, {}}, with_label(now, label, some)};

@@ -36,6 +36,7 @@ struct EditedStore {
   sample::Run young{0x22, 2};
   sample::Delivery taught = old.next(8);
   Edge stitch = sample::stitch({ExperienceId{0x11}, 2}, {ExperienceId{0x22}, 1});
+  Apart apart{{ExperienceId{0x11}, 4, 7}, {ExperienceId{0x22}, 3, 5}};
 };
 
 struct EditKind {
@@ -83,6 +84,12 @@ const std::vector<EditKind>& edit_kinds() {
       {"LabelGone",
        [](EditedStore& of) {
          of.commit({{PutLabel{"dock", {}}}});
+       }},
+      {"Apart", [](EditedStore& of) { of.commit({{PutApart{of.apart}}}); }},
+      {"ApartNoLonger",
+       [](EditedStore& of) {
+         of.commit({{PutApart{of.apart}}});
+         of.commit({{PutApart{of.apart, false}}});
        }},
       {"Learned", learn_better},
       {"Sealed",
@@ -178,7 +185,7 @@ TEST_F(SqliteRestoreEdits, AnEditedSnapshotOfAnOlderSchemaIsBroughtUpToDateAndRe
                   "INSERT INTO older (revision, experience, first_place, is_back, last_place)"
                   " SELECT revision, experience, first_place, is_back, last_place FROM moved_places;"
                   "DROP TABLE moved_places; ALTER TABLE older RENAME TO moved_places;"
-                  "PRAGMA user_version = 5"));
+                  "DROP TABLE apart; PRAGMA user_version = 5"));
   }
   EXPECT_EQ(restored(file), whole);
 }

@@ -73,10 +73,12 @@ TEST_P(MapUpkeep, ASnapshotIsAFileOrRefused) {
   auto job = store_->snapshot_to(file);
   if (!job) {
     EXPECT_EQ(job.error().code, ErrorCode::refused);
+    EXPECT_EQ(store_->verify(file, at(1)).error().code, ErrorCode::refused);
     return;
   }
   EXPECT_NE(finish(std::move(job)).summary.find("revision 1"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_TRUE(finish(store_->verify(file, at(1))).findings.empty());
   EXPECT_EQ(store_->snapshot_to(file).error().code, ErrorCode::conflict);
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "core/network/network.hpp"
+
+namespace weft::storage {
+
+/// What is compared of two maps that should be one: counts for people, and a hash over all of it.
+struct MapDigest {
+  Revision revision;
+  std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0;
+  Digest digest;  ///< SHA-256 over the canonical bytes of places and edges, then labels, then aparts
+  bool operator==(const MapDigest&) const = default;
+};
+MapDigest digest_of(const Snapshot& snapshot);
+
+/// "12 places, 11 edges, ...".
+std::string to_text(const MapDigest& map);
+
+}  // namespace weft::storage
