@@ -38,6 +38,7 @@ Eigen::AlignedBox2d box_of(const Spot& spot, double reach_m) {
 
 void Proximity::joined(const Layout::Network& network, const Batch& batch) {
   nearness_.joined(batch);
+  surroundings_.joined(batch);
   layout_.joined(network, batch);
 }
 

@@ -1,5 +1,6 @@
 #include "server/traffic/surroundings.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace weft::server {
@@ -8,6 +9,8 @@ namespace {
 constexpr std::uint32_t kPlacesOfBlock = 32;
 constexpr std::size_t kPlacesAround = 3000;
 constexpr std::size_t kMostBlocks = 64;
+/// What is too far away is not looked for anew with each batch.
+constexpr std::uint64_t kRevisionsKept = 200;
 
 }  // namespace
 
@@ -16,8 +19,10 @@ const Layout& Surroundings::around(const Snapshot& network, const PlaceId& place
   const Block block{place.experience, place.index / kPlacesOfBlock};
   const auto known = around_.find(block);
   if (known != around_.end()) {
-    const bool has_both = known->second.layout.spot(place) && known->second.layout.spot(other);
-    if (has_both || known->second.of == network.revision()) return known->second.layout;
+    const Around& before = known->second;
+    const bool is_young = network.revision().value < before.of.value + kRevisionsKept;
+    const bool has_place = before.layout.part_of(place) || network.place(place) == nullptr;
+    if (has_place && (is_young || before.layout.part_of(other))) return before.layout;
     around_.erase(known);
   }
   if (around_.size() >= kMostBlocks) around_.clear();
@@ -26,6 +31,15 @@ const Layout& Surroundings::around(const Snapshot& network, const PlaceId& place
   // Looked at now alone: it does not outlive the call.
   made.layout.lay_around(Layout::Network(Layout::Network(), &network), place, kPlacesAround);
   return made.layout;
+}
+
+void Surroundings::joined(const Batch& batch) {
+  std::erase_if(around_, [&](const auto& entry) {
+    const Layout& layout = entry.second.layout;
+    return std::any_of(batch.edges.begin(), batch.edges.end(), [&](const Edge& edge) {
+      return layout.part_of(edge.id.a).has_value() || layout.part_of(edge.id.b).has_value();
+    });
+  });
 }
 
 bool Surroundings::are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m) {

@@ -15,6 +15,8 @@ class Surroundings {
  public:
   /// Whether they are surely farther apart than that; no, when nothing is known of it.
   bool are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m);
+  /// The batch has joined the network: where it adds relations the ways may be others.
+  void joined(const Batch& batch);
   /// The network was edited.
   void forget() { around_.clear(); }
 
