@@ -224,8 +224,9 @@ void Ledger::note_put_down(const RobotId& robot) {
 void Ledger::body_moved(const RobotId& robot) {
   constexpr double moves_m_s = 0.01;
   Robot& mine = robots.at(robot);
-  Stance stance{mine.body->site_from_robot().translation(), mine.footprint_m, false, mine.body->by_hand()};
-  stance.drives = !stance.led && std::abs(mine.body->true_speed_m_s()) > moves_m_s;
+  const bool moves = std::abs(mine.body->true_speed_m_s()) > moves_m_s;
+  const bool led = mine.body->by_hand() || (mine.led && moves);  // until it has rolled out
+  const Stance stance{mine.body->site_from_robot().translation(), mine.footprint_m, moves && !led, led};
   const std::vector<Contacts::Touch> touches = contacts_.moved(robot, stance);
   if (mine.led && !stance.led) note_put_down(robot);
   mine.led = stance.led;

@@ -54,6 +54,7 @@ class Operator {
   void send_goal(const std::string& label, const std::string& robot);
   void stop_a_while(std::size_t robot);
   void edit_a_while();
+  void note_stray(const Goal& goal);
   void look_around();
   void help_waiting(const GoalId& id, Open& open);
   bool waits_for(std::size_t robot, const std::string& other) const;
@@ -83,6 +84,7 @@ class Operator {
   std::set<std::size_t> starts_;                 ///< robots whose start has a label
   std::map<std::string, std::size_t> stations_;  ///< labels that stand, and which station of the site
   std::map<GoalId, Open> open_;
+  std::set<std::size_t> strays_;  ///< robots to be led back to where they can set off
   std::uint64_t goals_sent_ = 0;
   std::uint64_t goals_accepted_ = 0;
 };

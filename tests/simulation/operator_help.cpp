@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "tests/simulation/operator.hpp"
 
@@ -95,6 +96,12 @@ std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
   return std::nullopt;
 }
 
+/// A robot that stands askew, where a hand has left it, cannot set off.
+void Operator::note_stray(const Goal& goal) {
+  const bool is_off = goal.state == GoalState::failed && goal.history.back().cause == "off_route";
+  if (const auto robot = serving(goal); is_off && robot) strays_.insert(*robot);
+}
+
 void Operator::look_around() {
   std::vector<GoalId> ids;
   for (const auto& [id, open] : open_) ids.push_back(id);
@@ -104,6 +111,7 @@ void Operator::look_around() {
     // A server that knows of no such goal: the request never arrived.
     if (answer->goals.empty() || is_terminal(answer->goals.front().state)) {
       open_.erase(id);
+      if (!answer->goals.empty()) note_stray(answer->goals.front());
       continue;
     }
     const Goal& goal = answer->goals.front();
@@ -150,6 +158,7 @@ void Operator::help() {
   for (const GoalId& id : ids) {
     if (const auto found = open_.find(id); found != open_.end()) help_waiting(id, found->second);
   }
+  for (const std::size_t robot : std::exchange(strays_, {})) take_away(robot);
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     const msg::RobotState& state = fleet_.state(robot);
     if (!fleet_.robot_up(robot)) continue;

@@ -136,13 +136,14 @@ bool Operator::teach_more(std::size_t robot) {
   return true;
 }
 
-/// A hand turns an idle robot and takes it to a free station, around whoever stands near, and tells it where that is.
+/// A hand turns an idle robot and takes it to a free siding, around whoever stands near, and tells it where that is.
 void Operator::take_away(std::size_t robot) {
   constexpr double before_m = 3.5;  // along the siding, so that it stands as it was taught there
   if (!is_idle(robot)) return;
   const Site& site = fleet_.site();
   for (const std::string& label : free_stations()) {
     const std::size_t station = stations_.at(label);
+    if (site.course().stations()[station].right_m == 0.0) continue;  // there it would stand in the way
     const double at = site.course().stations()[station].at_m;
     const std::vector<agents::SitePoint> last = site.line(at - before_m, at, {station});
     for (const double turned : {std::numbers::pi, std::numbers::pi / 2.0, -std::numbers::pi / 2.0, 0.0}) {
