@@ -5,11 +5,11 @@
 namespace weft::agents {
 namespace {
 
-constexpr ExperienceId kRun{3};
+constexpr ExperienceId kLoop{3};
 constexpr std::uint32_t kPlaces = 40;  // of a loop, 0.2 m apart; the last one is joined to the first
 
 PlaceId place(std::uint32_t index) {
-  return {kRun, index};
+  return {kLoop, index};
 }
 
 /// A way of 8 m that no poses are known of, closed by a stitch.
