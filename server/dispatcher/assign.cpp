@@ -51,6 +51,7 @@ void Dispatcher::assign_waiting(Now now) {
   const Revision revision = context_.snapshots.current().revision();
   if (tried_at_ != revision) tried_.clear();
   tried_at_ = revision;
+  Queues queues;
   const std::map<std::uint64_t, GoalId> alive = book_.alive();
   for (const auto& [number, id] : alive) {
     const Goal& goal = *book_.find(id);
@@ -58,27 +59,52 @@ void Dispatcher::assign_waiting(Now now) {
     std::string why_none = "no robot is idle and knows where it is";
     const std::vector<Candidate> ready = candidates(goal, why_none);
     if (ready.empty()) {
-      still_pending(goal, why_none, now);
+      still_pending(goal, Why::turn, why_none, queues);
       continue;
     }
     const auto tried = tried_.find(id);
-    if (tried != tried_.end() && tried->second == ready) continue;
+    if (tried != tried_.end() && tried->second == ready) {
+      queues.begun.insert(goal.wanted);
+      continue;
+    }
     const Result<Choice> choice = choose(ready, ways_to(goal.to, now));
     if (!choice) {
       tried_[id] = ready;
-      still_pending(goal, choice.error().message, now);
+      still_pending(goal, Why::no_way, choice.error().message, queues);
       continue;
     }
-    if (assign(goal, *choice, now)) tried_.erase(id);
+    if (assign(goal, *choice, now)) forget_waiting(id);
   }
+  note_pending(queues, now);
 }
 
-void Dispatcher::still_pending(const Goal& goal, const std::string& why, Now now) {
-  if (goal.history.back().cause == why) return;
+/// The first goal for a robot, or for any, says what it waits for whenever that changes. Those behind it say once
+/// that it comes first, and once that there was no way: a queue writes as much as it is long, not its square.
+void Dispatcher::still_pending(const Goal& goal, Why kind, const std::string& why, Queues& queues) const {
+  const bool is_first = queues.begun.insert(goal.wanted).second;
+  const auto told = told_.find(goal.id);
+  if (!is_first && told != told_.end() && told->second.contains(kind)) return;
+  std::string text = why;
+  if (!is_first && kind == Why::turn) {
+    text = goal.wanted ? "goals for " + fleet_.name_of(*goal.wanted) + " that were asked for earlier come first"
+                       : "goals that were asked for earlier come first";
+  }
+  queues.waiting.push_back({{goal.id, std::move(text)}, kind});
+}
+
+void Dispatcher::note_pending(const Queues& queues, Now now) {
+  std::vector<GoalBook::Waiting> fresh;
+  for (const Queues::Waits& waits : queues.waiting) {
+    if (book_.find(waits.goal.goal)->history.back().cause != waits.goal.why) fresh.push_back(waits.goal);
+  }
   // What cannot be kept now is tried again when it is looked at next.
-  std::ignore =
-      book_.write(goal, {.state = GoalState::pending, .cause = why, .who = "dispatcher", .kind = "goal.waits"},
-                  std::nullopt, {}, now);
+  if (!book_.write(fresh, now)) return;
+  for (const Queues::Waits& waits : queues.waiting) told_[waits.goal.goal].insert(waits.kind);
+}
+
+void Dispatcher::forget_waiting(const GoalId& goal) {
+  tried_.erase(goal);
+  told_.erase(goal);
 }
 
 Route Dispatcher::route_of(const Goal& goal, const Choice& choice) {

@@ -124,7 +124,7 @@ msg::OperatorReply Dispatcher::cancel(const GoalId& id, const std::string& who, 
   if (book_.find(id)->state != GoalState::cancelled) {
     return reply(msg::Outcome::failed, id, "the store takes nothing at the moment: try again");
   }
-  tried_.erase(id);
+  forget_waiting(id);
   return reply(msg::Outcome::done, id, "cancelled");
 }
 

@@ -81,7 +81,20 @@ class Dispatcher {
   // assign.cpp
   void assign_waiting(Now now);
   bool assign(const Goal& goal, const Choice& choice, Now now);
-  void still_pending(const Goal& goal, const std::string& why, Now now);
+  /// Why a goal is not given to a robot: the robots have others first, or are not ready; or there is no way.
+  enum class Why : std::uint8_t { turn, no_way };
+  /// Of one look at all pending goals.
+  struct Queues {
+    struct Waits {
+      GoalBook::Waiting goal;
+      Why kind = Why::turn;
+    };
+    std::set<std::optional<RobotId>> begun;  ///< for whom a goal waits; none: for any robot
+    std::vector<Waits> waiting;              ///< what is to be noted
+  };
+  void still_pending(const Goal& goal, Why kind, const std::string& why, Queues& queues) const;
+  void note_pending(const Queues& queues, Now now);
+  void forget_waiting(const GoalId& goal);
   std::string not_ready(const Robot& robot) const;
   std::vector<Candidate> candidates(const Goal& goal, std::string& why_none) const;
   void plan_anew(const RobotId& robot, Errand& errand, Now now);
@@ -120,6 +133,7 @@ class Dispatcher {
   GoalBook book_;
   std::map<RobotId, Errand> errands_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
+  std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started
   Revision tried_at_;
   bool routes_checked_ = false;
   bool look_again_ = true;

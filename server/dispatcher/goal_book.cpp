@@ -23,16 +23,11 @@ void GoalBook::index(const Goal& goal) {
   }
 }
 
-Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Route>& route,
-                             storage::Transaction transaction, Now now) {
+/// Adds the step to the goal's history, and both to the transaction with the step's event.
+void GoalBook::add(Goal& goal, const Step& step, storage::Transaction& transaction, Now now) {
   goal.state = step.state;
   goal.history.push_back({.at = now.wall, .state = step.state, .cause = clipped(step.cause), .who = step.who});
   if (goal.history.size() > kHistory) goal.history.erase(goal.history.begin() + 1);
-  if (route) {
-    goal.route = route->id;
-    goal.route_version = route->version;
-    transaction.changes.emplace_back(storage::PutRoute{*route});
-  }
   transaction.changes.emplace_back(storage::PutGoal{goal});
   const std::string kind = step.kind != nullptr ? step.kind : std::string("goal.") + to_string(step.state);
   transaction.changes.emplace_back(storage::PutEvent{{.at = {},
@@ -41,12 +36,37 @@ Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Ro
                                                       .goal = goal.id,
                                                       .cause = step.cause,
                                                       .who = step.who}});
+}
+
+Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Route>& route,
+                             storage::Transaction transaction, Now now) {
+  if (route) {
+    goal.route = route->id;
+    goal.route_version = route->version;
+    transaction.changes.emplace_back(storage::PutRoute{*route});
+  }
+  add(goal, step, transaction, now);
   if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   if (route) routes_[goal.id] = *route;
   index(goal);
   goals_[goal.id] = std::move(goal);
+  return {};
+}
+
+Result<void> GoalBook::write(const std::vector<Waiting>& waiting, Now now) {
+  if (waiting.empty()) return {};
+  storage::Transaction transaction;
+  std::vector<Goal> goals;
+  for (const Waiting& one : waiting) {
+    const Step step = {.state = GoalState::pending, .cause = one.why, .who = "dispatcher", .kind = "goal.waits"};
+    add(goals.emplace_back(goals_.at(one.goal)), step, transaction, now);
+  }
+  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+    return fail(done.error());
+  }
+  for (Goal& goal : goals) goals_[goal.id] = std::move(goal);
   return {};
 }
 

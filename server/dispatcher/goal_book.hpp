@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/network/goal.hpp"
 #include "server/context.hpp"
@@ -24,6 +25,12 @@ class GoalBook {
   /// book has it. A route in `route` becomes the goal's latest.
   Result<void> write(Goal goal, const Step& step, const std::optional<Route>& route, storage::Transaction transaction,
                      Now now);
+  struct Waiting {
+    GoalId goal;
+    std::string why;
+  };
+  /// What pending goals wait for, in one transaction. None: nothing is written.
+  Result<void> write(const std::vector<Waiting>& waiting, Now now);
   /// A route's release grew.
   Result<void> write(const Route& route, storage::Transaction transaction, Now now);
 
@@ -36,6 +43,7 @@ class GoalBook {
 
  private:
   void index(const Goal& goal);
+  static void add(Goal& goal, const Step& step, storage::Transaction& transaction, Now now);
 
   Context& context_;
   std::map<GoalId, Goal> goals_;
