@@ -74,6 +74,7 @@ NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceI
     }
   }
   page.labels = network.labels();
+  page.aparts = network.aparts();
   page.is_last = true;
   return page;
 }
@@ -99,6 +100,7 @@ std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities
   for (const Place& place : page.places) room().places.push_back(place);
   for (const Edge& edge : page.edges) room().edges.push_back(edge);
   for (const auto& [label, place] : page.labels) room().labels.emplace(label, place);
+  for (const Apart& apart : page.aparts) room().aparts.push_back(apart);
   return pieces;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/network/apart.hpp"
 #include "core/network/window.hpp"
 
 namespace weft {
@@ -16,16 +17,20 @@ struct NetworkPage {
   std::vector<Place> places;              ///< in the order of their ids
   std::vector<Edge> edges;                ///< those whose second end is one of `places`
   std::map<std::string, PlaceId> labels;  ///< all of the network's, with the last page
+  std::vector<Apart> aparts;              ///< the same
   std::uint64_t total = 0;                ///< places on all pages, with the first one
   bool is_last = false;
 };
 
+inline constexpr PlaceId kBehindAll{{~std::uint64_t{0}}, ~std::uint32_t{0}};
+
 /// The page that follows `after` (the first one: no place), with as many whole places and their edges as make up to
 /// `entities`, and at least one place. With `other`, only experiences whose places or edges differ in the two:
-/// that is the same set from either side.
+/// that is the same set from either side. Behind the last place of all (`kBehindAll`) there is only what comes with
+/// the last page.
 NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities);
 
-/// Cut so that each piece has at most `entities` places, edges and labels; at least one piece.
+/// Cut so that each piece has at most `entities` places, edges, labels and aparts; at least one piece.
 std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities);
 
 /// Pages put together again, in their order.
@@ -41,7 +46,8 @@ class PagedNetwork {
   Revision revision() const { return window_.revision; }
   std::uint64_t done() const { return window_.places.size(); }
   std::uint64_t total() const { return total_; }
-  /// When it is whole. Edges that lead to places on no page are left out; labels are not.
+  /// When it is whole. Edges that lead to places on no page are left out; labels are not. Aparts are
+  /// no part of a window.
   Window take();
 
  private:

@@ -269,7 +269,7 @@ struct AgentReply {
 /// What is to be done to the map; which fields count depends on the request's kind.
 struct MapWork {
   Revision revision;        ///< rollback: to which; undo: which; compact: before which
-  Removal what;             ///< undo, quarantine: when not by revision or name
+  Removal what;             ///< undo, quarantine: when not by revision or name; apart: the two stretches
   bool only_say = false;    ///< say what it would do, and leave the map as it is
   double within_m = 0.0;    ///< replace, prune: how near another place covers the same ground; 0: as usual
   double within_rad = 0.0;  ///< the same for headings
@@ -299,7 +299,10 @@ struct OperatorRequest {
     check = 18,         ///< every checksum and reference
     stats = 19,         ///< what takes space
     teach_report = 20,  ///< how well a robot will find itself where it was taught
-    robot_counts = 21   ///< how often a robot found where it is, and what it refused, by reason
+    robot_counts = 21,  ///< how often a robot found where it is, and what it refused, by reason
+    /// a snapshot that is then restored beside itself, checked, and compared with the map
+    snapshot_verified = 22,
+    apart = 23  ///< the two stretches are different floors
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random

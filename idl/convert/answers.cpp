@@ -178,6 +178,7 @@ static idl::NetworkPage page_to_idl(const NetworkPage& page) {
   wire.places(list_to_idl<idl::Place>(page.places));
   wire.edges(list_to_idl<idl::Edge>(page.edges));
   wire.labels(labels_to_idl(page.labels));
+  wire.aparts(list_to_idl<idl::Apart>(page.aparts));
   wire.total(page.total);
   wire.is_last(page.is_last);
   return wire;
@@ -186,11 +187,13 @@ static idl::NetworkPage page_to_idl(const NetworkPage& page) {
 static NetworkPage from_idl(const idl::NetworkPage& wire, Reading reading) {
   NetworkPage value;
   value.revision = Revision{wire.revision()};
-  reading.require(wire.places().size() + wire.edges().size() + wire.labels().size() <= msg::kPatchEntities,
-                  "places, edges and labels", "must be at most " + std::to_string(msg::kPatchEntities) + " together");
+  reading.require(
+      wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size() <= msg::kPatchEntities,
+      "places, edges, labels and aparts", "must be at most " + std::to_string(msg::kPatchEntities) + " together");
   value.places = list_from_idl<Place>(wire.places(), reading, "places", msg::kPatchEntities);
   value.edges = list_from_idl<Edge>(wire.edges(), reading, "edges", msg::kPatchEntities);
   value.labels = labels_from_idl(reading.list("labels", wire.labels(), msg::kPatchEntities), reading.in("labels"));
+  value.aparts = list_from_idl<Apart>(wire.aparts(), reading, "aparts", msg::kPatchEntities);
   value.total = wire.total();
   value.is_last = wire.is_last();
   return value;

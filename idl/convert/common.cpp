@@ -276,6 +276,31 @@ std::vector<PlaceId> places_from_idl(const std::vector<idl::PlaceId>& ids, Readi
   return list;
 }
 
+idl::Stretch to_idl(const Stretch& stretch) {
+  idl::Stretch wire;
+  wire.experience(stretch.experience.value);
+  wire.first(stretch.first);
+  wire.last(stretch.last);
+  return wire;
+}
+
+Stretch from_idl(const idl::Stretch& wire, Reading reading) {
+  const Stretch value{reading.some("experience", ExperienceId{wire.experience()}), wire.first(), wire.last()};
+  reading.require(value.first <= value.last, "last", "must not be before first");
+  return value;
+}
+
+idl::Apart to_idl(const Apart& apart) {
+  idl::Apart wire;
+  wire.one(to_idl(apart.one));
+  wire.other(to_idl(apart.other));
+  return wire;
+}
+
+Apart from_idl(const idl::Apart& wire, Reading reading) {
+  return {from_idl(wire.one(), reading.in("one")), from_idl(wire.other(), reading.in("other"))};
+}
+
 std::vector<idl::Label> labels_to_idl(const std::map<std::string, PlaceId>& labels) {
   std::vector<idl::Label> wire;
   wire.reserve(labels.size());

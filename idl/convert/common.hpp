@@ -26,6 +26,11 @@ EdgeId from_idl(const idl::EdgeId& id, Reading reading);
 idl::Edge to_idl(const Edge& edge);
 Edge from_idl(const idl::Edge& edge, Reading reading);
 
+idl::Stretch to_idl(const Stretch& stretch);
+Stretch from_idl(const idl::Stretch& stretch, Reading reading);
+idl::Apart to_idl(const Apart& apart);
+Apart from_idl(const idl::Apart& apart, Reading reading);
+
 idl::Route to_idl(const Route& route);
 Route from_idl(const idl::Route& route, Reading reading);
 

@@ -4,24 +4,10 @@
 
 namespace weft::convert {
 
-static idl::Stretch stretch_to_idl(const Stretch& stretch) {
-  idl::Stretch wire;
-  wire.experience(stretch.experience.value);
-  wire.first(stretch.first);
-  wire.last(stretch.last);
-  return wire;
-}
-
-static Stretch from_idl(const idl::Stretch& wire, Reading reading) {
-  const Stretch value{reading.some("experience", ExperienceId{wire.experience()}), wire.first(), wire.last()};
-  reading.require(value.first <= value.last, "last", "must not be before first");
-  return value;
-}
-
 static idl::MapWork work_to_idl(const msg::MapWork& work) {
   idl::MapWork wire;
   wire.revision(work.revision.value);
-  for (const Stretch& stretch : work.what.places) wire.places().push_back(stretch_to_idl(stretch));
+  wire.places(list_to_idl<idl::Stretch>(work.what.places));
   wire.stitches(list_to_idl<idl::EdgeId>(work.what.stitches));
   wire.only_say(work.only_say);
   wire.within_m(work.within_m);
@@ -65,7 +51,7 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::robot_counts);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::apart);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
   value.place = from_idl(wire.place());

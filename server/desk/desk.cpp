@@ -78,12 +78,14 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
     case Kind::rollback:
     case Kind::undo:
     case Kind::quarantine:
+    case Kind::apart:
       answer(key, editor_.on_request(request, who, now));
       return;
     case Kind::replace:
     case Kind::prune:
     case Kind::compact:
     case Kind::snapshot:
+    case Kind::snapshot_verified:
     case Kind::check:
     case Kind::stats:
       if (std::optional<msg::OperatorReply> at_once = jobs_.begin(key, request, who, now)) {

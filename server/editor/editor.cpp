@@ -18,6 +18,7 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
   if (!edit.back.empty()) transaction.changes.emplace_back(storage::BringBack{edit.back});
   if (!edit.known_anew.empty()) transaction.changes.emplace_back(storage::PutPlaces{edit.known_anew});
   for (const auto& [label, place] : edit.labels) transaction.changes.emplace_back(storage::PutLabel{label, place});
+  for (const auto& [apart, holds] : edit.aparts) transaction.changes.emplace_back(storage::PutApart{apart, holds});
   transaction.changes.emplace_back(storage::PutEvent{{.at = {},
                                                       .kind = "map." + edit.kind,
                                                       .robot = {},
@@ -30,18 +31,37 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
   return transaction;
 }
 
+/// Nothing but one pair.
+bool is_one_apart(const Edit& edit) {
+  const bool is_else = !edit.out.empty() || !edit.back.empty() || !edit.known_anew.empty() || !edit.labels.empty();
+  return edit.aparts.size() == 1 && !is_else && edit.to.value == 0;
+}
+
+const char* edit_name(Kind kind) {
+  switch (kind) {
+    case Kind::rollback:
+      return "rollback";
+    case Kind::undo:
+      return "undo";
+    case Kind::apart:
+      return "apart";
+    default:
+      return "quarantine";
+  }
+}
+
 }  // namespace
 
 Result<Edit> Editor::edit_for(const msg::OperatorRequest& request) const {
   const Snapshot& snapshot = context_.snapshots.current();
   const msg::MapWork& work = request.work;
-  Result<Edit> edit = request.kind == Kind::rollback ? rolling_back(snapshot, context_.store, work.revision)
-                      : request.kind == Kind::undo && work.revision.value != 0
-                          ? undoing(snapshot, context_.store, work.revision)
-                          : taking_out(snapshot, request);
-  if (edit) {
-    edit->kind = request.kind == Kind::rollback ? "rollback" : request.kind == Kind::undo ? "undo" : "quarantine";
-  }
+  Result<Edit> edit = [&] {
+    if (request.kind == Kind::rollback) return rolling_back(snapshot, context_.store, work.revision);
+    if (request.kind == Kind::apart) return setting_apart(snapshot, request);
+    const bool is_revision = request.kind == Kind::undo && work.revision.value != 0;
+    return is_revision ? undoing(snapshot, context_.store, work.revision) : taking_out(snapshot, request);
+  }();
+  if (edit) edit->kind = edit_name(request.kind);
   return edit;
 }
 
@@ -97,9 +117,15 @@ std::set<PlaceId> Editor::in_use() const {
 }
 
 Result<Snapshot> Editor::edited(const Edit& edit, Revision revision) const {
-  const bool only_out = edit.back.empty() && edit.known_anew.empty() && edit.labels.empty() && edit.to.value == 0;
+  const bool only_out = edit.back.empty() && edit.known_anew.empty() && edit.labels.empty() && edit.aparts.empty() &&
+                        edit.to.value == 0;
   if (only_out) return without(context_.snapshots.current(), edit.out);
-  return context_.store.snapshot_at(revision, context_.snapshots.current());
+  const Snapshot& current = context_.snapshots.current();
+  if (is_one_apart(edit) && is_served(current, edit.aparts.begin()->first)) {
+    const auto& [apart, holds] = *edit.aparts.begin();
+    return holds ? with_apart(current, apart) : without_apart(current, apart);
+  }
+  return context_.store.snapshot_at(revision, current);
 }
 
 }  // namespace weft::server

@@ -17,7 +17,7 @@ class Editor {
   Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)
       : context_(context), traffic_(traffic), dispatcher_(dispatcher) {}
 
-  /// rollback, undo and quarantine.
+  /// rollback, undo, quarantine and apart.
   msg::OperatorReply on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
   /// Durable, and served, when it returns.
   msg::OperatorReply commit(const Edit& edit, const std::string& who, Now now);

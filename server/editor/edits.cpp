@@ -59,6 +59,12 @@ void undo_label(const std::string& label, const Snapshot& now, const Snapshot& t
   if (place_of(label, then) == is && was != is) edit.labels[label] = was;
 }
 
+/// What the revision vouched for, or did no longer, if that is still so.
+void undo_apart(const Apart& apart, const Snapshot& now, const Snapshot& then, const Snapshot& before, Edit& edit) {
+  const auto holds = [&](const Snapshot& at) { return std::ranges::binary_search(at.aparts(), apart); };
+  if (holds(then) == holds(now) && holds(before) != holds(now)) edit.aparts[apart] = holds(before);
+}
+
 /// What the revision made of places, as far as they are still known so.
 void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, const Snapshot& before, Edit& edit) {
   for (const Place& place : learned) {
@@ -80,6 +86,10 @@ std::string to_text(const Edit& edit) {
   if (!edit.known_anew.empty()) parts.push_back(counted(edit.known_anew.size(), "place") + " known as before");
   for (const auto& [label, place] : edit.labels) {
     parts.push_back("label " + label + (place.experience ? " at " + to_string(place) + " again" : " gone"));
+  }
+  for (const auto& [apart, holds] : edit.aparts) {
+    parts.push_back(to_string(apart.one) + " and " + to_string(apart.other) +
+                    (holds ? " are different floors" : " are different floors no longer"));
   }
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
@@ -120,6 +130,20 @@ Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& re
   return edit;
 }
 
+Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest& request) {
+  const Removal& asked = request.work.what;
+  if (asked.places.size() != 2 || !asked.stitches.empty() || !request.label.empty()) {
+    return fail(ErrorCode::invalid, "two stretches of places are needed to be apart, " +
+                                        std::to_string(asked.places.size()) + " were named");
+  }
+  const Apart apart{asked.places.front(), asked.places.back()};
+  if (auto fits = check(snapshot, apart); !fits) return fail(fits.error());
+  Edit edit;
+  edit.aparts[ordered(apart)] = true;
+  edit.cause = "vouched for";
+  return edit;
+}
+
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision) {
   const Result<storage::RevisionChanges> changes = store.changes_of(revision);
   if (!changes) return fail(changes.error());
@@ -139,13 +163,14 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
   append(out, changes->brought_back);
   edit.out = present(snapshot, out);
   edit.back = absent(snapshot, changes->taken_out);
-  if (!changes->labels.empty() || !changes->known_anew.empty()) {
+  if (!changes->labels.empty() || !changes->aparts.empty() || !changes->known_anew.empty()) {
     const Result<Snapshot> then = store.snapshot_at(revision, snapshot);
     if (!then) return fail(then.error());
     const Result<Snapshot> before = store.snapshot_at(changes->note.base, *then);
     if (!before) return fail(before.error());
     undo_known_anew(changes->known_anew, snapshot, *before, edit);
     for (const std::string& label : changes->labels) undo_label(label, snapshot, *then, *before, edit);
+    for (const Apart& apart : changes->aparts) undo_apart(apart, snapshot, *then, *before, edit);
   }
   if (edit.empty()) {
     return fail(ErrorCode::not_found, "nothing of " + edit.cause +

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/network/apart.hpp"
 #include "core/network/removal.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
@@ -16,10 +17,13 @@ struct Edit {
   Removal back;
   std::vector<Place> known_anew;          ///< places as they are known from now on
   std::map<std::string, PlaceId> labels;  ///< a place of no experience: the label goes
+  std::map<Apart, bool> aparts;           ///< false: vouched for no longer
   Revision to;                            ///< not 0: a rollback, and nothing else
   std::string kind;                       ///< for the log
   std::string cause;                      ///< what was asked for, in words
-  bool empty() const { return out.empty() && back.empty() && known_anew.empty() && labels.empty() && to.value == 0; }
+  bool empty() const {
+    return out.empty() && back.empty() && known_anew.empty() && labels.empty() && aparts.empty() && to.value == 0;
+  }
 };
 
 /// For people: "12 places and 3 stitches leave the map".
@@ -32,6 +36,9 @@ Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& 
 
 /// The places and stitches named, or a whole experience by its name.
 Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& request);
+/// The two stretches named are different floors. invalid: not two, or stretches that cannot be; conflict: they are so
+/// already.
+Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest& request);
 /// What a revision changed, the other way round. refused: a rollback that is not the newest revision.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);

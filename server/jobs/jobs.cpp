@@ -20,6 +20,7 @@ std::string name_of(Kind kind) {
     case Kind::check:
       return "check";
     case Kind::snapshot:
+    case Kind::snapshot_verified:
       return "snapshot";
     case Kind::replace:
       return "replace";
@@ -66,7 +67,8 @@ Result<Jobs::Running> Jobs::make(const msg::OperatorRequest& request) const {
     running.pruner.emplace(*std::move(pruner));
     return running;
   }
-  if (request.kind == Kind::snapshot && !request.work.file.starts_with('/')) {
+  const bool is_snapshot = request.kind == Kind::snapshot || request.kind == Kind::snapshot_verified;
+  if (is_snapshot && !request.work.file.starts_with('/')) {
     return fail(ErrorCode::invalid, "'" + request.work.file +
                                         "' is no absolute path; the file is written where the server runs: name it "
                                         "from / on");
@@ -87,6 +89,7 @@ Result<std::unique_ptr<storage::StoreJob>> Jobs::store_job(const msg::OperatorRe
     case Kind::check:
       return context_.store.check();
     case Kind::snapshot:
+    case Kind::snapshot_verified:
       return context_.store.snapshot_to(request.work.file);
     case Kind::compact:
       return context_.store.compact(request.work.revision);
@@ -129,7 +132,7 @@ Jobs::Replies Jobs::tick(Now now) {
 
 msg::OperatorReply Jobs::work_on_store(Now /*now*/) {
   const Result<storage::JobProgress> progress = running_->store_job->step();
-  if (!progress) return refusal(progress.error());
+  if (!progress) return refusal(running_->written.empty() ? progress.error() : unverified(progress.error()));
   for (const std::string& finding : progress->findings) {
     ++running_->found;
     if (running_->findings.size() < kFindingsInReply) running_->findings.push_back(clipped(finding));
@@ -141,14 +144,28 @@ msg::OperatorReply Jobs::work_on_store(Now /*now*/) {
   reply.total = progress->total;
   reply.unit = progress->unit;
   if (!progress->finished) return reply;
+  if (running_->request.kind == Kind::snapshot_verified && running_->written.empty()) return verify(*progress, reply);
   reply.outcome = running_->found == 0 ? msg::Outcome::done : msg::Outcome::failed;
-  reply.message = progress->summary;
+  reply.message = running_->written.empty() ? progress->summary : running_->written + "; " + progress->summary;
   if (running_->request.kind == Kind::check) reply.counts.emplace_back("findings", running_->found);
   for (const storage::SpaceUse& use : progress->space) {
     reply.counts.emplace_back(use.kind + ": count", use.count);
     reply.counts.emplace_back(use.kind + ": bytes on disk", use.disk_bytes);
     reply.counts.emplace_back(use.kind + ": bytes as handed in", use.uncompressed_bytes);
   }
+  return reply;
+}
+
+Error Jobs::unverified(const Error& error) const {
+  return {error.code, running_->written + ", but nobody has seen whether it restores: " + error.message};
+}
+
+/// The copy has just ended, so the map that is served is the map of its revision.
+msg::OperatorReply Jobs::verify(const storage::JobProgress& copied, msg::OperatorReply reply) {
+  running_->written = copied.summary;
+  auto job = context_.store.verify(running_->request.work.file, context_.snapshots.current());
+  if (!job) return refusal(unverified(job.error()));
+  running_->store_job = *std::move(job);
   return reply;
 }
 

@@ -13,9 +13,9 @@
 
 namespace weft::server {
 
-/// Long work on the map, one at a time, piece by piece between messages: check, snapshot, stats, compact, prune,
-/// replace. Who asked hears how it goes twice a second. It goes on when nobody listens any more, and its end is an
-/// event.
+/// Long work on the map, one at a time, piece by piece between messages: check, snapshot (verified or not), stats,
+/// compact, prune, replace. Who asked hears how it goes twice a second. It goes on when nobody listens any more, and
+/// its end is an event.
 class Jobs {
  public:
   using Key = RequestLedger::Key;
@@ -38,6 +38,7 @@ class Jobs {
     std::string who;
     std::unique_ptr<storage::StoreJob> store_job;  ///< this or
     std::optional<Pruner> pruner;                  ///< this
+    std::string written;                           ///< of the snapshot that is being verified; empty: none is
     std::vector<std::string> findings;             ///< the first of them, for the last reply
     std::uint64_t found = 0;
     std::vector<std::string> unsaid;
@@ -49,6 +50,8 @@ class Jobs {
   Result<std::unique_ptr<storage::StoreJob>> store_job(const msg::OperatorRequest& request) const;
   Result<Pruner> make_pruner(const msg::OperatorRequest& request) const;
   msg::OperatorReply work_on_store(Now now);
+  msg::OperatorReply verify(const storage::JobProgress& copied, msg::OperatorReply reply);
+  Error unverified(const Error& error) const;
   msg::OperatorReply work_on_pruning(Now now);
   msg::OperatorReply pruned(Now now);
   void note_end(const msg::OperatorReply& reply, Now now);

@@ -177,6 +177,7 @@ msg::QueryReply query_reply() {
   made.network.places = {place(1), place(2)};
   made.network.edges = {edge(metric2(), Origin::stitch)};
   made.network.labels = {{"dock", place_id(2, 1)}};
+  made.network.aparts = {{{ExperienceId{0xabcdef}, 3, 9}, {ExperienceId{0xfedcba}, 0, 4}}};
   made.network.total = 400;
   made.network.is_last = true;
   made.outcome = msg::Outcome::refused;

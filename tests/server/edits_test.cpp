@@ -73,6 +73,44 @@ TEST_F(Edits, AnExperienceGoesAndComesBack) {
   EXPECT_THAT(site.events_of("map.undo"), SizeIs(2));
 }
 
+TEST_F(Edits, StretchesAreApartUntilThatIsUndone) {
+  const Removal floors{{{bypass.id(), 1, 4}, {run.id(), 12, 18}}, {}};
+  const Apart apart = ordered({floors.places[0], floors.places[1]});
+  const auto before = site.service().snapshot().shared_labels();
+  const msg::OperatorReply done = edit(Kind::apart, floors);
+  EXPECT_EQ(done.outcome, msg::Outcome::done) << done.message;
+  EXPECT_EQ(done.revision, revision());
+  EXPECT_TRUE(are_apart(site.service().snapshot(), run.place(15), bypass.place(2)));
+  EXPECT_EQ(site.service().snapshot().shared_labels(), before) << "nobody's window has changed";
+  EXPECT_THAT(site.events_of("map.apart"), ElementsAre(HasSubstr("different floors")));
+  EXPECT_EQ(edit(Kind::apart, floors).outcome, msg::Outcome::refused) << "they are so already";
+  site.restart();
+  EXPECT_EQ(site.service().snapshot().aparts(), Snapshot::Aparts{apart});
+  const msg::OperatorReply undone = to_revision(Kind::undo, done.revision);
+  EXPECT_EQ(undone.outcome, msg::Outcome::done) << undone.message;
+  EXPECT_TRUE(site.service().snapshot().aparts().empty());
+  EXPECT_EQ(to_revision(Kind::undo, done.revision).outcome, msg::Outcome::refused) << "nothing is left to undo";
+  EXPECT_EQ(to_revision(Kind::undo, undone.revision).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.service().snapshot().aparts(), Snapshot::Aparts{apart});
+  EXPECT_EQ(to_revision(Kind::rollback, undone.revision).outcome, msg::Outcome::done);
+  EXPECT_TRUE(site.service().snapshot().aparts().empty());
+}
+
+TEST_F(Edits, StretchesThatCannotBeApartAreRefused) {
+  const Revision before = revision();
+  for (const std::vector<Stretch>& named : {std::vector<Stretch>{},
+                                            {{run.id(), 1, 2}},
+                                            {{run.id(), 1, 2}, {run.id(), 1, 2}},
+                                            {{run.id(), 1, 5}, {run.id(), 4, 9}},
+                                            {{run.id(), 1, 5}, {bypass.id(), 0, 99}},
+                                            {{run.id(), 1, 5}, {ExperienceId{77}, 0, 1}}}) {
+    const msg::OperatorReply reply = edit(Kind::apart, {named, {}});
+    EXPECT_EQ(reply.outcome, msg::Outcome::refused) << reply.message;
+    EXPECT_GT(reply.message.size(), 20U);
+  }
+  EXPECT_EQ(revision(), before);
+}
+
 TEST_F(Edits, WhatWouldBeDoneIsSaidAndNotDone) {
   msg::OperatorRequest request = site.request(Kind::quarantine);
   request.work.what = {{{run.id(), 5, 9}}, {}};

@@ -90,6 +90,15 @@ TEST_F(MapWork, ASnapshotNeedsAPathOnTheServersMachine) {
   EXPECT_THAT(site.ask(request).message, HasSubstr("absolute path"));
 }
 
+TEST_F(MapWork, ASnapshotThatIsVerifiedNeedsOneTooAndAnEngineWithFiles) {
+  msg::OperatorRequest request = site.request(Kind::snapshot_verified);
+  request.work.file = "backup.sqlite";
+  EXPECT_THAT(site.ask(request).message, HasSubstr("absolute path"));
+  request = site.request(Kind::snapshot_verified);
+  request.work.file = "/tmp/backup.sqlite";
+  EXPECT_THAT(site.ask(request).message, HasSubstr("no file to copy"));
+}
+
 TEST_F(MapWork, MessagesAreAnsweredBetweenThePieces) {
   site.say(site.request(Kind::prune));
   const std::optional<SteadyTime> next = site.service().next_tick();
