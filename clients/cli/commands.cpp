@@ -38,6 +38,7 @@ constexpr std::array kAskings{
     Asking{Command::map_rollback, run_map_work, kAMinute},
     Asking{Command::map_undo, run_map_work, kAMinute},
     Asking{Command::map_quarantine, run_map_work, kAMinute},
+    Asking{Command::map_apart, run_apart, kAMinute},
     Asking{Command::map_replace, run_map_work, kAMinute},
     Asking{Command::map_prune, run_map_work, kAMinute},
     Asking{Command::map_compact, run_map_work, kAMinute},

@@ -49,6 +49,10 @@ Result<Window> network_at(Session& session, const Invocation& invocation, Sessio
                           const Output& output);
 /// Edits of the map and upkeep of the store; long ones show how far they are.
 Exit run_map_work(Session& session, const Invocation& invocation, const Output& output);
+/// Two stretches are different floors, or a list of all that are.
+Exit run_apart(Session& session, const Invocation& invocation, const Output& output);
+/// Of the map as it was then; 0: as it is.
+Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision);
 /// What is to be done to the map. invalid: what the command line names is nothing that could be meant.
 Result<msg::OperatorRequest> map_work(const Invocation& invocation);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);

@@ -1,5 +1,8 @@
 #include "clients/cli/difference.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace weft::cli {
 namespace {
 
@@ -26,7 +29,8 @@ Map united(const Map& from, const Map& to) {
 
 bool NetworkDifference::empty() const {
   return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() &&
-         stitches_removed.empty() && labels_added.empty() && labels_moved.empty() && labels_removed.empty();
+         stitches_removed.empty() && labels_added.empty() && labels_moved.empty() && labels_removed.empty() &&
+         aparts_added.empty() && aparts_removed.empty();
 }
 
 NetworkDifference compare(const Window& from, const Window& to) {
@@ -62,6 +66,11 @@ NetworkDifference compare(const Window& from, const Window& to) {
     if (!to.labels.contains(label)) found.labels_removed.push_back(label);
   }
   return found;
+}
+
+void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found) {
+  std::ranges::set_difference(to, from, std::back_inserter(found.aparts_added));
+  std::ranges::set_difference(from, to, std::back_inserter(found.aparts_removed));
 }
 
 Window united(const Window& from, const Window& to) {

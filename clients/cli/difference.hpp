@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/network/apart.hpp"
 #include "core/network/window.hpp"
 
 namespace weft::cli {
@@ -13,9 +14,13 @@ struct NetworkDifference {
   std::vector<PlaceId> places_anew;  ///< in both, with another content
   std::vector<EdgeId> stitches_added, stitches_removed;
   std::vector<std::string> labels_added, labels_moved, labels_removed;
+  std::vector<Apart> aparts_added, aparts_removed;  ///< windows have none: `compare_aparts`
   bool empty() const;
 };
 NetworkDifference compare(const Window& from, const Window& to);
+
+/// Sorted lists, as a snapshot has them.
+void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found);
 
 /// Both at once, for laying out and drawing: places and edges of either; where both have one, that of `to`.
 Window united(const Window& from, const Window& to);

@@ -182,7 +182,8 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
   }
   const Result<msg::QueryReply> events = session.query(query, patience(invocation));
   if (!events) return report(events.error(), invocation.json, output);
-  const RobotId who = goal.has_value() ? goal->robot.value_or(RobotId{}) : robot->description.header.sender;
+  const RobotId who =
+      goal.has_value() ? goal->robot.value_or(goal->wanted.value_or(RobotId{})) : robot->description.header.sender;
   const auto row = std::find_if(goals.robots.begin(), goals.robots.end(),
                                 [&](const msg::RobotRow& one) { return one.description.header.sender == who; });
   const Route* const route = goal.has_value() ? goals.route(goal->id) : nullptr;

@@ -71,7 +71,7 @@ nlohmann::json list(const std::vector<Id>& ids) {
   for (const Id& id : ids) {
     if constexpr (std::is_same_v<Id, EdgeId>) {
       all.push_back(to_string(id.a) + " - " + to_string(id.b));
-    } else if constexpr (std::is_same_v<Id, PlaceId>) {
+    } else if constexpr (std::is_same_v<Id, PlaceId> || std::is_same_v<Id, Apart>) {
       all.push_back(to_string(id));
     } else {
       all.push_back(id);
@@ -92,10 +92,13 @@ void print(const NetworkDifference& found, const Output& output) {
   table.add({"", "CAME", "WENT"});
   table.add({"places", count(found.places_added.size()), count(found.places_removed.size())});
   table.add({"stitches", count(found.stitches_added.size()), count(found.stitches_removed.size())});
+  table.add({"aparts", count(found.aparts_added.size()), count(found.aparts_removed.size())});
   table.add({"labels", names(found.labels_added), names(found.labels_removed)});
   table.print(output.out);
   if (!found.places_anew.empty()) output.out << "places known anew: " << found.places_anew.size() << '\n';
   if (!found.labels_moved.empty()) output.out << "labels moved: " << names(found.labels_moved) << '\n';
+  for (const Apart& apart : found.aparts_added) output.out << "apart: " << to_string(apart) << '\n';
+  for (const Apart& apart : found.aparts_removed) output.out << "apart no longer: " << to_string(apart) << '\n';
   if (found.empty()) output.out << "the same map\n";
 }
 
@@ -117,7 +120,12 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
   if (!to) return report(to.error(), invocation.json, output);
   const Result<Window> from = network_at(session, invocation, {invocation.from, apart_from(to->revision)}, output);
   if (!from) return report(from.error(), invocation.json, output);
-  const NetworkDifference found = compare(*from, *to);
+  NetworkDifference found = compare(*from, *to);
+  const Result<std::vector<Apart>> aparts_to = aparts_at(session, invocation, to->revision);
+  if (!aparts_to) return report(aparts_to.error(), invocation.json, output);
+  const Result<std::vector<Apart>> aparts_from = aparts_at(session, invocation, from->revision);
+  if (!aparts_from) return report(aparts_from.error(), invocation.json, output);
+  compare_aparts(*aparts_from, *aparts_to, found);
   if (!invocation.file.empty()) {
     const std::string only = *is_whole ? "" : "; only runs that differ";
     if (const Result<void> drawn = draw_difference(*from, *to, only, invocation.file); !drawn)
@@ -135,7 +143,8 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
         {"labels",
          {{"came", list(found.labels_added)},
           {"went", list(found.labels_removed)},
-          {"moved", list(found.labels_moved)}}}};
+          {"moved", list(found.labels_moved)}}},
+        {"aparts", {{"came", list(found.aparts_added)}, {"went", list(found.aparts_removed)}}}};
     output.out << document.dump(2) << '\n';
   } else {
     print(found, output);

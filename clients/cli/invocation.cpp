@@ -193,6 +193,7 @@ class Grammar {
             Command::map_quarantine);
     what_option(*quarantine)->required();
     only_say(*quarantine);
+    apart(map);
     CLI::App* const replace =
         add(map, "replace", "An experience takes the place of older places that it covers", Command::map_replace);
     replace->add_option("EXPERIENCE", into_.what, "Its name or id")->required()->type_name("");
@@ -209,14 +210,36 @@ class Grammar {
     });
   }
 
+  void apart(CLI::App& map) {
+    CLI::App* const apart =
+        add(map, "apart", "Vouch that two stretches are different floors: robots there need not wait for each other",
+            Command::map_apart);
+    CLI::Option* const both =
+        apart
+            ->add_option("STRETCHES", into_.apart,
+                         "Two, each E:I..J (E: 16 hex digits, I and J the first and last place) or a place E:I")
+            ->expected(2)
+            ->type_name("");
+    CLI::Option* const list = apart->add_flag("--list", into_.lists, "Say which stretches are apart");
+    list->excludes(both);
+    only_say(*apart);
+    apart->callback([this] {
+      into_.command = Command::map_apart;
+      if (into_.apart.empty() && !into_.lists) throw CLI::RequiredError("map apart: two stretches or --list");
+    });
+  }
+
   void upkeep(CLI::App& map) {
     add(map, "check", "Read all that is stored, checksums and references, and name what is damaged",
         Command::map_check);
     add(map, "stats", "What takes space in the store", Command::map_stats);
-    add(map, "snapshot", "Copy the store into a file on the server's machine while it runs", Command::map_snapshot)
-        ->add_option("FILE", into_.file, "An absolute path there; it must not exist")
-        ->required()
-        ->type_name("");
+    CLI::App* const snapshot = add(
+        map, "snapshot", "Copy the store into a file on the server's machine while it runs", Command::map_snapshot);
+    snapshot->add_option("FILE", into_.file, "An absolute path there; it must not exist")->required()->type_name("");
+    snapshot->add_flag(
+        "--verify", into_.verifies,
+        "Then restore it into FILE.verifying, check all of it, compare it with the map, and remove that "
+        "folder; needs the room of a second snapshot beside FILE");
     CLI::App* const compact =
         add(map, "compact", "Delete for good what no revision from R on has; there is no way back before R",
             Command::map_compact);

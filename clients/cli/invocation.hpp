@@ -29,6 +29,7 @@ struct Invocation {
     map_rollback,
     map_undo,
     map_quarantine,
+    map_apart,
     map_replace,
     map_prune,
     map_compact,
@@ -69,6 +70,9 @@ struct Invocation {
   bool only_say = false;           ///< map edits: say what would be done
   std::string store;               ///< map restore: the server's directory
   bool accept_damage = false;      ///< map restore: of a damaged snapshot what is sound
+  bool verifies = false;           ///< map snapshot: see whether it restores
+  bool lists = false;              ///< map apart: say which stretches are
+  std::vector<std::string> apart;  ///< map apart: the two stretches
   bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;

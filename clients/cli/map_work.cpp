@@ -16,8 +16,8 @@ namespace {
 using Command = Invocation::Command;
 using Kind = msg::OperatorRequest::Kind;
 
-Kind kind_of(Command command) {
-  switch (command) {
+Kind kind_of(const Invocation& invocation) {
+  switch (invocation.command) {
     case Command::map_rollback:
       return Kind::rollback;
     case Command::map_undo:
@@ -29,7 +29,9 @@ Kind kind_of(Command command) {
     case Command::map_compact:
       return Kind::compact;
     case Command::map_snapshot:
-      return Kind::snapshot;
+      return invocation.verifies ? Kind::snapshot_verified : Kind::snapshot;
+    case Command::map_apart:
+      return Kind::apart;
     case Command::map_check:
       return Kind::check;
     case Command::map_stats:
@@ -79,6 +81,24 @@ Result<void> put_what(const std::string& what, msg::OperatorRequest& request) {
   return {};
 }
 
+Result<void> put_apart(const std::vector<std::string>& named, msg::OperatorRequest& request) {
+  for (const std::string& text : named) {
+    std::optional<Stretch> stretch = parse_stretch(text);
+    if (const auto place = parse_place_id(text); place.has_value()) {
+      stretch = Stretch{place->experience, place->index, place->index};
+    }
+    if (!stretch.has_value()) {
+      return fail(ErrorCode::invalid,
+                  "'" + text +
+                      "' is no stretch E:I..J, with E of 16 hex digits and I and J indices of its "
+                      "places; `weft map export` and `weft map draw` show them");
+    }
+    if (stretch->first > stretch->last) return fail(ErrorCode::invalid, text + ": the first comes after the last");
+    request.work.what.places.push_back(*stretch);
+  }
+  return {};
+}
+
 /// A row for each kind; the server names its numbers "kind: what".
 void show_space(const msg::OperatorReply& reply, const Output& output) {
   Table table;
@@ -98,12 +118,16 @@ void show_space(const msg::OperatorReply& reply, const Output& output) {
 
 Result<msg::OperatorRequest> map_work(const Invocation& invocation) {
   msg::OperatorRequest request;
-  request.kind = kind_of(invocation.command);
+  request.kind = kind_of(invocation);
   request.work.revision = invocation.to;
   request.work.only_say = invocation.only_say;
   request.work.within_m = invocation.within_m;
   request.work.within_rad = invocation.within_deg * std::numbers::pi / 180.0;
   request.work.file = invocation.file;
+  if (invocation.command == Command::map_apart) {
+    if (const Result<void> good = put_apart(invocation.apart, request); !good) return fail(good.error());
+    return request;
+  }
   if (invocation.what.empty()) return request;
   if (request.kind == Kind::replace) {
     request.label = invocation.what;
@@ -111,6 +135,31 @@ Result<msg::OperatorRequest> map_work(const Invocation& invocation) {
   }
   if (const Result<void> good = put_what(invocation.what, request); !good) return fail(good.error());
   return request;
+}
+
+Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision) {
+  msg::Query query;
+  query.kind = msg::Query::Kind::network;
+  query.at = revision;
+  query.after = kBehindAll;  // they come with the last page
+  Result<msg::QueryReply> reply = session.query(query, patience(invocation));
+  if (!reply) return fail(reply.error());
+  return std::move(reply->network.aparts);
+}
+
+Exit run_apart(Session& session, const Invocation& invocation, const Output& output) {
+  if (!invocation.lists) return run_map_work(session, invocation, output);
+  const auto aparts = aparts_at(session, invocation, {});
+  if (!aparts) return report(aparts.error(), invocation.json, output);
+  if (invocation.json) {
+    nlohmann::json document = nlohmann::json::array();
+    for (const Apart& apart : *aparts) document.push_back({to_string(apart.one), to_string(apart.other)});
+    output.out << document.dump(2) << '\n';
+    return Exit::done;
+  }
+  for (const Apart& apart : *aparts) output.out << to_string(apart) << '\n';
+  if (aparts->empty()) output.out << "no stretches are apart\n";
+  return Exit::done;
 }
 
 Exit run_map_work(Session& session, const Invocation& invocation, const Output& output) {

@@ -50,6 +50,7 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.log, part->second.log);
     append(all.network.places, part->second.network.places);
     append(all.network.edges, part->second.network.edges);
+    append(all.network.aparts, part->second.network.aparts);
     all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
   }
   all.parts = 1;

@@ -106,8 +106,44 @@ TEST(MapCompact, LeavesNoWayBackAndSaysSo) {
   EXPECT_NE(back.err.find("older than what is kept"), std::string::npos) << back.err;
 }
 
+TEST(MapApart, IsListedLoggedComparedAndUndone) {
+  Fleet fleet;
+  EXPECT_EQ(fleet.weft({"map", "apart", "--list"}).out, "no stretches are apart\n");
+  const std::uint64_t before = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  const std::string one = to_string(fleet.first) + ":1..4";
+  const std::string other = to_string(fleet.second) + ":2..6";
+  const Said dry = fleet.weft({"map", "apart", one, other, "--dry-run"});
+  EXPECT_NE(dry.out.find("nothing was changed"), std::string::npos) << dry.err;
+  const Said said = fleet.weft({"map", "apart", other, one});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  const auto pair = nlohmann::json::array({one, other});
+  EXPECT_EQ(fleet.weft({"map", "apart", "--list", "--json"}).json(), nlohmann::json::array({pair}));
+  EXPECT_EQ(fleet.weft({"map", "apart", "--list"}).out, one + " " + other + "\n");
+  EXPECT_EQ(fleet.weft({"map", "log", "--json", "--most", "1"}).json()[0]["kind"], "apart");
+  const std::string from = std::to_string(before);
+  const auto found = fleet.weft({"map", "diff", from, "--json"}).json();
+  EXPECT_EQ(found["aparts"]["came"], nlohmann::json::array({one + " " + other}));
+  EXPECT_TRUE(found["aparts"]["went"].empty());
+  EXPECT_NE(fleet.weft({"map", "diff", from}).out.find("apart: " + one), std::string::npos);
+  EXPECT_EQ(fleet.weft({"map", "undo", "--revision", std::to_string(before + 1)}).exit, Exit::done);
+  EXPECT_EQ(fleet.weft({"map", "apart", "--list"}).out, "no stretches are apart\n");
+}
+
+TEST(MapApart, NamesWhatItCannotRead) {
+  Fleet fleet;
+  const std::string one = to_string(fleet.first) + ":1..4";
+  EXPECT_EQ(fleet.weft({"map", "apart"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "apart", one}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "apart", one, one, one}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "apart", one, "nowhere"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "apart", one, to_string(fleet.second) + ":9..3"}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "apart", one, one}).exit, Exit::refused);
+  EXPECT_EQ(fleet.weft({"map", "apart", one, to_string(fleet.second) + ":0..900"}).exit, Exit::refused);
+}
+
 TEST(MapSnapshot, IsOnTheServersMachine) {
   Fleet fleet;
+  EXPECT_EQ(fleet.weft({"map", "snapshot", "here.sqlite", "--verify"}).exit, Exit::refused);
   EXPECT_EQ(fleet.weft({"map", "snapshot", "here.sqlite"}).exit, Exit::refused);
 }
 
