@@ -63,7 +63,7 @@ Result<void> DdsBus::start() {
     servers_ = std::move(*servers);
     if (const Result<void> joined = join(link->ipv4); !joined) return joined;
   } else {
-    act(keeping_.next({steady(), 0, *link, servers_}), *link);
+    act(keeping_.next({steady(), 0, *link, servers_, {}}), *link);
   }
   keeper_ = std::jthread([this](const std::stop_token& stop) { keep(stop); });
   return {};
@@ -95,11 +95,15 @@ void DdsBus::leave() {
 }
 
 void DdsBus::keep(const std::stop_token& stop) {
+  SteadyTime looked = steady();
   while (!stop.stop_requested()) {
     const LocalLink link = local_link(config_.listen).value_or(LocalLink{});
     if (auto answer = lookup_.answer()) servers_ = std::move(answer);
-    const Keeping::Decision decision = keeping_.next({steady(), inbox_.counters().received, link, servers_});
+    const SteadyTime now = steady();
+    const Keeping::Decision decision =
+        keeping_.next({now, inbox_.counters().received, link, servers_, now - looked});
     act(decision, link);
+    looked = steady();
     if (decision.step == Keeping::Step::leave) continue;  // and joins at once where it can
     std::unique_lock lock(mutex_);
     if (participant_ != nullptr) participant_->forget_readerless(steady());

@@ -14,6 +14,8 @@ constexpr Duration kDoubtful = 3s;  ///< of silence: asks the resolver whether t
 constexpr Duration kBetweenAsking = 2s;
 constexpr Duration kSilent = 8s;  ///< longer than a server is silent that has nothing to say
 constexpr Duration kMostPatience = 60s;
+/// Others forget a participant after kParticipantLease, counted from an announcement that may have been a second ago.
+constexpr Duration kForgotten = 3500ms;
 
 std::string why_deaf(const LocalLink& link, const std::string& listen) {
   if (link.interface.empty()) return "no interface has the address " + listen;
@@ -33,6 +35,11 @@ Keeping::Decision Keeping::next(const Sight& sight) {
   if (sight.received != std::exchange(received_, sight.received)) {
     heard_at_ = sight.now;
     patience_ = kSilent;
+  }
+  if (at_.has_value() && sight.unseen >= kForgotten) {
+    return leave(sight.now, "it stood still for " +
+                                std::to_string(std::chrono::duration_cast<std::chrono::seconds>(sight.unseen).count()) +
+                                " s, and others may have forgotten it: opens its link anew");
   }
   return at_.has_value() ? inside(sight) : outside(sight);
 }

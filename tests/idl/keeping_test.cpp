@@ -17,7 +17,7 @@ const std::vector<ServerAddress> kServers{{"10.0.0.5", 7410}};
 /// A robot's bus on an interface's name, and the world that it sees.
 struct Kept : testing::Test {
   Keeping keeping{"wlan0"};
-  Sight sight{.now = SteadyTime{100s}, .received = 0, .link = kUp, .servers = kServers};
+  Sight sight{.now = SteadyTime{100s}, .received = 0, .link = kUp, .servers = kServers, .unseen = {}};
 
   Keeping::Decision after(Duration passed) {
     sight.now += passed;
@@ -130,6 +130,25 @@ TEST_F(Kept, AServerMayHearNothing) {
     EXPECT_EQ(decision.step, Step::stay);
     EXPECT_FALSE(decision.asks_resolver);
   }
+}
+
+TEST_F(Kept, JoinsAnewAfterItStoodStillSinceOthersHaveForgottenIt) {
+  join();
+  sight.unseen = 2s;
+  EXPECT_EQ(after(2s).step, Step::stay);
+  sight.unseen = 9s;
+  const auto woken = after(9s);
+  EXPECT_EQ(woken.step, Step::leave);
+  EXPECT_THAT(woken.notice, HasSubstr("stood still for 9 s"));
+  sight.unseen = {};
+  EXPECT_EQ(after(0s).step, Step::join);
+}
+
+TEST_F(Kept, AServerThatStoodStillJoinsAnewToo) {
+  sight.servers.emplace();
+  join();
+  sight.unseen = 9s;
+  EXPECT_EQ(after(9s).step, Step::leave);
 }
 
 }  // namespace
