@@ -12,7 +12,7 @@ constexpr int kMessagesATurn = 256;
 constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in between
 constexpr Duration kBehind = 500ms;        ///< later than this is not caught up with
 constexpr Duration kAway = 1s;
-constexpr Duration kQuiet = 50ms;  ///< nothing more comes of what was sent meanwhile
+constexpr Duration kNothingMore = 50ms;  ///< nothing more comes of what was sent meanwhile
 constexpr Duration kCatchUpAtMost = 1s;
 constexpr Duration kBetweenCounters = 30s;
 constexpr Duration kFirstSilent = 5s;
@@ -72,7 +72,7 @@ void Loop::take_messages() {
 /// body moves again: an order may be among it.
 void Loop::catch_up() {
   const SteadyTime end = steady_now() + kCatchUpAtMost;
-  while (steady_now() < end && parts_.link.wait(kQuiet)) take_messages();
+  while (steady_now() < end && parts_.link.wait(kNothingMore)) take_messages();
   looked_ = steady_now();
 }
 
