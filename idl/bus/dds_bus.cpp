@@ -100,8 +100,7 @@ void DdsBus::keep(const std::stop_token& stop) {
     const LocalLink link = local_link(config_.listen).value_or(LocalLink{});
     if (auto answer = lookup_.answer()) servers_ = std::move(answer);
     const SteadyTime now = steady();
-    const Keeping::Decision decision =
-        keeping_.next({now, inbox_.counters().received, link, servers_, now - looked});
+    const Keeping::Decision decision = keeping_.next({now, inbox_.counters().received, link, servers_, now - looked});
     act(decision, link);
     looked = steady();
     if (decision.step == Keeping::Step::leave) continue;  // and joins at once where it can

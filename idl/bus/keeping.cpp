@@ -37,9 +37,10 @@ Keeping::Decision Keeping::next(const Sight& sight) {
     patience_ = kSilent;
   }
   if (at_.has_value() && sight.unseen >= kForgotten) {
-    return leave(sight.now, "it stood still for " +
-                                std::to_string(std::chrono::duration_cast<std::chrono::seconds>(sight.unseen).count()) +
-                                " s, and others may have forgotten it: opens its link anew");
+    return leave(sight.now,
+                 "it stood still for " +
+                     std::to_string(std::chrono::duration_cast<std::chrono::seconds>(sight.unseen).count()) +
+                     " s, and others may have forgotten it: opens its link anew");
   }
   return at_.has_value() ? inside(sight) : outside(sight);
 }
