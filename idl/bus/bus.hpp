@@ -39,6 +39,7 @@ struct BusConfig {
 
 struct BusCounters {
   std::uint64_t sent = 0, received = 0, dropped_inbox = 0, refused_size = 0, refused_vendor = 0, publish_failed = 0;
+  std::uint64_t peers = 0;  ///< that there are means to write to at this moment
 };
 
 /// A star over DDS: byte messages on the table's topics. Implementations deliver from threads of their own into a

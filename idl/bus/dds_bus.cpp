@@ -82,8 +82,8 @@ Result<void> DdsBus::join(const std::string& listen) {
       std::ignore = participant_->write(table_[static_cast<std::size_t>(key.first)], {}, cdr);
     }
   }
-  keeping_.joined(steady(), at);
   is_open_ = true;
+  if (std::string notice = keeping_.joined(steady(), at); !notice.empty()) notify(std::move(notice));
   return {};
 }
 
@@ -117,9 +117,7 @@ void DdsBus::act(const Keeping::Decision& decision, const LocalLink& link) {
   if (decision.step != Keeping::Step::join) return;
   if (const Result<void> joined = join(link.ipv4); !joined) {
     keeping_.failed(steady(), one_line(joined.error().message));
-    return;
   }
-  notify("its link is open on " + link.ipv4);
 }
 
 void DdsBus::notify(std::string text) {
@@ -149,6 +147,13 @@ Result<void> DdsBus::write(const Topic& topic, const PeerId& to, ByteView cdr) {
   if (participant_ != nullptr) return participant_->write(topic, to, cdr);
   if (topic.delivering == Delivering::state) return {};  // is told once the link is open
   return fail(ErrorCode::unavailable, std::string(topic.name) + ": the link is not open; try again later");
+}
+
+BusCounters DdsBus::counters() const {
+  BusCounters counters = inbox_.counters();
+  const std::lock_guard lock(mutex_);
+  counters.peers = participant_ == nullptr ? 0 : participant_->peers();
+  return counters;
 }
 
 void DdsBus::forget(const PeerId& peer) {

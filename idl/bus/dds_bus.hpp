@@ -30,7 +30,7 @@ class DdsBus final : public Bus {
   void wake() override { inbox_.wake(); }
   std::string vendor() const override { return vendor_; }
   msg::Role role() const override { return config_.role; }
-  BusCounters counters() const override { return inbox_.counters(); }
+  BusCounters counters() const override;
   void forget(const PeerId& peer) override;
   bool is_open() const override { return is_open_; }
   std::vector<std::string> drain_notices() override;
@@ -50,7 +50,7 @@ class DdsBus final : public Bus {
   Inbox inbox_;  ///< outlives every participant
   std::atomic<bool> is_open_ = false;
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   // Guarded by mutex_:
   std::unique_ptr<Participant> participant_;
   std::map<std::pair<TopicId, Bytes>, Bytes>

@@ -81,6 +81,13 @@ address that it listens on are known: 7400 + 250 * domain + 10 + 2 * index for d
 and clients are given `HOST` or `HOST:INDEX` of the server, take any free ports and announce themselves there once a
 second. A participant that is silent for 5 s is forgotten.
 
+A Cyclone DDS peer is two participants: the first makes the server known to it before the second, which has all readers
+and writers, announces itself. Datagrams hold at most 1,392 bytes, so that one lost frame loses no more than itself; between
+addresses on loopback 65,500. When a peer hears nothing for 3 s it asks again where its server's name leads, and joins anew
+when that has changed; after 8 s of silence, then 16, 32 and every 60 s, it joins anew in any case, under a new GUID. What
+is sent on topics of the last state of a key is told anew then. The server drops the writers for a peer that has had no
+reader for 10 s.
+
 ## Topics
 
 | topic | type | written by | read by | key | to | delivery | expected | largest |

@@ -95,15 +95,16 @@ Keeping::Decision Keeping::leave(SteadyTime now, std::string why) {
   changed_since_.reset();
   join_at_ = now;
   why_not_.clear();
+  said_ = why;
   return {.step = Step::leave, .notice = std::move(why)};
 }
 
-void Keeping::joined(SteadyTime now, const Addresses& at) {
+std::string Keeping::joined(SteadyTime now, const Addresses& at) {
   at_ = at;
   joined_at_ = now;
   patience_ = std::max(patience_, kSilent);
   why_not_.clear();
-  said_.clear();
+  return std::exchange(said_, {}).empty() ? std::string() : "its link is open on " + at.listen;
 }
 
 void Keeping::failed(SteadyTime now, const std::string& why) {

@@ -36,8 +36,8 @@ class Keeping {
   explicit Keeping(std::string listen) : listen_(std::move(listen)) {}
 
   Decision next(const Sight& sight);
-  /// What came of a decision to join.
-  void joined(SteadyTime now, const Addresses& at);
+  /// What came of a decision to join. Returns a notice when people were told that the link was not open.
+  std::string joined(SteadyTime now, const Addresses& at);
   void failed(SteadyTime now, const std::string& why);
 
  private:
@@ -57,7 +57,7 @@ class Keeping {
   std::optional<SteadyTime> changed_since_;
   SteadyTime ask_at_{};
   std::string why_not_;  ///< it could not join when it tried last
-  std::string said_;
+  std::string said_;     ///< since it is outside
   SteadyTime say_at_{};
 };
 

@@ -22,6 +22,8 @@ class Participant {
   /// Does the same for each peer that has had no reader for `kReaderless`: what is kept for clients that are gone
   /// would make every later one dearer.
   virtual void forget_readerless(SteadyTime now) = 0;
+  /// How many it has the means to write to.
+  virtual std::size_t peers() const = 0;
 };
 
 /// Longer than any addressed message waits for its reader.

@@ -23,7 +23,7 @@ struct Kept : testing::Test {
     sight.now += passed;
     return keeping.next(sight);
   }
-  void join() { keeping.joined(sight.now, {sight.link.ipv4, {}, *sight.servers}); }
+  std::string join() { return keeping.joined(sight.now, {sight.link.ipv4, {}, *sight.servers}); }
   Keeping::Decision hear() {
     ++sight.received;
     return keeping.next(sight);
@@ -38,6 +38,7 @@ TEST_F(Kept, WaitsForACarrierAndSaysSoOnceAndThenAtIntervals) {
   EXPECT_THAT(after(30s).notice, HasSubstr("waits for its link"));
   sight.link = kUp;
   EXPECT_EQ(after(1s).step, Step::join);
+  EXPECT_EQ(join(), "its link is open on 10.0.0.17");
 }
 
 TEST_F(Kept, WaitsForAnAddressAndForTheServersName) {
@@ -114,7 +115,7 @@ TEST_F(Kept, LongSilenceJoinsAnewMoreAndMoreSeldom) {
     if (after(1s).step != Step::leave) continue;
     left_at.push_back(second);
     ASSERT_EQ(after(0s).step, Step::join);
-    join();
+    EXPECT_THAT(join(), IsEmpty()) << "that nobody is there is said by who misses them";
   }
   EXPECT_THAT(left_at, testing::ElementsAre(8, 24, 56, 116, 176));
   hear();

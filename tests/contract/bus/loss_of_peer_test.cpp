@@ -111,6 +111,26 @@ TEST_P(PeerContract, AKilledReaderOfBulkSaysUnavailableAndHoldsNobodyUp) {
   EXPECT_TRUE(fleet.until([&] { return last_command(survivor) > 0; }));
 }
 
+TEST_P(PeerContract, NothingIsKeptForClientsThatAreGone) {
+  if (!GetParam().server) GTEST_SKIP() << "in process nothing is made for a peer";
+  for (std::uint8_t number = 2; number <= 4; ++number) {
+    Peer& client = fleet.start_peer(Role::client, peer_id(number));
+    EXPECT_TRUE(client.link.send(hello_of(client.id, Role::client)));
+    msg::OperatorReply reply;
+    reply.header = header_of(kServerId);
+    reply.to = client.id;
+    reply.request = number;
+    int turns = 0;
+    ASSERT_TRUE(fleet.until([&] {
+      if (turns++ % 25 == 0) std::ignore = fleet.server().send(reply);
+      return !Fleet::all<msg::OperatorReply>(client.got).empty();
+    }));
+    fleet.kill(client);  // no word of farewell: its lease tells
+  }
+  EXPECT_GT(fleet.server().bus().counters().peers, 0U);
+  EXPECT_TRUE(fleet.until([&] { return fleet.server().bus().counters().peers == 0; }));
+}
+
 WEFT_ON_EACH_PAIRING(PeerContract);
 
 }  // namespace
