@@ -32,7 +32,7 @@ void declare(CLI::App& app, Flags& flags) {
   app.add_option("--store", flags.store, "Directory of the map; made if it is not there. Required here or in FILE");
   app.add_option("--dds", flags.dds, "fastdds | cyclonedds [fastdds]");
   app.add_option("--domain", flags.domain, "DDS domain, 0 to 200 [0]");
-  app.add_option("--listen", flags.listen, "Address of the interface to bind to [127.0.0.1]");
+  app.add_option("--listen", flags.listen, "Address or name of the interface to bind to [127.0.0.1]");
   app.add_option("--index", flags.index, "Participant index, 0 to 100; fixes the ports that peers dial [0]");
   app.add_option("--name", flags.name, "What people call this server [server]");
   app.add_option("--robot-silent-after-s", flags.robot_silent_after_s,

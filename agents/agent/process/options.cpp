@@ -33,7 +33,7 @@ constexpr std::array kFlags = {
     Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
     Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
     Flag{"domain", Kind::number, "DDS domain, 0 to 200 [0]"},
-    Flag{"listen", Kind::text, "Address of the interface to bind to [127.0.0.1]"},
+    Flag{"listen", Kind::text, "Address or name of the interface to bind to [127.0.0.1]"},
     Flag{"site", Kind::text, "sim: the site file; the robot starts where it says"},
     Flag{"seed", Kind::number, "sim: of everything random [1]"},
     Flag{"day", Kind::number, "sim: another calibration, light and noise each day [0]"},
