@@ -43,7 +43,7 @@ Seen all_pairs(const SurveyedSite& site, std::uint64_t a, std::uint64_t b, doubl
 }
 
 TEST(Proximity, AisleDrivenThereAndBackIsOneFloor) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SurveyedSite site(seed);
     const std::uint64_t run = site.teach(Lane({}).ahead(20.0).bend(kPi, 0.5).ahead(20.0));
     const Seen seen = all_pairs(site, run, run, 2.2);
@@ -53,7 +53,7 @@ TEST(Proximity, AisleDrivenThereAndBackIsOneFloor) {
 }
 
 TEST(Proximity, LanesThatCrossMeetAtTheCrossing) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SurveyedSite site(seed);
     // A figure of eight: straight over the crossing, three quarters of a circle, and over it again at 90 degrees.
     Lane eight({-4.0, 0.0, 0.0});
@@ -66,7 +66,7 @@ TEST(Proximity, LanesThatCrossMeetAtTheCrossing) {
 }
 
 TEST(Proximity, ParallelAislesDoNotConflict) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     SurveyedSite site(seed);
     // Loops of 39 m side by side; the aisle between two of them is driven in both, and stitched over 10 m.
     const double bend_m = 1.8 * kPi / 2;
