@@ -128,7 +128,7 @@ void Desk::answer_called(const Key& key, SteadyTime now) {
   } else {
     reply.message = std::to_string(settled.size()) + " of " + std::to_string(all) + " robots " +
                     (called.stops ? "stand" : "go on") +
-                    (open.empty() ? "" : ", of " + std::to_string(open.size()) + " it is not confirmed");
+                    (open.empty() ? "" : ", " + std::to_string(open.size()) + " not confirmed");
     reply.findings = std::move(open);
     reply.findings.insert(reply.findings.end(), settled.begin(), settled.end());
     reply.findings.resize(std::min(reply.findings.size(), kMostLines));
@@ -142,16 +142,15 @@ std::string Desk::line_of(const Called& called, const Called::Robot& robot, Stea
   if (robot.has_confirmed) return name + (called.stops ? "stands" : "goes on") + goal;
   if (!robot.refusal.empty()) return name + robot.refusal + goal;
   return name + "not heard for " + in_seconds(now - fleet_.find(robot.id)->heard) + "; it is told when it is heard" +
-         (called.stops ? ", and until then " + reach_of(robot.id) : "") + goal;
+         (called.stops ? ", and until then drives " + reach_of(robot.id) : "") + goal;
 }
 
 /// How far a robot may go that hears nothing.
 std::string Desk::reach_of(const RobotId& robot) const {
   const Goal* const goal = dispatcher_.goal_of(robot);
   const Route* const route = goal == nullptr ? nullptr : dispatcher_.book().route(goal->id);
-  if (route == nullptr || route->ended) return "has no released way to drive on";
-  return "drives no farther than place " + to_string(route->places[route->released]) +
-         ", the end of what is released to it";
+  if (route == nullptr || route->ended) return "nowhere, as nothing is released to it";
+  return "no farther than place " + to_string(route->places[route->released]) + ", the end of what is released to it";
 }
 
 }  // namespace weft::server

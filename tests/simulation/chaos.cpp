@@ -10,7 +10,11 @@ constexpr double kMeanBetween_s = 120.0;
 }  // namespace
 
 Chaos::Chaos(Fleet& fleet, Random random)
-    : fleet_(fleet), random_(random), robot_back_(fleet.robots()), link_back_(fleet.robots()) {}
+    : fleet_(fleet),
+      random_(random),
+      robot_wakes_(fleet.robots()),
+      robot_back_(fleet.robots()),
+      link_back_(fleet.robots()) {}
 
 SteadyTime Chaos::soon(double mean_s) {
   return fleet_.now() + from_seconds(-mean_s * std::log(1.0 - random_.uniform()) + 1.0);
@@ -64,6 +68,20 @@ void Chaos::begin(Kind kind) {
     case Kind::torn_write:
       fleet_.disk().faults.tear_next = true;
       return;
+    case Kind::hang_server:
+      fleet_.hang_server(true);
+      server_wakes_ = soon(10.0);
+      return;
+    case Kind::hang_robot:
+      fleet_.hang_robot(robot, true);
+      robot_wakes_[robot] = soon(10.0);
+      return;
+    case Kind::stray_server:
+      fleet_.stray_server(true);
+      stray_gone_ = soon(1.0);
+      return;
+    case Kind::kinds:
+      return;
   }
 }
 
@@ -78,7 +96,10 @@ void Chaos::heal_due() {
     fleet_.start_server();
     if (!fleet_.server_up()) server_back_ = soon(5.0);
   }
+  if (due(server_wakes_)) fleet_.hang_server(false);
+  if (due(stray_gone_)) fleet_.stray_server(false);
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+    if (due(robot_wakes_[robot])) fleet_.hang_robot(robot, false);
     if (due(robot_back_[robot])) fleet_.start_robot(robot);
     if (due(link_back_[robot])) fleet_.partition(robot, false);
   }
@@ -88,21 +109,27 @@ void Chaos::play() {
   heal_due();
   if (!on_ || fleet_.now() < next_) return;
   next_ = soon(kMeanBetween_s);
-  begin(static_cast<Kind>(random_.below(6)));
-  if (random_.chance(0.2)) begin(static_cast<Kind>(random_.below(6)));
+  begin(draw());
+  if (random_.chance(0.2)) begin(draw());
 }
 
 void Chaos::over() {
   on_ = false;
   fleet_.set_faults({.delay_min = std::chrono::milliseconds(1), .delay_max = std::chrono::milliseconds(5)});
   fleet_.disk().faults = {};
+  fleet_.hang_server(false);
+  fleet_.stray_server(false);
   if (!fleet_.server_up()) fleet_.start_server();
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     fleet_.partition(robot, false);
+    fleet_.hang_robot(robot, false);
     if (!fleet_.robot_up(robot)) fleet_.start_robot(robot);
   }
   server_back_.reset();
   disk_back_.reset();
+  server_wakes_.reset();
+  stray_gone_.reset();
+  robot_wakes_.assign(fleet_.robots(), std::nullopt);
   robot_back_.assign(fleet_.robots(), std::nullopt);
   link_back_.assign(fleet_.robots(), std::nullopt);
 }

@@ -5,7 +5,7 @@
 namespace weft::simulation {
 
 /// Draws faults from a seed and plays them beside whatever else happens: a lossy network all the time; crashes,
-/// partitions, full disks and failing writes now and then, several at once.
+/// processes that stand still, partitions, strangers, full disks and failing writes now and then, several at once.
 class Chaos {
  public:
   Chaos(Fleet& fleet, Random random);
@@ -20,7 +20,19 @@ class Chaos {
   std::uint64_t played() const { return played_; }
 
  private:
-  enum class Kind { crash_server, crash_robot, cut_robot, disk_full, writes_fail, torn_write };
+  enum class Kind {
+    crash_server,
+    crash_robot,
+    cut_robot,
+    disk_full,
+    writes_fail,
+    torn_write,
+    hang_server,
+    hang_robot,
+    stray_server,
+    kinds
+  };
+  Kind draw() { return static_cast<Kind>(random_.below(static_cast<std::uint64_t>(Kind::kinds))); }
   void begin(Kind kind);
   void heal_due();
   SteadyTime soon(double mean_s);
@@ -31,6 +43,9 @@ class Chaos {
   SteadyTime next_{};
   std::optional<SteadyTime> server_back_;
   std::optional<SteadyTime> disk_back_;
+  std::optional<SteadyTime> server_wakes_;
+  std::optional<SteadyTime> stray_gone_;
+  std::vector<std::optional<SteadyTime>> robot_wakes_;
   std::vector<std::optional<SteadyTime>> robot_back_;
   std::vector<std::optional<SteadyTime>> link_back_;
   std::uint64_t played_ = 0;

@@ -79,6 +79,7 @@ void Fleet::start_server() {
 
 void Fleet::crash_server() {
   net_.detach(server_.id);
+  server_.hung_since.reset();
   server_.service.reset();
   server_.link.reset();
   server_.store.reset();
@@ -111,6 +112,7 @@ void Fleet::start_robot(std::size_t index) {
 void Fleet::crash_robot(std::size_t index) {
   RobotProcess& robot = robots_[index];
   net_.detach(robot.id);
+  robot.hung_since.reset();
   ledger_.robots[robot.id].agent = nullptr;
   ledger_.robots[robot.id].had.reset();
   robot.agent.reset();
@@ -123,10 +125,11 @@ void Fleet::crash_robot(std::size_t index) {
 std::optional<SteadyTime> Fleet::next_event() const {
   SteadyTime next = next_look_;
   if (const auto due = net_.next_delivery()) next = std::min(next, *due);
-  if (server_.service) {
+  if (server_.service && !server_.hung_since) {
     if (const auto due = server_.service->next_tick()) next = std::min(next, *due - server_.steady_offset);
   }
   for (const RobotProcess& robot : robots_) {
+    if (robot.hung_since) continue;
     next = std::min(next, robot.due);
     if (!robot.agent) continue;
     if (const auto due = robot.agent->next_tick()) next = std::min(next, *due - robot.steady_offset);
@@ -148,8 +151,9 @@ void Fleet::play(SteadyTime at) {
   now_ = at;
   ledger_.set_now(now_);
   net_.deliver_until(now_);
-  if (server_.service) serve();
+  if (server_.service && !server_.hung_since) serve();
   for (RobotProcess& robot : robots_) {
+    if (robot.hung_since) continue;
     if (robot.agent) serve(robot);
     if (robot.due <= now_) sample(robot);
   }

@@ -36,6 +36,11 @@ class Fleet {
   bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
   std::size_t robots() const { return robots_.size(); }
   void partition(std::size_t robot, bool cut) { net_.partition(robots_[robot].id, cut); }
+  /// The process stands still and hears nothing until it goes on; what is sent to it waits.
+  void hang_server(bool hangs);
+  void hang_robot(std::size_t robot, bool hangs);
+  /// Somebody says once that it is the server, in the highest epoch there is, and answers nothing.
+  void stray_server(bool speaks);
   void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
   storage::MemoryDisk& disk() { return *server_.disk; }
 
@@ -71,6 +76,7 @@ class Fleet {
     std::unique_ptr<storage::MapStore> store;
     std::unique_ptr<bus::Link> link;
     std::unique_ptr<server::Service> service;
+    std::optional<SteadyTime> hung_since;
     Duration steady_offset{};
     Duration wall_offset{};
   };
@@ -85,6 +91,7 @@ class Fleet {
     agents::Twist command;
     std::optional<agents::Sample> next;  ///< due at `due`
     SteadyTime due{};
+    std::optional<SteadyTime> hung_since;
     Duration steady_offset{};
     Duration wall_offset{};
   };
@@ -121,6 +128,7 @@ class Fleet {
   ServerProcess server_;
   std::vector<RobotProcess> robots_;
   ClientProcess client_;
+  std::unique_ptr<bus::Link> stray_;
   SteadyTime next_look_{};
   std::uint64_t trace_ = 1469598103934665603ULL;
   std::uint64_t messages_ = 0;

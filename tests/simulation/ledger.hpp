@@ -49,6 +49,8 @@ class Ledger {
   void agent_took(const RobotId& robot);
   void server_sent(const msg::Message& message, const server::Service& service);
   void server_heard(const msg::Message& message);
+  /// The first that a server says of itself after it has stood still, and has taken in what came meanwhile.
+  void server_woke(const std::vector<msg::Message>& said);
   void client_heard(const msg::Message& message);
   void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
   /// The body has taken a step: how that stands to all others, by the truth.

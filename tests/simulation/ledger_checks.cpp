@@ -154,6 +154,14 @@ void Ledger::look_when_quiet(const server::Service& service, const storage::Memo
   }
 }
 
+void Ledger::server_woke(const std::vector<msg::Message>& said) {
+  for (const msg::Message& message : said) {
+    const auto* const note = std::get_if<msg::EventNote>(&message);
+    if (note == nullptr || note->event.kind != "robot.silent") continue;
+    broken("absence", "the server stood still and blames " + robots.at(note->event.robot).name + " for the silence");
+  }
+}
+
 std::map<std::string, std::uint64_t> Ledger::goals_by_state() const {
   std::map<std::string, std::uint64_t> counts;
   for (const auto& [id, state] : seen_) ++counts[to_string(state)];

@@ -13,7 +13,12 @@ bool Operator::teach_piece(std::size_t robot, double from_m, double to_m, const 
   request.robot = fleet_.name(robot);
   request.label = "lap-" + fleet_.name(robot);
   for (const auto& point : fleet_.site().line(from_m, to_m, through)) request.along.push_back({point.x, point.y});
-  const auto reply = ask(request);
+  auto reply = ask(request);
+  // One lost word of an idle robot is six seconds of silence: people try again.
+  for (int again = 0; again < 3 && reply && reply->message.find("is not heard") != std::string::npos; ++again) {
+    pass(std::chrono::seconds(5));
+    reply = ask(request);
+  }
   if (!reply || reply->outcome == msg::Outcome::refused || reply->outcome == msg::Outcome::failed) {
     return give_up("teach " + fleet_.name(robot), reply);
   }
