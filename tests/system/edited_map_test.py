@@ -27,12 +27,12 @@ class EditedMap(Fleet):
                        '--dds', self.vendor)
 
     def start_map(self):
-        """Two runs; the ids of their experiences."""
+        """Two runs of twelve places; the ids of their experiences."""
         for name in ('one', 'two'):
             self.weft('map', 'import', self.folder / f'{name}.g2o', '--as', name)
         self.weft('map', 'export', self.folder / 'map.json')
         runs = json.loads((self.folder / 'map.json').read_text())['experiences']
-        return [run['id'] for run in sorted(runs, key=lambda run: run['name'])]
+        return [run['id'] for run in runs]
 
     def revision(self):
         return json.loads(self.weft('map', 'info', '--json'))['revision']
@@ -51,11 +51,11 @@ class EditedMap(Fleet):
             self.assertTrue(server.says('ready'), server.text())
             one, two = self.start_map()
             self.snapshot_restores('nothing was edited')
-            edits = (('quarantine', f'{one}:5'), ('undo', f'{two}:3..4'), ('undo', '--revision', self.revision()),
+            edits = (('quarantine', f'{one}:5'), ('undo', f'{two}:3..4'), ('undo', '--revision', self.revision),
                      ('label', f'{one}:2', 'dock'), ('apart', f'{one}:0..3', f'{two}:6..9'), ('undo', two),
                      ('rollback', self.revision()), ('prune', '--apply'), ('replace', one))
             for edit in edits:
-                self.weft('map', *edit)
+                self.weft('map', *(word() if callable(word) else word for word in edit))
                 self.snapshot_restores(f'{edit}')
             self.weft('map', 'compact', '--before', self.revision())
             self.snapshot_restores('compact')
