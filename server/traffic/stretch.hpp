@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/network/goal.hpp"
+#include "core/network/network.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {
@@ -24,5 +25,10 @@ std::vector<Touched> touched_by(const Route& route, std::uint32_t from, std::uin
 inline std::vector<Touched> touched_by(const storage::PutOccupancy& held, double footprint_m) {
   return touched_by(held.held, held.from, held.to, footprint_m);
 }
+
+/// Returns what a robot may touch that is at a place which the network does not have yet, as while it is led along a
+/// new run: around the newest place of that run, else around `before`, where it stood, as far as the places since may
+/// lie apart. No place: neither is known.
+Touched touched_beyond(const Snapshot& network, const PlaceId& place, const PlaceId& before, double footprint_m);
 
 }  // namespace weft::server

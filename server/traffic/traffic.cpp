@@ -101,6 +101,7 @@ Traffic::Holder& Traffic::holder(const RobotId& robot) {
 std::vector<Touched> Traffic::touched(const Holder& holder) const {
   std::vector<Touched> all = touched_by(holder.occupancy, holder.footprint_m);
   if (holder.intruding) all.push_back(*holder.intruding);
+  if (holder.led_on) all.push_back(*holder.led_on);
   return all;
 }
 
@@ -208,9 +209,27 @@ bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) 
   return farthest_m && *farthest_m + distance_m(state.place_from_robot) <= kSameStand_m;
 }
 
+/// A robot that is led along a new run is ahead of what the map has of it; nobody is released to where it may be.
+void Traffic::follow_lead(Holder& known, const msg::RobotState& state) {
+  std::optional<Touched> led_on;
+  if (!ground().is_in(state.place)) {
+    const storage::PutOccupancy& held = known.occupancy;
+    const PlaceId before = held.held.places.empty() ? PlaceId{} : held.held.places[held.to];
+    led_on = touched_beyond(context_.snapshots.current(), state.place, before, known.footprint_m);
+    if (!led_on->place) led_on.reset();
+  }
+  const bool is_same = known.led_on && led_on
+                           ? known.led_on->place == led_on->place && known.led_on->reach_m == led_on->reach_m
+                           : known.led_on.has_value() == led_on.has_value();
+  if (is_same) return;
+  known.led_on = led_on;
+  ++version_;
+}
+
 void Traffic::stands(const msg::RobotState& state, Now now) {
   if (!state.localised || !state.place) return;
   Holder& known = holder(state.header.sender);
+  follow_lead(known, state);
   if (known.cleared_at == state.place) return;
   if (known.intruding) {
     const bool nothing_new = known.intruding->place == state.place && known.intruding_looked == version_;
@@ -218,7 +237,7 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
   } else if (is_there_still(known, state)) {
     return;
   }
-  // A place that was taught a moment ago and is not here yet tells us nothing.
+  // A place that was taught a moment ago and is not here yet cannot be held.
   if (context_.snapshots.current().place(state.place) == nullptr) return;
   known.cleared_at.reset();
   settle(state.header.sender, known, state, now);
@@ -282,6 +301,7 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
   known.occupancy = nothing_held(robot);
   known.is_stored = true;
   known.intruding.reset();
+  known.led_on.reset();
   known.cleared_at = at;
   ++version_;
   drop_pasts();

@@ -79,6 +79,7 @@ class Traffic {
     bool is_stored = true;               ///< the store has it like this
     std::optional<Touched> intruding;    ///< where it stands although somebody else holds that
     std::uint64_t intruding_looked = 0;  ///< version at which that was looked at
+    std::optional<Touched> led_on;       ///< where it may be, as it names a place that has not come yet
     std::optional<PlaceId> cleared_at;   ///< where an operator says that it is not
   };
 
@@ -99,6 +100,7 @@ class Traffic {
   std::optional<RobotId> holder_near(const std::vector<Other>& others, const Looked& here);
   std::optional<RobotId> other_that_drives(const RobotId& robot) const;
   void tell_of_layout(Now now);
+  void follow_lead(Holder& holder, const msg::RobotState& state);
   bool is_there_still(const Holder& holder, const msg::RobotState& state);
   void settle(const RobotId& robot, Holder& holder, const msg::RobotState& state, Now now);
   bool store(const RobotId& robot, Holder& holder, storage::PutOccupancy next, Now now);

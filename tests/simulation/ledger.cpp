@@ -56,6 +56,7 @@ void Ledger::server_heard(const msg::Message& message) {
         known.header.incarnation == state->header.incarnation && known.header.sequence > state->header.sequence;
     if (late) return;
     known = *state;
+    if (std::exchange(robots.at(sender).unheard, false)) note_put_down(sender);
     const auto held = held_.find(sender);
     if (held == held_.end()) return;
     held->second.known = held->second.known || state->route == held->second.route.id;
@@ -228,10 +229,15 @@ void Ledger::body_moved(const RobotId& robot) {
   const bool led = mine.body->by_hand() || (mine.led && moves);  // until it has rolled out
   const Stance stance{mine.body->site_from_robot().translation(), mine.footprint_m, moves && !led, led};
   const std::vector<Contacts::Touch> touches = contacts_.moved(robot, stance);
-  if (mine.led && !stance.led) note_put_down(robot);
+  if (mine.led && !stance.led) {
+    note_put_down(robot);
+    mine.unheard = true;
+  }
+  if (stance.led || stance.drives) mine.unheard = false;
   mine.led = stance.led;
   for (const Contacts::Touch& touch : touches) {
     const Robot& other = robots.at(touch.other);
+    if (mine.unheard || other.unheard) continue;
     const Robot& driver = stance.drives ? mine : other;
     const Robot& met = stance.drives ? other : mine;
     const std::optional<Route> route = driver.agent != nullptr ? driver.agent->route() : std::nullopt;

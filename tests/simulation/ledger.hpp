@@ -35,6 +35,7 @@ class Ledger {
     msg::RouteProgress progress;  ///< last one said
     double footprint_m = 0.0;     ///< as it describes itself
     bool led = false;             ///< when it last moved
+    bool unheard = false;         ///< since a hand has put it down
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
