@@ -26,7 +26,7 @@ void LabTest::SetUp() {
   name_server(Lab::kServer);
 }
 
-LabTest::~LabTest() {
+void LabTest::TearDown() {
   if (!hosts_.empty()) std::filesystem::remove(hosts_);
 }
 

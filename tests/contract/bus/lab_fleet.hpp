@@ -17,7 +17,7 @@ inline const PeerId kRobotId = peer_id(2);
 class LabTest : public testing::TestWithParam<Pairing> {
  protected:
   void SetUp() override;
-  ~LabTest() override;
+  void TearDown() override;
 
   std::unique_ptr<bus::Link> start_server(const std::string& listen = Lab::kServer) const;
   std::unique_ptr<bus::Link> start_robot(const std::string& listen = Lab::kRobot,
