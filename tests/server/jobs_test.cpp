@@ -95,7 +95,7 @@ TEST_F(MapWork, ASnapshotThatIsVerifiedNeedsOneTooAndAnEngineWithFiles) {
   request.work.file = "backup.sqlite";
   EXPECT_THAT(site.ask(request).message, HasSubstr("absolute path"));
   request = site.request(Kind::snapshot_verified);
-  request.work.file = "/tmp/backup.sqlite";
+  request.work.file = "/var/backups/site.sqlite";
   EXPECT_THAT(site.ask(request).message, HasSubstr("no file to copy"));
 }
 

@@ -37,7 +37,7 @@ inline constexpr std::uint32_t brief_after = 2;             ///< formats further
 inline constexpr std::size_t most_bearing_features = 4096;
 
 Bytes encode_bearing_content(const BearingContent& content);
-/// Of any of these formats. corrupt: short, trailing or impossible values, naming field and offset; newer: a later
+/// Reads any of these formats. corrupt: short, trailing or impossible values, naming field and offset; newer: a later
 /// format.
 Result<BearingContent> decode_bearing_content(ByteView bytes);
 

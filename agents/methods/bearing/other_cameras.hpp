@@ -7,7 +7,7 @@
 
 namespace weft::agents {
 
-/// What one view tells of the camera that taught a run.
+/// Tells, by one view, of the camera that taught a run.
 struct CameraLook {
   ExperienceId run;
   FocalShare share;

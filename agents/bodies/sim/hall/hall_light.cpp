@@ -43,7 +43,7 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
   }
   std::swap(lamps_, as_written);
   per_mean_ = static_cast<float>(count / std::max(1e-6, sum));
-  // What the mean is measured without: a hall at night is dark, and not another day.
+  // The mean is measured without it: a hall at night is dark, and not another day.
   change_ = static_cast<float>(site.change.light);
   ambient_ *= static_cast<float>(site.change.ambient);
 }
