@@ -40,6 +40,7 @@ class NavigatorOf final : public Navigator {
   Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
                  const MapView& map) override {
     const Step step = method_.observe(odometry_, view, motion);
+    if (view != nullptr) views_not_followed_ = step.seen ? 0 : views_not_followed_ + 1;
     measure_speed(step, motion);
     localiser_.advance(step);
     lessons_.advance(step);
@@ -59,7 +60,7 @@ class NavigatorOf final : public Navigator {
       if (finder_) finder_->advance(step);
       if (view != nullptr) find_anchor(map, navigated);
       if (view != nullptr && teacher_->estimate()) trials_->look(*teacher_->estimate(), odometry_, *view);
-      if (view != nullptr && teacher_->due()) keep(map, navigated);
+      if (view != nullptr && teacher_->due() && may_be_kept()) keep(map, navigated);
     } else if (view != nullptr) {
       localise(map, navigated);
     }
@@ -97,7 +98,7 @@ class NavigatorOf final : public Navigator {
     Navigated last;
     if (teacher_ && is_to_end_with_a_place()) {
       const bool is_at_a_place = teacher_->estimate() && !teacher_->has_moved();
-      if (!latest_ || !latest_->view || is_at_a_place) return {};
+      if (!latest_ || !latest_->view || is_at_a_place || !may_be_kept()) return {};
       keep(map, last);
       if (last.kept.empty()) return {};  // this view shows too little; another one is waited for
       come_back(map, last.kept.back());
@@ -249,6 +250,13 @@ class NavigatorOf final : public Navigator {
   /// A run that knows no poses does in any case: only there it shows what it has come back to.
   bool is_to_end_with_a_place() const {
     return teacher_->worth_an_end() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
+  }
+
+  /// A view that vision could not join to the one before may show something else than what lies here (somebody walks
+  /// through it): the next ones tell. Where none is joined, as over a blank floor, the run is taught as it is seen.
+  bool may_be_kept() const {
+    constexpr std::uint32_t patience = 5;  // views
+    return views_not_followed_ == 0 || views_not_followed_ > patience;
   }
 
   Kept keep_here(const Pointer& content) {
@@ -412,6 +420,7 @@ class NavigatorOf final : public Navigator {
   OwnMap own_;
   std::optional<Estimate> anchor_;  // where teaching began, until the first place is kept
   std::optional<Latest> latest_;
+  std::uint32_t views_not_followed_ = 0;  ///< in succession, up to the latest
   double speed_m_s_ = 0.0;
 };
 

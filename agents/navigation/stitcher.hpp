@@ -67,7 +67,7 @@ class Stitcher {
       found.edges.push_back(edge(candidate.place, kept.id, *related));
       if (!found.fix) found.fix = Fix{candidate.place, related->a_from_b, *related};
     }
-    if (auto crossing = across(map, bytes, decoded, around, teacher, kept.id, content))
+    if (auto crossing = across(map, bytes, decoded, without(around, found.edges), teacher, kept.id, content))
       found.edges.push_back(*std::move(crossing));
     return found;
   }
@@ -105,6 +105,14 @@ class Stitcher {
       return candidate.place.experience == kept.experience &&
              (candidate.place.index + 1 >= kept.index ||
               teacher.driven_since_m(candidate.place.index) < config_.stitch.own_distance_m);
+    });
+    return around;
+  }
+
+  /// Those that no edge leads to yet: a pair of places has one.
+  static std::vector<Candidate> without(std::vector<Candidate> around, const std::vector<Edge>& edges) {
+    std::erase_if(around, [&](const Candidate& candidate) {
+      return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.id.a == candidate.place; });
     });
     return around;
   }

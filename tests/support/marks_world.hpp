@@ -121,6 +121,9 @@ class MarksRobot {
     return sample;
   }
 
+  /// What it would see there.
+  agents::Marks look_from(const Pose2& world_from_robot) { return world_->see(world_from_robot, random_); }
+
   const Pose2& world_from_robot() const { return base_.world_from_robot(); }
   double elapsed_s() const { return config_.elapsed_s; }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ class NavigatedRobot {
   agents::Navigated step(const agents::MapView& map, bool hand = false) {
     MarksRobot::Sample sample = body_.step(command_);
     if (dark) sample.view.data = agents::Marks{};
+    if (elsewhere) sample.view.data = body_.look_from(*elsewhere);
     agents::Navigated navigated = navigator_->step(sample.dropped || blind ? nullptr : &sample.view,
                                                    sample.view.frame, sample.view.time, sample.motion, hand, map);
     if (!hand) command_ = navigated.command;
@@ -89,8 +91,9 @@ class NavigatedRobot {
     for (int i = 0; i < 5; ++i) one_step();
   }
 
-  bool blind = false;  ///< its frames are dropped
-  bool dark = false;   ///< they show nothing
+  bool blind = false;              ///< its frames are dropped
+  bool dark = false;               ///< they show nothing
+  std::optional<Pose2> elsewhere;  ///< they show what is seen from there
   std::map<std::string, int> refusals;
 
  private:

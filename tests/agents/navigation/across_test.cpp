@@ -80,6 +80,25 @@ TEST_F(MetAcross, ACrossingIsJoined) {
   expect_right_and_not_drivable(across);
 }
 
+/// Two stitches of one pair are refused by the server, and the run with them.
+TEST_F(MetAcross, APairOfPlacesIsJoinedOnce) {
+  navigation.stitch.across_every_m = 0.01;
+  navigation.stitch.reach_m = 3.0;
+  navigation.stitch.most_reach_m = 3.0;
+  teach(first, Course({5, 10, 0}).straight(6.0).poses);
+  for (const double degrees : {50.0, 60.0, 70.0}) {
+    const double heading = degrees * M_PI / 180.0;
+    const ExperienceId crossing{static_cast<std::uint64_t>(degrees)};
+    NavigatedRobot robot = localised_at({8.0, 10.0, 0.0}, {first, 15}, 2);
+    Course course({8.0, 10.0, 0.0});
+    robot.teach(server, crossing, course.turn(1.0, heading).straight(1.0).poses, truth);
+    std::set<EdgeId> pairs;
+    for (const Edge& stitch : server.snapshot().experience(crossing)->stitches)
+      EXPECT_TRUE(pairs.insert(stitch.id).second) << to_string(stitch.id.a) << ' ' << to_string(stitch.id.b);
+    EXPECT_GE(pairs.size(), 3U);
+  }
+}
+
 TEST_F(MetAcross, WhereTwoLanesOnlyPassFarApartNothingIsJoined) {
   Course course({5, 10, 0});
   course.straight(8.0).turn(2.0, M_PI).straight(8.0);  // 4 m aside

@@ -42,6 +42,7 @@ TEST_F(Teach, AnEdgeOverABlindStretchSaysSo) {
 
 TEST_F(Teach, APlaceIsKeptAtOnceWhenAskedFor) {
   NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  run(robot, 2);
   robot.navigator().begin_teach({first, RobotId{{1}}});
   EXPECT_EQ(robot.step(server.map(), true).kept.size(), 1U);
   EXPECT_TRUE(robot.step(server.map(), true).kept.empty());
@@ -153,6 +154,38 @@ TEST_F(Teach, WrongViewsMakeNoWrongStitches) {
     EXPECT_LT(test::turned(truly, planar(edge.a_from_b)), 0.05);
   }
   EXPECT_GT(stitches, 8);
+}
+
+TEST_F(Teach, APlaceIsNotKeptFromAViewThatDoesNotFollowTheOneBefore) {
+  NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  robot.navigator().begin_teach({first, RobotId{{1}}});
+  std::vector<Kept> kept;
+  int sample = 0;
+  robot.hand(Course({5, 5, 0}).straight(10.0).poses, [&] {
+    robot.elsewhere = ++sample % 5 == 0 ? std::optional(Pose2{15, 15, 1}) : std::nullopt;
+    for (Kept& one : robot.step(server.map(), true).kept) kept.push_back(std::move(one));
+  });
+  EXPECT_GE(kept.size(), 25U);
+  const MarksMethod marks;
+  const auto last_looks_like = [&](std::size_t i) {
+    return marks.relate(marks.decode(kept[i - 1].content).value(), marks.decode(kept[i].content).value(),
+                        std::nullopt);
+  };
+  for (std::size_t i = 1; i < kept.size(); ++i)
+    EXPECT_TRUE(last_looks_like(i)) << "place " << i - 1 << " or " << i << " shows something else";
+}
+
+TEST_F(Teach, TheEndIsNotKeptFromAViewThatDoesNotFollowTheOneBefore) {
+  NavigatedRobot robot = robot_at({5, 5, 0}, 1);
+  robot.navigator().begin_teach({first, RobotId{{1}}});
+  robot.hand(Course({5, 5, 0}).straight(0.3).poses, [&] { robot.step(server.map(), true); });
+  robot.elsewhere = Pose2{15, 15, 1};
+  robot.step(server.map(), true);
+  EXPECT_TRUE(robot.navigator().end_teach(server.map()).empty());
+  EXPECT_TRUE(robot.navigator().is_taught());
+  robot.elsewhere.reset();
+  for (int i = 0; i < 2; ++i) robot.step(server.map(), true);  // the first one does not follow the wrong one
+  EXPECT_EQ(robot.navigator().end_teach(server.map()).size(), 1U);
 }
 
 TEST_F(Teach, TheSeedIsLookedForWhileTeachingGoesOn) {
