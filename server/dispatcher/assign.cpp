@@ -1,13 +1,16 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "core/network/beside.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 constexpr Duration kBetweenPlans = 1s;
+constexpr std::size_t kStartsTried = 6;
 
 std::string metres(double length_m) {
   const auto centimetres = std::llround(length_m * 100);
@@ -43,8 +46,19 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
   return ready;
 }
 
+/// From the last place of a run nothing may lead on although its end lies on another run's way: a robot that stands
+/// there sets off from a place of that way.
 FindWay Dispatcher::ways_to(const PlaceId& to, Now now) {
-  return [this, to, now](const Candidate& from) { return routes_.find(from.at, to, from.methods, now.steady); };
+  return [this, to, now](const Candidate& from) {
+    Result<Path> way = routes_.find(from.at, to, from.methods, now.steady);
+    if (way) return way;
+    std::vector<PlaceId> beside = places_beside(context_.snapshots.current(), from.at);
+    beside.resize(std::min(beside.size(), kStartsTried));
+    for (const PlaceId& start : beside) {
+      if (Result<Path> other = routes_.find(start, to, from.methods, now.steady)) return other;
+    }
+    return way;
+  };
 }
 
 void Dispatcher::assign_waiting(Now now) {

@@ -1,0 +1,74 @@
+#include "core/network/beside.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/network/change.hpp"
+
+namespace weft {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr ExperienceId lane{1};
+constexpr ExperienceId stub{2};
+
+/// A lane of places 0.25 m apart, and one place of another run that lies at `lane_from_stub` of its third place.
+Snapshot lane_and(const Pose2& lane_from_stub) {
+  const auto edge = [](const PlaceId& a, const PlaceId& b, const Pose2& a_from_b, Drivable drivable) {
+    Edge made;
+    made.id = {a, b};
+    made.a_from_b = Metric2{a_from_b, Eigen::Matrix3d::Identity() * 1e-6};
+    made.origin = drivable == Drivable::none ? Origin::stitch : Origin::odometry;
+    made.method = "marks";
+    made.drivable = drivable;
+    return made;
+  };
+  const auto place = [](const PlaceId& id) {
+    Place made;
+    made.id = id;
+    made.method = "marks";
+    made.content.hash.bytes[0] = 1;
+    made.content.size = 1;
+    return made;
+  };
+  Batch first;
+  first.experience = lane;
+  first.sequence = 1;
+  first.method = "marks";
+  for (std::uint32_t index = 0; index < 8; ++index) {
+    first.places.push_back(place({lane, index}));
+    if (index > 0) first.edges.push_back(edge({lane, index - 1}, {lane, index}, {0.25, 0, 0}, Drivable::a_to_b));
+  }
+  Batch second;
+  second.experience = stub;
+  second.sequence = 1;
+  second.method = "marks";
+  second.places.push_back(place({stub, 0}));
+  second.edges.push_back(edge({lane, 2}, {stub, 0}, lane_from_stub, Drivable::none));
+  return with(with(Snapshot{}, first), second);
+}
+
+TEST(PlacesBeside, NearestFirstWhicheverWayTheyAreDriven) {
+  EXPECT_THAT(places_beside(lane_and({0.1, 0.1, 0.0}), {stub, 0}),
+              ElementsAre(PlaceId{lane, 2}, PlaceId{lane, 3}, PlaceId{lane, 1}));
+}
+
+TEST(PlacesBeside, NoneFartherAwayThanARobotChangesOver) {
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.41, 0.0}), {stub, 0}), IsEmpty());
+}
+
+TEST(PlacesBeside, NoneThatLookAnotherWay) {
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, 0.6}), {stub, 0}), IsEmpty());
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, M_PI}), {stub, 0}), IsEmpty());
+}
+
+TEST(PlacesBeside, NoneWithoutThePlace) {
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, 0.0}), {ExperienceId{9}, 0}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace weft
