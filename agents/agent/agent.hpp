@@ -70,6 +70,8 @@ class Agent {
   virtual AgentOutput step(const Sample& sample, SteadyTime now) = 0;
   /// The body broke down (its error): stand, say so, refuse goals.
   virtual AgentOutput body_failed(const Error& error, SteadyTime now) = 0;
+  /// The process is being ended: its last word, so that nobody waits for it.
+  virtual AgentOutput leave(SteadyTime now) = 0;
   /// Whether a hand's request could be carried out.
   virtual AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) = 0;
 

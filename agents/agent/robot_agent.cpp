@@ -96,6 +96,19 @@ AgentOutput RobotAgent::body_failed(const Error& error, SteadyTime now) {
   return finish(now);
 }
 
+AgentOutput RobotAgent::leave(SteadyTime now) {
+  navigator_->stop();
+  command_ = Twist{};
+  AgentOutput last = finish(now);
+  msg::RobotState off = state();
+  off.mode = msg::RobotMode::off;
+  off.reason = "its agent was ended";
+  send(std::move(off));
+  std::move(output_.send.begin(), output_.send.end(), std::back_inserter(last.send));
+  output_ = {};
+  return last;
+}
+
 void RobotAgent::pump(SteadyTime now) {
   for (std::string& dropped : session_.drop_claims(now)) output_.notes.push_back(std::move(dropped));
   if (std::optional<msg::Hello> own = session_.due(now)) output_.send.emplace_back(std::move(*own));

@@ -92,6 +92,7 @@ class RobotAgent final : public Agent {
   void was_away(Duration away, SteadyTime now) override;
   AgentOutput step(const Sample& sample, SteadyTime now) override;
   AgentOutput body_failed(const Error& error, SteadyTime now) override;
+  AgentOutput leave(SteadyTime now) override;
   AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) override;
 
   const Window& window() const override { return replica_.window(); }

@@ -47,6 +47,7 @@ std::string RobotAgent::reason() const {
                " places that look like what it sees, " + recogniser_.among();
       }
       return localising_.has_value() ? "looks for itself" : lift_.notice();
+    case msg::RobotMode::off:
     case msg::RobotMode::driving:
       break;
   }

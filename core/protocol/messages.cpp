@@ -18,6 +18,8 @@ const char* to_string(RobotMode mode) {
       return "lost";
     case RobotMode::faulted:
       return "faulted";
+    case RobotMode::off:
+      return "off";
   }
   return "unknown";
 }

@@ -81,7 +81,8 @@ enum class RobotMode : std::uint8_t {
   waiting = 4,
   stopped = 5,
   lost = 6,
-  faulted = 7
+  faulted = 7,
+  off = 8  ///< the agent's last word: its process was ended
 };
 const char* to_string(RobotMode mode);
 

@@ -118,7 +118,7 @@ msg::RobotState from_idl(const idl::RobotState& wire, Reading reading) {
   value.header = from_idl(wire.header(), reading.in("header"));
   reading.require(wire.robot() == value.header.sender.bytes, "robot", "must be the sender");
   value.name = reading.text("name", wire.name(), kNameLength);
-  value.mode = reading.choice("mode", wire.mode(), msg::RobotMode::idle, msg::RobotMode::faulted);
+  value.mode = reading.choice("mode", wire.mode(), msg::RobotMode::idle, msg::RobotMode::off);
   value.localised = wire.localised();
   value.place = from_idl(wire.place());
   reading.require(!value.localised || value.place, "place", "must not be none when localised");

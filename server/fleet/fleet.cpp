@@ -110,6 +110,7 @@ std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool s
   const Incarnations::Verdict verdict = robot.incarnations.hear(from.incarnation, now.steady);
   if (verdict == Incarnations::Verdict::late) return verdict;
   robot.heard = now.steady;
+  robot.left = false;
   if (robot.silent) {
     robot.silent = false;
     // A new robot's state can come before the hello that names it.
@@ -135,6 +136,7 @@ const Robot* Fleet::on_state(const msg::RobotState& state, Now now) {
   if (robot.state && robot.state->header.sequence >= state.header.sequence) return nullptr;
   changed(robot, state, now);
   robot.state = state;
+  robot.left = state.mode == msg::RobotMode::off && !robot.incarnations.twins();
   return &robot;
 }
 
@@ -157,10 +159,10 @@ std::vector<RobotId> Fleet::tick(Now now) {
   std::vector<RobotId> fell_silent;
   for (auto& [id, robot] : robots_) {
     if (robot.silent) continue;
-    if (now.steady - robot.heard >= silent_after_) {
+    if (robot.left || now.steady - robot.heard >= silent_after_) {
       robot.silent = true;
-      note("robot.silent", robot, "nothing heard of it for " + seconds_in_words(context_.config.robot_silent_after_s),
-           now);
+      const std::string unheard = "nothing heard of it for " + seconds_in_words(context_.config.robot_silent_after_s);
+      note("robot.silent", robot, robot.left ? "its agent was ended" : unheard, now);
       fell_silent.push_back(id);
       continue;
     }
@@ -188,7 +190,7 @@ std::optional<SteadyTime> Fleet::next() const {
   std::optional<SteadyTime> next;
   for (const auto& [id, robot] : robots_) {
     if (robot.silent) continue;
-    const SteadyTime due = std::min(robot.heard + silent_after_, robot.next_probe);
+    const SteadyTime due = robot.left ? robot.heard : std::min(robot.heard + silent_after_, robot.next_probe);
     if (!next || due < *next) next = due;
   }
   return next;

@@ -25,6 +25,7 @@ struct Robot {
   Incarnations incarnations;
   SteadyTime heard;  ///< or when the server started
   bool silent = true;
+  bool left = false;  ///< its agent said that it was being ended, and nothing since
   ClockSkew skew;
   SteadyTime next_probe;
   std::uint64_t window_bytes = 0;   ///< sent to it since the server started

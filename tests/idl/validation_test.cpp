@@ -63,7 +63,7 @@ TEST(FromIdl, RefusesValuesOutsideTheirEnumeration) {
   EXPECT_THAT(refusal<msg::Hello>([](auto& m) { m.role = msg::Role{9}; }),
               HasSubstr("Hello.role must be from 1 to 3"));
   EXPECT_THAT(refusal<msg::RobotState>([](auto& m) { m.mode = msg::RobotMode{0}; }),
-              HasSubstr("mode must be from 1 to 7"));
+              HasSubstr("mode must be from 1 to 8"));
   EXPECT_THAT(refusal<msg::WindowPatch>([](auto& m) { m.patch.edges[0].origin = Origin{4}; }), HasSubstr("origin"));
   EXPECT_THAT(refusal<msg::Chunk>([](auto& m) { m.coding = msg::Coding{3}; }),
               HasSubstr("coding must be from 0 to 2"));

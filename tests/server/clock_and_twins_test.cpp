@@ -60,6 +60,27 @@ TEST_F(FleetTest, SilenceIsToldOnceAndEndsWithAWord) {
   EXPECT_THAT(site.events_of("robot.heard"), SizeIs(2));
 }
 
+TEST_F(FleetTest, AnAgentThatWasEndedIsNotWaitedFor) {
+  TaughtRun run(r1, 10);
+  site.arrive(r1, std::nullopt);
+  site.hand_in(r1, run.next(3));
+  msg::RobotState last = site.state(r1, run.place(2));
+  last.mode = msg::RobotMode::off;
+  site.say(last);
+  site.pass(0s);
+  ASSERT_THAT(site.events_of("robot.silent"), SizeIs(1));
+  EXPECT_THAT(site.events_of("robot.silent").front(), HasSubstr("its agent was ended"));
+  msg::OperatorRequest clear = site.request(msg::OperatorRequest::Kind::clear);
+  clear.robot = "r1";
+  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done) << "its place is free at once";
+  r1.incarnation = 2;
+  r1.sequence = 0;
+  site.arrive(r1, std::nullopt);
+  EXPECT_THAT(site.events_of("robot.heard"), SizeIs(2));
+  site.pass(1s);
+  EXPECT_THAT(site.events_of("robot.silent"), SizeIs(1));
+}
+
 TEST_F(FleetTest, RestartedAgentIsNoAlarm) {
   site.arrive(r1, std::nullopt);
   site.pass(1s);

@@ -13,6 +13,7 @@ constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in betwee
 constexpr Duration kBehind = 500ms;        ///< later than this is not caught up with
 constexpr Duration kAway = 1s;
 constexpr Duration kNothingMore = 50ms;  ///< nothing more comes of what was sent meanwhile
+constexpr Duration kLastWord = 50ms;     ///< it leaves the machine
 constexpr Duration kCatchUpAtMost = 1s;
 constexpr Duration kBetweenCounters = 30s;
 constexpr Duration kFirstSilent = 5s;
@@ -53,6 +54,8 @@ Result<void> Loop::until(const std::function<bool()>& stop) {
     slept = std::max(next - steady_now(), Duration{});
     if (slept > Duration{}) parts_.link.wait(slept);
   }
+  perform(parts_.agent.leave(steady_now()));
+  parts_.link.wait(kLastWord);
   if (damage_) return tl::unexpected(*damage_);
   return {};
 }

@@ -232,6 +232,16 @@ TEST(Orders, BodyThatBreaksDownStandsAndFailsItsRoute) {
   EXPECT_EQ(rig.last<msg::RouteProgress>()->phase, msg::RoutePhase::failed);
 }
 
+TEST(Orders, WhoseProcessIsEndedStandsAndSaysThatItIsOff) {
+  Driving rig;
+  rig.tell(rig.order(a_route(rig.laid, 10, 1)));
+  rig.drive();
+  rig.run(1s);
+  rig.take(rig.agent->leave(rig.now));
+  EXPECT_EQ(rig.seen.command, Twist{});
+  EXPECT_EQ(rig.last<msg::RobotState>()->mode, msg::RobotMode::off);
+}
+
 TEST(Orders, LocaliseAnswersOnceFound) {
   Driving rig;
   rig.script->estimate.reset();

@@ -76,6 +76,10 @@ class Echo final : public Agent {
     failure = error.message;
     return {};
   }
+  AgentOutput leave(SteadyTime) override {
+    ++leaves;
+    return {};
+  }
   AgentOutput hand_answered(const Result<void>& answer, SteadyTime) override {
     hand_answer = answer.error().message;
     AgentOutput output;
@@ -91,6 +95,7 @@ class Echo final : public Agent {
   std::vector<std::uint64_t> frames;
   std::vector<SteadyTime> times;
   std::string failure;
+  int leaves = 0;
   std::string hand_answer;
   std::vector<std::pair<std::size_t, Duration>> absences;  ///< after how many frames, how long
   std::vector<AckRecord> acks;                             ///< to go out with the next sample
@@ -129,6 +134,12 @@ TEST(AgentLoop, EverySampleLeadsToTheNextCommand) {
     EXPECT_EQ(bench.body.commands[i].linear_m_s, static_cast<double>(i));
   }
   EXPECT_EQ(bench.agent.failure, "recording is over");
+}
+
+TEST(AgentLoop, TheLastWordIsSaidWhenItEnds) {
+  Bench bench(2);
+  EXPECT_TRUE(bench.run(0.0));
+  EXPECT_EQ(bench.agent.leaves, 1);
 }
 
 TEST(AgentLoop, NeverRunsAheadOfItsPace) {
