@@ -71,6 +71,7 @@ class FastParticipant final : public Participant {
   Result<dds::DataWriter*> writer_for(const Topic& topic, const PeerId& to);
   Result<dds::DataWriter*> writer_in(Writers& writers, dds::Publisher* publisher, const Topic& topic);
   void remove(const Peer& peer);
+  void announce_anew();
 
   const msg::Role role_;
   const std::vector<Topic> table_;
@@ -81,6 +82,8 @@ class FastParticipant final : public Participant {
   std::map<TopicId, dds::Topic*> topics_;
   Writers writers_;
   std::map<PeerId, Peer> peers_;
+  std::size_t ended_writers_ = 0;  ///< since all others were announced anew
+  std::uint8_t announced_ = 0;     ///< how often they were
 };
 
 tl::unexpected<Error> refused(std::string_view what) {
@@ -164,6 +167,24 @@ Result<void> FastParticipant::write(const Topic& topic, const PeerId& to, ByteVi
 void FastParticipant::remove(const Peer& peer) {
   for (const auto& [topic, writer] : peer.writers) peer.publisher->delete_datawriter(writer);
   participant_->delete_publisher(peer.publisher);
+  ended_writers_ += peer.writers.size();
+}
+
+/// Says of every writer that is left that there is a change to it (a byte of user data). Discovery is a reliable
+/// topic of its own that a newcomer reads from the oldest change still kept, 256 numbers a round trip, and the first
+/// writers' changes would stay the oldest for good: each client that ended would lengthen the way of all later ones.
+void FastParticipant::announce_anew() {
+  ended_writers_ = 0;
+  ++announced_;
+  const auto announce = [this](const Writers& writers) {
+    for (const auto& [topic, writer] : writers) {
+      dds::DataWriterQos qos = writer->get_qos();
+      qos.user_data().data_vec({announced_});
+      writer->set_qos(qos);
+    }
+  };
+  announce(writers_);
+  for (const auto& [id, peer] : peers_) announce(peer.writers);
 }
 
 void FastParticipant::forget(const PeerId& id) {
@@ -185,6 +206,11 @@ void FastParticipant::forget_readerless(SteadyTime now) {
     if (is_gone) remove(entry->second);
     entry = is_gone ? peers_.erase(entry) : std::next(entry);
   }
+  // As rarely as there are many to announce: each ended writer pays for at most one.
+  constexpr std::size_t few = 64;
+  std::size_t all = writers_.size();
+  for (const auto& [id, peer] : peers_) all += peer.writers.size();
+  if (ended_writers_ >= std::max(few, all)) announce_anew();
 }
 
 }  // namespace

@@ -131,6 +131,34 @@ TEST_P(PeerContract, NothingIsKeptForClientsThatAreGone) {
   EXPECT_TRUE(fleet.until([&] { return fleet.server().bus().counters().peers == 0; }));
 }
 
+/// A vendor may have to say much of itself anew by then: that disturbs nobody.
+TEST_P(PeerContract, AfterManyClientsThatAreGoneTheOthersAreServedAsBefore) {
+  if (!GetParam().server) GTEST_SKIP() << "in process nothing is made for a peer";
+  Peer& survivor = fleet.start_peer(Role::agent, peer_id(1));
+  greet(fleet, survivor);
+  std::uint64_t request = 0;
+  const auto is_reached = [&](Peer& peer) {
+    int turns = 0;
+    return fleet.until([&] {
+      if (turns++ % 25 == 0) std::ignore = fleet.server().send(command(peer.id, ++request));
+      return last_command(peer) == request && request > 0;
+    });
+  };
+  ASSERT_TRUE(is_reached(survivor));
+  for (std::uint8_t number = 50; number < 250; ++number) {
+    msg::OperatorReply reply;
+    reply.header = header_of(kServerId);
+    reply.to = peer_id(number);
+    EXPECT_TRUE(fleet.server().send(reply));
+  }
+  EXPECT_GT(fleet.server().bus().counters().peers, 100U);
+  EXPECT_TRUE(fleet.until([&] { return fleet.server().bus().counters().peers == 1; }));
+  EXPECT_TRUE(is_reached(survivor));
+  Peer& newcomer = fleet.start_peer(Role::agent, peer_id(2));
+  greet(fleet, newcomer);
+  EXPECT_TRUE(is_reached(newcomer));
+}
+
 WEFT_ON_EACH_PAIRING(PeerContract);
 
 }  // namespace
