@@ -61,7 +61,8 @@ void Operator::stop_a_while(std::size_t robot) {
   }
 }
 
-/// A stretch of the map goes, with who drives there, and comes back.
+/// A stretch of the map goes, with who drives there, and comes back. Whose server ended before it answered hears
+/// that nothing is left to take out, and finds the edit in the log.
 void Operator::edit_a_while() {
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::quarantine;
@@ -69,11 +70,13 @@ void Operator::edit_a_while() {
   if (request.work.what.empty()) return;
   fleet_.ledger().map_edited(true);
   const auto edited = ask(request, 3600.0);
-  if (edited && edited->outcome == msg::Outcome::done) {
+  const bool is_done = edited && edited->outcome == msg::Outcome::done;
+  const Revision revision = is_done ? edited->revision : quarantined();
+  if (revision != Revision{}) {
     pass(from_seconds(random_.uniform(1.0, 60.0)));
     request.kind = msg::OperatorRequest::Kind::undo;
     request.work.what = {};
-    request.work.revision = edited->revision;
+    request.work.revision = revision;
     while (true) {
       const auto undone = ask(request, 600.0);
       if (undone && undone->outcome != msg::Outcome::failed) break;

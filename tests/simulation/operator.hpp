@@ -42,7 +42,9 @@ class Operator {
     SteadyTime since{};  ///< its history has been as it is
   };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
+  std::optional<msg::QueryReply> answer_to(msg::Query query);
   std::optional<msg::QueryReply> look_at(const GoalId& goal);
+  Revision quarantined();
   bool teach_lesson(std::size_t robot);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);

@@ -78,12 +78,9 @@ std::string Operator::free_station() {
   return free.empty() ? std::string() : free[random_.below(free.size())];
 }
 
-/// `weft goal show`; none when it is not answered.
-std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
-  msg::Query query;
-  query.kind = msg::Query::Kind::goals;
+/// None when it is not answered.
+std::optional<msg::QueryReply> Operator::answer_to(msg::Query query) {
   query.request = random_.next();
-  query.goal = goal;
   for (int tries = 0; tries < 5; ++tries) {
     fleet_.send(query);
     for (int i = 0; i < 8; ++i) {
@@ -94,6 +91,28 @@ std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
     }
   }
   return std::nullopt;
+}
+
+/// `weft goal show`.
+std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
+  msg::Query query;
+  query.kind = msg::Query::Kind::goals;
+  query.goal = goal;
+  return answer_to(query);
+}
+
+/// `weft map log`: the latest revision, when it took places out of the map; 0 when the latest edit was another one.
+Revision Operator::quarantined() {
+  msg::Query query;
+  query.kind = msg::Query::Kind::log;
+  query.most = 1000;
+  std::optional<msg::QueryReply> answer;
+  while (!answer) answer = answer_to(query);
+  for (const msg::RevisionNote& note : answer->log) {
+    if (note.kind == "quarantine") return note.revision;
+    if (note.kind == "undo") return {};
+  }
+  return {};
 }
 
 /// A robot that stands askew, where a hand has left it, cannot set off.
