@@ -51,12 +51,13 @@ endfunction()
 
 # weft_test(NAME [THREADS] [LABEL unit|contract|data|drives|system] SOURCES ... LINK ...): one GoogleTest program, each of its
 # tests in ctest. THREADS: what it tests is used by several; its label ends in -threads. Target unit_tests builds the
-# unit tests, threads_tests those with threads. drives: renders whole drives; too long for a sanitizer. Under a sanitizer a program runs as a whole, in two shards for two
-# cores: starting it takes longer there than most tests do.
+# unit tests, threads_tests those with threads. drives: renders whole drives; too long for a sanitizer. Under a
+# sanitizer a program runs as a whole, in two shards for two cores: starting it takes longer there than most tests do.
+# WHOLE: in every build, as what its tests share takes long to make.
 add_custom_target(unit_tests)
 add_custom_target(threads_tests)
 function(weft_test name)
-  cmake_parse_arguments(TEST "THREADS" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "THREADS;WHOLE" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE weft_flags ${TEST_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
@@ -70,7 +71,7 @@ function(weft_test name)
     add_dependencies(threads_tests ${name})
     string(APPEND TEST_LABEL -threads)  # matches both -L unit and -L threads
   endif()
-  if(NOT WEFT_SANITIZE)
+  if(NOT WEFT_SANITIZE AND NOT TEST_WHOLE)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 300)
     return()
   endif()
