@@ -56,7 +56,7 @@ Keeping::Decision Keeping::outside(const Sight& sight) {
     decision.step = Step::join;
   } else if (!why_not_.empty()) {
     decision.notice = said(sight.now, "cannot open its link, tries on: " + why_not_);
-  } else if (!sight.servers) {
+  } else if (!sight.servers && !decision.asks_resolver) {
     decision.notice = said(sight.now, "waits for the address of its server: its name is not known yet");
   }
   return decision;

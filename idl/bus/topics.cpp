@@ -30,7 +30,7 @@ constexpr std::array<Topic, kTopics> kTable = {{
      kServer | kPeers,
      kServer | kPeers,
      kKiB,
-     "at start, then 1/s a peer"},
+     "at start; then a server every 5 s, an agent every 2 to 15 s, every 0.5 s while it asks who the server is"},
     {TopicId::robot_description,
      "weft/1/robot_description",
      "weft::idl::RobotDescription",

@@ -49,7 +49,10 @@ TEST_F(Kept, WaitsForAnAddressAndForTheServersName) {
   const auto asking = after(1s);
   EXPECT_EQ(asking.step, Step::stay);
   EXPECT_TRUE(asking.asks_resolver);
-  EXPECT_FALSE(after(500ms).asks_resolver);
+  EXPECT_THAT(asking.notice, IsEmpty()) << "an address needs no resolver, and is known at the next look";
+  const auto waiting = after(500ms);
+  EXPECT_FALSE(waiting.asks_resolver);
+  EXPECT_THAT(waiting.notice, HasSubstr("its name is not known yet"));
   EXPECT_TRUE(after(2s).asks_resolver);
   sight.servers = kServers;
   EXPECT_EQ(after(500ms).step, Step::join);
