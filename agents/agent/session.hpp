@@ -15,8 +15,8 @@ namespace weft::agents {
 using Counters = std::map<std::string, std::uint64_t>;
 
 /// The agent's side of its relation to the server: who the server is, and the header of everything the agent says.
-/// Whoever speaks in a higher epoch only claims to be the server. The agent's hello asks with a random number; a
-/// hello that answers it shows that its sender lives, and makes it the server.
+/// Takes one that speaks in a higher epoch for a mere claimant at first: the agent's hello asks with a random number;
+/// a hello that answers it shows that its sender lives, and makes it the server.
 class Session {
  public:
   /// `own` is the agent's hello; its protocol range is what this program speaks.

@@ -25,7 +25,7 @@ std::vector<Candidate> candidates(const NavigationConfig& config, const Window& 
 std::vector<Candidate> at_any_heading(const NavigationConfig& config, const Window& window, const Estimate& estimate,
                                       std::uint32_t hops, double reach_m);
 
-/// By cost, ties by place.
+/// Sorts by cost, ties by place.
 void sort_by_cost(std::vector<Candidate>& candidates);
 
 /// Depth and reach of the search: near after a fix, growing with what was travelled blind up to d_max.

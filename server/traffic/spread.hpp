@@ -30,14 +30,14 @@ class Spread {
 /// one heading to the other, and may have bent at once or at the end.
 Metric2 laid_flat(const Relation& relation);
 
-/// By how much an edge makes less certain what lies behind it: positive, and the same from either side.
+/// Returns how much less certain an edge makes what lies behind it: positive, and the same from either side.
 double uncertainty_of(const Edge& edge);
 
 /// The largest standard deviation of a position.
 double largest_sigma_m(const Eigen::Matrix2d& covariance);
 
-/// By how much more than to first order positions may be off, as a share of their largest standard deviation: what is
-/// turned by an uncertain heading lies on an arc and not on a straight line.
+/// Returns how much farther than to first order positions may be off, as a share of their largest standard deviation:
+/// what is turned by an uncertain heading lies on an arc and not on a straight line.
 double share_of_bend(double heading_variance_rad2);
 
 /// The least distance that two positions have, `apart` being the difference of their means, when both lie within

@@ -13,8 +13,8 @@ struct CameraLook {
   FocalShare share;
 };
 
-/// By how much a view shows things lower than the camera that taught a run did: another one stands higher, or looks
-/// further down.
+/// Tells, by one view, how many pixels lower it shows things than the camera that taught a run did: another one
+/// stands higher, or looks further down.
 struct CameraRise {
   ExperienceId run;
   double px = 0.0;

@@ -78,7 +78,7 @@ std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<Floor
   return likes;
 }
 
-/// Of the stretch, which have their like anywhere.
+/// Returns those features of the stretch that have their like anywhere.
 std::set<std::uint32_t> having_likes(const std::vector<Match>& likes) {
   std::set<std::uint32_t> some;
   for (const Match& like : likes) some.insert(like.b);
