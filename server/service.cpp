@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/utf8.hpp"
 #include "server/context.hpp"
 #include "server/desk/answers.hpp"
 #include "server/desk/desk.hpp"
@@ -177,9 +178,11 @@ class FleetMapServer final : public Service {
     return *verdict == Verdict::first || *verdict == Verdict::fresh || *verdict == Verdict::current;
   }
 
-  std::string who_is(const PeerId& client) const {
-    const auto known = clients_.find(client);
-    return known == clients_.end() ? to_string(client) : known->second;
+  /// A request can come before its client's hello.
+  std::string who_asks(const msg::OperatorRequest& request) const {
+    if (!request.who.empty()) return as_utf8(request.who);
+    const auto known = clients_.find(request.header.sender);
+    return known == clients_.end() ? to_string(request.header.sender) : as_utf8(known->second);
   }
 
   void receive(const msg::Hello& hello, Now now) {
@@ -240,7 +243,7 @@ class FleetMapServer final : public Service {
     if (admit(reply.header, false, now)) fleet_.on_clock_reply(reply, now);
   }
   void receive(const msg::OperatorRequest& request, Now now) {
-    if (admit(request.header, false, now)) desk_.on_request(request, who_is(request.header.sender), now);
+    if (admit(request.header, false, now)) desk_.on_request(request, who_asks(request), now);
   }
   void receive(const msg::Query& query, Now now) {
     if (admit(query.header, false, now)) answers_.on_query(query, now.steady);

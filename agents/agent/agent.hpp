@@ -18,7 +18,7 @@ namespace weft::agents {
 struct AgentConfig {
   RobotId self;
   std::uint64_t incarnation = 0;
-  std::string name;  ///< [A-Za-z0-9_.-]{1,64}
+  std::string name;  ///< as check_name wants it
   std::string software;
   std::string vendor;
   std::string body;

@@ -1,9 +1,9 @@
 #include "agents/agent/robot_agent.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "core/names.hpp"
 #include "core/network/change.hpp"
 
 namespace weft::agents {
@@ -30,14 +30,7 @@ WindowDefinition everything(const AgentConfig& config) {
 }
 
 Result<void> check_bounds(const AgentConfig& config) {
-  const auto is_allowed = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-';
-  };
-  const bool named = !config.name.empty() && config.name.size() <= 64 &&
-                     std::all_of(config.name.begin(), config.name.end(), is_allowed);
-  if (!named) {
-    return fail(ErrorCode::invalid, "name '" + config.name + "': 1 to 64 characters of [A-Za-z0-9_.-] are wanted");
-  }
+  if (Result<void> named = check_name("robot", config.name); !named) return named;
   if (!config.self) return fail(ErrorCode::invalid, "identity: is all zero; remove it and start again");
   if (!(config.footprint_radius_m > 0.0 && config.footprint_radius_m <= 5.0)) {
     return fail(ErrorCode::invalid,

@@ -6,15 +6,6 @@
 namespace weft {
 namespace {
 
-constexpr std::size_t kLongestLabel = 64;
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_label_character(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
-}
-
 /// Experiences of a snapshot under change: copies one when it is touched, shares the others.
 class Draft {
  public:
@@ -145,25 +136,6 @@ Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std:
     sealed.seal_reason = reason;
   }
   return {next(snapshot.revision()), draft.take(), snapshot.shared_labels(), snapshot.shared_aparts()};
-}
-
-Result<void> check_label(std::string_view label) {
-  const std::string name = "label \"" + std::string(label.substr(0, kLongestLabel)) + "\"";
-  if (label.empty() || label.size() > kLongestLabel) {
-    return fail(ErrorCode::invalid, name + " has " + std::to_string(label.size()) + " characters, must have 1 to " +
-                                        std::to_string(kLongestLabel));
-  }
-  for (const char c : label) {
-    if (!is_label_character(c)) {
-      return fail(ErrorCode::invalid,
-                  name + " has the character '" + std::string(1, c) + "'; use letters, digits, '_', '.' and '-'");
-    }
-  }
-  if (!is_letter(label.front())) {
-    return fail(ErrorCode::invalid,
-                name + " starts with '" + std::string(1, label.front()) + "', must start with a letter");
-  }
-  return {};
 }
 
 }  // namespace weft

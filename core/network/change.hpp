@@ -2,14 +2,14 @@
 #include <string>
 #include <vector>
 
+#include "core/names.hpp"
 #include "core/network/network.hpp"
 
 namespace weft {
 
 inline constexpr std::size_t kBatchPlaces = 1000;               ///< most places in one batch
 inline constexpr std::size_t kBatchEdges = 8000;                ///< most edges in one batch
-inline constexpr std::size_t kLongestName = 64;                 ///< bytes of a name or a method, printable ASCII
-inline constexpr std::size_t kLongestReason = 256;              ///< bytes of a seal's reason, printable ASCII
+inline constexpr std::size_t kLongestReason = 256;              ///< bytes of a seal's reason, printable UTF-8
 inline constexpr std::uint64_t kLargestContent = 64ULL << 20U;  ///< bytes of one content
 
 /// What a robot hands in: consecutive places of one experience and the relations that join them to what the map
@@ -56,8 +56,5 @@ Snapshot with(const Snapshot& snapshot, const Batch& batch);
 Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place);
 /// The snapshot with the experience sealed for a reason, one revision on.
 Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std::string& reason);
-
-/// 1 to 64 characters of [A-Za-z0-9_.-]; starts with a letter. invalid otherwise, naming the character.
-Result<void> check_label(std::string_view label);
 
 }  // namespace weft

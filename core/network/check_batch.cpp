@@ -2,6 +2,7 @@
 #include <set>
 
 #include "core/network/change.hpp"
+#include "core/utf8.hpp"
 
 namespace weft {
 namespace {
@@ -32,10 +33,10 @@ class Checker {
       wrong(ErrorCode::invalid, std::string(field) + " has " + std::to_string(text.size()) + " bytes, must have " +
                                     std::to_string(fewest) + " to " + std::to_string(most));
     }
-    for (const char c : text) {
-      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) {
-        return wrong(ErrorCode::invalid, std::string(field) + " has a character that is not printable ASCII");
-      }
+    const bool is_shown =
+        std::none_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
+    if (!is_utf8(text) || !is_shown) {
+      wrong(ErrorCode::invalid, std::string(field) + " has a character that is not printable, or no UTF-8");
     }
   }
 

@@ -303,13 +303,16 @@ struct OperatorRequest {
     robot_counts = 21,  ///< how often a robot found where it is, and what it refused, by reason
     /// a snapshot that is then restored beside itself, checked, and compared with the map
     snapshot_verified = 22,
-    apart = 23  ///< the two stretches are different floors
+    apart = 23,   ///< the two stretches are different floors
+    forget = 24,  ///< a robot that is gone: what it taught stays
+    rename = 25   ///< a robot that is not heard
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
   Kind kind = Kind::goal_send;
+  std::string who;    ///< the operator's name, as events show it; empty: as the client's hello said
   std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
-  /// goal_send: where to; label: its name; localise: a seed; teach: its name; undo, quarantine, replace,
+  /// goal_send: where to; label, rename: its name; localise: a seed; teach: its name; undo, quarantine, replace,
   /// teach_report: an experience's name or hex id
   std::string label;
   PlaceId place;  ///< label, localise: which place, when not by label
@@ -375,6 +378,7 @@ struct RobotRow {
   RobotDescription description;
   RobotState state;
   double silent_s = 0.0;  ///< by the server's steady clock
+  bool is_heard = false;  ///< does not count as silent
   std::string vendor;
   std::string software;  ///< the agent's version
   double clock_skew_s = 0.0;

@@ -107,6 +107,7 @@ static idl::RobotRow row_to_idl(const msg::RobotRow& row) {
   wire.has_state(bool(row.state.header.sender));
   wire.state(to_idl(row.state));
   wire.silent_s(row.silent_s);
+  wire.is_heard(row.is_heard);
   wire.vendor(row.vendor);
   wire.software(row.software);
   wire.clock_skew_s(row.clock_skew_s);
@@ -121,6 +122,7 @@ static msg::RobotRow from_idl(const idl::RobotRow& wire, Reading reading) {
   if (wire.has_description()) value.description = from_idl(wire.description(), reading.in("description"));
   if (wire.has_state()) value.state = from_idl(wire.state(), reading.in("state"));
   value.silent_s = reading.not_negative("silent_s", wire.silent_s());
+  value.is_heard = wire.is_heard();
   value.vendor = reading.text("vendor", wire.vendor(), kNameLength);
   value.software = reading.text("software", wire.software(), kNameLength);
   value.clock_skew_s = reading.finite("clock_skew_s", wire.clock_skew_s());

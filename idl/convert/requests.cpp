@@ -35,6 +35,7 @@ idl::OperatorRequest to_idl(const msg::OperatorRequest& message) {
   wire.header(to_idl(message.header));
   wire.request(message.request);
   wire.kind(static_cast<std::uint8_t>(message.kind));
+  wire.who(message.who);
   wire.robot(message.robot);
   wire.label(message.label);
   wire.place(to_idl(message.place));
@@ -51,7 +52,8 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::apart);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::rename);
+  value.who = reading.text("who", wire.who(), kNameLength);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
   value.place = from_idl(wire.place());

@@ -81,6 +81,7 @@ Answers::Parts Answers::robots(SteadyTime now) const {
     row.description.name = robot.name;
     row.description.header.sender = id;
     row.silent_s = seconds(now - robot.heard);
+    row.is_heard = !robot.silent;
     row.vendor = robot.vendor;
     row.software = robot.software;
     row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);

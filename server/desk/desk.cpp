@@ -68,6 +68,10 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
     case Kind::clear:
       clear(key, request, who, now);
       return;
+    case Kind::forget:
+    case Kind::rename:
+      forget_or_rename(key, request, who, now);
+      return;
     case Kind::teach_start:
     case Kind::teach_stop:
     case Kind::teach_report:
@@ -146,6 +150,8 @@ Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request,
     return fail(ErrorCode::refused, robot.name + " has goal " + to_string(goal->id) + ": cancel it first");
   }
   if (request.kind == Kind::teach_start) {
+    const Result<void> good = request.label.empty() ? Result<void>() : check_name("experience", request.label);
+    if (!good) return fail(good.error());
     command.kind = msg::AgentCommand::Kind::teach_start;
     command.name = request.label;
     if (!request.along.empty() && !robot.description->can_be_taught_along) {
@@ -188,7 +194,7 @@ void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
 }
 
 Result<void> Desk::put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now) {
-  if (const Result<void> good = check_label(label); !good) return fail(good.error());
+  if (const Result<void> good = check_name("label", label); !good) return fail(good.error());
   const Snapshot& snapshot = context_.snapshots.current();
   if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
   const auto known = snapshot.labels().find(label);
@@ -218,7 +224,7 @@ void Desk::label(const Key& key, const msg::OperatorRequest& request, const std:
 }
 
 void Desk::label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
-  if (const Result<void> good = check_label(request.label); !good) {
+  if (const Result<void> good = check_name("label", request.label); !good) {
     return answer(key, msg::Outcome::refused, good.error().message);
   }
   const Result<const Robot*> robot = reachable(request.robot);
@@ -245,6 +251,22 @@ void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std:
   const Result<std::string> done = dispatcher_.clear(*id, request.is_sure, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
+}
+
+/// Who is forgotten holds nothing any more: its goal fails, as with `clear`.
+void Desk::forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  const Result<RobotId> id = fleet_.by_name(request.robot);
+  if (!id) return answer(key, msg::Outcome::refused, id.error().message);
+  const std::string name = fleet_.name_of(*id) + " (" + to_string(*id) + ")";
+  const bool forgets = request.kind == Kind::forget;
+  if (forgets && fleet_.find(*id)->silent) {
+    const Result<std::string> cleared = dispatcher_.clear(*id, false, who, now);
+    if (!cleared) return answer(key, outcome_of(cleared.error()), cleared.error().message);
+  }
+  const Result<void> done = forgets ? fleet_.forget(*id, who, now) : fleet_.rename(*id, request.label, who, now);
+  if (!done) return answer(key, outcome_of(done.error()), done.error().message);
+  answer(key, msg::Outcome::done,
+         name + (forgets ? " is forgotten; what it taught stays" : " is called " + request.label + " from now on"));
 }
 
 }  // namespace weft::server

@@ -14,7 +14,6 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
-constexpr std::size_t kListed = 20;  ///< names in an error
 
 /// As people write it: 5, not 5.000000.
 std::string seconds_in_words(double duration_s) {
@@ -42,6 +41,7 @@ std::string unreachable_reason(const Robot& robot) {
 Fleet::Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now)
     : context_(context), random_(random), silent_after_(from_seconds(context.config.robot_silent_after_s)) {
   for (const auto& [id, name] : stored) {
+    if (name.empty()) continue;  // forgotten
     Robot& robot = robots_[id];
     robot.id = id;
     robot.name = name;
@@ -204,26 +204,6 @@ const Robot* Fleet::find(const RobotId& id) const {
 std::string Fleet::name_of(const RobotId& id) const {
   const Robot* const robot = find(id);
   return robot == nullptr || robot->name.empty() ? to_string(id) : robot->name;
-}
-
-Result<RobotId> Fleet::by_name(const std::string& text) const {
-  RobotId id;
-  if (text.size() == 2 * id.bytes.size() && parse_hex(text, id.bytes.data(), id.bytes.size()) && find(id)) return id;
-  const Robot* named = nullptr;
-  std::string known;
-  std::size_t listed = 0;
-  for (const auto& [each, robot] : robots_) {
-    if (++listed <= kListed) known += (known.empty() ? "" : ", ") + robot.name;
-    if (robot.name != text) continue;
-    if (named != nullptr) {
-      return fail(ErrorCode::refused, "two robots are named " + text + ": " + to_string(named->id) + " and " +
-                                          to_string(each) + "; name it by its id");
-    }
-    named = &robot;
-  }
-  if (named != nullptr) return named->id;
-  return fail(ErrorCode::not_found,
-              "no robot is named " + text + (known.empty() ? "; none was ever heard" : "; known: " + known));
 }
 
 void Fleet::note(const char* kind, const Robot& robot, const std::string& cause, Now now) {

@@ -65,11 +65,20 @@ class Fleet {
   const Robot* find(const RobotId& id) const;
   /// The robot's name, or its id when it has none.
   std::string name_of(const RobotId& id) const;
-  /// By name or by 32 hex digits. not_found: lists who there is. refused: two have the name; gives both ids.
+  /// By name or by 32 hex digits. Of several of one name the one that is heard is meant. not_found: lists who there
+  /// is. refused: two of the name are heard, or several and none is; gives their ids.
   Result<RobotId> by_name(const std::string& text) const;
+
+  /// The robot is gone: it is listed no more and its name is free, until it is heard again. It must be silent and
+  /// hold nothing.
+  Result<void> forget(const RobotId& id, const std::string& who, Now now);
+  /// Until its agent says what it is called. refused: it is heard, or another one has the name.
+  Result<void> rename(const RobotId& id, const std::string& name, const std::string& who, Now now);
 
  private:
   Robot& entry(const RobotId& id, Now now);
+  /// Names, in order, for people.
+  std::string listed() const;
   void named(Robot& robot, const std::string& name, Now now);
   void changed(const Robot& robot, const msg::RobotState& next, Now now);
   void note(const char* kind, const Robot& robot, const std::string& cause, Now now);

@@ -82,7 +82,7 @@ bool read_note(const std::vector<std::string_view>& words, Notes& notes) {
       {"none", Drivable::none}, {"a_to_b", Drivable::a_to_b}, {"b_to_a", Drivable::b_to_a}, {"both", Drivable::both}};
   const std::optional<std::uint64_t> key = words.size() > 1 ? parse_unsigned(words[1]) : std::nullopt;
   if (!key.has_value()) return false;
-  if (words[0] == "label" && words.size() == 3 && check_label(words[2]).has_value()) {
+  if (words[0] == "label" && words.size() == 3 && check_name("label", words[2]).has_value()) {
     notes.labels.emplace_back(words[2], *key);
     return true;
   }
@@ -269,7 +269,7 @@ RobotId import_robot(const std::string& name) {
 }
 
 Result<Import> import_of(const PoseGraph& graph, const std::string& name) {
-  if (const Result<void> label = check_label(name); !label) return fail(label.error());
+  if (const Result<void> label = check_name("label", name); !label) return fail(label.error());
   return ImportBuilder(graph, name).run();
 }
 

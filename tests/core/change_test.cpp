@@ -339,15 +339,5 @@ TEST(With, LabelsMoveAndSealsHold) {
   EXPECT_EQ(with(f.snapshot, batch).experience(ExperienceId{200})->seal_reason, "taught");
 }
 
-TEST(Label, IsAPlainName) {
-  for (const char* const label : {"a", "Dock-3", "x_y.z"}) EXPECT_TRUE(check_label(label)) << label;
-  EXPECT_TRUE(check_label(std::string(64, 'a')));
-  for (const char* const label : {"", "3dock", "-a", "a b", "a\n", "caf\xc3\xa9", "a/b"}) {
-    EXPECT_FALSE(check_label(label)) << label;
-  }
-  EXPECT_FALSE(check_label(std::string(65, 'a')));
-  EXPECT_THAT(check_label("a/b").error().message, HasSubstr("'/'"));
-}
-
 }  // namespace
 }  // namespace weft

@@ -29,7 +29,7 @@ Bytes everything(const Window& window) {
   return all;
 }
 
-void expect_same(const Window& a, const Window& b) {
+void expect_same_window(const Window& a, const Window& b) {
   EXPECT_EQ(a.revision, b.revision);
   EXPECT_EQ(everything(a), everything(b));
   EXPECT_EQ(a.labels, b.labels);
@@ -44,7 +44,7 @@ TEST(Window, IsAPureFunctionOfSnapshotAndDefinition) {
     const Snapshot snapshot = make_network(random, 3, 3, 5, 3);
     const WindowDefinition definition = random_definition(random, snapshot);
     const std::vector<Snapshot> copies{snapshot};
-    expect_same(make_window(snapshot, definition), make_window(copies.front(), definition));
+    expect_same_window(make_window(snapshot, definition), make_window(copies.front(), definition));
   }
 }
 
@@ -103,14 +103,14 @@ TEST(Patch, TurnsOneWindowIntoTheOther) {
     const Patch patch = difference(base, target);
     const Result<Window> applied = apply(base, patch);
     ASSERT_TRUE(applied) << applied.error().message;
-    expect_same(*applied, target);
+    expect_same_window(*applied, target);
 
     const std::vector<Patch> parts = split(patch, 1 + random.below(9));
     const Result<Patch> joined = join(parts);
     ASSERT_TRUE(joined);
     const Result<Window> again = apply(base, *joined);
     ASSERT_TRUE(again);
-    expect_same(*again, target);
+    expect_same_window(*again, target);
   }
 }
 
@@ -123,7 +123,7 @@ TEST(Patch, FromNothingReplacesWhateverIsThere) {
   EXPECT_EQ(fresh.base.value, 0U);
   const Result<Window> applied = apply(make_window(one, {std::nullopt, 0, 1000, {}}), fresh);
   ASSERT_TRUE(applied);
-  expect_same(*applied, target);
+  expect_same_window(*applied, target);
 }
 
 TEST(Patch, BetweenEqualWindowsIsEmpty) {

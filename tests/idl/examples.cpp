@@ -150,7 +150,7 @@ msg::QueryReply query_reply() {
   made.request = 31;
   made.part = 0;
   made.parts = 2;
-  made.robots = {{description(), state(), 0.5, "cyclonedds", "0.1.0", -0.001,
+  made.robots = {{description(), state(), 0.5, true, "cyclonedds", "0.1.0", -0.001,
                   "0000000000000001:5 to 0000000000000002:0", 70'000, 4'000'000}};
   made.goals = {goal()};
   made.routes = {route()};
@@ -290,6 +290,7 @@ void add_operating(std::vector<Example>& all) {
                  msg::OperatorRequest{header(),
                                       30,
                                       msg::OperatorRequest::Kind::goal_send,
+                                      "anna",
                                       "r1",
                                       "dock",
                                       place_id(2, 1),

@@ -25,7 +25,8 @@ struct Flag {
   const char* help;
 };
 constexpr std::array kFlags = {
-    Flag{"name", Kind::text, "The robot's name, 1 to 64 of [A-Za-z0-9_.-]. Required"},
+    Flag{"name", Kind::text,
+         "The robot's name: letters and digits of any script, '_', '.', '-', at most 64 bytes. Required"},
     Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
     Flag{"method", Kind::text,
          "How it navigates: floor (a camera looks down), bearing (ahead), or floor,bearing with both [floor]"},

@@ -115,7 +115,7 @@ TEST(Session, BadSettingsAreNamed) {
   config.name = "r 1";
   const auto started = start(config, make_navigator(rig.script), *rig.spool, Random(1), rig.now);
   ASSERT_FALSE(started.has_value());
-  EXPECT_NE(started.error().message.find("name 'r 1'"), std::string::npos);
+  EXPECT_NE(started.error().message.find(R"(robot "r 1" has the character U+0020)"), std::string::npos);
 }
 
 }  // namespace
