@@ -29,6 +29,8 @@ constexpr std::array kAskings{
     Asking{Command::resume, run_operator, kSoon},
     Asking{Command::robot_clear, run_operator, kSoon},
     Asking{Command::robot_counts, run_counts, kSoon},
+    Asking{Command::robot_forget, run_operator, kSoon},
+    Asking{Command::robot_rename, run_operator, kSoon},
     Asking{Command::map_label, run_operator, 40s},
     Asking{Command::map_info, run_map, kSoon},
     Asking{Command::map_draw, run_map, kAMinute},
@@ -67,14 +69,29 @@ Duration patience(const Invocation& invocation) {
   return asking == nullptr ? kSoon : asking->patience;
 }
 
+namespace {
+/// What every command prints with --json when it was not done, whoever said no.
+nlohmann::json error_document(const std::string& code, const std::string& message, int exit) {
+  return {{"error", {{"code", code}, {"message", message}}}, {"exit", exit}};
+}
+}  // namespace
+
+int report(const NotRun& not_run, const Output& output) {
+  (not_run.exit_code == 0 ? output.out : output.err) << not_run.text;
+  if (not_run.json && not_run.exit_code != 0) {
+    constexpr std::string_view before = "weft: ";
+    std::string message = not_run.text.substr(not_run.text.starts_with(before) ? before.size() : 0);
+    while (message.ends_with('\n')) message.pop_back();
+    output.out << printed(error_document(to_string(ErrorCode::invalid), message, not_run.exit_code)) << '\n';
+  }
+  return not_run.exit_code;
+}
+
 Exit report(const Error& error, bool json, const Output& output) {
   const Exit exit = exit_of(error);
   output.err << "weft: " << error.message << '\n';
-  if (json) {
-    const nlohmann::json document = {{"error", {{"code", to_string(error.code)}, {"message", error.message}}},
-                                     {"exit", static_cast<int>(exit)}};
-    output.out << document.dump(2) << '\n';
-  }
+  if (json)
+    output.out << printed(error_document(to_string(error.code), error.message, static_cast<int>(exit))) << '\n';
   return exit;
 }
 
@@ -95,15 +112,16 @@ Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const O
   if (invocation.json) {
     static constexpr std::array<const char*, 6> kOutcomes = {"",        "done",   "accepted",
                                                              "refused", "failed", "under way"};
-    nlohmann::json document = {{"outcome", kOutcomes.at(static_cast<std::size_t>(reply.outcome))},
-                               {"message", reply.message}};
+    const char* const outcome = kOutcomes.at(static_cast<std::size_t>(reply.outcome));
+    nlohmann::json document = exit == Exit::done ? nlohmann::json{{"outcome", outcome}, {"message", reply.message}}
+                                                 : error_document(outcome, reply.message, static_cast<int>(exit));
     if (reply.goal) document["goal"] = to_string(reply.goal);
     if (reply.place) document["place"] = to_string(reply.place);
     if (reply.experience) document["experience"] = to_string(reply.experience);
     if (reply.revision.value != 0) document["revision"] = reply.revision.value;
     if (!reply.findings.empty()) document["findings"] = reply.findings;
     for (const auto& [name, count] : reply.counts) document["counts"][name] = count;
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
   }
   if (exit != Exit::done) {
     output.err << "weft: " << reply.message << '\n';

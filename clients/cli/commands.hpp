@@ -31,6 +31,8 @@ Exit run_calibrate(const Invocation& invocation, const Output& output);
 /// Reads and writes files of open formats.
 Exit run_file(const Invocation& invocation, const Output& output);
 
+/// Shows help, or what is wrong with a command line: its exit code.
+int report(const NotRun& not_run, const Output& output);
 /// "weft: ..." to err, and with --json the error as a document.
 Exit report(const Error& error, bool json, const Output& output);
 

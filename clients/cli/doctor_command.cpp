@@ -94,7 +94,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
                                 {"server", to_json(info->info)},
                                 {"client", {{"vendor", session.vendor()}, {"software", WEFT_VERSION}}},
                                 {"robots", robots->robots.size()}};
-    output.out << all.dump(2) << '\n';
+    output.out << printed(all) << '\n';
   } else {
     table.print(output.out);
   }

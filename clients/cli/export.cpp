@@ -45,7 +45,7 @@ Result<std::string> export_text(const Window& network, const Layout& layout, con
     if (!of) return fail(of.error());
     return written(formats::trajectory_of(network, poses, *of), formats::tum_text);
   }
-  return to_json(network, names).dump(1) + "\n";
+  return printed(to_json(network, names), 1) + "\n";
 }
 
 }  // namespace weft::cli

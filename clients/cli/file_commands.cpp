@@ -93,7 +93,7 @@ Exit info(const Invocation& invocation, const Output& output) {
       output.out << file << ":";
       for (const auto& [name, value] : facts.items()) {
         output.out << (name == "kind" ? " " : ", " + name + " ")
-                   << (value.is_string() ? value.get<std::string>() : value.dump());
+                   << (value.is_string() ? value.get<std::string>() : printed(value, -1));
       }
       output.out << '\n';
     }
@@ -105,7 +105,7 @@ Exit info(const Invocation& invocation, const Output& output) {
     }
     all.push_back(std::move(facts));
   }
-  if (invocation.json) output.out << Facts{{"files", all}}.dump(2) << '\n';
+  if (invocation.json) output.out << printed(Facts{{"files", all}}) << '\n';
   return Exit::done;
 }
 
@@ -157,7 +157,7 @@ Exit convert(const Invocation& invocation, const Output& output) {
   facts["file"] = invocation.file;
   facts["bytes"] = bytes->size();
   if (invocation.json) {
-    output.out << facts.dump(2) << '\n';
+    output.out << printed(facts) << '\n';
   } else {
     output.out << invocation.file << ": " << facts["kind"].get<std::string>() << ", " << bytes->size() << " bytes\n";
   }

@@ -88,7 +88,7 @@ Exit list(const Goals& goals, const Invocation& invocation, const Output& output
   if (invocation.json) {
     nlohmann::json rows = nlohmann::json::array();
     for (const Goal& goal : goals.goals) rows.push_back(goals.document(goal));
-    output.out << nlohmann::json{{"goals", std::move(rows)}}.dump(2) << '\n';
+    output.out << printed(nlohmann::json{{"goals", std::move(rows)}}) << '\n';
     return Exit::done;
   }
   if (goals.goals.empty()) output.out << "no goals; send one: weft goal send --to LABEL\n";
@@ -106,7 +106,7 @@ Exit list(const Goals& goals, const Invocation& invocation, const Output& output
 Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation, const Output& output) {
   const Route* const route = goals.route(goal.id);
   if (invocation.json) {
-    output.out << goals.document(goal).dump(2) << '\n';
+    output.out << printed(goals.document(goal)) << '\n';
     return Exit::done;
   }
   output.out << "goal " << to_string(goal.id) << " to " << goal.label << " (" << to_string(goal.to)
@@ -133,7 +133,7 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
       for (; !invocation.json && shown < now.history.size(); ++shown)
         output.out << line(now.history[shown]) << std::endl;
       if (is_terminal(now.state)) {
-        if (invocation.json) output.out << goals->document(now).dump(2) << '\n';
+        if (invocation.json) output.out << printed(goals->document(now)) << '\n';
         return now.state == GoalState::succeeded ? Exit::done : Exit::failed;
       }
     }
@@ -192,7 +192,7 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
     for (const msg::Event& event : events->events) document["events"].push_back(to_json(event, goals.names));
     if (goal.has_value()) document["goal"] = goals.document(*goal);
     if (row != goals.robots.end()) document["robot"] = to_json(*row);
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
     return Exit::done;
   }
   for (const msg::Event& event : events->events) {

@@ -47,9 +47,9 @@ Exit log(Session& session, const Invocation& invocation, const Output& output) {
   const Result<msg::QueryReply> reply = session.query(query, patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
   if (invocation.json) {
-    nlohmann::json document = nlohmann::json::array();
-    for (const msg::RevisionNote& note : reply->log) document.push_back(document_of(note, names));
-    output.out << document.dump(2) << '\n';
+    nlohmann::json document = {{"revisions", nlohmann::json::array()}};
+    for (const msg::RevisionNote& note : reply->log) document["revisions"].push_back(document_of(note, names));
+    output.out << printed(document) << '\n';
     return Exit::done;
   }
   if (reply->log.empty()) {
@@ -145,7 +145,7 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
           {"went", list(found.labels_removed)},
           {"moved", list(found.labels_moved)}}},
         {"aparts", {{"came", list(found.aparts_added)}, {"went", list(found.aparts_removed)}}}};
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
   } else {
     print(found, output);
   }

@@ -58,7 +58,7 @@ void show(const formats::Import& import, const Invocation& invocation, const Out
     const nlohmann::json document = {
         {"name", invocation.name},         {"experiences", experiences},     {"places", import.place_of_key.size()},
         {"stitches", count(import, true)}, {"labels", import.labels.size()}, {"left_out", import.left_out}};
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
     return;
   }
   output.out << invocation.name << ": " << import.place_of_key.size() << " places in " << experiences

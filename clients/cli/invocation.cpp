@@ -1,14 +1,21 @@
 #include "clients/cli/invocation.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
+
+#include "core/names.hpp"
 
 namespace weft::cli {
 namespace {
 
 using Command = Invocation::Command;
+
+std::string rule(const std::string& what) {
+  return what + ": " + std::string(kNameRule);
+}
 
 /// Builds the commands; each sets its fields of `into` when it is the one.
 class Grammar {
@@ -73,8 +80,7 @@ class Grammar {
     teach->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
     teach->require_subcommand(1);
     CLI::App* const start = add(*teach, "start", "Begin an experience", Command::teach_start);
-    start->add_option("--as", into_.name, "The experience's name, 1 to 64 letters, digits, '_', '.', '-'")
-        ->type_name("NAME");
+    start->add_option("--as", into_.name, rule("The experience's name"))->type_name("NAME");
     start
         ->add_option("--along", into_.file,
                      "Simulated robots: lead it along the points of FILE, 'x y' a row in the site's metres")
@@ -112,6 +118,13 @@ class Grammar {
     clear->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
     clear->add_flag("--yes", into_.is_sure,
                     "Also when ROBOT is heard: its route is freed and its goal fails; where it stands stays held");
+    add(*robot, "forget", "ROBOT is gone for good: its name is free, what it taught stays", Command::robot_forget)
+        ->add_option("ROBOT", into_.robot, "Its name or id; it must not be heard")
+        ->required()
+        ->type_name("");
+    CLI::App* const rename = add(*robot, "rename", "Call a ROBOT that is not heard NAME", Command::robot_rename);
+    rename->add_option("ROBOT", into_.robot, "Its name or id")->required()->type_name("");
+    rename->add_option("NAME", into_.name, rule("Its new name"))->required()->type_name("");
   }
 
   void stop_or_resume(const char* name, const char* help, Command command) {
@@ -140,7 +153,7 @@ class Grammar {
     label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
         ->type_name("")
         ->required();
-    label->add_option("NAME", into_.name, "1 to 64 letters, digits, '_', '.', '-'")->type_name("")->required();
+    label->add_option("NAME", into_.name, rule("The label"))->type_name("")->required();
     label->add_option("--robot", into_.robot, "With here: the robot that stands there")->type_name("ROBOT");
     label->callback([this] {
       into_.command = Command::map_label;
@@ -162,11 +175,7 @@ class Grammar {
     CLI::App* const import =
         add(*map, "import", "Add the network of pose graphs; nobody drives there", Command::map_import);
     import->add_option("FILE", into_.files, "*.g2o; several of one graph are joined")->type_name("")->required();
-    import
-        ->add_option("--as", into_.name,
-                     "The import's name, 1 to 64 letters, digits, '_', '.', '-'; under the same name it is a repeat")
-        ->type_name("NAME")
-        ->required();
+    import->add_option("--as", into_.name, rule("Under the same name it is a repeat"))->type_name("NAME")->required();
     past(*map);
     edits(*map);
     upkeep(*map);
@@ -347,6 +356,21 @@ class Grammar {
   bool apply_ = false;
 };
 
+/// What a command line calls things by: nothing leaves this machine that the server would refuse, or could not read.
+Result<void> check_names(const Invocation& invocation) {
+  const bool is_label = invocation.command == Command::map_label || invocation.command == Command::goal_send;
+  const char* const kind = is_label ? "label" : invocation.command == Command::robot_rename ? "robot" : "name";
+  if (!invocation.robot.empty()) {
+    if (Result<void> good = check_name("robot", invocation.robot); !good) return good;
+  }
+  if (!invocation.name.empty()) {
+    if (Result<void> good = check_name(kind, invocation.name); !good) return good;
+  }
+  const bool names_label = invocation.command == Command::localise && !invocation.place.empty() &&
+                           !parse_place_id(invocation.place).has_value();
+  return names_label ? check_name("label", invocation.place) : Result<void>();
+}
+
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
   std::istringstream in(text);
@@ -383,6 +407,8 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
   app.fallthrough();
   Grammar grammar(app, invocation);
   grammar.all();
+  const bool wants_json =
+      std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
   app.set_version_flag("--version", "weft " WEFT_VERSION + environment.libraries);
   try {
     app.parse(argc, argv);
@@ -390,7 +416,10 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
     std::ostringstream out;
     std::ostringstream err;
     if (app.exit(problem, out, err) == 0) return NotRun{0, out.str()};
-    return NotRun{2, mistake(app, problem)};
+    return NotRun{2, mistake(app, problem), wants_json};
+  }
+  if (const Result<void> good = check_names(invocation); !good) {
+    return NotRun{2, "weft: " + good.error().message + "\n", wants_json};
   }
   if (invocation.servers.empty()) invocation.servers.emplace_back("127.0.0.1");
   return invocation;

@@ -47,6 +47,8 @@ struct Invocation {
     resume,
     robot_clear,
     robot_counts,
+    robot_forget,
+    robot_rename,
     doctor,
     file_info,
     file_convert,
@@ -91,6 +93,7 @@ struct Invocation {
 struct NotRun {
   int exit_code = 2;
   std::string text;
+  bool json = false;  ///< a mistake is wanted as a document
 };
 
 /// Defaults from the environment: WEFT_SERVER (comma-separated), WEFT_DDS.

@@ -56,6 +56,7 @@ json to_json(const msg::RobotRow& row) {
                  {"window_bytes_sent", row.window_bytes},
                  {"content_bytes_sent", row.content_bytes},
                  {"silent_s", row.silent_s},
+                 {"heard", row.is_heard},
                  {"clock_skew_s", row.clock_skew_s},
                  {"occupies", row.occupies}};
   object["place"] = state.place ? json(to_string(state.place)) : json();

@@ -8,6 +8,12 @@
 
 namespace weft::cli {
 
+/// Returns the document as text: always valid, with U+FFFD where a name or a path is no UTF-8.
+template <class Json>
+std::string printed(const Json& document, int indent = 2) {
+  return document.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 /// Robots' names by id, for people.
 using Names = std::map<RobotId, std::string>;
 std::string name_of(const Names& names, const RobotId& robot);

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "clients/cli/commands.hpp"
+#include "core/names.hpp"
+#include "core/utf8.hpp"
 #include "idl/bus/bus.hpp"
 #include "idl/bus/link.hpp"
 
@@ -34,7 +36,7 @@ WallTime wall_now() {
 /// Who asks, as events show it.
 std::string operator_name() {
   const std::string user = from_environment("USER");
-  return user.empty() ? "uid" + std::to_string(getuid()) : user.substr(0, 64);
+  return user.empty() ? "uid" + std::to_string(getuid()) : as_utf8(user, kLongestName);
 }
 
 cli::Exit run(const cli::Invocation& invocation) {
@@ -72,8 +74,7 @@ int main(int argc, char** argv) try {
   const auto parsed =
       cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS"), libraries});
   if (const auto* const not_run = std::get_if<cli::NotRun>(&parsed)) {
-    (not_run->exit_code == 0 ? std::cout : std::cerr) << not_run->text;
-    return not_run->exit_code;
+    return cli::report(*not_run, {std::cout, std::cerr});
   }
   return static_cast<int>(run(std::get<cli::Invocation>(parsed)));
 } catch (const std::exception& error) {

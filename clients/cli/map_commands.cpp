@@ -16,7 +16,7 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   if (!reply) return report(reply.error(), invocation.json, output);
   const msg::MapInfo& info = reply->info;
   if (invocation.json) {
-    output.out << to_json(info).dump(2) << '\n';
+    output.out << printed(to_json(info)) << '\n';
     return Exit::done;
   }
   Table table;
@@ -110,7 +110,7 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
                                {"places", laid->network.places.size()},
                                {"edges", laid->network.edges.size()}};
     if (!laid->caption.empty()) document["anchors"] = laid->caption;
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
   } else {
     output.out << invocation.file << ": revision " << laid->network.revision.value << ", "
                << laid->network.places.size() << " places" << (laid->caption.empty() ? "" : ", ") << laid->caption

@@ -152,9 +152,9 @@ Exit run_apart(Session& session, const Invocation& invocation, const Output& out
   const auto aparts = aparts_at(session, invocation, {});
   if (!aparts) return report(aparts.error(), invocation.json, output);
   if (invocation.json) {
-    nlohmann::json document = nlohmann::json::array();
-    for (const Apart& apart : *aparts) document.push_back({to_string(apart.one), to_string(apart.other)});
-    output.out << document.dump(2) << '\n';
+    nlohmann::json document = {{"apart", nlohmann::json::array()}};
+    for (const Apart& apart : *aparts) document["apart"].push_back({to_string(apart.one), to_string(apart.other)});
+    output.out << printed(document) << '\n';
     return Exit::done;
   }
   for (const Apart& apart : *aparts) output.out << to_string(apart) << '\n';

@@ -27,6 +27,10 @@ Kind kind_of(Command command, bool here) {
       return Kind::resume;
     case Command::robot_clear:
       return Kind::clear;
+    case Command::robot_forget:
+      return Kind::forget;
+    case Command::robot_rename:
+      return Kind::rename;
     case Command::map_label:
       return here ? Kind::label_here : Kind::label;
     default:

@@ -18,10 +18,9 @@ Exit run_teach_report(Session& session, const Invocation& invocation, const Outp
   if (invocation.json) {
     nlohmann::json stretches = nlohmann::json::array();
     for (const msg::TaughtStretch& stretch : reply->report) stretches.push_back(to_json(stretch));
-    output.out << nlohmann::json{{"experience", to_string(reply->experience)},
-                                 {"stretches", std::move(stretches)},
-                                 {"advice", advice_of(reply->report)}}
-                      .dump(2)
+    output.out << printed(nlohmann::json{{"experience", to_string(reply->experience)},
+                                         {"stretches", std::move(stretches)},
+                                         {"advice", advice_of(reply->report)}})
                << '\n';
   } else {
     print_report(reply->report, output.out);

@@ -13,7 +13,7 @@ void show(const storage::Restored& restored, const Invocation& invocation, const
                                      {"epoch", restored.epoch.value},
                                      {"kept_aside", restored.kept_aside.string()},
                                      {"findings", restored.findings}};
-    output.out << document.dump(2) << '\n';
+    output.out << printed(document) << '\n';
     return;
   }
   output.out << invocation.store << " has the map of " << invocation.file << ", revision " << restored.revision.value;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -48,10 +49,12 @@ std::string fixed(double value, int digits) {
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output) {
   const Result<msg::QueryReply> reply = query_robots(session, patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
+  std::vector<msg::RobotRow> rows = reply->robots;
+  std::ranges::stable_sort(rows, {}, [](const msg::RobotRow& row) { return row.description.name; });
   if (invocation.json) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const msg::RobotRow& row : reply->robots) rows.push_back(to_json(row));
-    output.out << nlohmann::json{{"robots", std::move(rows)}}.dump(2) << '\n';
+    nlohmann::json all = nlohmann::json::array();
+    for (const msg::RobotRow& row : rows) all.push_back(to_json(row));
+    output.out << printed(nlohmann::json{{"robots", std::move(all)}}) << '\n';
     return Exit::done;
   }
   if (reply->robots.empty()) {
@@ -60,9 +63,9 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
   }
   Table table;
   table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "REASON"});
-  for (const msg::RobotRow& row : reply->robots) {
-    table.add({row.description.name, msg::to_string(row.state.mode), where(row.state), doing(row.state),
-               fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), why(row)});
+  for (const msg::RobotRow& row : rows) {
+    table.add({row.description.name, row.is_heard ? msg::to_string(row.state.mode) : "silent", where(row.state),
+               doing(row.state), fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), why(row)});
   }
   table.print(output.out);
   return Exit::done;

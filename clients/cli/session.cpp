@@ -146,6 +146,7 @@ Result<msg::Hello> Session::connect(Duration at_most) {
 
 Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way) {
   request.header = header();
+  request.who = name_;
   request.request = random_.next() | 1U;
   std::optional<msg::OperatorReply> answer;
   const auto hear = [&](const msg::Message& message) {

@@ -20,17 +20,17 @@ class Learning(Fleet):
 
     def lessons(self):
         """Revisions by which places were known better, oldest first."""
-        return sorted(row['revision'] for row in json.loads(self.weft('map', 'log', '--json')) if row['kind'] == 'learned')
+        return sorted(row['revision'] for row in json.loads(self.weft('map', 'log', '--json'))['revisions'] if row['kind'] == 'learned')
 
     def newest(self):
-        return max(row['revision'] for row in json.loads(self.weft('map', 'log', '--json')))
+        return max(row['revision'] for row in json.loads(self.weft('map', 'log', '--json'))['revisions'])
 
     def all_lessons(self, robot):
         """Of a robot that stands again: as many as it says that it has handed in."""
         self.poll(lambda said: 'idle' in said, 60, 'robots')
         handed_in = robot.text().count('places better: handed in')
         self.assertGreater(handed_in, 0, robot.text()[-3000:])
-        self.poll(lambda said: sum(row['kind'] == 'learned' for row in json.loads(said)) == handed_in, 60, 'map', 'log',
+        self.poll(lambda said: sum(row['kind'] == 'learned' for row in json.loads(said)['revisions']) == handed_in, 60, 'map', 'log',
                   '--json')
         return self.lessons()
 

@@ -61,6 +61,44 @@ TEST(Commands, RobotsShowsWhatTheyDo) {
   EXPECT_LT(rows[0]["silent_s"].get<double>(), 2.0);
 }
 
+TEST(Commands, RobotsComeInTheOrderOfTheirNamesAndASilentOneHasNoMode) {
+  Fleet fleet;
+  fleet.add_robot("r10");
+  fleet.add_robot("a2");
+  fleet.run(1s);
+  fleet.puppets.front()->speak_at = SteadyTime::max();
+  fleet.run(10s);
+  const auto rows = fleet.weft({"robots", "--json"}).json()["robots"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["name"], "a2");
+  EXPECT_EQ(rows[1]["heard"], false);
+  const std::string table = fleet.weft({"robots"}).out;
+  EXPECT_NE(table.find("silent"), std::string::npos) << table;
+}
+
+TEST(Commands, AMistakeIsADocumentToo) {
+  std::ostringstream out;
+  std::ostringstream err;
+  EXPECT_EQ(report(NotRun{2, "weft: no such word \xFC; see weft --help\n", true}, {out, err}), 2);
+  const auto document = nlohmann::json::parse(out.str());
+  EXPECT_EQ(document["error"]["message"], "no such word \xEF\xBF\xBD; see weft --help");
+  EXPECT_EQ(document["exit"], 2);
+  EXPECT_FALSE(err.str().empty());
+}
+
+TEST(Commands, RefusalsAndErrorsAreDocumentsOfOneShape) {
+  OneRobot fleet;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"stop", "r9", "--json"},
+                                                {"goal", "send", "--to", "nowhere", "--json"},
+                                                {"goal", "show", "ffff", "--json"},
+                                                {"robot", "forget", "r1", "--json"}}) {
+    const Said said = fleet.weft(words);
+    EXPECT_EQ(said.json()["exit"], static_cast<int>(said.exit)) << said.out;
+    EXPECT_FALSE(said.json()["error"]["message"].get<std::string>().empty()) << said.out;
+    EXPECT_EQ(said.exit, Exit::refused) << said.out;
+  }
+}
+
 TEST(Commands, RobotCountsShowsTheMostFrequentFirst) {
   OneRobot fleet;
   EXPECT_NE(fleet.weft({"robot", "counts", "r1"}).out.find("nothing"), std::string::npos);

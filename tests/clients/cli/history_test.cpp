@@ -14,17 +14,17 @@ using namespace std::chrono_literals;
 
 TEST(MapLog, NamesEachRevisionNewestFirstWithWhoAskedForIt) {
   Fleet fleet;
-  const auto before = fleet.weft({"map", "log", "--json"}).json();
+  const auto before = fleet.weft({"map", "log", "--json"}).json()["revisions"];
   ASSERT_FALSE(before.empty());
   EXPECT_EQ(before[0]["kind"], "label") << "batches and labels of one transaction are one revision";
   EXPECT_EQ(fleet.weft({"map", "label", to_string(PlaceId{fleet.first, 3}), "gate"}).exit, Exit::done);
-  const auto log = fleet.weft({"map", "log", "--json"}).json();
+  const auto log = fleet.weft({"map", "log", "--json"}).json()["revisions"];
   ASSERT_EQ(log.size(), before.size() + 1);
   EXPECT_EQ(log[0]["who"], "tester");
   EXPECT_EQ(log[0]["kind"], "label");
   EXPECT_EQ(log[0]["cause"], "gate is " + to_string(PlaceId{fleet.first, 3}));
   EXPECT_TRUE(log[0].contains("at"));
-  EXPECT_EQ(fleet.weft({"map", "log", "--most", "1", "--json"}).json().size(), 1U);
+  EXPECT_EQ(fleet.weft({"map", "log", "--most", "1", "--json"}).json()["revisions"].size(), 1U);
   EXPECT_NE(fleet.weft({"map", "log"}).out.find("gate is"), std::string::npos);
 }
 

@@ -107,6 +107,48 @@ TEST(Invocation, MistakesAreUsageAndSayWhich) {
   }
 }
 
+TEST(Invocation, NamesThatTheServerWouldRefuseNeverLeaveTheMachine) {
+  const std::string longer(65, 'd');
+  const std::vector<std::vector<std::string>> wrong = {{"map", "label", "00000000000000a1:3", longer},
+                                                       {"goal", "send", "--to", longer},
+                                                       {"stop", longer},
+                                                       {"resume", "r 1"},
+                                                       {"teach", "r1", "start", "--as", "loop one"},
+                                                       {"teach", "J\xFCrgen", "stop"},
+                                                       {"localise", "r1", "--at", "dock!"},
+                                                       {"robot", "rename", "r1", "-"},
+                                                       {"robot", "clear", longer},
+                                                       {"map", "import", "a.g2o", "--as", "a/b"},
+                                                       {"goal", "send", "--to", "dock", "--robot", longer}};
+  for (const std::vector<std::string>& arguments : wrong) {
+    const auto result = parsed(arguments);
+    const auto* const not_run = std::get_if<NotRun>(&result);
+    ASSERT_NE(not_run, nullptr) << arguments[0] << ' ' << arguments[1];
+    EXPECT_EQ(not_run->exit_code, 2);
+    EXPECT_NE(not_run->text.find("1 to 64 bytes of letters and digits of any script"), std::string::npos)
+        << not_run->text;
+    EXPECT_FALSE(not_run->json);
+  }
+}
+
+TEST(Invocation, NamesOfAnyScriptAreUnderstood) {
+  EXPECT_EQ(good({"goal", "send", "--to", "12-dock"}).name, "12-dock");
+  EXPECT_EQ(good({"map", "label", "00000000000000a1:3",
+                  "s\xC3\xBC"
+                  "d"})
+                .name,
+            "s\xC3\xBC"
+            "d");
+  EXPECT_EQ(good({"localise", "r1", "--at", "00000000000000a1:3"}).place, "00000000000000a1:3");
+  EXPECT_EQ(good({"robot", "forget", "0123456789abcdef0123456789abcdef"}).command, Command::robot_forget);
+}
+
+TEST(Invocation, AMistakeKnowsThatADocumentIsWanted) {
+  const auto result = parsed({"robots", "--json", "--domain", "999"});
+  ASSERT_TRUE(std::holds_alternative<NotRun>(result));
+  EXPECT_TRUE(std::get<NotRun>(result).json);
+}
+
 TEST(Invocation, HelpAndVersionAreNoMistakes) {
   const auto help = parsed({"--help"});
   EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
