@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
 #include "core/names.hpp"
+#include "core/polyline.hpp"
 
 namespace weft::cli {
 namespace {
@@ -426,24 +426,11 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
 }
 
 Result<std::vector<msg::AgentCommand::Point>> parse_polyline(std::string_view text, const std::string& file) {
+  const Result<std::vector<PolylinePoint>> read = parse_polyline_points(text, file);
+  if (!read) return fail(read.error());
+  if (read->size() < 2) return fail(ErrorCode::invalid, file + ": fewer than two points, nothing to drive along");
   std::vector<msg::AgentCommand::Point> points;
-  std::istringstream in{std::string(text)};
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    line.erase(std::min(line.find('#'), line.size()));
-    for (char& c : line) c = c == ',' ? ' ' : c;
-    std::istringstream fields(line);
-    msg::AgentCommand::Point point;
-    std::string rest;
-    if (!(fields >> std::ws) || fields.eof()) continue;
-    if (!(fields >> point.x >> point.y) || (fields >> rest) || !std::isfinite(point.x) || !std::isfinite(point.y)) {
-      return fail(ErrorCode::invalid,
-                  file + ":" + std::to_string(number) + ": '" + line + "' is no point; write 'x y' in metres");
-    }
-    points.push_back(point);
-  }
-  if (points.size() < 2) return fail(ErrorCode::invalid, file + ": fewer than two points, nothing to drive along");
+  for (const auto& [x, y] : *read) points.push_back({x, y});
   return points;
 }
 

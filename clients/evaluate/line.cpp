@@ -1,28 +1,18 @@
 #include "clients/evaluate/line.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "core/polyline.hpp"
 
 namespace weft::evaluate {
 
 using agents::SitePoint;
 
 Result<std::vector<SitePoint>> parse_line(std::string_view text, const std::string& file) {
+  const Result<std::vector<PolylinePoint>> read = parse_polyline_points(text, file);
+  if (!read) return fail(read.error());
   std::vector<SitePoint> points;
-  std::istringstream rows{std::string(text)};
-  std::size_t number = 0;
-  for (std::string row; std::getline(rows, row);) {
-    ++number;
-    std::istringstream fields(row.substr(0, row.find('#')));
-    if ((fields >> std::ws).eof()) continue;
-    SitePoint point;
-    std::string rest;
-    if (!(fields >> point.x >> point.y) || (fields >> rest) || !std::isfinite(point.x) || !std::isfinite(point.y)) {
-      return fail(ErrorCode::invalid,
-                  file + ":" + std::to_string(number) + ": '" + row + "' is no point; write 'x y' in metres");
-    }
-    points.push_back(point);
-  }
+  for (const auto& [x, y] : *read) points.push_back({x, y});
   return points;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/config/document.hpp"
+#include "core/text.hpp"
 
 namespace weft::config {
 
@@ -13,7 +14,7 @@ Table parse(std::string_view text, std::string file) {
   auto document = std::make_shared<Table::Document>();
   document->file = std::move(file);
   try {
-    document->root = toml::parse(text, document->file);
+    document->root = toml::parse(without_byte_order_mark(text), document->file);
   } catch (const toml::parse_error& error) {
     document->refuse(error.source().begin.line, "no TOML: " + std::string(error.description()));
     document->readable = false;

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/bytes.hpp"
+#include "core/text.hpp"
 
 namespace weft::formats {
 
-/// The lines of a text one after the other; LF and CR LF both end one.
+/// The lines of a text one after the other, without its byte order mark; LF and CR LF both end one.
 class Lines {
  public:
-  explicit Lines(std::string_view text) : text_(text) {}
+  explicit Lines(std::string_view text) : text_(text), offset_(text.size() - without_byte_order_mark(text).size()) {}
 
   std::optional<std::string_view> next();
   /// Of the line that `next` gave last, from 1.
@@ -22,7 +23,7 @@ class Lines {
 
  private:
   std::string_view text_;
-  std::size_t offset_ = 0;
+  std::size_t offset_;
   std::size_t number_ = 0;
 };
 

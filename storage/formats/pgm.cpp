@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/byte_writer.hpp"
+#include "core/text.hpp"
 #include "storage/formats/lines.hpp"
 
 namespace weft::formats {
@@ -12,7 +13,8 @@ namespace {
 /// HeaderWords of a PGM header, comments left out, with the line they stand in.
 class HeaderWords {
  public:
-  explicit HeaderWords(std::string_view text) : text_(text) {}
+  explicit HeaderWords(std::string_view text)
+      : text_(text), at_(text.size() - without_byte_order_mark(text).size()) {}
 
   std::optional<std::string_view> next() {
     skip();
@@ -38,7 +40,7 @@ class HeaderWords {
   }
 
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   std::size_t line_ = 1;
 };
 

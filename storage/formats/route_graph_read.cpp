@@ -248,7 +248,7 @@ class RouteGraphReader {
 
 Result<Read<RouteGraph>> read_route_graph(std::string_view text, std::string_view file) {
   std::vector<std::size_t> feature_lines;
-  const Result<json> document = parse(text, file, feature_lines);
+  const Result<json> document = parse(without_byte_order_mark(text), file, feature_lines);
   if (!document) return fail(document.error());
   return RouteGraphReader(*document, feature_lines, file).run();
 }

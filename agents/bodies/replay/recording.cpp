@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/text.hpp"
+
 namespace weft::agents::replay {
 namespace {
 
@@ -22,7 +24,7 @@ std::string trimmed(const std::string& text) {
 
 Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, const std::string& file_name) {
   std::vector<RecordedImage> images;
-  std::istringstream rows(text);
+  std::istringstream rows{std::string(without_byte_order_mark(text))};
   int line = 0;
   for (std::string row; std::getline(rows, row);) {
     ++line;
@@ -55,7 +57,7 @@ Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, con
 
 Result<std::vector<RecordedWheels>> parse_wheels(const std::string& text, const std::string& file_name) {
   std::vector<RecordedWheels> rows;
-  std::istringstream lines(text);
+  std::istringstream lines{std::string(without_byte_order_mark(text))};
   int line = 0;
   for (std::string row; std::getline(lines, row);) {
     ++line;

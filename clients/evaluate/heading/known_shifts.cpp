@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "clients/evaluate/files.hpp"
+#include "core/text.hpp"
 
 namespace weft::evaluate::heading {
 namespace {
@@ -30,7 +31,7 @@ using Numbers = std::vector<double>;
 Result<std::vector<Numbers>> read_numbers(const fs::path& file) {
   const Result<std::string> text = read_text(file, "table of shifts");
   if (!text) return fail(text.error());
-  std::istringstream lines(*text);
+  std::istringstream lines{std::string(without_byte_order_mark(*text))};
   std::vector<Numbers> rows;
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "storage/formats/lzf.hpp"
+#include "tests/storage/formats/bytes_of.hpp"
 
 namespace weft::formats {
 namespace {
-
-Bytes bytes_of(const std::string& text) {
-  return {text.begin(), text.end()};
-}
 
 Cloud full() {
   Cloud cloud;

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/equip.hpp"
@@ -11,6 +11,7 @@
 #include "agents/methods/advance.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/mount_drive.hpp"
+#include "core/polyline.hpp"
 
 namespace weft::agents {
 namespace {
@@ -20,17 +21,11 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 Result<std::vector<SitePoint>> read_line(const std::string& file) {
   std::ifstream in(file);
   if (!in) return fail(ErrorCode::not_found, file + ": no such file; --along wants points 'x y' a row");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const Result<std::vector<PolylinePoint>> read = parse_polyline_points(text, file);
+  if (!read) return fail(read.error());
   std::vector<SitePoint> points;
-  int number = 0;
-  for (std::string row; std::getline(in, row);) {
-    ++number;
-    std::istringstream fields(row.substr(0, row.find('#')));
-    if ((fields >> std::ws).eof()) continue;
-    SitePoint point;
-    if (!(fields >> point.x >> point.y))
-      return fail(ErrorCode::invalid, file + ":" + std::to_string(number) + ": no point; write 'x y' in metres");
-    points.push_back(point);
-  }
+  for (const auto& [x, y] : *read) points.push_back({x, y});
   return points;
 }
 

@@ -169,6 +169,13 @@ TEST(ImageList, NamesTheLineThatIsWrong) {
   EXPECT_FALSE(parse_image_list("# nothing\n", "data.csv"));
 }
 
+TEST(Lists, MayBeginWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_TRUE(parse_image_list(mark + "1,a.png\n", "data.csv"));
+  EXPECT_TRUE(parse_image_list(mark + "#time,file\n1,a.png\n", "data.csv"));
+  EXPECT_TRUE(parse_wheels(mark + "1,2.0,0.1\n", "data.csv"));
+}
+
 TEST_F(Recording, WhatIsWrongWithItsSensorIsNamed) {
   std::string text = kSensor;
   text.replace(text.find("[20.5, 21, 15.5, 11.5]"), 22, "[20.5]");
