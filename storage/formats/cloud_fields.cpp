@@ -50,19 +50,21 @@ CloudBuilder::Role CloudBuilder::role_of(std::string_view name) {
   return found == kRoles.end() ? Role::none : found->second;
 }
 
-bool CloudBuilder::suits(const CloudField& field, Role role) const {
+bool CloudBuilder::suits(const CloudField& field, Role role) {
   if (field.count != 1) return false;
   switch (role) {
-    case Role::intensity:
-      return true;
     case Role::packed:
-      return field.size == 4 && field.type != 'I';
+      return field.size == 4;
     case Role::red:
     case Role::green:
     case Role::blue:
-      return field.size == 1 && field.type == 'U';
-    default:
+      return field.type == 'U' && field.size <= 2;  // of other types nobody knows which number is full
+    case Role::nx:
+    case Role::ny:
+    case Role::nz:
       return field.type == 'F';
+    default:
+      return true;
   }
 }
 
@@ -70,47 +72,82 @@ bool CloudBuilder::has(Role role) const {
   return std::find(roles_.begin(), roles_.end(), role) != roles_.end();
 }
 
+/// Why the field is not taken, to stand behind its name; empty if it has no place in a cloud anyway.
+std::string CloudBuilder::give_role(const CloudField& field) {
+  const Role role = role_of(field.name);
+  const bool is_suited = role != Role::none && suits(field, role);
+  const bool is_second = is_suited && has(role);
+  roles_.push_back(is_suited && !is_second ? role : Role::none);
+  if (is_second) return " beside an earlier one for the same";
+  if (role == Role::none || is_suited) return "";
+  return std::string(" of type ") + field.type + std::to_string(8 * field.size) +
+         (field.count == 1 ? "" : " x " + std::to_string(field.count));
+}
+
+bool CloudBuilder::keep_if_all(std::initializer_list<Role> group) {
+  if (std::all_of(group.begin(), group.end(), [this](Role role) { return has(role); })) return true;
+  drop(group);
+  return false;
+}
+
+void CloudBuilder::drop(std::initializer_list<Role> group) {
+  for (Role& role : roles_) {
+    if (std::find(group.begin(), group.end(), role) != group.end()) role = Role::none;
+  }
+}
+
 Result<void> CloudBuilder::begin(const std::vector<CloudField>& fields, std::size_t points, std::string_view file,
                                  Leftovers& leftovers) {
   fields_ = fields;
-  for (const CloudField& field : fields) {
-    const Role role = role_of(field.name);
-    if (role != Role::none && !suits(field, role)) {
-      return fail_at(file, field.line,
-                     "field " + field.name + " has type " + field.type + std::to_string(8 * field.size) + " x " +
-                         std::to_string(field.count) + ", which it cannot have");
-    }
-    if (role != Role::none && has(role)) {
-      return fail_at(file, field.line, "field " + field.name + " stands for what an earlier one is already");
-    }
-    roles_.push_back(role);
-  }
-  const auto drop_unless_all = [this](const std::vector<Role>& group) {
-    if (std::all_of(group.begin(), group.end(), [this](Role role) { return has(role); })) return true;
-    for (Role& role : roles_) {
-      if (std::find(group.begin(), group.end(), role) != group.end()) role = Role::none;
-    }
-    return false;
-  };
-  if (!drop_unless_all({Role::x, Role::y, Role::z})) {
+  std::vector<std::string> reasons;
+  for (const CloudField& field : fields) reasons.push_back(give_role(field));
+  if (!keep_if_all({Role::x, Role::y, Role::z})) {
     return fail_at(file, fields.empty() ? 1 : fields.front().line, "a cloud needs the fields x, y and z");
   }
-  const bool normals = drop_unless_all({Role::nx, Role::ny, Role::nz});
-  const bool colours = drop_unless_all({Role::red, Role::green, Role::blue}) || has(Role::packed);
+  const bool normals = keep_if_all({Role::nx, Role::ny, Role::nz});
+  const bool three_colours = keep_if_all({Role::red, Role::green, Role::blue});
+  if (three_colours) drop({Role::packed});
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!takes(i) && fields[i].name != "_") leftovers.note("field " + fields[i].name, fields[i].line);
+    if (!takes(i) && fields[i].name != "_") leftovers.note("field " + fields[i].name + reasons[i], fields[i].line);
   }
   cloud_.points.assign(points, Eigen::Vector3f::Constant(kNoNumber));
   if (has(Role::intensity)) cloud_.intensities.assign(points, 0.0F);
-  if (colours) cloud_.colours.assign(points, {0, 0, 0});
+  if (three_colours || has(Role::packed)) cloud_.colours.assign(points, {0, 0, 0});
   if (normals) cloud_.normals.assign(points, Eigen::Vector3f::Constant(kNoNumber));
   cloud_.width = points;
   return {};
 }
 
+bool CloudBuilder::put_colour(std::size_t field, std::size_t point, double number) {
+  constexpr double kByte = 255.0;
+  const double full = fields_[field].size == 2 ? 65535.0 : kByte;
+  if (!(number >= 0.0 && number <= full)) return false;
+  const auto channel = static_cast<std::size_t>(roles_[field]) - static_cast<std::size_t>(Role::red);
+  cloud_.colours[point].at(channel) = static_cast<std::uint8_t>(std::lround(number * kByte / full));
+  return true;
+}
+
+bool CloudBuilder::put_packed(std::size_t field, std::size_t point, double number) {
+  std::uint32_t bits = 0;
+  if (fields_[field].type == 'F') {
+    bits = std::bit_cast<std::uint32_t>(static_cast<float>(number));  // text of the float that has the colour's bits
+  } else {
+    constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
+    constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
+    if (!(number >= kLeast && number <= kMost)) return false;
+    bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
+  }
+  put_bits(point, bits);
+  return true;
+}
+
+void CloudBuilder::put_bits(std::size_t point, std::uint64_t bits) {
+  cloud_.colours[point] = {static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U),
+                           static_cast<std::uint8_t>(bits)};
+}
+
 bool CloudBuilder::put(std::size_t field, std::size_t point, double number) {
   const Role role = roles_[field];
-  const auto byte = [number] { return static_cast<std::uint8_t>(std::clamp(number, 0.0, 255.0)); };
   switch (role) {
     case Role::none:
       return true;
@@ -130,18 +167,9 @@ bool CloudBuilder::put(std::size_t field, std::size_t point, double number) {
     case Role::red:
     case Role::green:
     case Role::blue:
-      cloud_.colours[point].at(static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::red)) = byte();
-      return number >= 0.0 && number <= 255.0;
-    case Role::packed: {
-      // Text of a float field is the float whose bits are the colour.
-      const bool as_float = fields_[field].type == 'F';
-      if (!as_float && !(number >= 0.0 && number <= std::numeric_limits<std::uint32_t>::max())) return false;
-      const std::uint32_t bits =
-          as_float ? std::bit_cast<std::uint32_t>(static_cast<float>(number)) : static_cast<std::uint32_t>(number);
-      cloud_.colours[point] = {static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U),
-                               static_cast<std::uint8_t>(bits)};
-      return true;
-    }
+      return put_colour(field, point, number);
+    case Role::packed:
+      return put_packed(field, point, number);
   }
   return false;
 }
@@ -151,8 +179,7 @@ bool CloudBuilder::put(std::size_t field, std::size_t point, const std::uint8_t*
   const std::uint64_t bits = bits_of(bytes, of.size, big_endian);
   if (roles_[field] == Role::packed) {
     // Never through a float: colours with bits of a NaN would not survive.
-    cloud_.colours[point] = {static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U),
-                             static_cast<std::uint8_t>(bits)};
+    put_bits(point, bits);
     return true;
   }
   return put(field, point, number_of(bits, of.type, of.size));

@@ -1,4 +1,5 @@
 #pragma once
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,8 +25,8 @@ bool is_number(char type, std::size_t size);
 /// Takes a file's columns into a cloud, by their names.
 class CloudBuilder {
  public:
-  /// Fields without a place in a cloud are noted. invalid: x, y or z is missing, or a field has a type that it cannot
-  /// have.
+  /// Notes fields without a place in a cloud, of a type that says nothing of their scale, and second ones for the
+  /// same. invalid: x, y or z is missing.
   Result<void> begin(const std::vector<CloudField>& fields, std::size_t points, std::string_view file,
                      Leftovers& leftovers);
   bool takes(std::size_t field) const { return roles_[field] != Role::none; }
@@ -38,8 +39,16 @@ class CloudBuilder {
  private:
   enum class Role : std::uint8_t { none, x, y, z, intensity, packed, red, green, blue, nx, ny, nz };
   static Role role_of(std::string_view name);
-  bool suits(const CloudField& field, Role role) const;
+  static bool suits(const CloudField& field, Role role);
   bool has(Role role) const;
+  std::string give_role(const CloudField& field);
+  /// False: not all of the group are there, and those that are were dropped.
+  bool keep_if_all(std::initializer_list<Role> group);
+  void drop(std::initializer_list<Role> group);
+  bool put_colour(std::size_t field, std::size_t point, double number);
+  bool put_packed(std::size_t field, std::size_t point, double number);
+  /// 0x00RRGGBB
+  void put_bits(std::size_t point, std::uint64_t bits);
 
   std::vector<CloudField> fields_;
   std::vector<Role> roles_;

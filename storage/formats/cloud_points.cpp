@@ -12,16 +12,16 @@ std::size_t numbers_of(const std::vector<CloudField>& fields) {
                          [](std::size_t sum, const CloudField& field) { return sum + field.count; });
 }
 
-std::size_t stride_of(const std::vector<CloudField>& fields) {
-  return std::accumulate(fields.begin(), fields.end(), std::size_t{0},
-                         [](std::size_t sum, const CloudField& field) { return sum + field.bytes(); });
-}
-
 tl::unexpected<Error> damaged(std::string_view file, const std::string& what) {
   return fail(ErrorCode::corrupt, std::string(file) + ": " + what);
 }
 
 }  // namespace
+
+std::size_t stride_of(const std::vector<CloudField>& fields) {
+  return std::accumulate(fields.begin(), fields.end(), std::size_t{0},
+                         [](std::size_t sum, const CloudField& field) { return sum + field.bytes(); });
+}
 
 Result<void> check_room(const std::vector<CloudField>& fields, std::uint64_t points, bool is_text, std::size_t rest,
                         std::string_view file) {
@@ -57,6 +57,19 @@ Result<void> read_text_points(Lines& lines, const std::vector<CloudField>& field
     ++point;
   }
   return {};
+}
+
+void note_rows_left(Lines& lines, std::uint64_t expected, bool has_comments, Leftovers& leftovers) {
+  std::uint64_t rows = 0;
+  while (const std::optional<std::string_view> line = lines.next()) {
+    const std::string_view row = trimmed(*line);
+    if (row.empty() || (has_comments && row.starts_with('#'))) continue;
+    if (++rows > expected) leftovers.note("a row after the last point", lines.number());
+  }
+}
+
+void note_bytes_left(std::size_t bytes, std::size_t line, Leftovers& leftovers) {
+  if (bytes > 0) leftovers.note(std::to_string(bytes) + " bytes after the last point", line);
 }
 
 Result<void> read_binary_points(ByteView data, const std::vector<CloudField>& fields, std::uint64_t points,

@@ -10,6 +10,9 @@
 /// What files of points share, whatever their headers are like.
 namespace weft::formats {
 
+/// Bytes of a point.
+std::size_t stride_of(const std::vector<CloudField>& fields);
+
 /// Before anything is made of the number of points that a header states. corrupt: `rest` bytes cannot hold them,
 /// each number of text taking two.
 Result<void> check_room(const std::vector<CloudField>& fields, std::uint64_t points, bool is_text, std::size_t rest,
@@ -19,6 +22,11 @@ Result<void> check_room(const std::vector<CloudField>& fields, std::uint64_t poi
 /// comments. invalid: names the line.
 Result<void> read_text_points(Lines& lines, const std::vector<CloudField>& fields, std::uint64_t points,
                               bool has_comments, std::string_view file, CloudBuilder& builder);
+
+/// Notes what follows the last point, of which a file may have more than its header states: rows of text, `expected`
+/// of them another element's, or bytes.
+void note_rows_left(Lines& lines, std::uint64_t expected, bool has_comments, Leftovers& leftovers);
+void note_bytes_left(std::size_t bytes, std::size_t line, Leftovers& leftovers);
 
 /// Points as bytes. `by_field`: the first field of all points, then the second one; else point by point. corrupt:
 /// ends early, or a number is infinite.

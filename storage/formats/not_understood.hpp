@@ -20,7 +20,7 @@ struct NotUnderstood {
 /// "graph.g2o:12: VERTEX_XY, 37 times"
 std::string to_string(const NotUnderstood& part, std::string_view file);
 
-/// Counts what is not understood by its name, in the order of first lines.
+/// Counts what is not understood by its name, in the order in which it was first noted.
 class Leftovers {
  public:
   void note(std::string_view what, std::size_t line);

@@ -45,8 +45,9 @@ class PcdReader {
 
   Result<void> entry(const Words& words) {
     const std::string_view key = words.front();
-    if (!seen_.insert(std::string(key)).second) return wrong(cited(key) + " stands there a second time");
-    if (key == "FIELDS") {
+    const std::string_view name = key == "COLUMNS" ? "FIELDS" : key;  // so called in version 0.5
+    if (!seen_.insert(std::string(name)).second) return wrong(cited(key) + " stands there a second time");
+    if (name == "FIELDS") {
       for (std::size_t i = 1; i < words.size(); ++i) fields_.push_back({.name = std::string(words[i])});
       for (CloudField& field : fields_) field.line = lines_.number();
       return {};
@@ -62,11 +63,7 @@ class PcdReader {
     if (key == "HEIGHT") return one(words, height_);
     if (key == "POINTS") return one(words, points_);
     if (key == "VIEWPOINT") return viewpoint(words);
-    if (key == "VERSION") {
-      static const std::set<std::string_view> kVersions = {"0.7", ".7", "0.6", ".6", "0.5", ".5"};
-      if (words.size() == 2 && kVersions.contains(words[1])) return {};
-      return wrong("version " + std::string(words.size() > 1 ? words[1] : "(none)") + " is not read, 0.5 to 0.7 are");
-    }
+    if (key == "VERSION") return version(words);
     if (key == "DATA") {
       static const std::set<std::string_view> kCodings = {"ascii", "binary", "binary_compressed"};
       if (words.size() != 2 || !kCodings.contains(words[1])) {
@@ -76,6 +73,15 @@ class PcdReader {
       return {};
     }
     leftovers_.note(key, lines_.number());
+    return {};
+  }
+
+  Result<void> version(const Words& words) {
+    static const std::set<std::string_view> kVersions = {"0.7", ".7", "0.6", ".6", "0.5", ".5"};
+    if (words.size() != 2 || !kVersions.contains(words[1])) {
+      return wrong("version " + std::string(words.size() > 1 ? words[1] : "(none)") + " is not read, 0.5 to 0.7 are");
+    }
+    is_complete_ = words[1].ends_with('7');
     return {};
   }
 
@@ -115,9 +121,15 @@ class PcdReader {
   }
 
   Result<void> check_header() {
-    for (const char* const key : {"FIELDS", "SIZE", "TYPE", "WIDTH"}) {
-      if (!seen_.contains(key)) return wrong(std::string("the header has no ") + key);
+    if (!seen_.contains("FIELDS")) return wrong("the header has no FIELDS");
+    for (const char* const key : {"SIZE", "TYPE", "WIDTH"}) {
+      if (is_complete_ && !seen_.contains(key)) {
+        return wrong(std::string("the header has no ") + key + ", which version 0.7 needs");
+      }
     }
+    if (!seen_.contains("WIDTH") && !seen_.contains("POINTS"))
+      return wrong("the header has neither WIDTH nor POINTS");
+    if (!seen_.contains("WIDTH") && height_ > 0) width_ = points_ / height_;
     if (!seen_.contains("POINTS")) points_ = width_ * height_;
     if (width_ * height_ != points_) {
       return wrong("WIDTH " + std::to_string(width_) + " times HEIGHT " + std::to_string(height_) +
@@ -129,17 +141,23 @@ class PcdReader {
                        "field " + field.name + " has type " + field.type + " of " + std::to_string(field.size) +
                            " bytes, which is no number");
       }
-      stride_ += field.bytes();
     }
+    stride_ = stride_of(fields_);
     if (coding_ == "binary_compressed") return {};
     return check_room(fields_, points_, coding_ == "ascii", bytes_.size() - lines_.offset(), file_);
   }
 
   Result<void> points() {
-    if (coding_ == "ascii") return read_text_points(lines_, fields_, points_, true, file_, builder_);
     if (coding_ == "binary_compressed") return compressed();
+    if (coding_ == "ascii") {
+      const Result<void> read = read_text_points(lines_, fields_, points_, true, file_, builder_);
+      if (read) note_rows_left(lines_, 0, true, leftovers_);
+      return read;
+    }
     const ByteView data = bytes_.subspan(lines_.offset());
-    return read_binary_points(data, fields_, points_, false, false, file_, builder_);
+    const Result<void> read = read_binary_points(data, fields_, points_, false, false, file_, builder_);
+    if (read) note_bytes_left(data.size() - points_ * stride_, lines_.number() + 1, leftovers_);
+    return read;
   }
 
   Result<void> compressed() {
@@ -163,6 +181,7 @@ class PcdReader {
     }
     const Result<Bytes> points = lzf_decompress(data.subspan(kHead, packed), plain);
     if (!points) return damaged(points.error().message);
+    note_bytes_left(data.size() - kHead - packed, lines_.number() + 1, leftovers_);
     return read_binary_points(*points, fields_, points_, true, false, file_, builder_);
   }
 
@@ -177,6 +196,7 @@ class PcdReader {
   std::size_t stride_ = 0;  // bytes of a point
   Pose3 world_from_sensor_;
   std::string_view coding_;
+  bool is_complete_ = false;  // of version 0.7, whose headers leave nothing to be assumed
   CloudBuilder builder_;
   Leftovers leftovers_;
 };

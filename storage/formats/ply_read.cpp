@@ -68,6 +68,7 @@ class PlyReader {
       return wrong("element " + cited(words[1]) + " stands before vertex; files with vertex first are read");
     }
     if (part_ == Part::vertex) part_ = Part::after;
+    rows_after_ += *count;
     leftovers_.note("element " + std::string(words[1]) + " of " + std::to_string(*count), lines_.number());
     return {};
   }
@@ -97,9 +98,19 @@ class PlyReader {
   }
 
   Result<void> points() {
-    if (coding_ == "ascii") return read_text_points(lines_, fields_, points_, false, file_, builder_);
-    return read_binary_points(bytes_.subspan(lines_.offset()), fields_, points_, false,
-                              coding_ == "binary_big_endian", file_, builder_);
+    if (coding_ != "ascii") return binary_points();
+    const Result<void> read = read_text_points(lines_, fields_, points_, false, file_, builder_);
+    if (read) note_rows_left(lines_, rows_after_, false, leftovers_);
+    return read;
+  }
+
+  Result<void> binary_points() {
+    const ByteView data = bytes_.subspan(lines_.offset());
+    const bool is_big_endian = coding_ == "binary_big_endian";
+    const Result<void> read = read_binary_points(data, fields_, points_, false, is_big_endian, file_, builder_);
+    const std::size_t size = points_ * stride_of(fields_);
+    if (read && rows_after_ == 0) note_bytes_left(data.size() - size, lines_.number() + 1, leftovers_);
+    return read;
   }
 
   ByteView bytes_;
@@ -109,6 +120,7 @@ class PlyReader {
   std::string_view coding_;
   std::vector<CloudField> fields_;
   std::uint64_t points_ = 0;
+  std::uint64_t rows_after_ = 0;  // of the elements after vertex
   CloudBuilder builder_;
   Leftovers leftovers_;
 };

@@ -111,8 +111,14 @@ TEST(Pcd, WhatIsWrongIsSaid) {
       {"FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nDATA ascii\n1 2\n", "a.pcd:1: a cloud needs the fields x, y and z"},
       {"FIELDS x y z\nSIZE 4 4 3\nTYPE F F F\nWIDTH 0\nDATA ascii\n",
        "a.pcd:1: field z has type F of 3 bytes, which is no number"},
-      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F U\nWIDTH 0\nDATA ascii\n",
-       "a.pcd:1: field z has type U32 x 1, which it cannot have"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 3\nWIDTH 0\nDATA ascii\n",
+       "a.pcd:1: a cloud needs the fields x, y and z"},
+      {"VERSION 0.7\nFIELDS x y z\nWIDTH 0\nDATA ascii\n",
+       "a.pcd:4: the header has no SIZE, which version 0.7 needs"},
+      {"VERSION .5\nCOLUMNS x y z\nDATA ascii\n", "a.pcd:3: the header has neither WIDTH nor POINTS"},
+      {"FIELDS x y z\nCOLUMNS x y z\n", "a.pcd:2: 'COLUMNS' stands there a second time"},
+      {"VERSION .5\nCOLUMNS x y z\nHEIGHT 2\nPOINTS 3\nDATA ascii\n",
+       "a.pcd:5: WIDTH 1 times HEIGHT 2 is not POINTS 3"},
       {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 4000000000\nDATA binary\n",
        "a.pcd: the header states 4000000000 points, the 0 bytes after it cannot hold them"},
       {kPcd + "DATA binary_compressed\nabc", "a.pcd: the compressed points end within their sizes"}};
@@ -160,8 +166,8 @@ TEST(Ply, WhatIsWrongIsSaid) {
       {kPly + "end_header\n1 2\n1 2 3\n", "a.ply:8: a point has 2 numbers, it needs 3"},
       {kPly + "end_header\n1 2 -inf\n", "a.ply:8: '-inf' cannot be z"},
       {kPly + "end_header\n     \n", "a.ply:8: the file ends after 0 of 1 points"},
-      {kPly + "property int red\nproperty uchar green\nproperty uchar blue\nend_header\n1 2 3 4 5 6\n",
-       "a.ply:7: field red has type I32 x 1, which it cannot have"},
+      {kPly + "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n1 2 3 4 5 256\n",
+       "a.ply:11: '256' cannot be blue"},
       {"ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\n"
        "property float z\nend_header\nabc",
        "a.ply: the header states 9 points, the 3 bytes after it cannot hold them"}};
