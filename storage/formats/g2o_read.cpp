@@ -20,7 +20,7 @@ class G2oReader {
     while (const std::optional<std::string_view> line = lines_.next()) {
       if (const Result<void> taken = take(*line); !taken) return fail(taken.error());
     }
-    if (const Result<void> checked = check_ends(); !checked) return fail(checked.error());
+    leave_out_lost();
     return Read<PoseGraph>{std::move(graph_), leftovers_.take()};
   }
 
@@ -38,7 +38,7 @@ class G2oReader {
     if (tag == "EDGE_SE2") return edge<PlanarMeasurement, 3, 3>(words);
     if (tag == "EDGE_SE3:QUAT") return edge<SpatialMeasurement, 7, 6>(words);
     if (tag == "FIX") return fix(words);
-    leftovers_.note(tag, lines_.number());
+    pass_over(words);
     return {};
   }
 
@@ -133,28 +133,55 @@ class G2oReader {
     return {};
   }
 
+  /// Notes a vertex that is not taken, a landmark for one, so that what names it is no reference to nowhere.
+  void pass_over(const Words& words) {
+    leftovers_.note(words.front(), lines_.number());
+    if (!words.front().starts_with("VERTEX_") || words.size() < 2) return;
+    if (const std::optional<std::uint64_t> key = parse_unsigned(words[1])) passed_over_.insert(*key);
+  }
+
   /// Declared, or another robot's and so in another file.
   bool is_known(std::uint64_t key) const {
+    if (passed_over_.contains(key) && !declared_.contains(key)) return false;
     if (declared_.empty()) return named_.contains(key);
     return declared_.contains(key) || !robots_.contains(robot_of(key));
   }
 
-  Result<void> check_ends() {
-    for (const auto& [key, line] : declared_) robots_.insert(robot_of(key));
-    for (const PoseGraph::Edge& edge : graph_.edges) named_.insert({edge.a, edge.b});
-    const auto check = [this](std::uint64_t key, std::size_t line) -> Result<void> {
-      if (is_known(key)) return {};
-      return fail_at(file_, line, "vertex " + std::to_string(key) + " is not declared in this file");
-    };
+  void note_missing(const char* what, std::uint64_t key, std::size_t line) {
+    const bool is_passed_over = passed_over_.contains(key);
+    leftovers_.note(std::string(what) + " a vertex that is not " + (is_passed_over ? "taken" : "declared"), line);
+  }
+
+  void leave_out_lost_edges() {
+    std::vector<PoseGraph::Edge> kept;
     for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-      for (const std::uint64_t key : {graph_.edges[i].a, graph_.edges[i].b}) {
-        if (const Result<void> checked = check(key, edge_lines_[i]); !checked) return checked;
+      const PoseGraph::Edge& edge = graph_.edges[i];
+      if (is_known(edge.a) && is_known(edge.b)) {
+        kept.push_back(edge);
+      } else {
+        note_missing("an edge to", is_known(edge.a) ? edge.b : edge.a, edge_lines_[i]);
       }
     }
+    graph_.edges = std::move(kept);
+  }
+
+  void leave_out_lost_fixes() {
+    std::vector<std::uint64_t> kept;
     for (std::size_t i = 0; i < graph_.fixed.size(); ++i) {
-      if (const Result<void> checked = check(graph_.fixed[i], fix_lines_[i]); !checked) return checked;
+      if (is_known(graph_.fixed[i])) {
+        kept.push_back(graph_.fixed[i]);
+      } else {
+        note_missing("FIX of", graph_.fixed[i], fix_lines_[i]);
+      }
     }
-    return {};
+    graph_.fixed = std::move(kept);
+  }
+
+  void leave_out_lost() {
+    for (const auto& [key, line] : declared_) robots_.insert(robot_of(key));
+    for (const PoseGraph::Edge& edge : graph_.edges) named_.insert({edge.a, edge.b});
+    leave_out_lost_edges();
+    leave_out_lost_fixes();
   }
 
   Lines lines_;
@@ -164,6 +191,7 @@ class G2oReader {
   std::optional<bool> spatial_;
   std::size_t kind_line_ = 0;
   std::map<std::uint64_t, std::size_t> declared_;  // and in which line
+  std::set<std::uint64_t> passed_over_;            // vertices with tags that are not taken
   std::set<std::uint64_t> named_;                  // by edges
   std::set<char> robots_;                          // of the declared ones
   std::vector<std::size_t> edge_lines_;

@@ -1,6 +1,7 @@
 #include "storage/formats/trajectory.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "storage/formats/lines.hpp"
 #include "storage/formats/unit.hpp"
@@ -10,6 +11,18 @@ namespace {
 
 constexpr std::size_t kNumbers = 8;
 using Numbers = std::array<double, kNumbers>;
+
+/// In the year 2286; counted in milliseconds or finer, every time since 1970 is above it.
+constexpr double kLatest_s = 1e10;
+
+/// The unit that a time above `kLatest_s` seems to be counted in.
+const char* seeming_unit(double time) {
+  constexpr double kMicroseconds = 1e14;
+  constexpr double kNanoseconds = 1e17;
+  if (time >= kNanoseconds) return "nanoseconds; divide them by 1e9";
+  return time >= kMicroseconds ? "microseconds; divide them by 1e6"
+                               : "milliseconds, or nanoseconds since a start; turn them into seconds";
+}
 
 /// Adds samples and holds them to what a trajectory is.
 class TrajectoryBuilder {
@@ -65,9 +78,12 @@ Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file) 
     }
     const Result<Numbers> numbers = builder.numbers_of(words);
     if (!numbers) return fail(numbers.error());
-    if (const Result<void> added = builder.add((*numbers)[0], *numbers, {7, 4, 5, 6}); !added) {
-      return fail(added.error());
+    const double time_s = numbers->front();
+    if (std::abs(time_s) > kLatest_s) {
+      return builder.wrong("time " + std::string(words.front()) + " is not within +-1e10 s; these seem to be " +
+                           seeming_unit(std::abs(time_s)));
     }
+    if (const Result<void> added = builder.add(time_s, *numbers, {7, 4, 5, 6}); !added) return fail(added.error());
   }
   return Read<Trajectory>{std::move(builder.trajectory), builder.leftovers.take()};
 }

@@ -19,8 +19,9 @@ struct Trajectory {
 
 /// TUM: "t x y z qx qy qz qw" a line, seconds and metres; '#' begins a comment.
 /// A second pose of the same time, which recordings have, is left out and listed.
-/// invalid, with file and line: another count of numbers, one that is not finite, a time before the last one, a
-/// quaternion that is not unit within 1e-3 (taken ones are normalised).
+/// invalid, with file and line: another count of numbers, one that is not finite, a time beyond 1e10 s (it is counted
+/// in nanoseconds, say) or before the last one, a quaternion that is not unit within 1e-3 (taken ones are
+/// normalised).
 Result<Read<Trajectory>> read_tum(std::string_view text, std::string_view file);
 
 /// EuRoC's state_groundtruth_estimate0/data.csv: nanoseconds, position, quaternion w x y z; the columns after them

@@ -57,6 +57,28 @@ TEST(G2o, AnotherRobotsVertexMayBeElsewhere) {
   EXPECT_EQ(read(text).edges.size(), 1U);
 }
 
+TEST(G2o, WhatNamesAVertexThatIsNotThereIsLeftOutAndListed) {
+  const auto graph = read_g2o("FIX 0\nFIX 99 1\n" + kTwo + "EDGE_SE2 0 1 1 0 0" + kIdentity + "EDGE_SE2 1 9 1 0 0" +
+                                  kIdentity + "EDGE_SE2 9 1 1 0 0" + kIdentity,
+                              "a.g2o");
+  ASSERT_TRUE(graph.has_value()) << graph.error().message;
+  EXPECT_EQ(graph->value.vertices.size(), 2U);
+  EXPECT_EQ(graph->value.edges.size(), 1U);
+  EXPECT_EQ(graph->value.fixed, (std::vector<std::uint64_t>{0, 1}));
+  EXPECT_EQ(graph->not_understood, (std::vector<NotUnderstood>{{"an edge to a vertex that is not declared", 6, 2},
+                                                               {"FIX of a vertex that is not declared", 2, 1}}));
+}
+
+TEST(G2o, ALandmarkMayBeFixed) {
+  const auto graph = read_g2o(kTwo + "VERTEX_XY 7 3 3\nFIX 7\nFIX 0\nEDGE_SE2 0 7 1 0 0" + kIdentity, "a.g2o");
+  ASSERT_TRUE(graph.has_value()) << graph.error().message;
+  EXPECT_EQ(graph->value.fixed, (std::vector<std::uint64_t>{0}));
+  EXPECT_TRUE(graph->value.edges.empty());
+  EXPECT_EQ(graph->not_understood, (std::vector<NotUnderstood>{{"VERTEX_XY", 3, 1},
+                                                               {"an edge to a vertex that is not taken", 6, 1},
+                                                               {"FIX of a vertex that is not taken", 4, 1}}));
+}
+
 TEST(G2o, WhatIsWrongIsSaidWithItsLine) {
   const std::vector<std::pair<std::string, std::string>> table = {
       {kTwo + "EDGE_SE2 0 1 1 0 0 1 0 0 1 0\n", "a.g2o:3: EDGE_SE2 has 10 numbers, it needs 11"},
@@ -65,8 +87,6 @@ TEST(G2o, WhatIsWrongIsSaidWithItsLine) {
       {"VERTEX_SE2 0 0 0 0.1rad\n", "a.g2o:1: '0.1rad' is no finite number"},
       {"VERTEX_SE2 -1 0 0 0\n", "a.g2o:1: '-1' is no vertex id, a whole number from 0"},
       {kTwo + "\nVERTEX_SE2 1 0 0 0\n", "a.g2o:4: vertex 1 is declared a second time, first in line 2"},
-      {kTwo + "EDGE_SE2 0 2 1 0 0" + kIdentity, "a.g2o:3: vertex 2 is not declared in this file"},
-      {kTwo + "FIX 3\n", "a.g2o:3: vertex 3 is not declared in this file"},
       {kTwo + "FIX\n", "a.g2o:3: FIX names no vertex"},
       {kTwo + "EDGE_SE2 1 1 1 0 0" + kIdentity, "a.g2o:3: the edge joins vertex 1 to itself"},
       {kTwo + "EDGE_SE2 0 1 1 0 0 1 0 0 0 0 1\n", "a.g2o:3: the information matrix is not positive definite"},

@@ -26,6 +26,15 @@ TEST(Tum, WhatIsWrongIsSaidWithItsLine) {
       {"1 2 3\n", "t.tum:1: 3 numbers; a pose has 8: t x y z qx qy qz qw"},
       {"# x\n1 1 2 3 0 0 0 one\n", "t.tum:2: 'one' is no finite number"},
       {"1 1 2 inf 0 0 0 1\n", "t.tum:1: 'inf' is no finite number"},
+      {"1403636579763555584.000000 1 2 3 0 0 0 1\n",
+       "t.tum:1: time 1403636579763555584.000000 is not within +-1e10 s; these seem to be nanoseconds; divide them "
+       "by "
+       "1e9"},
+      {"1403636579763555 1 2 3 0 0 0 1\n",
+       "t.tum:1: time 1403636579763555 is not within +-1e10 s; these seem to be microseconds; divide them by 1e6"},
+      {"# ms\n1403636579763 1 2 3 0 0 0 1\n",
+       "t.tum:2: time 1403636579763 is not within +-1e10 s; these seem to be milliseconds, or nanoseconds since a "
+       "start; turn them into seconds"},
       {"2 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1\n", "t.tum:2: time 1 is before the last one, 2"},
       {"1 1 2 3 0 0 0 1.01\n", "t.tum:1: the quaternion is not unit within 1e-3"}};
   for (const auto& [text, message] : table) {
