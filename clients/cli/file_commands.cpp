@@ -34,10 +34,10 @@ Result<Read<Content>> read_any(const std::string& file) {
   if (ending == ".pcd") return widened(formats::read_pcd(*bytes, file));
   if (ending == ".ply") return widened(formats::read_ply(*bytes, file));
   if (ending == ".geojson") return widened(formats::read_route_graph(text, file));
-  if (ending == ".pgm") return widened(formats::read_pgm(*bytes, file));
-  if (ending == ".yaml") return widened(formats::read_map_server(text, file));
+  if (ending == ".pgm" || ending == ".png") return widened(formats::read_grey_image(*bytes, file));
+  if (ending == ".yaml" || ending == ".yml") return widened(formats::read_map_server(text, file));
   return fail(ErrorCode::invalid,
-              file + ": names that end in .g2o .tum .txt .csv .pcd .ply .geojson .pgm .yaml are read");
+              file + ": names that end in .g2o .tum .txt .csv .pcd .ply .geojson .pgm .png .yaml are read");
 }
 
 using Facts = nlohmann::ordered_json;

@@ -320,7 +320,7 @@ class Grammar {
     add(*file, "info", "Read files and say what is in them, and what is not understood, with its line",
         Command::file_info)
         ->add_option("FILE", into_.files,
-                     "*.g2o *.tum *.txt *.csv (EuRoC) *.pcd *.ply *.geojson *.pgm *.yaml; or *.gz")
+                     "*.g2o *.tum *.txt *.csv (EuRoC) *.pcd *.ply *.geojson *.pgm *.png *.yaml; or *.gz")
         ->type_name("")
         ->required();
     CLI::App* const convert =

@@ -24,12 +24,12 @@ Result<formats::FloorPlan> read_floor_plan(const std::string& file, std::ostream
   say(*described, file, err);
   const std::string image_file =
       (std::filesystem::path(file).parent_path() / described->value.image).lexically_normal().string();
-  if (ending_of(image_file) != ".pgm") {
-    return fail(ErrorCode::invalid, file + ": its image " + image_file + " is no PGM; convert it first");
+  if (const std::string ending = ending_of(image_file); ending != ".pgm" && ending != ".png") {
+    return fail(ErrorCode::invalid, file + ": its image " + image_file + " is neither PGM nor PNG; convert it first");
   }
   const Result<Bytes> bytes = read_file(image_file);
   if (!bytes) return fail(bytes.error());
-  const auto image = formats::read_pgm(*bytes, image_file);
+  const auto image = formats::read_grey_image(*bytes, image_file);
   if (!image) return fail(image.error());
   say(*image, image_file, err);
   return formats::floor_plan_from(described->value, image->value);

@@ -79,9 +79,10 @@ bool negate_of(Keys& keys) {
   const std::optional<YAML::Node> node = keys.need("negate");
   if (!node.has_value()) return false;
   const std::string word = node->IsScalar() ? node->Scalar() : std::string{};
-  if (word == "1" || word == "true") return true;
-  if (word != "0" && word != "false") keys.wrong(*node, "negate must be 0 or 1");
-  return false;
+  if (word == "0" || word == "1") return word == "1";
+  bool negate = false;
+  if (!YAML::convert<bool>::decode(*node, negate)) keys.wrong(*node, "negate must be 0, 1, false or true");
+  return negate;
 }
 
 MapServerFile::Mode mode_of(Keys& keys) {
@@ -107,16 +108,27 @@ Pose2 origin_of(Keys& keys) {
           keys.number(list[2], "origin's heading", -kFar, kFar)};
 }
 
-std::int8_t cell_of(const MapServerFile& file, double shade) {
+/// 0 black, 1 white. What is transparent is darker where a map has three values, as map_server has it.
+double shade_of(const MapServerFile& file, const GreyImage& image, std::size_t pixel) {
+  const auto value = static_cast<double>(image.pixels[pixel]);
+  if (image.opacities.empty() || file.mode != MapServerFile::Mode::trinary) return value / image.white;
+  constexpr double kColours = 3.0;  // red, green and blue, of which the value is the mean
+  return (kColours * value + image.opacities[pixel]) / ((kColours + 1.0) * image.white);
+}
+
+std::int8_t cell_of(const MapServerFile& file, const GreyImage& image, std::size_t pixel) {
   constexpr double kMost = 100.0;
+  const double shade = shade_of(file, image, pixel);
   if (file.mode == MapServerFile::Mode::raw) {
     const double percent = std::round(shade * 255.0);
     return percent <= kMost ? static_cast<std::int8_t>(percent) : FloorPlan::kUnknown;
   }
+  const bool is_scale = file.mode == MapServerFile::Mode::scale;
+  if (is_scale && !image.opacities.empty() && image.opacities[pixel] < image.white) return FloorPlan::kUnknown;
   const double occupied = file.negate ? shade : 1.0 - shade;
   if (occupied > file.occupied_thresh) return 100;
   if (occupied < file.free_thresh) return 0;
-  if (file.mode == MapServerFile::Mode::trinary) return FloorPlan::kUnknown;
+  if (!is_scale) return FloorPlan::kUnknown;
   const double share = (occupied - file.free_thresh) / (file.occupied_thresh - file.free_thresh);
   return static_cast<std::int8_t>(std::rint(share * kMost));
 }
@@ -125,7 +137,7 @@ std::int8_t cell_of(const MapServerFile& file, double shade) {
 
 Result<Read<MapServerFile>> read_map_server(std::string_view text, std::string_view file) try {
   if (text.size() > kLongestYaml) return fail_at(file, 1, "a map_server file has at most 64 KiB");
-  const YAML::Node document = YAML::Load(std::string(text));
+  const YAML::Node document = YAML::Load(std::string(without_byte_order_mark(text)));
   if (!document.IsMap()) return fail_at(file, 1, "a map_server file is a list of 'key: value'");
   Keys keys(document, file);
   MapServerFile out;
@@ -160,8 +172,7 @@ FloorPlan floor_plan_from(const MapServerFile& file, const GreyImage& image) {
   plan.cells.reserve(image.pixels.size());
   for (std::uint32_t row = image.height; row > 0; --row) {
     for (std::uint32_t column = 0; column < image.width; ++column) {
-      const std::uint16_t value = image.pixels[std::size_t{row - 1} * image.width + column];
-      plan.cells.push_back(cell_of(file, static_cast<double>(value) / image.white));
+      plan.cells.push_back(cell_of(file, image, std::size_t{row - 1} * image.width + column));
     }
   }
   return plan;

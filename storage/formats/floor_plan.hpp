@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
+#include "storage/formats/grey_image.hpp"
 #include "storage/formats/not_understood.hpp"
-#include "storage/formats/pgm.hpp"
 
 namespace weft::formats {
 
@@ -38,7 +38,8 @@ Result<Read<MapServerFile>> read_map_server(std::string_view text, std::string_v
 
 /// What each pixel means, by the rules of the mode: with p = 1 - value / white (negate: value / white), trinary takes
 /// p > occupied_thresh for occupied, p < free_thresh for free, all else is unknown; scale spreads what lies between
-/// over 0 to 100; raw takes the value itself, of 255, and what is above 100 for unknown.
+/// over 0 to 100; raw takes the value itself, of 255, and what is above 100 for unknown. Of an image with opacities
+/// trinary takes the mean of red, green, blue and opacity for the value, and scale what is not opaque for unknown.
 FloorPlan floor_plan_from(const MapServerFile& file, const GreyImage& image);
 
 }  // namespace weft::formats

@@ -1,20 +1,8 @@
 #pragma once
-#include <cstdint>
-#include <vector>
-
 #include "core/bytes.hpp"
-#include "storage/formats/not_understood.hpp"
+#include "storage/formats/grey_image.hpp"
 
 namespace weft::formats {
-
-/// Grey values row by row, the top row first.
-struct GreyImage {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  std::uint16_t white = 255;  ///< the largest value
-  std::vector<std::uint16_t> pixels;
-  bool operator==(const GreyImage&) const = default;
-};
 
 /// P5 (binary) and P2 (text), white up to 65535 (two bytes a pixel, the high one first, above 255), comments in the
 /// header. Bytes after the image are listed as not understood.

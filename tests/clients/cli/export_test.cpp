@@ -96,15 +96,29 @@ TEST(DrawUponAPlan, HasThePlanInIt) {
   EXPECT_EQ(text_of(at("off.svg")).find("<image"), std::string::npos);
 }
 
+TEST(DrawUponAPlan, ItsImageMayBeAPng) {
+  const std::vector<std::uint8_t> png = {
+      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+      0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0xd1, 0x49, 0x20, 0x56, 0x00, 0x00, 0x00,
+      0x0b, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8, 0xcf, 0x08, 0x00, 0x02, 0x02, 0x01, 0x01, 0xab, 0xa8,
+      0x27, 0x30, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};  // grey, 2 x 1
+  std::ofstream(at("plan.png"), std::ios::binary) << std::string(png.begin(), png.end());
+  Fleet fleet;
+  const std::string plan = floor_plan("image: plan.png\n" + kPlan.substr(kPlan.find('\n') + 1));
+  const Said said = fleet.weft({"map", "draw", at("on.svg"), "--floor-plan", plan, "--anchor", "dock=10,5,0"});
+  ASSERT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_NE(text_of(at("on.svg")).find("<image"), std::string::npos);
+}
+
 TEST(DrawUponAPlan, WhatIsWrongWithThePlanIsSaid) {
   Fleet fleet;
   const auto draw = [&fleet](const std::string& plan) {
     return fleet.weft({"map", "draw", at("on.png"), "--floor-plan", plan, "--anchor", "dock=10,5,0"});
   };
   EXPECT_EQ(draw("/nowhere/plan.yaml").exit, Exit::usage);
-  const Said png = draw(floor_plan("image: plan.png\n" + kPlan.substr(kPlan.find('\n') + 1)));
-  EXPECT_EQ(png.exit, Exit::usage);
-  EXPECT_NE(png.err.find("is no PGM"), std::string::npos);
+  const Said jpg = draw(floor_plan("image: plan.jpg\n" + kPlan.substr(kPlan.find('\n') + 1)));
+  EXPECT_EQ(jpg.exit, Exit::usage);
+  EXPECT_NE(jpg.err.find("is neither PGM nor PNG"), std::string::npos);
   EXPECT_NE(draw(floor_plan("image: plan.pgm\n")).err.find("plan.yaml:1: the key resolution is missing"),
             std::string::npos);
   EXPECT_EQ(fleet.weft({"map", "draw", at("on.png"), "--floor-plan", floor_plan(kPlan)}).exit, Exit::usage);

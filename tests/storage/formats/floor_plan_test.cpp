@@ -25,6 +25,19 @@ TEST(MapServer, ReadsItsKeysAndListsOthers) {
   EXPECT_EQ(described(kMapFile).mode, MapServerFile::Mode::trinary);
 }
 
+TEST(MapServer, EveryBooleanOfYamlIsTaken) {
+  const auto negated = [](const std::string& word) {
+    std::string text = kMapFile;
+    return described(text.replace(text.find("negate: 0"), 9, "negate: " + word)).negate;
+  };
+  for (const char* const word : {"1", "true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON", "y", "Y"}) {
+    EXPECT_TRUE(negated(word)) << word;
+  }
+  for (const char* const word : {"0", "false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF", "n", "N"}) {
+    EXPECT_FALSE(negated(word)) << word;
+  }
+}
+
 TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
   const std::vector<std::pair<std::string, std::string>> table = {
       {"", "a.yaml:1: a map_server file is a list of 'key: value'"},
@@ -40,7 +53,7 @@ TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
       {"image: a\nresolution: 1\norigin: [1, 2, nan]\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0\n",
        "a.yaml:3: origin's heading must be a number in [-1e+06, 1e+06]"},
       {"image: a\nresolution: 1\norigin: [1, 2, 0]\nnegate: 2\noccupied_thresh: 1\nfree_thresh: 0\n",
-       "a.yaml:4: negate must be 0 or 1"},
+       "a.yaml:4: negate must be 0, 1, false or true"},
       {"image: a\nresolution: 1\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.2\nfree_thresh: 0.2\n",
        "a.yaml:1: free_thresh is not below occupied_thresh"}};
   for (const auto& [text, message] : table) {
@@ -69,6 +82,15 @@ TEST(FloorPlan, PixelsMeanWhatTheModeSays) {
   // p = 1 - 140.25 / 255 = 0.45 lies half-way between 0.25 and 0.65.
   EXPECT_EQ(cells(kMapFile + "mode: scale\n", {0, 255, 140}), (Cells{100, 0, 50}));
   EXPECT_EQ(cells(kMapFile + "mode: raw\n", {0, 42, 100, 101, 255}), (Cells{0, 42, 100, kUnknown, kUnknown}));
+}
+
+TEST(FloorPlan, WhatIsTransparentIsDarkerOrUnknown) {
+  using Cells = std::vector<std::int8_t>;
+  const GreyImage image{3, 1, 255, {255, 255, 0}, {255, 0, 255}};
+  // p = 1 - (3 * 255 + 0) / (4 * 255) = 0.25 is not below 0.25; p = 1 - (0 + 255) / (4 * 255) = 0.75.
+  EXPECT_EQ(floor_plan_from(described(kMapFile), image).cells, (Cells{0, FloorPlan::kUnknown, 100}));
+  EXPECT_EQ(floor_plan_from(described(kMapFile + "mode: scale\n"), image).cells,
+            (Cells{0, FloorPlan::kUnknown, 100}));
 }
 
 TEST(FloorPlan, TheBottomRowOfTheImageComesFirst) {
