@@ -30,6 +30,7 @@ CameraModel camera_model_from(const CameraCalibration& calibration, const std::s
           .cy = calibration.cy,
           .lens = calibration.lens,
           .distortion = calibration.distortion,
+          .divisor = calibration.divisor,
           .robot_from_camera = calibration.body_from_camera.value_or(otherwise)};
 }
 
@@ -42,6 +43,7 @@ CameraCalibration calibration_from(const CameraModel& camera) {
           .cy = camera.cy,
           .lens = camera.lens,
           .distortion = camera.distortion,
+          .divisor = camera.divisor,
           .body_from_camera = camera.robot_from_camera,
           .sigma = {}};
 }

@@ -16,6 +16,7 @@ struct CameraModel {
   double fx = 460.0, fy = 460.0, cx = 375.5, cy = 239.5;
   LensModel lens = LensModel::radtan;
   std::array<double, 5> distortion{};  ///< in the model's order
+  std::array<double, 3> divisor{};     ///< k4 k5 k6 of a rational lens
   Pose3 robot_from_camera;
 };
 

@@ -9,9 +9,9 @@ namespace weft::agents {
 /// invalid: a size, focal length, centre, distortion or mount that no downward camera has; names the field.
 Result<void> check(const CameraModel& camera);
 
-/// Undistorted normalised coordinates (x / z, y / z in the camera frame) of a pixel: fixed-point inversion of the
-/// radial-tangential model, Newton's of the equidistant one; below 1e-9 for lenses that `check` accepts. An
-/// equidistant lens sees further than normalised coordinates reach: rays beyond 1.5 rad from the axis are put there.
+/// Undistorted normalised coordinates (x / z, y / z in the camera frame) of a pixel, by Newton's method; below 1e-9
+/// for lenses that `check` accepts. An equidistant lens sees further than normalised coordinates reach: rays beyond
+/// 1.5 rad from the axis are put there.
 Eigen::Vector2d normalised_from_pixel(const CameraModel& camera, const Eigen::Vector2d& pixel);
 
 /// The inverse: distorts and scales. Pixels, the centre of the first one at (0, 0).

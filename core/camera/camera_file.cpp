@@ -1,94 +1,17 @@
 #include "core/camera/camera_file.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "core/camera/camera_keys.hpp"
+#include "core/camera/camera_parts.hpp"
+#include "core/text.hpp"
 
 namespace weft {
 namespace {
 
 constexpr std::size_t kLongestFile = 64U << 10U;
-constexpr double kWidest = 16384.0;
-constexpr double kLongestFocal = 1e5;
 constexpr double kFarthest = 100.0;
 
-using Matrix = std::vector<double>;  // row by row
-
-void read_size(CameraKeys& keys, const YAML::Node& width, const YAML::Node& height, std::string_view key,
-               CameraCalibration& camera) {
-  const double w = keys.number(width, key, 1.0, kWidest);
-  const double h = keys.number(height, key, 1.0, kWidest);
-  if (w != std::floor(w) || h != std::floor(h)) keys.wrong(width, std::string(key) + " must be whole pixels");
-  camera.width = static_cast<int>(w);
-  camera.height = static_cast<int>(h);
-}
-
-void set_intrinsics(CameraKeys& keys, const YAML::Node& node, std::string_view key,
-                    const std::array<double, 4>& values, CameraCalibration& camera) {
-  const auto [fx, fy, cx, cy] = values;
-  if (fx <= 0.0 || fy <= 0.0 || fx > kLongestFocal || fy > kLongestFocal)
-    keys.wrong(node, std::string(key) + ": focal lengths must be in (0, 100000] pixels");
-  if (cx < 0.0 || cy < 0.0 || cx > camera.width || cy > camera.height)
-    keys.wrong(node, std::string(key) + ": the optical centre lies outside the image");
-  camera.fx = fx;
-  camera.fy = fy;
-  camera.cx = cx;
-  camera.cy = cy;
-}
-
-/// Names as EuRoC, Kalibr, ROS and ROS 2 write them. `coefficients` is a list of numbers.
-void read_lens(CameraKeys& keys, const std::string& model, const YAML::Node& coefficients, std::string_view key,
-               CameraCalibration& camera) {
-  constexpr std::size_t kRational = 8;
-  std::size_t most = 5;
-  if (model == "none") {
-    most = 0;
-  } else if (model == "equidistant" || model == "fisheye") {
-    camera.lens = LensModel::equidistant;
-    most = 4;
-  } else if (model == "rational_polynomial") {
-    most = kRational;
-  } else if (model != "radial-tangential" && model != "radtan" && model != "plumb_bob") {
-    keys.wrong(coefficients, "distortion_model '" + model.substr(0, 40) +
-                                 "' is unknown here; radtan (radial-tangential, plumb_bob) and equidistant (fisheye) "
-                                 "are understood");
-    return;
-  }
-  if (most == 0) return;
-  const std::vector<double> values = keys.numbers(coefficients, key, 4, most, -1.0, 1.0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i < camera.distortion.size()) {
-      camera.distortion[i] = values[i];
-    } else if (values[i] != 0.0) {
-      keys.wrong(coefficients, std::string(key) +
-                                   ": k4, k5, k6 of rational_polynomial must be 0 here; calibrate with "
-                                   "five coefficients (plumb_bob)");
-    }
-  }
-}
-
-/// A matrix as EuRoC and ROS write it: rows, cols, data.
-Matrix read_matrix(CameraKeys& keys, const YAML::Node& node, std::string_view key, std::size_t rows,
-                   std::size_t columns, double most) {
-  const std::string name(key);
-  const std::size_t size = rows * columns;
-  CameraKeys parts(node, keys.file());
-  const std::optional<YAML::Node> data = parts.need("data");
-  Matrix values(size, 0.0);
-  if (data.has_value()) values = parts.numbers(*data, name + ".data", size, size, -most, most);
-  for (const auto& [side, expected] : {std::pair{"rows", rows}, {"cols", columns}}) {
-    if (const std::optional<YAML::Node> stated = parts.take(side)) {
-      const auto wanted = static_cast<double>(expected);
-      parts.number(*stated, name + "." + side, wanted, wanted);
-    }
-  }
-  keys.adopt(parts);
-  return values;
-}
-
 std::optional<Pose3> read_mount(CameraKeys& keys, const YAML::Node& node, std::string_view key) {
-  const Matrix m = read_matrix(keys, node, key, 4, 4, kFarthest);
+  const std::vector<double> m = read_matrix(keys, node, key, 4, 4, kFarthest);
   Pose3 pose;
   Eigen::Matrix3d rotation;
   for (int row = 0; row < 3; ++row) {
@@ -144,36 +67,13 @@ CameraCalibration read_euroc(CameraKeys& keys, const char* coefficients_key) {
     set_intrinsics(keys, *node, "intrinsics", {v[0], v[1], v[2], v[3]}, camera);
   }
   const std::string model = keys.word("distortion_model");
-  if (const std::optional<YAML::Node> node = keys.need(coefficients_key); node.has_value() && keys.ok())
+  const bool has_none = model == "none" && !keys.has(coefficients_key);
+  if (const auto node = has_none ? std::nullopt : keys.need(coefficients_key); node.has_value() && keys.ok())
     read_lens(keys, model, *node, coefficients_key, camera);
   if (const std::optional<YAML::Node> node = keys.take("T_BS"))
     camera.body_from_camera = read_mount(keys, *node, "T_BS");
   if (const std::optional<YAML::Node> node = keys.take("weft_sigma")) camera.sigma = read_sigma(keys, *node);
   keys.pass_over({"sensor_type", "comment", "rate_hz", "rostopic", "cam_overlaps"});
-  return camera;
-}
-
-/// sensor_msgs/CameraInfo as ROS's camera_calibration writes it.
-CameraCalibration read_ros(CameraKeys& keys) {
-  CameraCalibration camera;
-  const std::optional<YAML::Node> width = keys.need("image_width");
-  const std::optional<YAML::Node> height = keys.need("image_height");
-  if (width.has_value() && height.has_value()) read_size(keys, *width, *height, "image_width, image_height", camera);
-  if (const std::optional<YAML::Node> node = keys.need("camera_matrix")) {
-    const Matrix k = read_matrix(keys, *node, "camera_matrix", 3, 3, kLongestFocal);
-    if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
-      keys.wrong(*node, "camera_matrix must be fx 0 cx, 0 fy cy, 0 0 1");
-    set_intrinsics(keys, *node, "camera_matrix", {k[0], k[4], k[2], k[5]}, camera);
-  }
-  const std::string model = keys.word("distortion_model");
-  if (const std::optional<YAML::Node> node = keys.need("distortion_coefficients")) {
-    CameraKeys parts(*node, keys.file());
-    if (const std::optional<YAML::Node> data = parts.need("data"))
-      read_lens(parts, model, *data, "distortion_coefficients.data", camera);
-    keys.adopt(parts);
-  }
-  // Of use to those who take rectified images; views here are not.
-  keys.pass_over({"camera_name", "rectification_matrix", "projection_matrix"});
   return camera;
 }
 
@@ -207,14 +107,15 @@ Result<CameraFile> read(const YAML::Node& document, std::string_view file, std::
                 std::string(file) + ": has no camera " + std::string(which) + "; it has " + chain);
   }
   CameraFile out;
-  if (keys.has("camera_matrix")) {
+  if (is_ros(keys)) {
     out.camera = read_ros(keys);
   } else if (keys.has("intrinsics")) {
     out.camera = read_euroc(keys, "distortion_coefficients");
   } else {
-    return fail(ErrorCode::invalid, std::string(file) +
-                                        ":1: no camera: neither intrinsics (EuRoC, Kalibr), nor camera_matrix (ROS), "
-                                        "nor cam0 (Kalibr's chain) is there");
+    return fail(ErrorCode::invalid,
+                std::string(file) +
+                    ":1: no camera: neither intrinsics (EuRoC, Kalibr), nor camera_matrix or K (ROS), "
+                    "nor cam0 (Kalibr's chain) is there");
   }
   if (!keys.ok()) return fail(keys.error());
   out.not_understood = keys.left_over();
@@ -223,14 +124,10 @@ Result<CameraFile> read(const YAML::Node& document, std::string_view file, std::
 
 }  // namespace
 
-const char* to_string(LensModel lens) {
-  return lens == LensModel::equidistant ? "equidistant" : "radtan";
-}
-
 Result<CameraFile> parse_camera_file(std::string_view text, std::string_view file, std::string_view camera) try {
   if (text.size() > kLongestFile)
     return fail(ErrorCode::invalid, std::string(file) + ": a camera file has at most 64 KiB");
-  std::string yaml(text);
+  std::string yaml(without_byte_order_mark(text));
   if (yaml.starts_with('%')) yaml[0] = '#';  // OpenCV's "%YAML:1.0" is no directive of YAML
   return read(YAML::Load(yaml), file, camera);
 } catch (const YAML::Exception& problem) {

@@ -36,19 +36,32 @@ std::string sigma_text(const CalibrationSigma& sigma) {
   return out.empty() ? out : "# one standard deviation each\nweft_sigma:\n" + out;
 }
 
+/// As the file's reader takes them again: model, coefficients, and their names.
+std::string lens_text(const CameraCalibration& camera) {
+  const auto& k = camera.distortion;
+  if (camera.lens == LensModel::rational) {
+    const auto& [k4, k5, k6] = camera.divisor;
+    return "distortion_model: rational_polynomial\ndistortion_coefficients: " +
+           list(std::array{k[0], k[1], k[2], k[3], k[4], k4, k5, k6}) + "  # k1 k2 p1 p2 k3 k4 k5 k6\n";
+  }
+  if (camera.lens == LensModel::equidistant) {
+    return "distortion_model: equidistant\ndistortion_coefficients: " + list(std::span(k).first(4)) +
+           "  # k1 k2 k3 k4\n";
+  }
+  const bool bent_more = k[4] != 0.0;
+  return "distortion_model: radial-tangential\ndistortion_coefficients: " +
+         list(std::span(k).first(bent_more ? 5 : 4)) + "  # k1 k2 p1 p2" + (bent_more ? " k3\n" : "\n");
+}
+
 }  // namespace
 
 std::string camera_file_text(const CameraCalibration& camera, const std::vector<std::string>& remarks) {
   std::string out;
   for (const std::string& remark : remarks) out += "# " + remark + "\n";
-  const bool bent_more = camera.lens == LensModel::radtan && camera.distortion[4] != 0.0;
   out += "sensor_type: camera\ncamera_model: pinhole\nresolution: [" + std::to_string(camera.width) + ", " +
          std::to_string(camera.height) +
          "]\nintrinsics: " + list(std::array{camera.fx, camera.fy, camera.cx, camera.cy}) +
-         "  # fx fy cx cy, pixels\ndistortion_model: " +
-         (camera.lens == LensModel::radtan ? "radial-tangential" : "equidistant") +
-         "\ndistortion_coefficients: " + list(std::span(camera.distortion).first(bent_more ? 5 : 4)) +
-         (camera.lens == LensModel::radtan ? "  # k1 k2 p1 p2" : "  # k1 k2 k3 k4") + (bent_more ? " k3\n" : "\n");
+         "  # fx fy cx cy, pixels\n" + lens_text(camera);
   if (camera.body_from_camera.has_value()) out += mount_text(*camera.body_from_camera);
   return out + sigma_text(camera.sigma);
 }

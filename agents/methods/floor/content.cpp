@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint32_t magic = 0x52464C57U;  // "WLFR", little-endian
 constexpr std::size_t longest_camera_id = 64;
 constexpr std::uint16_t equidistant_bit = 0x8000U;  // of the width
+constexpr std::uint16_t rational_bit = 0x4000U;
+constexpr double largest_coefficient = 1e6;
 constexpr double grain_m = 1e-4;
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
@@ -21,15 +23,26 @@ std::int16_t grains(double metres) {
   return static_cast<std::int16_t>(std::lround(std::clamp(metres / grain_m, -32767.0, 32767.0)));
 }
 
+std::uint16_t bit_of(LensModel lens) {
+  if (lens == LensModel::radtan) return 0;
+  return lens == LensModel::equidistant ? equidistant_bit : rational_bit;
+}
+
+LensModel lens_in(std::uint16_t width) {
+  if ((width & equidistant_bit) != 0) return LensModel::equidistant;
+  return (width & rational_bit) != 0 ? LensModel::rational : LensModel::radtan;
+}
+
 void write_camera(ContentWriter& out, const CameraModel& camera) {
   const std::size_t length = std::min(camera.id.size(), longest_camera_id);
   out.number(static_cast<std::uint8_t>(length));
   out.raw({reinterpret_cast<const std::uint8_t*>(camera.id.data()), length});
-  const bool equidistant = camera.lens == LensModel::equidistant;
-  out.number(static_cast<std::uint16_t>(camera.width | (equidistant ? equidistant_bit : 0)));
+  out.number(static_cast<std::uint16_t>(camera.width | bit_of(camera.lens)));
   out.number(static_cast<std::uint16_t>(camera.height));
   for (const double v : {camera.fx, camera.fy, camera.cx, camera.cy}) out.number(v);
   for (const double v : camera.distortion) out.number(v);
+  if (camera.lens == LensModel::rational)
+    for (const double v : camera.divisor) out.number(v);
   const Eigen::Quaterniond& q = camera.robot_from_camera.rotation;
   for (const double v : {q.w(), q.x(), q.y(), q.z()}) out.number(v);
   for (const double v : camera.robot_from_camera.translation) out.number(v);
@@ -42,11 +55,13 @@ CameraModel read_camera(ContentReader& in) {
   const ByteView id = in.raw("camera.id", length);
   camera.id.assign(id.begin(), id.end());
   const auto width = in.number<std::uint16_t>("camera.width");
-  camera.lens = (width & equidistant_bit) != 0 ? LensModel::equidistant : LensModel::radtan;
-  camera.width = width & ~equidistant_bit;
+  camera.lens = lens_in(width);
+  camera.width = width & ~bit_of(camera.lens);
   camera.height = in.number<std::uint16_t>("camera.height");
   for (double* v : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *v = in.real("camera.intrinsics", 0.0, 1e5);
-  for (double& v : camera.distortion) v = in.real("camera.distortion", -1.0, 1.0);
+  for (double& v : camera.distortion) v = in.real("camera.distortion", -largest_coefficient, largest_coefficient);
+  if (camera.lens == LensModel::rational)
+    for (double& v : camera.divisor) v = in.real("camera.divisor", -largest_coefficient, largest_coefficient);
   Eigen::Quaterniond& q = camera.robot_from_camera.rotation;
   for (double* v : {&q.w(), &q.x(), &q.y(), &q.z()}) *v = in.real("camera.mount.rotation", -1.0, 1.0);
   if (std::abs(q.norm() - 1.0) > 1e-9) in.fault("camera.mount.rotation", "is not a unit quaternion");

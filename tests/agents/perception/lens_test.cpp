@@ -100,6 +100,7 @@ TEST(CheckCamera, NamesWhatIsWrong) {
   EXPECT_THAT(refused([](CameraModel& c) { c.cx = -3.0; }), testing::HasSubstr("centre"));
   EXPECT_THAT(refused([](CameraModel& c) { c.distortion[0] = std::numeric_limits<double>::quiet_NaN(); }),
               testing::HasSubstr("distortion"));
+  EXPECT_THAT(refused([](CameraModel& c) { c.distortion[0] = -1.0; }), testing::HasSubstr("not monotone"));
   EXPECT_THAT(refused([](CameraModel& c) { c.robot_from_camera.translation.z() = -0.6; }),
               testing::HasSubstr("above the floor"));
 }

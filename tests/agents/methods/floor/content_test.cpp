@@ -52,6 +52,22 @@ TEST(FloorContentBytes, AnEquidistantLensComesBack) {
   EXPECT_EQ(after->camera.width, before.camera.width);
 }
 
+TEST(FloorContentBytes, ARationalLensComesBackWithItsDivisor) {
+  FloorContent before = example(3);
+  before.camera.lens = LensModel::rational;
+  before.camera.distortion = {1.31, 0.02, 0.0004, -0.0003, 0.01};
+  before.camera.divisor = {1.38, 0.05, 0.02};
+  const Bytes bytes = encode_floor_content(before);
+  EXPECT_EQ(bytes.size(), encode_floor_content(example(3)).size() + 3 * 8);
+  const auto after = decode_floor_content(bytes);
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_EQ(after->camera.lens, LensModel::rational);
+  EXPECT_EQ(after->camera.width, before.camera.width);
+  EXPECT_EQ(after->camera.distortion, before.camera.distortion);
+  EXPECT_EQ(after->camera.divisor, before.camera.divisor);
+  EXPECT_EQ(encode_floor_content(*after), bytes);
+}
+
 TEST(FloorContentBytes, LayoutIsTheDocumented) {
   const Bytes bytes = encode_floor_content(example(2));
   EXPECT_EQ((Bytes(bytes.begin(), bytes.begin() + 8)), (Bytes{'W', 'L', 'F', 'R', 1, 0, 0, 0}));
