@@ -51,7 +51,7 @@ CloudBuilder::Role CloudBuilder::role_of(std::string_view name) {
 }
 
 bool CloudBuilder::suits(const CloudField& field, Role role) {
-  if (field.count != 1) return false;
+  if (field.count != 1 || !is_number(field.type, field.size)) return false;
   switch (role) {
     case Role::packed:
       return field.size == 4;

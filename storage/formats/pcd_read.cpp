@@ -136,7 +136,8 @@ class PcdReader {
                    " is not POINTS " + std::to_string(points_));
     }
     for (const CloudField& field : fields_) {
-      if (!is_number(field.type, field.size)) {
+      const bool is_coordinate = field.name == "x" || field.name == "y" || field.name == "z";
+      if (is_coordinate && !is_number(field.type, field.size)) {
         return fail_at(file_, field.line,
                        "field " + field.name + " has type " + field.type + " of " + std::to_string(field.size) +
                            " bytes, which is no number");

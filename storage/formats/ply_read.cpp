@@ -77,10 +77,10 @@ class PlyReader {
     if (part_ != Part::vertex) return {};  // of an element that is listed as a whole
     if (words.size() > 1 && words[1] == "list") return wrong("a vertex with a list is not read");
     static const std::map<std::string_view, std::pair<char, std::size_t>> kTypes = {
-        {"char", {'I', 1}},  {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},
-        {"short", {'I', 2}}, {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}},
-        {"int", {'I', 4}},   {"int32", {'I', 4}},   {"uint", {'U', 4}},   {"uint32", {'U', 4}},
-        {"float", {'F', 4}}, {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
+        {"char", {'I', 1}},    {"int8", {'I', 1}},   {"uchar", {'U', 1}},  {"uint8", {'U', 1}},  {"short", {'I', 2}},
+        {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}}, {"int", {'I', 4}},    {"int32", {'I', 4}},
+        {"uint", {'U', 4}},    {"uint32", {'U', 4}}, {"int64", {'I', 8}},  {"uint64", {'U', 8}}, {"float", {'F', 4}},
+        {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
     const auto type = words.size() == 3 ? kTypes.find(words[1]) : kTypes.end();
     if (type == kTypes.end()) return wrong("a property has a type, such as float, and a name");
     fields_.push_back({.name = std::string(words[2]),

@@ -51,6 +51,7 @@ TEST(CloudVariants, WholeNumbersAreCoordinates) {
                             "a.ply");
   ASSERT_TRUE(ply.has_value()) << ply.error().message;
   EXPECT_EQ(ply->value.points[0], Eigen::Vector3f(-1, 2, 3));
+  EXPECT_EQ(ply_with("property int64 intensity\n", "1 2 3 -4").value.intensities, (std::vector<float>{-4.0F}));
 }
 
 TEST(CloudVariants, ColoursOfTwoBytesAreScaled) {
@@ -106,6 +107,20 @@ TEST(CloudVariants, FieldsOfSeveralNumbersAndOddNormalsAreListed) {
   EXPECT_TRUE(read.value.normals.empty());
   ASSERT_EQ(read.not_understood.size(), 4U);
   EXPECT_EQ(read.not_understood[0].what, "field intensity of type F32 x 2");
+}
+
+TEST(CloudVariants, FieldsThatAreNoNumbersAreSkippedByTheirSize) {
+  Bytes bytes = bytes_of(
+      "VERSION 0.7\nFIELDS half x y z long intensity\nSIZE 2 4 4 4 16 2\nTYPE F F F F F F\n"
+      "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n");
+  bytes.insert(bytes.end(), {9, 9, 0, 0, 0x80, 0x3f, 0, 0, 0, 0x40, 0, 0, 0x40, 0x40});
+  bytes.insert(bytes.end(), 18, 9);
+  const auto read = read_pcd(bytes, "a.pcd");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_EQ(read->value.points[0], Eigen::Vector3f(1, 2, 3));
+  EXPECT_TRUE(read->value.intensities.empty());
+  EXPECT_EQ(read->not_understood,
+            (Listed{{"field half", 2, 1}, {"field long", 2, 1}, {"field intensity of type F16", 2, 1}}));
 }
 
 TEST(CloudVariants, OldHeadersLeaveOutWhatWasClearThen) {
