@@ -16,14 +16,14 @@ if(WEFT_SANITIZE)
   # Optimised a little, with line numbers alone, and up to ten files read as one (the presets): enough for a report,
   # and a quarter of the time to build. Names that shadow one another only then are the release build's business.
   target_compile_options(weft_flags INTERFACE -Wno-shadow)
-  # Of what UBSan checks, null, alignment, object-size and vptr take half of the time to compile: each access to a member
-  # is one more. ASan stops at most of what they would find.
-  set(unchecked -fno-sanitize=null,alignment,object-size,vptr)
+  # Of what UBSan checks, null, alignment, object-size, pointer-overflow and vptr take half of the time to compile: each
+  # access to a member is one more. ASan stops at most of what they would find.
+  set(unchecked -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
   add_compile_options(-O1 -g1 -fsanitize=${WEFT_SANITIZE} ${unchecked} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${WEFT_SANITIZE} ${unchecked})
 endif()
 find_program(WEFT_MOLD mold)
-if(WEFT_MOLD AND NOT WEFT_SANITIZE)
+if(WEFT_MOLD AND NOT WEFT_SANITIZE STREQUAL "thread")
   add_link_options(-fuse-ld=mold)
 endif()
 

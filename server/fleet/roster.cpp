@@ -77,9 +77,8 @@ Result<void> Fleet::rename(const RobotId& id, const std::string& name, const std
     return fail(ErrorCode::refused,
                 found->second.name + " is heard: it is called what its agent was started with (--name)");
   }
-  const auto same = std::find_if(robots_.begin(), robots_.end(), [&](const auto& entry) {
-    return entry.first != id && entry.second.name == name;
-  });
+  const auto same = std::find_if(robots_.begin(), robots_.end(),
+                                 [&](const auto& entry) { return entry.first != id && entry.second.name == name; });
   if (same != robots_.end()) {
     return fail(ErrorCode::refused, "robot " + to_string(same->first) + " is named " + name + " already");
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/formats/floor_plan.hpp"
+#include "storage/formats/pgm.hpp"
 #include "tests/storage/formats/data_files.hpp"
 
 namespace weft::formats::test {
