@@ -1,5 +1,6 @@
 #include "storage/formats/cloud_points.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "storage/formats/not_understood.hpp"
@@ -68,8 +69,9 @@ void note_rows_left(Lines& lines, std::uint64_t expected, bool has_comments, Lef
   }
 }
 
-void note_bytes_left(std::size_t bytes, std::size_t line, Leftovers& leftovers) {
-  if (bytes > 0) leftovers.note(std::to_string(bytes) + " bytes after the last point", line);
+void note_bytes_left(ByteView rest, std::size_t line, Leftovers& leftovers) {
+  const bool is_padding = std::all_of(rest.begin(), rest.end(), [](std::uint8_t byte) { return byte == 0; });
+  if (!is_padding) leftovers.note(std::to_string(rest.size()) + " bytes after the last point", line);
 }
 
 Result<void> read_binary_points(ByteView data, const std::vector<CloudField>& fields, std::uint64_t points,

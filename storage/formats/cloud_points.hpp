@@ -24,9 +24,9 @@ Result<void> read_text_points(Lines& lines, const std::vector<CloudField>& field
                               bool has_comments, std::string_view file, CloudBuilder& builder);
 
 /// Notes what follows the last point, of which a file may have more than its header states: rows of text, `expected`
-/// of them another element's, or bytes.
+/// of them another element's, or bytes that are not all zero (PCL fills the last page of memory up).
 void note_rows_left(Lines& lines, std::uint64_t expected, bool has_comments, Leftovers& leftovers);
-void note_bytes_left(std::size_t bytes, std::size_t line, Leftovers& leftovers);
+void note_bytes_left(ByteView rest, std::size_t line, Leftovers& leftovers);
 
 /// Points as bytes. `by_field`: the first field of all points, then the second one; else point by point. corrupt:
 /// ends early, or a number is infinite.

@@ -157,7 +157,7 @@ class PcdReader {
     }
     const ByteView data = bytes_.subspan(lines_.offset());
     const Result<void> read = read_binary_points(data, fields_, points_, false, false, file_, builder_);
-    if (read) note_bytes_left(data.size() - points_ * stride_, lines_.number() + 1, leftovers_);
+    if (read) note_bytes_left(data.subspan(points_ * stride_), lines_.number() + 1, leftovers_);
     return read;
   }
 
@@ -182,7 +182,7 @@ class PcdReader {
     }
     const Result<Bytes> points = lzf_decompress(data.subspan(kHead, packed), plain);
     if (!points) return damaged(points.error().message);
-    note_bytes_left(data.size() - kHead - packed, lines_.number() + 1, leftovers_);
+    note_bytes_left(data.subspan(kHead + packed), lines_.number() + 1, leftovers_);
     return read_binary_points(*points, fields_, points_, true, false, file_, builder_);
   }
 

@@ -109,7 +109,7 @@ class PlyReader {
     const bool is_big_endian = coding_ == "binary_big_endian";
     const Result<void> read = read_binary_points(data, fields_, points_, false, is_big_endian, file_, builder_);
     const std::size_t size = points_ * stride_of(fields_);
-    if (read && rows_after_ == 0) note_bytes_left(data.size() - size, lines_.number() + 1, leftovers_);
+    if (read && rows_after_ == 0) note_bytes_left(data.subspan(size), lines_.number() + 1, leftovers_);
     return read;
   }
 
