@@ -12,27 +12,15 @@ TEST(Name, HasLettersAndDigitsOfAnyScript) {
   for (const char* const name :
        {"a", "Dock-3", "x_y.z", "Halle-3", "süd", "12-dock", "7", "Бокс-2", "出荷口", "مخزن", "ångström"})
     EXPECT_TRUE(check_name("label", name)) << name;
-  EXPECT_TRUE(check_name("label",
-                         "su\xCC\x88"
-                         "d"))
-      << "as some keyboards write it: u and two dots";
+  EXPECT_TRUE(check_name("label", "su\xCC\x88s")) << "as some keyboards write it: u and two dots";
 }
 
 TEST(Name, HasNothingElse) {
-  for (const char* const name : {"-a", ".", "_x", "a b", "a\n", "a/b",
-                                 "a\xC2\xA0"
-                                 "b",
-                                 "a\xE2\x80\xAE"
-                                 "b",
-                                 "dock!", "a\x7F", "\xF0\x9F\x9A\x9A"})
+  for (const char* const name :
+       {"-a", ".", "_x", "a b", "a\n", "a/b", "a\xC2\xA0z", "a\xE2\x80\xAEz", "dock!", "a\x7F", "\xF0\x9F\x9A\x9A"})
     EXPECT_FALSE(check_name("label", name)) << name;
   EXPECT_THAT(check_name("label", "a/b").error().message, HasSubstr(R"(label "a/b" has the character '/')"));
-  EXPECT_THAT(check_name("robot",
-                         "a\xC2\xA0"
-                         "b")
-                  .error()
-                  .message,
-              HasSubstr("U+00A0"));
+  EXPECT_THAT(check_name("robot", "a\xC2\xA0z").error().message, HasSubstr("U+00A0"));
   EXPECT_THAT(check_name("robot", "-a").error().message, HasSubstr("begins with '-'"));
 }
 

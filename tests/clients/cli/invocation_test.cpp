@@ -133,12 +133,7 @@ TEST(Invocation, NamesThatTheServerWouldRefuseNeverLeaveTheMachine) {
 
 TEST(Invocation, NamesOfAnyScriptAreUnderstood) {
   EXPECT_EQ(good({"goal", "send", "--to", "12-dock"}).name, "12-dock");
-  EXPECT_EQ(good({"map", "label", "00000000000000a1:3",
-                  "s\xC3\xBC"
-                  "d"})
-                .name,
-            "s\xC3\xBC"
-            "d");
+  EXPECT_EQ(good({"map", "label", "00000000000000a1:3", "s\xC3\xBCs"}).name, "s\xC3\xBCs");
   EXPECT_EQ(good({"localise", "r1", "--at", "00000000000000a1:3"}).place, "00000000000000a1:3");
   EXPECT_EQ(good({"robot", "forget", "0123456789abcdef0123456789abcdef"}).command, Command::robot_forget);
 }
