@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/names.hpp"
 #include "core/utf8.hpp"
 #include "server/context.hpp"
 #include "server/desk/answers.hpp"
@@ -180,9 +181,9 @@ class FleetMapServer final : public Service {
 
   /// A request can come before its client's hello.
   std::string who_asks(const msg::OperatorRequest& request) const {
-    if (!request.who.empty()) return as_utf8(request.who);
+    if (!request.who.empty()) return as_utf8(request.who, kLongestName);
     const auto known = clients_.find(request.header.sender);
-    return known == clients_.end() ? to_string(request.header.sender) : as_utf8(known->second);
+    return known == clients_.end() ? to_string(request.header.sender) : as_utf8(known->second, kLongestName);
   }
 
   void receive(const msg::Hello& hello, Now now) {

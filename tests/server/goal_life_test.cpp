@@ -33,6 +33,19 @@ struct GoalLife : testing::Test {
     site.progress(r1, route, msg::RoutePhase::accepted);
     return route;
   }
+  /// r1 is sent from the end of a second run, which lies at (x, y) of the first one's sixth place and is joined to it
+  /// by what cannot be driven.
+  void send_from_an_end_at(double x, double y) {
+    TaughtRun second(r1, 11);
+    Handed handed = second.next(3);
+    Edge edge = stitch(run.place(5), second.place(2), x, y);
+    edge.drivable = Drivable::none;
+    handed.batch.edges.push_back(edge);
+    site.hand_in(r1, handed);
+    site.say(site.state(r1, second.place(2)));
+    site.send_goal(1, "dock", "r1");
+    site.pass(1s);
+  }
   /// r1 says that it follows nothing, and stands there.
   void stand(const PlaceId& place) { site.say(site.state(r1, place)); }
   msg::RobotState driving(const Route& route, const PlaceId& place) {
@@ -71,31 +84,14 @@ TEST_F(GoalLife, FromAskedForToSucceeded) {
   EXPECT_THAT(site.events_of("goal.succeeded"), SizeIs(1));
 }
 
-/// The end of the second run lies 0.1 m beside the first one's way, but is joined to it by what cannot be driven.
 TEST_F(GoalLife, WhereNothingLeadsOnItSetsOffFromAPlaceBesideIt) {
-  TaughtRun stub(r1, 11);
-  Handed handed = stub.next(3);
-  Edge edge = stitch(run.place(5), stub.place(2), 0.1, 0.1);
-  edge.drivable = Drivable::none;
-  handed.batch.edges.push_back(edge);
-  site.hand_in(r1, handed);
-  site.say(site.state(r1, stub.place(2)));
-  site.send_goal(1, "dock", "r1");
-  site.pass(1s);
+  send_from_an_end_at(0.1, 0.1);
   EXPECT_EQ(site.goal(1).state, GoalState::assigned) << site.goal(1).history.back().cause;
   EXPECT_EQ(order().places.front(), run.place(5));
 }
 
 TEST_F(GoalLife, FarFromEveryWayItSaysSo) {
-  TaughtRun stub(r1, 11);
-  Handed handed = stub.next(3);
-  Edge edge = stitch(run.place(5), stub.place(2), 0.0, 0.6);
-  edge.drivable = Drivable::none;
-  handed.batch.edges.push_back(edge);
-  site.hand_in(r1, handed);
-  site.say(site.state(r1, stub.place(2)));
-  site.send_goal(1, "dock", "r1");
-  site.pass(1s);
+  send_from_an_end_at(0.0, 0.6);
   EXPECT_EQ(site.goal(1).state, GoalState::pending);
   EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("teach a connection"));
 }

@@ -135,6 +135,10 @@ TEST_F(Roster, WhoAskedIsWhatTheRequestSays) {
   site.say(request);
   ASSERT_FALSE(site.disk->events.empty());
   EXPECT_EQ(site.disk->events.back().who, "J\xEF\xBF\xBDrgen");
+  request.request = 78;
+  request.who = std::string(64, '\xFC');
+  site.say(request);
+  EXPECT_LE(site.disk->events.back().who.size(), 64U) << "longer ones cannot be read by any client";
 }
 
 }  // namespace
