@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 namespace weft::agents {
@@ -55,7 +56,7 @@ Result<void> Loop::until(const std::function<bool()>& stop) {
     if (slept > Duration{}) parts_.link.wait(slept);
   }
   perform(parts_.agent.leave(steady_now()));
-  parts_.link.wait(kLastWord);
+  std::this_thread::sleep_for(kLastWord);  // not on the inbox: what still comes is nobody's
   if (damage_) return tl::unexpected(*damage_);
   return {};
 }
