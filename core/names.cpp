@@ -13,8 +13,9 @@ struct Range {
   char32_t first;
   char32_t last;
 };
-/// What is no part of a word beyond ASCII: controls, spaces, punctuation, symbols, private use, emoji. By Unicode's
-/// blocks, so that a name shows as it is read and two that look alike differ in more than what cannot be seen.
+/// Lists what is no part of a word beyond ASCII (controls, spaces, punctuation, symbols, private use, emoji) by
+/// Unicode's blocks, so that a name shows as it is read and two that look alike differ in more than what cannot be
+/// seen.
 constexpr std::array kNoLetters = {
     Range{0x80, 0xA9},        Range{0xAB, 0xB4},     Range{0xB6, 0xB9},     Range{0xBB, 0xBF},
     Range{0xD7, 0xD7},        Range{0xF7, 0xF7},     Range{0x61C, 0x61C},   Range{0x1680, 0x1680},
@@ -33,7 +34,7 @@ bool is_letter_or_digit(char32_t c) {
   return true;
 }
 
-/// As it can be shown: 'x', or U+00A0 for what would not be seen.
+/// Names a character as it can be shown: 'x', or U+00A0 for what would not be seen.
 std::string shown(char32_t c, std::string_view bytes) {
   if (c > 0x20 && c < 0x7F) return "the character '" + std::string(bytes) + "'";
   std::array<char, 16> code{};

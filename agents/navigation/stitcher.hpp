@@ -109,7 +109,7 @@ class Stitcher {
     return around;
   }
 
-  /// Those that no edge leads to yet: a pair of places has one.
+  /// Returns those that no edge leads to yet: a pair of places has one.
   static std::vector<Candidate> without(std::vector<Candidate> around, const std::vector<Edge>& edges) {
     std::erase_if(around, [&](const Candidate& candidate) {
       return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.id.a == candidate.place; });

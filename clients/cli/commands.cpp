@@ -70,7 +70,7 @@ Duration patience(const Invocation& invocation) {
 }
 
 namespace {
-/// What every command prints with --json when it was not done, whoever said no.
+/// Makes what every command prints with --json when it was not done, whoever said no.
 nlohmann::json error_document(const std::string& code, const std::string& message, int exit) {
   return {{"error", {{"code", code}, {"message", message}}}, {"exit", exit}};
 }

@@ -175,7 +175,9 @@ class Grammar {
     CLI::App* const import =
         add(*map, "import", "Add the network of pose graphs; nobody drives there", Command::map_import);
     import->add_option("FILE", into_.files, "*.g2o; several of one graph are joined")->type_name("")->required();
-    import->add_option("--as", into_.name, rule("Under the same name it is a repeat"))->type_name("NAME")->required();
+    import->add_option("--as", into_.name, rule("The import's name, under which it is a repeat"))
+        ->type_name("NAME")
+        ->required();
     past(*map);
     edits(*map);
     upkeep(*map);
@@ -356,7 +358,7 @@ class Grammar {
   bool apply_ = false;
 };
 
-/// What a command line calls things by: nothing leaves this machine that the server would refuse, or could not read.
+/// Refuses names of a command line that the server would refuse, or could not read, before they leave this machine.
 Result<void> check_names(const Invocation& invocation) {
   const bool is_label = invocation.command == Command::map_label || invocation.command == Command::goal_send;
   const char* const kind = is_label ? "label" : invocation.command == Command::robot_rename ? "robot" : "name";

@@ -36,7 +36,7 @@ std::string sigma_text(const CalibrationSigma& sigma) {
   return out.empty() ? out : "# one standard deviation each\nweft_sigma:\n" + out;
 }
 
-/// As the file's reader takes them again: model, coefficients, and their names.
+/// Writes model, coefficients and their names as the file's reader takes them again.
 std::string lens_text(const CameraCalibration& camera) {
   const auto& k = camera.distortion;
   if (camera.lens == LensModel::rational) {

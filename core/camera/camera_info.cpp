@@ -102,7 +102,7 @@ CameraCalibration read_ros(CameraKeys& keys) {
   read_coefficients(keys, camera);
   refuse_binning(keys);
   refuse_part(keys, camera);
-  // Of use to those who take rectified images; views here are not.
+  // These serve who takes rectified images; views here are not.
   keys.pass_over({"camera_name", "header", "rectification_matrix", "projection_matrix", "R", "r", "P", "p"});
   return camera;
 }

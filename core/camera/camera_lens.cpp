@@ -23,7 +23,7 @@ std::size_t begin_lens(const std::string& model, CameraCalibration& camera) {
   return kOfRational;
 }
 
-/// Those that the model does not have may stand there as zeros: ROS's lists are as long as their writer likes.
+/// Takes zeros for coefficients that the model does not have: ROS's lists are as long as their writer likes.
 void check_count(CameraKeys& keys, const std::string& model, const YAML::Node& node, std::string_view key,
                  const std::vector<double>& values, std::size_t most) {
   const std::string name(key);

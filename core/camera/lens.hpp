@@ -23,7 +23,7 @@ struct Lens {
 /// Further from the axis, in radians, nothing is seen: at a right angle to it there is no normalised point.
 inline constexpr double kWidestRay = 1.5;
 
-/// Where a ray through `normalised` (x / z, y / z) lands: in focal lengths from the optical centre.
+/// Returns where a ray through `normalised` (x / z, y / z) lands, in focal lengths from the optical centre.
 Eigen::Vector2d bend(const Lens& lens, const Eigen::Vector2d& normalised);
 
 /// The inverse of `bend` by Newton's method, below 1e-10 wherever the lens bends one way

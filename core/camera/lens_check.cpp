@@ -25,7 +25,7 @@ double reach_of(const CameraCalibration& camera) {
                     std::max(camera.cy, camera.height - camera.cy) / camera.fy);
 }
 
-/// Where along one direction from the optical centre rays land nearer to it than rays before them, in pixels; none:
+/// Finds where along one direction from the optical centre rays land nearer to it than those before, in pixels; none:
 /// not before they leave the image.
 std::optional<double> fold_px(const CameraCalibration& camera, const Eigen::Vector2d& direction) {
   const Lens lens{camera.lens, camera.distortion, camera.divisor};

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "core/network/search.hpp"
 
 namespace weft {
 namespace {
-// Well within what a robot changes over to while it drives (agents/navigation/config.hpp, drivable_m and
-// drivable_rad).
+// No more than a robot changes over to while it drives (agents/navigation/config.hpp, drivable_m and drivable_rad).
 constexpr double kReach_m = 0.4;
 constexpr double kReach_rad = 0.5;
 constexpr std::uint32_t kHops = 4;

@@ -253,7 +253,7 @@ void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std:
   answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
 }
 
-/// Who is forgotten holds nothing any more: its goal fails, as with `clear`.
+/// Clears a robot before it forgets it: what it holds is free, and its goal fails.
 void Desk::forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
   const Result<RobotId> id = fleet_.by_name(request.robot);
   if (!id) return answer(key, msg::Outcome::refused, id.error().message);

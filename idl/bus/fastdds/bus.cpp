@@ -206,7 +206,7 @@ void FastParticipant::forget_readerless(SteadyTime now) {
     if (is_gone) remove(entry->second);
     entry = is_gone ? peers_.erase(entry) : std::next(entry);
   }
-  // As rarely as there are many to announce: each ended writer pays for at most one.
+  // The more there are to announce, the rarer it is done: each ended writer pays for at most one.
   constexpr std::size_t few = 64;
   std::size_t all = writers_.size();
   for (const auto& [id, peer] : peers_) all += peer.writers.size();
