@@ -17,8 +17,8 @@ SIM_FLOOR = None
 HALL = '''[floor]
 x_min = 0
 y_min = 0
-x_max = 10
-y_max = 5
+x_max = 6
+y_max = 4
 {more}
 [[robot]]
 name = "r1"
