@@ -75,7 +75,8 @@ struct KeepingAlone {
 struct Localising {
   std::optional<CommandKey> asked_by;  ///< none: the agent's own idea
   std::optional<PlaceId> seed;
-  bool seeking = false;  ///< false: waits for the map
+  bool seeking = false;   ///< false: waits for the map
+  bool believes = false;  ///< what it believes until it is seen otherwise
   SteadyTime deadline{};
 };
 
@@ -161,9 +162,12 @@ class RobotAgent final : public Agent {
   void keep(const std::vector<Kept>& kept, SteadyTime now);
   void prepare_localising(SteadyTime now);
   void start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed, SteadyTime now);
-  void note_fix(const Fix& fix);
+  void look_again(SteadyTime now);
+  void note_fix(const Fix& fix, SteadyTime now);
   void note_lift(const ExperienceId& experience, double lift_m);
   void search_when_of_use(SteadyTime now);
+  bool wants_to_look() const;
+  void give_back_route(SteadyTime now);
   void try_follow(SteadyTime now);
   void note_following(const Navigated& navigated, SteadyTime now);
   void recentre(SteadyTime now);
@@ -230,7 +234,10 @@ class RobotAgent final : public Agent {
 
   PlaceId focus_;  ///< believed place when contents and centre were last looked at
   SteadyTime focused_at_{};
-  bool searched_ = false;  ///< has looked for itself since the start
+  std::optional<Revision> searched_at_;  ///< of the map in which it last looked for itself
+  bool strays_ = false;                  ///< its route is not where it believes that it stands
+  GoalId strayed_;                       ///< whose route was given back last
+  int times_strayed_ = 0;                ///< for that goal
   SteadyTime search_at_{};
 
   SteadyTime describe_at_;

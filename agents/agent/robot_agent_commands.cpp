@@ -136,8 +136,8 @@ void RobotAgent::tell_counts(const CommandKey& key) {
 void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& key, SteadyTime now) {
   if (!fault_.empty()) return refuse(key, config_.name + " is out of order: " + fault_);
   if (teaching_.has_value()) return refuse(key, config_.name + " is being taught: stop that first");
-  if (task_.route().has_value() && !lost_ && navigator_->estimate().has_value()) {
-    return refuse(key, config_.name + " is on its way and knows where it is: stop or cancel first");
+  if (mode() == msg::RobotMode::driving) {
+    return refuse(key, config_.name + " drives, and knows where it is: stop it or cancel its goal first");
   }
   if (localising_.has_value() && localising_->asked_by.has_value()) {
     refuse(*localising_->asked_by, "another search was asked for meanwhile");

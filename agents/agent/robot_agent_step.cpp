@@ -42,7 +42,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   for (const Refusal& refusal : navigated.refusals) ++seen_["navigation: " + std::string(refusal.reason)];
   if (navigated.fix.has_value()) {
     ++seen_["navigation: fixes"];
-    note_fix(*navigated.fix);
+    note_fix(*navigated.fix, now);
     if (const std::optional<double> lift = navigated.fix->evidence.lift_m; lift.has_value()) {
       note_lift(navigated.fix->place.experience, *lift);
     }
@@ -65,6 +65,7 @@ void RobotAgent::note_following(const Navigated& navigated, SteadyTime now) {
   if (!task_.route().has_value() || follow_pending_ || stopped_) return;
   task_.set_progress(navigated.route_at, navigated.route_freed, now);
   const std::string why(navigated.reason);
+  strays_ = navigated.following == Following::stopped && (why == "off_route" || why == "route_not_joined");
   if (navigated.lost) return task_.set(msg::RoutePhase::stopped, "lost: " + why, now);
   switch (navigated.following) {
     case Following::none:

@@ -3,6 +3,7 @@
 
 #include "agents/agent/robot_agent.hpp"
 #include "agents/agent/surroundings.hpp"
+#include "agents/navigation/far_off.hpp"
 
 namespace weft::agents {
 namespace {
@@ -217,7 +218,7 @@ void RobotAgent::keep(const std::vector<Kept>& kept, SteadyTime now) {
 void RobotAgent::start_localising(std::optional<CommandKey> asked_by, const std::optional<PlaceId>& seed,
                                   SteadyTime now) {
   localising_ = Localising{.asked_by = asked_by, .seed = seed, .seeking = false, .deadline = now + kMapAtMost};
-  searched_ = true;
+  searched_at_ = replica_.window().revision;
   search_at_ = now + kBetweenSearches;
   if (task_.route().has_value() && !task_.arrived()) {
     follow_pending_ = true;
@@ -240,6 +241,7 @@ void RobotAgent::prepare_localising(SteadyTime now) {
     if (now < localising_->deadline) return;
     const std::optional<CommandKey> asked_by = localising_->asked_by;
     if (localising_->seed.has_value()) navigator_->seek(std::nullopt);  // it has led to nothing
+    if (localising_->believes) navigator_->stop_looking();
     localising_.reset();
     if (asked_by.has_value()) {
       const std::string likeliest =
@@ -269,15 +271,42 @@ void RobotAgent::prepare_localising(SteadyTime now) {
   }
   localising_->seeking = true;
   localising_->deadline = now + kSearchAtMost;
+  if (localising_->believes) return navigator_->look_again();
   navigator_->seek(localising_->seed);
 }
 
-void RobotAgent::note_fix(const Fix& fix) {
+/// Of its own accord, as it may be mistaken.
+void RobotAgent::look_again(SteadyTime now) {
+  searched_at_ = replica_.window().revision;
+  search_at_ = now + kBetweenSearches;
+  localising_ = Localising{.asked_by = {}, .seed = {}, .believes = true, .deadline = now + kMapAtMost};
+}
+
+/// A few times for a goal: then the route fails, and says why.
+void RobotAgent::give_back_route(SteadyTime now) {
+  constexpr int kMost = 3;
+  if (!strays_ || !task_.route().has_value()) return;
+  const GoalId goal = task_.route()->goal;
+  times_strayed_ = goal == strayed_ ? times_strayed_ + 1 : 1;
+  strayed_ = goal;
+  if (times_strayed_ > kMost) return;
+  output_.notes.push_back("it found itself off its route: it asks for another one from where it stands");
+  strays_ = false;
+  task_.give_back();
+  navigator_->stop();
+  command_ = Twist{};
+  follow_pending_ = false;
+  state_at_ = now;
+}
+
+void RobotAgent::note_fix(const Fix& fix, SteadyTime now) {
   output_.fixes.push_back({.frame = frame_, .fix = fix});
   if (teaching_.has_value() && teaching_->phase == Teaching::Phase::seeking) return start_hand();
   if (!localising_.has_value() || !localising_->seeking) return;
   const std::optional<CommandKey> asked_by = localising_->asked_by;
+  const bool believed = localising_->believes;
   localising_.reset();
+  if (believed) give_back_route(now);
   if (!asked_by.has_value()) return;
   msg::AgentReply done;
   done.done = true;
@@ -285,11 +314,21 @@ void RobotAgent::note_fix(const Fix& fix) {
   reply(*asked_by, done);
 }
 
+/// Who does not know where it is looks once in each revision of the map, and on and on while it has a route; who may
+/// be mistaken does before a route is planned, and when its route turns out to lie elsewhere. A lost robot still has
+/// an idea of where it was; the navigator looks from there by itself.
+bool RobotAgent::wants_to_look() const {
+  const bool is_new = searched_at_ != replica_.window().revision;
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (!estimate.has_value()) return is_new || task_.route().has_value();
+  if (lost_ || stopped_) return false;
+  return strays_ || (is_new && !task_.route().has_value() && is_far_off(estimate->place_from_robot));
+}
+
 void RobotAgent::search_when_of_use(SteadyTime now) {
   if (localising_.has_value() || teaching_.has_value() || !fault_.empty() || now < search_at_) return;
-  // A lost robot still has an idea of where it was; the navigator looks from there by itself.
-  if (navigator_->estimate().has_value() || replica_.window().places.empty()) return;
-  if (searched_ && !task_.route().has_value()) return;
+  if (replica_.window().places.empty() || !wants_to_look()) return;
+  if (navigator_->estimate().has_value()) return look_again(now);
   start_localising(std::nullopt, std::nullopt, now);
 }
 

@@ -21,6 +21,7 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
     return Took::ended;
   }
   if (std::find(over_.begin(), over_.end(), order.id) != over_.end()) return Took::ignored;
+  if (order.id == given_back_ && order.version <= given_back_version_) return Took::ignored;
   // The answer to any order, repeats too, is a report: it may be the report that was lost.
   touch(now);
   if (same && order.version < route_->version) return Took::ignored;
@@ -39,6 +40,13 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
   freed_ = 0;
   goal_from_robot_ = Relation{};
   return Took::renewed;
+}
+
+void RouteTask::give_back() {
+  if (!route_.has_value()) return;
+  given_back_ = route_->id;
+  given_back_version_ = route_->version;
+  route_.reset();
 }
 
 void RouteTask::end(const RouteId& id) {

@@ -23,6 +23,10 @@ class RouteTask {
   };
   Took take(const Route& order, SteadyTime now);
 
+  /// Gives the route back: it leads from where the robot is not. What is released of this version from now on is
+  /// ignored; the server, which sees that the robot has no route, plans a next one from where it stands.
+  void give_back();
+
   const std::optional<Route>& route() const { return route_; }
   msg::RoutePhase phase() const { return phase_; }
   bool arrived() const { return phase_ == msg::RoutePhase::arrived; }
@@ -50,6 +54,8 @@ class RouteTask {
   std::uint32_t freed_ = 0;
   Relation goal_from_robot_;
   std::deque<RouteId> over_;
+  RouteId given_back_;
+  std::uint32_t given_back_version_ = 0;
   SteadyTime report_at_{};
   SteadyTime reported_at_{};
 };

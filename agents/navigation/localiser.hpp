@@ -58,6 +58,11 @@ class Localiser {
     seek_.start(std::nullopt);
   }
 
+  /// Relies on what is believed again, if anything is.
+  void stop_looking() {
+    if (estimate()) seek_.end();
+  }
+
   /// This run is never found: what is being taught looks for what else it can be joined to.
   void leave_out(const ExperienceId& run) { seek_.leave_out(run); }
 

@@ -120,6 +120,11 @@ class Navigator {
   /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
   /// this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
+  /// Looks for oneself in the whole window, nearest to what is believed first, and believes that until it is seen
+  /// otherwise. Who believes nothing seeks.
+  virtual void look_again() = 0;
+  /// Ends such a look that was in vain. A search by who believes nothing, or is lost, goes on.
+  virtual void stop_looking() = 0;
   virtual std::optional<Estimate> estimate() const = 0;
   /// What it wants to know while it looks for itself without a seed, and no place around where it last was is left to
   /// try: it stays the same until it is answered, and is another one when the answer was in vain, when the robot has

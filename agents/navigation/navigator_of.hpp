@@ -171,6 +171,15 @@ class NavigatorOf final : public Navigator {
     }
   }
 
+  void look_again() override {
+    if (teacher_) return;
+    if (estimate()) return localiser_.seek_again();
+    localiser_.seek(std::nullopt);
+  }
+  void stop_looking() override {
+    if (!teacher_ && !lost()) localiser_.stop_looking();
+  }
+
   const Question* question() const override { return looks().question(); }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {
     (finder_ ? *finder_ : localiser_).propose(question, places);

@@ -116,6 +116,12 @@ class Several final : public Navigator {
     for (Part& part : parts_)
       if (seed || all_know || !part.knows()) part.navigator->seek(seed);
   }
+  void look_again() override {
+    for (Part& part : parts_) part.navigator->look_again();
+  }
+  void stop_looking() override {
+    for (Part& part : parts_) part.navigator->stop_looking();
+  }
   std::optional<Estimate> estimate() const override { return active().navigator->estimate(); }
   /// Of the first one that asks; numbered so that an answer finds back to it.
   const Question* question() const override {

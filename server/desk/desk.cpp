@@ -146,10 +146,10 @@ Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request,
     command.name = request.label;
     return command;
   }
-  if (const Goal* const goal = dispatcher_.goal_of(robot.id)) {
-    return fail(ErrorCode::refused, robot.name + " has goal " + to_string(goal->id) + ": cancel it first");
-  }
   if (request.kind == Kind::teach_start) {
+    if (const Goal* const goal = dispatcher_.goal_of(robot.id)) {
+      return fail(ErrorCode::refused, robot.name + " has goal " + to_string(goal->id) + ": cancel it first");
+    }
     const Result<void> good = request.label.empty() ? Result<void>() : check_name("experience", request.label);
     if (!good) return fail(good.error());
     command.kind = msg::AgentCommand::Kind::teach_start;

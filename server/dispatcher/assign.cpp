@@ -155,6 +155,13 @@ bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
   return true;
 }
 
+/// Said once.
+void Dispatcher::wait_for(const Goal& goal, const std::string& why, Now now) {
+  if (goal.history.back().cause == why) return;
+  std::ignore = book_.write(goal, {.state = goal.state, .cause = why, .who = "dispatcher", .kind = "goal.waits"},
+                            std::nullopt, {}, now);
+}
+
 /// The robot has lost its route: the same goal, from where it stands, as the next version of the route. What it held
 /// stays held until the new version is released.
 void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
@@ -163,17 +170,19 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
   if (errand.plan_at > now.steady || goal.state == GoalState::paused) return;
   if (known == nullptr || !unreachable_reason(*known).empty() || !known->state) return;
   const msg::RobotState& state = *known->state;
-  if (!state.localised || !state.place) return;
+  if (!state.localised || !state.place) {
+    return wait_for(goal,
+                    known->name + " does not know where it is: it looks for itself, and `weft localise " +
+                        known->name + " --at LABEL` helps",
+                    now);
+  }
   errand.plan_at = now.steady + kBetweenPlans;
+  if (context_.snapshots.current().place(state.place) == nullptr) {
+    return wait_for(goal, known->name + " stands on a place that was taken out of the map: it looks for itself", now);
+  }
   const Result<Choice> choice =
       choose({{.robot = robot, .at = state.place, .methods = methods_of(*known)}}, ways_to(goal.to, now));
-  if (!choice) {
-    if (goal.history.back().cause == choice.error().message) return;
-    std::ignore = book_.write(
-        goal, {.state = goal.state, .cause = choice.error().message, .who = "dispatcher", .kind = "goal.waits"},
-        std::nullopt, {}, now);
-    return;
-  }
+  if (!choice) return wait_for(goal, choice.error().message, now);
   const GoalBook::Step step = {.state = goal.state,
                                .cause = "planned anew for " + known->name + " from " + to_string(state.place) + ", " +
                                         metres(choice->path.length_m),

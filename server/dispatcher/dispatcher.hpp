@@ -97,6 +97,7 @@ class Dispatcher {
   void forget_waiting(const GoalId& goal);
   std::string not_ready(const Robot& robot) const;
   std::vector<Candidate> candidates(const Goal& goal, std::string& why_none) const;
+  void wait_for(const Goal& goal, const std::string& why, Now now);
   void plan_anew(const RobotId& robot, Errand& errand, Now now);
   Route route_of(const Goal& goal, const Choice& choice);
   FindWay ways_to(const PlaceId& to, Now now);

@@ -312,6 +312,33 @@ TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
+/// The whole run is taken out from under a robot with a goal, and comes back.
+TEST_F(Edits, ARobotWhoseGroundWasOutSaysSoMayBeToldToLocaliseAndGoesOn) {
+  start();
+  take_out(0, 39);
+  msg::RobotState stands = site.state(r1, run.place(4));
+  site.say(stands);
+  site.pass(2s);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r1 stands on a place that was taken out of the map"));
+  stands = site.state(r1, std::nullopt);
+  site.say(stands);
+  site.pass(2s);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r1 does not know where it is"));
+  msg::OperatorRequest localise = site.request(Kind::localise);
+  localise.robot = "r1";
+  site.hush();
+  site.say(localise);
+  ASSERT_TRUE(site.last<msg::AgentCommand>()) << "with a goal";
+  EXPECT_EQ(site.last<msg::AgentCommand>()->kind, msg::AgentCommand::Kind::localise);
+  EXPECT_EQ(to_revision(Kind::undo, revision()).outcome, msg::Outcome::done);
+  site.hush();
+  site.say(site.state(r1, run.place(4)));
+  site.pass(2s);
+  ASSERT_TRUE(site.last<msg::RouteOrder>());
+  EXPECT_EQ(order().places.front(), run.place(4));
+  EXPECT_EQ(order().places.back(), run.place(39));
+}
+
 TEST_F(Edits, ARestartedServerRecallsToo) {
   const Route first = start();
   site.disk->faults.full = false;

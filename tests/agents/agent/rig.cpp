@@ -61,6 +61,8 @@ class ScriptedNavigator final : public Navigator {
     return kept;
   }
   void seek(const std::optional<PlaceId>& seed) override { script_->sought.push_back(seed); }
+  void look_again() override { ++script_->looks; }
+  void stop_looking() override { ++script_->looks_ended; }
   std::optional<Estimate> estimate() const override { return script_->estimate; }
   const Question* question() const override { return script_->question ? &*script_->question : nullptr; }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) override {

@@ -33,6 +33,8 @@ struct Script {
   std::vector<std::pair<std::uint64_t, std::vector<PlaceId>>> proposed;
   std::optional<PlaceId> suspected;
   int stops = 0;
+  int looks = 0;        ///< again, while believing what it believes
+  int looks_ended = 0;  ///< in vain
   int forgot_taught = 0;
   Result<TaughtWay> way = fail(ErrorCode::refused, "nothing has been taught since its agent started");
 };

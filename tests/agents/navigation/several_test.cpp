@@ -47,6 +47,8 @@ class Part final : public Navigator {
   void forget_where() override { told_.estimate.reset(); }
   void believe(const Estimate& estimate) override { told_.hints.push_back(estimate); }
   void seek(const std::optional<PlaceId>&) override { ++told_.sought; }
+  void look_again() override {}
+  void stop_looking() override {}
   const Question* question() const override { return told_.question ? &*told_.question : nullptr; }
   void propose(std::uint64_t number, const std::vector<PlaceId>&) override { told_.proposed.push_back(number); }
   std::optional<Estimate> estimate() const override { return told_.estimate; }
