@@ -186,6 +186,12 @@ class FleetMapServer final : public Service {
     return known == clients_.end() ? to_string(request.header.sender) : as_utf8(known->second, kLongestName);
   }
 
+  /// Who hands in what no robot of the fleet has seen; empty: a robot.
+  std::string importer(const msg::Header& from) const {
+    const auto known = clients_.find(from.sender);
+    return known == clients_.end() ? std::string() : as_utf8(known->second, kLongestName);
+  }
+
   void receive(const msg::Hello& hello, Now now) {
     if (hello.role == msg::Role::server) {
       ++counters_["hello of another server"];
@@ -194,7 +200,8 @@ class FleetMapServer final : public Service {
     note_challenge(hello.challenge);
     // One that is too new or too old hears that too: hellos are understood by all.
     if (!fleet_.on_hello(hello, now)) return say_hello(now.steady);
-    if (hello.role == msg::Role::client && (clients_.size() < kMostClients || clients_.contains(hello.peer))) {
+    if (hello.role == msg::Role::client) {
+      if (clients_.size() >= kMostClients && !clients_.contains(hello.peer)) clients_.erase(clients_.begin());
       clients_[hello.peer] = hello.name;
     }
     const bool is_agent = hello.role == msg::Role::agent;
@@ -216,9 +223,10 @@ class FleetMapServer final : public Service {
   }
   void receive(const msg::ExperienceBatch& batch, Now now) {
     // What was seen stays true whichever incarnation hands it in. A client that imports a file is no robot of the
-    // fleet.
-    std::ignore = admit(batch.header, !clients_.contains(batch.header.sender), now);
-    if (!fleet_.is_refused(batch.header.sender)) after(intake_.on_batch(batch, now), now);
+    // fleet, and its batch can come before its hello: whoever is a robot says so otherwise.
+    const bool is_robot = fleet_.find(batch.header.sender) != nullptr;
+    std::ignore = admit(batch.header, is_robot, now);
+    if (!fleet_.is_refused(batch.header.sender)) after(intake_.on_batch(batch, importer(batch.header), now), now);
   }
   void receive(const msg::Chunk& chunk, Now now) {
     if (!fleet_.is_refused(chunk.header.sender)) after(intake_.on_chunk(chunk, now), now);

@@ -169,6 +169,8 @@ class MapStore {
   /// Newest first, from `newest` on (0: from the latest), at most `limit`, down to the oldest that is kept.
   /// not_found: `newest` is older than that.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
+  /// When the first batch of each experience was committed, as far as that revision is kept and its time is known.
+  virtual Result<std::map<ExperienceId, WallTime>> begun() const = 0;
   /// not_found: no such revision, or not later than the oldest that is kept.
   virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
   /// not_found: none was put for these methods. corrupt: damaged; it must be made anew.

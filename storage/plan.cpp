@@ -15,7 +15,9 @@ template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
 
 std::string name_of(const Batch& batch) {
-  return "batch " + std::to_string(batch.sequence) + " of experience " + to_string(batch.experience);
+  const std::string id = to_string(batch.experience);
+  return "batch " + std::to_string(batch.sequence) + " of experience " +
+         (batch.name.empty() ? id : batch.name + " (" + id + ")");
 }
 
 class Planner {

@@ -45,6 +45,7 @@ Exit run_teach_report(Session& session, const Invocation& invocation, const Outp
 Exit run_counts(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
 /// The log of revisions, and what two of them differ in.
+Exit run_map_list(Session& session, const Invocation& invocation, const Output& output);
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);
 /// The network that is wanted, page by page; says how far it is. refused: there is no such revision.
 Result<Window> network_at(Session& session, const Invocation& invocation, Session::Wanted wanted,

@@ -95,7 +95,7 @@ class Drawing {
       for (const auto& [place, held] : network_.places) {
         if (place.experience != id) continue;
         if (places++ > 0) continue;
-        taught = held.method == formats::kImportedMethod ? "imported" : "taught by " + name_of(names, held.robot);
+        taught = held.method == kImportedMethod ? "imported" : "taught by " + name_of(names, held.robot);
       }
       canvas_.legend_line(taught + ": " + count_of(places, "place") + ", experience " + to_string(id), ink, 5.0);
     }

@@ -142,6 +142,8 @@ class Grammar {
   void map() {
     CLI::App* const map = group("map", "The network");
     add(*map, "info", "How much there is, and what was refused", Command::map_info);
+    add(*map, "list", "What was taught and imported: by whom, when, how long, its labels, what it is joined to",
+        Command::map_list);
     CLI::App* const draw =
         add(*map, "draw", "Draw the network: experiences, stitches, labels, robots", Command::map_draw);
     draw->add_option("OUT", into_.file, "A file, *.png or *.svg")->type_name("")->required();
@@ -162,6 +164,13 @@ class Grammar {
       if (!here && !into_.robot.empty())
         throw CLI::ValidationError("map label PLACE NAME: --robot goes with here only");
     });
+    add(*map, "unlabel", "Remove a label; the place stays", Command::map_unlabel)
+        ->add_option("NAME", into_.name, "The label")
+        ->type_name("")
+        ->required();
+    CLI::App* const relabel = add(*map, "relabel", "Call a label otherwise", Command::map_relabel);
+    relabel->add_option("NAME", into_.name, "The label")->type_name("")->required();
+    relabel->add_option("NEW", into_.new_name, rule("Its new name"))->type_name("")->required();
     CLI::App* const exported = add(*map, "export", "Write the network into a file", Command::map_export);
     exported
         ->add_option("OUT", into_.file,
@@ -360,13 +369,18 @@ class Grammar {
 
 /// Refuses names of a command line that the server would refuse, or could not read, before they leave this machine.
 Result<void> check_names(const Invocation& invocation) {
-  const bool is_label = invocation.command == Command::map_label || invocation.command == Command::goal_send;
+  constexpr std::array kOfLabels = {Command::map_label, Command::goal_send, Command::map_unlabel,
+                                    Command::map_relabel};
+  const bool is_label = std::ranges::find(kOfLabels, invocation.command) != kOfLabels.end();
   const char* const kind = is_label ? "label" : invocation.command == Command::robot_rename ? "robot" : "name";
   if (!invocation.robot.empty()) {
     if (Result<void> good = check_name("robot", invocation.robot); !good) return good;
   }
   if (!invocation.name.empty()) {
     if (Result<void> good = check_name(kind, invocation.name); !good) return good;
+  }
+  if (!invocation.new_name.empty()) {
+    if (Result<void> good = check_name("label", invocation.new_name); !good) return good;
   }
   const bool names_label = invocation.command == Command::localise && !invocation.place.empty() &&
                            !parse_place_id(invocation.place).has_value();

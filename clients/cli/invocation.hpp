@@ -49,6 +49,9 @@ struct Invocation {
     robot_counts,
     robot_forget,
     robot_rename,
+    map_list,
+    map_unlabel,
+    map_relabel,
     doctor,
     file_info,
     file_convert,
@@ -57,6 +60,7 @@ struct Invocation {
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all
   std::string name;                ///< of an experience or a label
+  std::string new_name;            ///< map relabel
   std::string place;               ///< a place id, a label, or "here"
   std::string goal;                ///< an id, the unique beginning of one, or (why) a robot's name
   std::string file;                ///< to read (--along) or to write

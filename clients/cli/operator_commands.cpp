@@ -31,6 +31,10 @@ Kind kind_of(Command command, bool here) {
       return Kind::forget;
     case Command::robot_rename:
       return Kind::rename;
+    case Command::map_unlabel:
+      return Kind::label_remove;
+    case Command::map_relabel:
+      return Kind::label_rename;
     case Command::map_label:
       return here ? Kind::label_here : Kind::label;
     default:
@@ -44,6 +48,7 @@ Result<msg::OperatorRequest> request_for(const Invocation& invocation) {
   request.kind = kind_of(invocation.command, here);
   request.robot = invocation.robot;
   request.label = invocation.name;
+  request.new_label = invocation.new_name;
   request.is_sure = invocation.is_sure;
   if (!invocation.file.empty()) {
     Result<std::vector<msg::AgentCommand::Point>> along = read_polyline(invocation.file);

@@ -305,18 +305,21 @@ struct OperatorRequest {
     snapshot_verified = 22,
     apart = 23,   ///< the two stretches are different floors
     forget = 24,  ///< a robot that is gone: what it taught stays
-    rename = 25   ///< a robot that is not heard
+    rename = 25,  ///< a robot that is not heard
+    label_remove = 26,
+    label_rename = 27
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
   Kind kind = Kind::goal_send;
   std::string who;    ///< the operator's name, as events show it; empty: as the client's hello said
   std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
-  /// goal_send: where to; label, rename: its name; localise: a seed; teach: its name; undo, quarantine, replace,
-  /// teach_report: an experience's name or hex id
+  /// goal_send: where to; label, label_remove, label_rename, rename: its name; localise: a seed; teach: its name;
+  /// undo, quarantine, replace, teach_report: an experience's name or hex id
   std::string label;
-  PlaceId place;  ///< label, localise: which place, when not by label
-  GoalId goal;    ///< goal_cancel; goal_send: the id to be, drawn by the client
+  std::string new_label;  ///< label_rename
+  PlaceId place;          ///< label, localise: which place, when not by label
+  GoalId goal;            ///< goal_cancel; goal_send: the id to be, drawn by the client
   std::vector<AgentCommand::Point> along;
   MapWork work;
   bool is_sure = false;  ///< clear: also when the robot is heard
@@ -341,7 +344,15 @@ struct OperatorReply {
 
 /// Client to server: read only.
 struct Query {
-  enum class Kind : std::uint8_t { robots = 1, goals = 2, info = 3, events = 4, log = 5, network = 6 };
+  enum class Kind : std::uint8_t {
+    robots = 1,
+    goals = 2,
+    info = 3,
+    events = 4,
+    log = 5,
+    network = 6,
+    experiences = 7
+  };
   Header header;
   std::uint64_t request = 0;
   Kind kind = Kind::robots;
@@ -399,6 +410,22 @@ struct MapInfo {
   std::vector<std::pair<std::string, std::uint64_t>> counters;  ///< refused messages by reason, and the like
 };
 
+/// One experience of the map, for people.
+struct ExperienceRow {
+  ExperienceId id;
+  std::string name;  ///< may be empty
+  RobotId robot;     ///< or the import that it came with
+  std::string method;
+  bool sealed = false;
+  std::uint32_t places = 0;
+  double metres = 0.0;  ///< along it
+  WallTime begun{};     ///< 1970: not known
+  std::vector<std::string> labels;
+  std::vector<ExperienceId> joined;  ///< those that a stitch leads to, up to kJoinedTold
+  std::uint32_t joined_count = 0;
+};
+inline constexpr std::size_t kJoinedTold = 200;
+
 struct QueryReply {
   Header header;
   PeerId to;
@@ -410,8 +437,9 @@ struct QueryReply {
   std::vector<Route> routes;  ///< the latest route of each goal above
   std::vector<Event> events;
   MapInfo info;
-  std::vector<RevisionNote> log;    ///< newest first
-  NetworkPage network;              ///< a piece of one page in each part
+  std::vector<RevisionNote> log;  ///< newest first
+  NetworkPage network;            ///< a piece of one page in each part
+  std::vector<ExperienceRow> experiences;
   Outcome outcome = Outcome::done;  ///< else nothing but `message` counts: why there is no answer, and what to do
   std::string message;
 };

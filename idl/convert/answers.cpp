@@ -132,6 +132,42 @@ static msg::RobotRow from_idl(const idl::RobotRow& wire, Reading reading) {
   return value;
 }
 
+static idl::ExperienceRow row_to_idl(const msg::ExperienceRow& row) {
+  idl::ExperienceRow wire;
+  wire.id(row.id.value);
+  wire.name(row.name);
+  wire.robot(row.robot.bytes);
+  wire.method(row.method);
+  wire.sealed(row.sealed);
+  wire.places(row.places);
+  wire.metres(row.metres);
+  wire.begun_ns(nanoseconds(row.begun));
+  wire.labels(row.labels);
+  for (const ExperienceId& id : row.joined) wire.joined().push_back(id.value);
+  wire.joined_count(row.joined_count);
+  return wire;
+}
+
+static msg::ExperienceRow from_idl(const idl::ExperienceRow& wire, Reading reading) {
+  msg::ExperienceRow value;
+  value.id = reading.some("id", ExperienceId{wire.id()});
+  value.name = reading.text("name", wire.name(), kNameLength);
+  value.robot = id_from<RobotId>(wire.robot());
+  value.method = reading.text("method", wire.method(), kNameLength);
+  value.sealed = wire.sealed();
+  value.places = wire.places();
+  value.metres = reading.not_negative("metres", wire.metres());
+  value.begun = wall_from(wire.begun_ns());
+  for (const std::string& label : reading.list("labels", wire.labels(), msg::kPatchEntities)) {
+    value.labels.push_back(reading.text("labels", label, kNameLength));
+  }
+  for (const std::uint64_t id : reading.list("joined", wire.joined(), msg::kJoinedTold)) {
+    value.joined.push_back(ExperienceId{id});
+  }
+  value.joined_count = wire.joined_count();
+  return value;
+}
+
 static idl::MapInfo info_to_idl(const msg::MapInfo& info) {
   idl::MapInfo wire;
   wire.revision(info.revision.value);
@@ -215,6 +251,7 @@ idl::QueryReply to_idl(const msg::QueryReply& message) {
   wire.info(info_to_idl(message.info));
   for (const msg::RevisionNote& note : message.log) wire.log().push_back(note_to_idl(note));
   wire.network(page_to_idl(message.network));
+  for (const msg::ExperienceRow& row : message.experiences) wire.experiences().push_back(row_to_idl(row));
   wire.outcome(static_cast<std::uint8_t>(message.outcome));
   wire.message(message.message);
   return wire;
@@ -237,6 +274,7 @@ Result<msg::QueryReply> from_idl(const idl::QueryReply& wire) {
   value.info = from_idl(wire.info(), reading.in("info"));
   value.log = list_from_idl<msg::RevisionNote>(wire.log(), reading, "log", kRows);
   value.network = from_idl(wire.network(), reading.in("network"));
+  value.experiences = list_from_idl<msg::ExperienceRow>(wire.experiences(), reading, "experiences", kRows);
   value.outcome = reading.choice("outcome", wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
   value.message = reading.text("message", wire.message(), kTextLength);
   return reading.finish(std::move(value));

@@ -38,6 +38,7 @@ idl::OperatorRequest to_idl(const msg::OperatorRequest& message) {
   wire.who(message.who);
   wire.robot(message.robot);
   wire.label(message.label);
+  wire.new_label(message.new_label);
   wire.place(to_idl(message.place));
   wire.goal(message.goal.bytes);
   wire.along(to_idl(message.along));
@@ -52,10 +53,11 @@ Result<msg::OperatorRequest> from_idl(const idl::OperatorRequest& wire) {
   msg::OperatorRequest value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::rename);
+  value.kind = reading.choice("kind", wire.kind(), Kind::goal_send, Kind::label_rename);
   value.who = reading.text("who", wire.who(), kNameLength);
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.label = reading.text("label", wire.label(), kNameLength);
+  value.new_label = reading.text("new_label", wire.new_label(), kNameLength);
   value.place = from_idl(wire.place());
   value.goal = id_from<GoalId>(wire.goal());
   const bool needs_goal = value.kind == Kind::goal_send || value.kind == Kind::goal_cancel;
@@ -130,7 +132,7 @@ Result<msg::Query> from_idl(const idl::Query& wire) {
   msg::Query value;
   value.header = from_idl(wire.header(), reading.in("header"));
   value.request = wire.request();
-  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::network);
+  value.kind = reading.choice("kind", wire.kind(), Kind::robots, Kind::experiences);
   value.goal = id_from<GoalId>(wire.goal());
   value.robot = reading.text("robot", wire.robot(), kNameLength);
   value.newest = Revision{wire.newest()};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/network/page.hpp"
+#include "server/desk/experience_rows.hpp"
 #include "server/outcome.hpp"
 
 namespace weft::server {
@@ -15,6 +16,9 @@ constexpr std::size_t kMostEvents = 1000;
 constexpr std::size_t kMostGoals = 1000;
 constexpr std::size_t kRevisionsInPart = 100;
 constexpr std::size_t kMostRevisions = 1000;
+/// Labels and joined experiences that go into one part, about; a row counts for some.
+constexpr std::size_t kExperienceWeightOfPart = 10'000;
+constexpr std::size_t kRowWeight = 10;
 /// Places of routes and events of goals that go into one part, about.
 constexpr std::size_t kGoalWeightOfPart = 600;
 /// Made, sent and read within a few milliseconds.
@@ -34,6 +38,8 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
       return log(query);
     case msg::Query::Kind::network:
       return network(query, now);
+    case msg::Query::Kind::experiences:
+      return experiences();
     case msg::Query::Kind::info:
       break;
   }
@@ -142,6 +148,23 @@ Result<Answers::Parts> Answers::log(const msg::Query& query) const {
     if (parts.empty() || parts.back().log.size() == kRevisionsInPart) parts.emplace_back();
     note.cause = clipped(std::move(note.cause));
     parts.back().log.push_back(std::move(note));
+  }
+  return parts;
+}
+
+Result<Answers::Parts> Answers::experiences() const {
+  const Result<std::map<ExperienceId, WallTime>> begun = context_.store.begun();
+  if (!begun) return fail(begun.error());
+  Parts parts;
+  std::size_t weight = 0;
+  for (msg::ExperienceRow& row : experience_rows(context_.snapshots.current(), *begun)) {
+    const std::size_t more = kRowWeight + row.labels.size() + row.joined.size();
+    if (parts.empty() || weight + more > kExperienceWeightOfPart) {
+      parts.emplace_back();
+      weight = 0;
+    }
+    weight += more;
+    parts.back().experiences.push_back(std::move(row));
   }
   return parts;
 }

@@ -39,6 +39,7 @@ class Answers {
   Parts goals(const msg::Query& query) const;
   Result<Parts> events(const msg::Query& query) const;
   Result<Parts> log(const msg::Query& query) const;
+  Result<Parts> experiences() const;
   Result<Parts> network(const msg::Query& query, SteadyTime now);
   msg::MapInfo info() const;
   std::string occupies(const RobotId& robot) const;

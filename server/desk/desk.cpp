@@ -83,6 +83,8 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
     case Kind::undo:
     case Kind::quarantine:
     case Kind::apart:
+    case Kind::label_remove:
+    case Kind::label_rename:
       answer(key, editor_.on_request(request, who, now));
       return;
     case Kind::replace:
@@ -193,20 +195,25 @@ void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
   waiting_[key].commands.insert(number);
 }
 
+/// For people: where the label is from now on, and where it was.
+std::string Desk::label_moves(const std::string& label, const PlaceId& place) const {
+  const Snapshot::Labels& labels = context_.snapshots.current().labels();
+  const auto known = labels.find(label);
+  const bool moves = known != labels.end() && known->second != place;
+  return label + " is " + to_string(place) + (moves ? ", no longer " + to_string(known->second) : "");
+}
+
 Result<void> Desk::put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now) {
   if (const Result<void> good = check_name("label", label); !good) return fail(good.error());
   const Snapshot& snapshot = context_.snapshots.current();
   if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
   const auto known = snapshot.labels().find(label);
   if (known != snapshot.labels().end() && known->second == place) return {};
-  storage::Transaction transaction{{storage::PutLabel{.label = label, .place = place},
-                                    storage::PutEvent{{.at = {},
-                                                       .kind = "map.label",
-                                                       .robot = {},
-                                                       .goal = {},
-                                                       .cause = label + " is " + to_string(place),
-                                                       .who = who}}},
-                                   {}};
+  storage::Transaction transaction{
+      {storage::PutLabel{.label = label, .place = place},
+       storage::PutEvent{
+           {.at = {}, .kind = "map.label", .robot = {}, .goal = {}, .cause = label_moves(label, place), .who = who}}},
+      {}};
   transaction.note.who = who;
   const Result<Revision> done = context_.record.commit(std::move(transaction), now);
   if (!done) return fail(done.error());
@@ -215,10 +222,10 @@ Result<void> Desk::put_label(const std::string& label, const PlaceId& place, con
 }
 
 void Desk::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+  msg::OperatorReply reply;
+  reply.message = label_moves(request.label, request.place);
   const Result<void> done = put_label(request.label, request.place, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
-  msg::OperatorReply reply;
-  reply.message = request.label + " is " + to_string(request.place);
   reply.place = request.place;
   answer(key, std::move(reply));
 }

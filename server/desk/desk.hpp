@@ -88,6 +88,7 @@ class Desk {
   void forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   Result<msg::AgentCommand> command_for(const msg::OperatorRequest& request, const Robot& robot) const;
   Result<const Robot*> reachable(const std::string& name) const;
+  std::string label_moves(const std::string& label, const PlaceId& place) const;
   Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
   Result<std::string> stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now);
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);

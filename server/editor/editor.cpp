@@ -45,6 +45,9 @@ const char* edit_name(Kind kind) {
       return "undo";
     case Kind::apart:
       return "apart";
+    case Kind::label_remove:
+    case Kind::label_rename:
+      return "label";
     default:
       return "quarantine";
   }
@@ -58,6 +61,8 @@ Result<Edit> Editor::edit_for(const msg::OperatorRequest& request) const {
   Result<Edit> edit = [&] {
     if (request.kind == Kind::rollback) return rolling_back(snapshot, context_.store, work.revision);
     if (request.kind == Kind::apart) return setting_apart(snapshot, request);
+    if (request.kind == Kind::label_remove) return removing_label(snapshot, request.label);
+    if (request.kind == Kind::label_rename) return renaming_label(snapshot, request.label, request.new_label);
     const bool is_revision = request.kind == Kind::undo && work.revision.value != 0;
     return is_revision ? undoing(snapshot, context_.store, work.revision) : taking_out(snapshot, request);
   }();

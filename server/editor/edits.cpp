@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/names.hpp"
+#include "core/network/imported.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -76,6 +79,13 @@ void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, con
   }
 }
 
+tl::unexpected<Error> several(const std::string& name, const std::vector<ExperienceId>& found) {
+  std::string ids;
+  for (const ExperienceId id : found) ids += (ids.empty() ? "" : ", ") + to_string(id);
+  return fail(ErrorCode::refused,
+              std::to_string(found.size()) + " experiences are named " + name + ": give one of the ids " + ids);
+}
+
 }  // namespace
 
 std::string to_text(const Edit& edit) {
@@ -85,7 +95,7 @@ std::string to_text(const Edit& edit) {
   if (!edit.back.empty()) parts.push_back(counted(edit.back) + " in the map again");
   if (!edit.known_anew.empty()) parts.push_back(counted(edit.known_anew.size(), "place") + " known as before");
   for (const auto& [label, place] : edit.labels) {
-    parts.push_back("label " + label + (place.experience ? " at " + to_string(place) + " again" : " gone"));
+    parts.push_back("label " + label + (place.experience ? " at " + to_string(place) : " gone"));
   }
   for (const auto& [apart, holds] : edit.aparts) {
     parts.push_back(to_string(apart.one) + " and " + to_string(apart.other) +
@@ -96,29 +106,42 @@ std::string to_text(const Edit& edit) {
   return text;
 }
 
-Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name) {
-  std::vector<ExperienceId> found;
+Result<std::vector<ExperienceId>> experiences_of(const Snapshot& snapshot, const std::string& name) {
+  constexpr std::size_t kFewestDigits = 4;
+  std::vector<ExperienceId> named;
+  std::vector<ExperienceId> begin_so;
   for (const auto& [id, experience] : snapshot.experiences()) {
-    if (to_string(id) == name) return id;
-    if (experience->name == name) found.push_back(id);
+    if (experience->name == name) named.push_back(id);
+    if (name.size() >= kFewestDigits && to_string(id).starts_with(name)) begin_so.push_back(id);
   }
-  if (found.size() == 1) return found.front();
-  if (found.empty()) {
-    return fail(ErrorCode::not_found,
-                "the map has no experience " + name + "; give its name, or the 16 hex digits of its id");
+  if (named.empty()) named = std::move(begin_so);
+  if (named.empty()) {
+    return fail(ErrorCode::not_found, "the map has no experience " + name +
+                                          "; give its name, or the beginning of its id: weft map list has both");
   }
-  std::string ids;
-  for (const ExperienceId id : found) ids += (ids.empty() ? "" : ", ") + to_string(id);
-  return fail(ErrorCode::refused,
-              std::to_string(found.size()) + " experiences are named " + name + ": give one of the ids " + ids);
+  // An import makes all of its runs under one name, and in the name of one robot that is in no fleet.
+  const RobotId robot = snapshot.experience(named.front())->robot;
+  const bool is_import = std::all_of(named.begin(), named.end(), [&](const ExperienceId& id) {
+    const Experience& experience = *snapshot.experience(id);
+    return experience.robot == robot && experience.method == kImportedMethod;
+  });
+  if (named.size() == 1 || is_import) return named;
+  return several(name, named);
+}
+
+Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name) {
+  const Result<std::vector<ExperienceId>> found = experiences_of(snapshot, name);
+  if (!found) return fail(found.error());
+  if (found->size() > 1) return several(name, *found);
+  return found->front();
 }
 
 Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& request) {
   Removal asked = request.work.what;
   if (!request.label.empty()) {
-    const Result<ExperienceId> experience = experience_of(snapshot, request.label);
-    if (!experience) return fail(experience.error());
-    asked.places.push_back(whole(*experience));
+    const Result<std::vector<ExperienceId>> experiences = experiences_of(snapshot, request.label);
+    if (!experiences) return fail(experiences.error());
+    for (const ExperienceId experience : *experiences) asked.places.push_back(whole(experience));
   }
   if (asked.empty()) return fail(ErrorCode::invalid, "nothing is named that could leave the map");
   Edit edit;
@@ -141,6 +164,29 @@ Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest&
   Edit edit;
   edit.aparts[ordered(apart)] = true;
   edit.cause = "vouched for";
+  return edit;
+}
+
+Result<Edit> removing_label(const Snapshot& snapshot, const std::string& label) {
+  if (!place_of(label, snapshot).experience) return fail(ErrorCode::not_found, "the map has no label " + label);
+  Edit edit;
+  edit.labels[label] = {};
+  edit.cause = "label " + label + " removed";
+  return edit;
+}
+
+Result<Edit> renaming_label(const Snapshot& snapshot, const std::string& label, const std::string& new_label) {
+  if (const Result<void> good = check_name("label", new_label); !good) return fail(good.error());
+  const PlaceId place = place_of(label, snapshot);
+  if (!place.experience) return fail(ErrorCode::not_found, "the map has no label " + label);
+  if (const PlaceId other = place_of(new_label, snapshot); other.experience) {
+    return fail(ErrorCode::conflict, "label " + new_label + " is there already, at " + to_string(other) +
+                                         ": remove it first (weft map unlabel " + new_label + ")");
+  }
+  Edit edit;
+  edit.labels[label] = {};
+  edit.labels[new_label] = place;
+  edit.cause = "label " + label + " renamed";
   return edit;
 }
 

@@ -29,7 +29,10 @@ struct Edit {
 /// For people: "12 places and 3 stitches leave the map".
 std::string to_text(const Edit& edit);
 
-/// The experience of that hex id, or of that name. not_found; refused: several have the name, with their ids.
+/// The experiences of that name: one, or all that one import made of its file. Else the one whose hex id begins so,
+/// with four digits or more. not_found; refused: several taught ones have the name, or ids begin so, with their ids.
+Result<std::vector<ExperienceId>> experiences_of(const Snapshot& snapshot, const std::string& name);
+/// The same, of what is to be one. refused: several.
 Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name);
 
 // Each is not_found when nothing of it is left to do, and says so.
@@ -39,6 +42,9 @@ Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& re
 /// The two stretches named are different floors. invalid: not two, or stretches that cannot be; conflict: they are so
 /// already.
 Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest& request);
+Result<Edit> removing_label(const Snapshot& snapshot, const std::string& label);
+/// conflict: the new one is a label already.
+Result<Edit> renaming_label(const Snapshot& snapshot, const std::string& label, const std::string& new_label);
 /// What a revision changed, the other way round. refused: a rollback that is not the newest revision.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);

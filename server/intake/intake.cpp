@@ -24,7 +24,7 @@ Intake::Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& du
   }
 }
 
-std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, Now now) {
+std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, const std::string& who, Now now) {
   const Batch& batch = message.batch;
   const RobotId sender = message.header.sender;
   if (batch.robot != sender || !batch.experience || batch.sequence == 0) {
@@ -47,7 +47,7 @@ std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, Now now
     if (context_.store.batch_hash(batch.experience, batch.sequence) != hash) {
       refuse(line, batch, hash, {ErrorCode::conflict, "it is on disk with another hash"}, now);
     }
-  } else if (const Result<void> taken = accept(line, message, hash); !taken) {
+  } else if (const Result<void> taken = accept(line, message, who, hash); !taken) {
     if (taken.error().code == ErrorCode::exhausted) {
       ++context_.counters["intake: no room, batch to be repeated"];
     } else {
@@ -60,7 +60,8 @@ std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, Now now
 }
 
 /// exhausted: no room now, it will be repeated. Anything else: refused for good.
-Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, const ContentHash& hash) {
+Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, const std::string& who,
+                            const ContentHash& hash) {
   const Batch& batch = message.batch;
   const auto found = line.waiting.find(batch.sequence);
   if (found != line.waiting.end()) {
@@ -80,9 +81,11 @@ Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, con
   std::map<ContentHash, std::uint64_t> needs = contents_needed(batch);
   if (const Result<void> room = make_room(needs); !room) return room;
   for (const auto& [content, size] : needs) expect(content, size);
-  line.waiting.emplace(
-      batch.sequence,
-      Waiting{.batch = batch, .hash = hash, .needs = std::move(needs), .incarnation = message.header.incarnation});
+  line.waiting.emplace(batch.sequence, Waiting{.batch = batch,
+                                               .hash = hash,
+                                               .needs = std::move(needs),
+                                               .incarnation = message.header.incarnation,
+                                               .who = who});
   return {};
 }
 
@@ -234,6 +237,7 @@ void Intake::leave_out_what_is_late(Batch& batch) {
 
 Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
   storage::Transaction transaction;
+  transaction.note.who = waiting.who;
   std::set<ContentHash> named;
   for_each_place(waiting.batch, [&](const Place& place) { named.insert(place.content.hash); });
   for (const auto& [content, size] : waiting.needs) {

@@ -20,7 +20,8 @@ class Intake {
   Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through);
 
   /// What joined the network by this message, in order; usually nothing or one batch.
-  std::vector<Batch> on_batch(const msg::ExperienceBatch& message, Now now);
+  /// `who` hands in what no robot of the fleet has seen; empty: the batch's robot does.
+  std::vector<Batch> on_batch(const msg::ExperienceBatch& message, const std::string& who, Now now);
   std::vector<Batch> on_chunk(const msg::Chunk& chunk, Now now);
   /// Tries again what the store could not take.
   std::vector<Batch> tick(Now now);
@@ -39,6 +40,7 @@ class Intake {
     ContentHash hash;
     std::map<ContentHash, std::uint64_t> needs;  ///< contents that are not in the store, and their sizes
     std::uint64_t incarnation = 0;
+    std::string who = {};     ///< empty: its robot
     bool is_checked = false;  ///< it would have joined when it became the next one
   };
   /// A content on its way.
@@ -59,7 +61,8 @@ class Intake {
     ContentHash last_refused;  ///< a repeat of it is refused again, and not counted again
   };
 
-  Result<void> accept(Line& line, const msg::ExperienceBatch& message, const ContentHash& hash);
+  Result<void> accept(Line& line, const msg::ExperienceBatch& message, const std::string& who,
+                      const ContentHash& hash);
   Result<void> make_room(const std::map<ContentHash, std::uint64_t>& needs);
   std::map<ContentHash, std::uint64_t> contents_needed(const Batch& batch) const;
   void expect(const ContentHash& content, std::uint64_t size);

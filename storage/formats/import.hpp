@@ -6,13 +6,10 @@
 
 #include "core/bytes.hpp"
 #include "core/network/change.hpp"
+#include "core/network/imported.hpp"
 #include "storage/formats/pose_graph.hpp"
 
 namespace weft::formats {
-
-/// The method of places that come from a file. No robot has it, so nobody drives there; they can be drawn, exported
-/// and compared.
-inline constexpr const char* kImportedMethod = "imported";
 
 /// Whose runs the experiences of an import are said to be; made of the import's name.
 RobotId import_robot(const std::string& name);

@@ -266,6 +266,17 @@ class MemoryStore final : public MapStore {
     return notes;
   }
 
+  Result<std::map<ExperienceId, WallTime>> begun() const override {
+    std::map<ExperienceId, WallTime> begun;
+    for (const MemoryDisk::Step& step : disk_->history) {
+      const auto* const batch = std::get_if<Batch>(&step.change);
+      if (batch == nullptr || batch->sequence != 1 || step.revision < disk_->floor) continue;
+      const WallTime at = disk_->notes[step.revision.value - 1].at;
+      if (at != WallTime{}) begun[batch->experience] = at;
+    }
+    return begun;
+  }
+
   Result<RevisionChanges> changes_of(Revision revision) const override {
     if (auto there = check_revision("changes", revision); !there) return fail(there.error());
     if (auto known = check_changes_kept(revision, disk_->floor); !known) return fail(known.error());

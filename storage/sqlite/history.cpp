@@ -111,6 +111,20 @@ Result<std::vector<RevisionNote>> load_log(const Database& database, Revision ne
   return notes;
 }
 
+Result<std::map<ExperienceId, WallTime>> load_begun(const Database& database, Revision oldest) {
+  std::map<ExperienceId, WallTime> begun;
+  const auto done = for_each_row(
+      database,
+      "SELECT batch.experience, revision.at_ns FROM batch JOIN revision ON revision.id = batch.revision"
+      " WHERE batch.sequence = 1 AND revision.id >= ? AND revision.at_ns <> 0",
+      [&](const Query& row) {
+        begun[{row.number(0)}] = WallTime(Duration(static_cast<std::int64_t>(row.number(1))));
+      },
+      oldest.value);
+  if (!done) return fail(done.error());
+  return begun;
+}
+
 Result<RevisionChanges> load_changes(const Database& database, Revision revision) {
   RevisionChanges changes;
   Result<void> done = for_each_row(

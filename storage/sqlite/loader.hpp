@@ -22,6 +22,9 @@ Result<std::map<Revision, Revision>> load_bases(const Database& database);
 Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, Revision oldest,
                                            std::size_t limit);
 
+/// When the first batch of each experience was committed, at the revision `oldest` or later.
+Result<std::map<ExperienceId, WallTime>> load_begun(const Database& database, Revision oldest);
+
 /// not_found: no such revision.
 Result<RevisionChanges> load_changes(const Database& database, Revision revision);
 

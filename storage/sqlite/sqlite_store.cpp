@@ -124,6 +124,10 @@ class SqliteStore final : public MapStore {
     return load_log(parts_->database, from, parts_->row.floor, limit);
   }
 
+  Result<std::map<ExperienceId, WallTime>> begun() const override {
+    return load_begun(parts_->database, parts_->row.floor);
+  }
+
   Result<RevisionChanges> changes_of(Revision revision) const override {
     if (auto there = check_revision("changes", revision); !there) return fail(there.error());
     if (auto known = check_changes_kept(revision, parts_->row.floor); !known) return fail(known.error());

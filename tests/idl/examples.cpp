@@ -180,6 +180,17 @@ msg::QueryReply query_reply() {
   made.network.aparts = {{{ExperienceId{0xabcdef}, 3, 9}, {ExperienceId{0xfedcba}, 0, 4}}};
   made.network.total = 400;
   made.network.is_last = true;
+  made.experiences = {{ExperienceId{0xabcdef},
+                       "loop",
+                       id_of<RobotId>(0x10),
+                       "floor",
+                       true,
+                       180,
+                       45.25,
+                       WallTime(std::chrono::seconds(1'700'000'000)),
+                       {"dock"},
+                       {ExperienceId{0xfedcba}},
+                       1}};
   made.outcome = msg::Outcome::refused;
   made.message = "the map has no revision 900";
   return made;
@@ -293,6 +304,7 @@ void add_operating(std::vector<Example>& all) {
                                       "anna",
                                       "r1",
                                       "dock",
+                                      "dock-1",
                                       place_id(2, 1),
                                       id_of<GoalId>(0x60),
                                       {{0.5, 1.5}},

@@ -53,6 +53,14 @@ struct Roster : testing::Test {
   }
 };
 
+TEST_F(Roster, AnImportWhoseBatchOvertakesItsHelloIsNoRobot) {
+  Peer importing{.id = robot_id(9), .name = "anna"};
+  TaughtRun run{importing, 50};
+  site.hand_in(importing, run.next(3));
+  EXPECT_EQ(site.service().snapshot().place_count(), 3U);
+  EXPECT_THAT(names(), IsEmpty());
+}
+
 TEST_F(Roster, ANameMeansTheRobotThatIsHeard) {
   old_falls_silent();
   site.arrive(replaced, std::nullopt);

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <tuple>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/table.hpp"
+#include "core/network/imported.hpp"
+
+/// What was taught and imported.
+namespace weft::cli {
+namespace {
+
+using ExperienceNames = std::map<ExperienceId, std::string>;
+
+/// The name, or the beginning of the id of one that has none, or shares it.
+std::string called(const ExperienceNames& names, const ExperienceId& id) {
+  constexpr std::size_t kDigits = 8;
+  const std::string beginning = to_string(id).substr(0, kDigits);
+  const auto found = names.find(id);
+  if (found == names.end() || found->second.empty()) return beginning;
+  const auto same = std::ranges::count(names, found->second, [](const auto& entry) { return entry.second; });
+  return same == 1 ? found->second : found->second + " (" + beginning + ")";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "-" : text;
+}
+
+/// An import is no robot's.
+std::string taught_by(const msg::ExperienceRow& row, const Names& robots) {
+  return row.method == kImportedMethod ? std::string("-") : name_of(robots, row.robot);
+}
+
+nlohmann::json document_of(const msg::ExperienceRow& row, const Names& robots) {
+  nlohmann::json document = {{"id", to_string(row.id)},
+                             {"name", row.name},
+                             {"method", row.method},
+                             {"ended", row.sealed},
+                             {"places", row.places},
+                             {"metres", row.metres},
+                             {"labels", row.labels},
+                             {"joined", nlohmann::json::array()},
+                             {"joined_count", row.joined_count}};
+  if (row.method != kImportedMethod) document["robot"] = name_of(robots, row.robot);
+  if (row.begun != WallTime{}) document["begun"] = to_text(row.begun);
+  for (const ExperienceId& id : row.joined) document["joined"].push_back(to_string(id));
+  return document;
+}
+
+void print(const std::vector<msg::ExperienceRow>& rows, const Names& robots, const Output& output) {
+  ExperienceNames names;
+  for (const msg::ExperienceRow& row : rows) names[row.id] = row.name;
+  Table table;
+  table.add({"NAME", "ID", "BY", "BEGUN", "METHOD", "PLACES", "METRES", "LABELS", "JOINED TO"});
+  for (const msg::ExperienceRow& row : rows) {
+    std::vector<std::string> others;
+    for (const ExperienceId& id : row.joined) others.push_back(called(names, id));
+    if (row.joined_count > row.joined.size()) {
+      others.push_back(std::to_string(row.joined_count - row.joined.size()) + " more");
+    }
+    table.add({row.name.empty() ? "-" : row.name, to_string(row.id), taught_by(row, robots),
+               row.begun == WallTime{} ? "-" : to_text(row.begun), row.method,
+               std::to_string(row.places) + (row.sealed ? "" : ", goes on"), fixed(row.metres, 1), joined(row.labels),
+               joined(others)});
+  }
+  table.print(output.out);
+}
+
+}  // namespace
+
+Exit run_map_list(Session& session, const Invocation& invocation, const Output& output) {
+  const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
+  if (!robots) return report(robots.error(), invocation.json, output);
+  msg::Query query;
+  query.kind = msg::Query::Kind::experiences;
+  Result<msg::QueryReply> reply = session.query(query, patience(invocation));
+  if (!reply) return report(reply.error(), invocation.json, output);
+  std::ranges::sort(reply->experiences, {},
+                    [](const msg::ExperienceRow& row) { return std::tie(row.begun, row.name, row.id); });
+  const Names names = names_of(robots->robots);
+  if (invocation.json) {
+    nlohmann::json document = {{"experiences", nlohmann::json::array()}};
+    for (const msg::ExperienceRow& row : reply->experiences) {
+      document["experiences"].push_back(document_of(row, names));
+    }
+    output.out << printed(document) << '\n';
+  } else if (reply->experiences.empty()) {
+    output.out << "nothing has been taught yet: weft teach ROBOT start\n";
+  } else {
+    print(reply->experiences, names, output);
+  }
+  return Exit::done;
+}
+
+}  // namespace weft::cli
