@@ -5,6 +5,7 @@
 
 #include "agents/methods/advance.hpp"
 #include "agents/methods/dead_reckoning.hpp"
+#include "agents/navigation/agreement.hpp"
 #include "agents/navigation/hand_over.hpp"
 
 namespace weft::agents {
@@ -55,6 +56,17 @@ Motion Part::take_motion(bool sees) {
   return std::exchange(since, Motion{});
 }
 
+/// What `knowing` believes, in words of the part's method. As of the part's own last step: of what has moved since
+/// then it will be told.
+static void hint(Part& part, const Part& knowing, const NavigationConfig& config, const Window& window) {
+  part.since_hint = {};
+  auto told = as_seen_by(part.navigator->method(), config, window, *knowing.now());
+  if (!told) return;
+  told->place_from_robot = compose(told->place_from_robot, inverse(moved_by(part.since)));
+  told->blind_m = std::max(told->blind_m, kFreshM + 0.01);  // it has not seen it itself
+  if (told->blind_m < config.follow.blind_limit_m) part.navigator->believe(*told);
+}
+
 void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window) {
   const Part* best = parts[active].knows() ? &parts[active] : nullptr;
   for (const Part& part : parts)
@@ -62,13 +74,37 @@ void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationCo
   if (best == nullptr) return;
   for (Part& part : parts) {
     if (&part == best || part.knows() || part.since_hint < kBetweenHints) continue;
-    auto hint = as_seen_by(part.navigator->method(), config, window, *best->now());
-    if (!hint) continue;
-    // As of its own last step: of what has moved since then it will be told.
-    hint->place_from_robot = compose(hint->place_from_robot, inverse(moved_by(part.since)));
-    hint->blind_m = std::max(hint->blind_m, kFreshM + 0.01);  // it has not seen it itself
-    if (hint->blind_m < config.follow.blind_limit_m) part.navigator->believe(*hint);
-    part.since_hint = {};
+    hint(part, *best, config, window);
+  }
+}
+
+/// Whether a place of that method comes soon on the route.
+static bool comes_soon(std::string_view method, const Window& window, const Route& route, std::uint32_t at) {
+  constexpr std::uint32_t kAhead = 10;  // places
+  for (std::uint32_t ahead = 0; ahead < kAhead; ++ahead) {
+    if (next_method(window, route, at + ahead) == method) return true;
+  }
+  return false;
+}
+
+void tell_who_is_mistaken(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window,
+                          const Route& route, std::uint32_t at) {
+  const auto is_fresh = [](const Part& part) {
+    return part.knows() && part.navigator->estimate()->blind_m <= kFreshM;
+  };
+  const auto spread_m = [](const Part& part) {
+    return spread_of(part.navigator->estimate()->place_from_robot).metres;
+  };
+  Part& drives = parts[active];
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& next = parts[i];
+    if (i == active || !drives.knows() || !next.knows()) continue;
+    if (!comes_soon(next.navigator->method(), window, route, at)) continue;
+    if (agree(config, window, *drives.now(), *next.now())) continue;
+    const bool next_is_surer = spread_m(next) < spread_m(drives);
+    const Part& surer = next_is_surer ? next : drives;
+    Part& other = next_is_surer ? drives : next;
+    if (is_fresh(surer) && other.since_hint >= kBetweenHints) hint(other, surer, config, window);
   }
 }
 

@@ -199,6 +199,7 @@ class Several final : public Navigator {
       return;
     }
     const std::uint32_t at = active().last.route_at;
+    tell_who_is_mistaken(parts_, active_, config_, window, *route_, at);
     const auto next = successor(parts_, active_, config_, window, *route_, at);
     if (!next) return;
     Part& drives = parts_[*next];

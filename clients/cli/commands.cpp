@@ -90,11 +90,12 @@ int report(const NotRun& not_run, const Output& output) {
   return not_run.exit_code;
 }
 
-Exit report(const Error& error, bool json, const Output& output) {
+Exit report(const Error& error, bool json, const Output& output, int indent) {
   const Exit exit = exit_of(error);
   output.err << "weft: " << error.message << '\n';
   if (json)
-    output.out << printed(error_document(to_string(error.code), error.message, static_cast<int>(exit))) << '\n';
+    output.out << printed(error_document(to_string(error.code), error.message, static_cast<int>(exit)), indent)
+               << '\n';
   return exit;
 }
 

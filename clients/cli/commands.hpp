@@ -34,7 +34,7 @@ Exit run_file(const Invocation& invocation, const Output& output);
 /// Shows help, or what is wrong with a command line: its exit code.
 int report(const NotRun& not_run, const Output& output);
 /// "weft: ..." to err, and with --json the error as a document.
-Exit report(const Error& error, bool json, const Output& output);
+Exit report(const Error& error, bool json, const Output& output, int indent = 2);
 
 // One family of commands each; connected already.
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);

@@ -43,10 +43,11 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   return found;
 }
 
-std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& server_software) {
+/// `has_places`: there is something that a robot could know itself in.
+std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& server_software, bool has_places) {
   const std::string name = "robot " + row.description.name;
   std::vector<Finding> found;
-  const bool heard = row.silent_s <= kSilent;
+  const bool heard = row.is_heard && row.silent_s <= kSilent;
   found.push_back({name, heard,
                    heard ? row.vendor + ", " + msg::to_string(row.state.mode)
                          : "not heard for " + fixed(row.silent_s, 0) + " s: is its agent running?"});
@@ -62,8 +63,37 @@ std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& serve
                        (close ? "" : ": run an NTP client there; records will not line up")});
   const bool able = row.state.mode != msg::RobotMode::faulted && row.state.mode != msg::RobotMode::lost;
   if (!able) found.push_back({name, false, row.state.reason + ": see `weft goal why " + row.description.name + "`"});
+  const bool knows = row.state.localised || row.state.mode == msg::RobotMode::teaching;
+  if (able && heard && !knows && has_places) {
+    found.push_back({name, false,
+                     "does not know where it is: weft localise " + row.description.name +
+                         " --at LABEL, or move it near a place that was taught"});
+  }
   // What an agent notices of its mount stands as the reason of one that goes on.
   if (able && row.state.reason.starts_with("its camera")) found.push_back({name, false, row.state.reason});
+  return found;
+}
+
+/// Goals that have not got on for a while, and why; those behind another one in a queue are not news.
+std::vector<Finding> of_goals(const std::vector<Goal>& goals, WallTime now) {
+  constexpr double kLong = 60.0;  // seconds
+  std::vector<Finding> found;
+  std::size_t under_way = 0;
+  for (const Goal& goal : goals) {
+    if (is_terminal(goal.state) || goal.history.empty()) continue;
+    ++under_way;
+    const GoalEvent& last = goal.history.back();
+    const double since_s = seconds(now - last.at);
+    const bool waits = goal.state == GoalState::pending || goal.state == GoalState::assigned ||
+                       goal.state == GoalState::paused || last.cause.find(" waits ") != std::string::npos;
+    const bool is_queued = last.cause.find("come first") != std::string::npos;
+    if (!waits || is_queued || since_s < kLong) continue;
+    const std::string id = to_string(goal.id).substr(0, 8);
+    found.push_back({"goal " + id, false,
+                     "to " + goal.label + " is " + to_string(goal.state) + " for " + fixed(since_s, 0) + " s: " +
+                         last.cause + "; see `weft goal why " + id + "`"});
+  }
+  if (found.empty()) found.push_back({"goals", true, std::to_string(under_way) + " under way, none is stuck"});
   return found;
 }
 
@@ -76,10 +106,14 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
   if (!info) return report(info.error(), invocation.json, output);
   const Result<msg::QueryReply> robots = query_robots(session, patience(invocation));
   if (!robots) return report(robots.error(), invocation.json, output);
+  query.kind = msg::Query::Kind::goals;
+  const Result<msg::QueryReply> goals = session.query(query, patience(invocation));
+  if (!goals) return report(goals.error(), invocation.json, output);
   std::vector<Finding> findings = of_server(server, info->info, session.vendor());
   for (const msg::RobotRow& row : robots->robots) {
-    for (Finding& finding : of_robot(row, info->info.software)) findings.push_back(std::move(finding));
+    for (Finding& finding : of_robot(row, info->info.software, info->info.places > 0)) findings.push_back(std::move(finding));
   }
+  for (Finding& finding : of_goals(goals->goals, session.world().wall())) findings.push_back(std::move(finding));
   bool good = true;
   Table table;
   nlohmann::json document = nlohmann::json::array();

@@ -19,6 +19,7 @@ struct Goals {
   std::vector<Route> routes;
   std::vector<msg::RobotRow> robots;
   Names names;
+  WallTime seen_at{};
 
   const Route* route(const GoalId& id) const {
     const auto found =
@@ -27,7 +28,7 @@ struct Goals {
   }
   nlohmann::json document(const Goal& goal) const {
     const Route* const way = route(goal.id);
-    nlohmann::json object = to_json(goal, way, names);
+    nlohmann::json object = to_json(goal, way, names, seen_at);
     object["route_at"] = nlohmann::json();
     for (const msg::RobotRow& row : robots) {
       if (way == nullptr || row.state.goal != goal.id) continue;
@@ -46,7 +47,8 @@ Result<Goals> look(Session& session, const GoalId& only, Duration at_most) {
   query.goal = only;
   Result<msg::QueryReply> goals = session.query(query, at_most);
   if (!goals) return fail(goals.error());
-  return Goals{std::move(goals->goals), std::move(goals->routes), robots->robots, names_of(robots->robots)};
+  return Goals{std::move(goals->goals), std::move(goals->routes), robots->robots, names_of(robots->robots),
+               session.world().wall()};
 }
 
 /// The goal whose id begins so.
@@ -97,7 +99,7 @@ Exit list(const Goals& goals, const Invocation& invocation, const Output& output
   for (const Goal& goal : goals.goals) {
     table.add({to_string(goal.id).substr(0, 8), goal.label,
                goal.robot.has_value() ? name_of(goals.names, *goal.robot) : "-", to_string(goal.state),
-               fixed(duration_s(goal), 1), goal.history.empty() ? "" : goal.history.back().cause});
+               fixed(duration_s(goal, goals.seen_at), 1), goal.history.empty() ? "" : goal.history.back().cause});
   }
   table.print(output.out);
   return Exit::done;
@@ -120,6 +122,17 @@ Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation
   return Exit::done;
 }
 
+/// With --json a document of one line.
+void tell(const Goal& goal, const GoalEvent& event, const Invocation& invocation, const Output& output) {
+  if (invocation.json) {
+    nlohmann::json document = to_json(event);
+    document["goal"] = to_string(goal.id);
+    output.out << printed(document, -1) << std::endl;
+  } else {
+    output.out << line(event) << std::endl;
+  }
+}
+
 Exit watch(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {
   const SteadyTime end = session.world().now() + patience(invocation);
   std::size_t shown = 0;
@@ -130,10 +143,8 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
     silent = !goals;
     if (goals && !goals->goals.empty()) {
       const Goal& now = goals->goals.front();
-      for (; !invocation.json && shown < now.history.size(); ++shown)
-        output.out << line(now.history[shown]) << std::endl;
+      for (; shown < now.history.size(); ++shown) tell(now, now.history[shown], invocation, output);
       if (is_terminal(now.state)) {
-        if (invocation.json) output.out << printed(goals->document(now)) << '\n';
         return now.state == GoalState::succeeded ? Exit::done : Exit::failed;
       }
     }
@@ -141,7 +152,7 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
   }
   return report({ErrorCode::timed_out, "the goal is still under way: `weft goal why " +
                                            to_string(goal.id).substr(0, 8) + "` says what holds it up"},
-                invocation.json, output);
+                invocation.json, output, -1);
 }
 
 Exit cancel(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {
@@ -154,10 +165,12 @@ Exit cancel(Session& session, const Goal& goal, const Invocation& invocation, co
 }
 
 std::string standing(const msg::RobotRow& row) {
-  std::string text = row.description.name + " is " + msg::to_string(row.state.mode);
+  std::string text = row.description.name + " is " + (row.is_heard ? msg::to_string(row.state.mode) : "silent");
+  if (!row.is_heard) {
+    text += ": not heard for " + fixed(row.silent_s, 0) + " s; its last word was " + msg::to_string(row.state.mode);
+  }
   if (!row.state.reason.empty()) text += ": " + row.state.reason;
   if (!row.state.localised) text += "; it does not know where it is";
-  if (row.silent_s > 5.0) text += "; not heard for " + fixed(row.silent_s, 0) + " s";
   if (!row.occupies.empty()) text += "; it occupies " + row.occupies;
   return text;
 }
@@ -206,7 +219,8 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
                                                                                : ": " + goal->history.back().cause)
                << '\n';
   }
-  if (route != nullptr && !route->reason.empty()) output.out << "its route waits: " << route->reason << '\n';
+  const bool waits = goal.has_value() && !is_terminal(goal->state) && route != nullptr && !route->reason.empty();
+  if (waits) output.out << "its route waits: " << route->reason << '\n';
   if (row != goals.robots.end()) output.out << standing(*row) << '\n';
   return Exit::done;
 }

@@ -1,5 +1,6 @@
 #include "clients/cli/json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -27,8 +28,10 @@ std::string to_text(WallTime time) {
   return text.data();
 }
 
-double duration_s(const Goal& goal) {
-  return goal.history.empty() ? 0.0 : seconds(goal.history.back().at - goal.history.front().at);
+double duration_s(const Goal& goal, WallTime now) {
+  if (goal.history.empty()) return 0.0;
+  const WallTime end = is_terminal(goal.state) ? goal.history.back().at : now;
+  return std::max(0.0, seconds(end - goal.history.front().at));
 }
 
 json to_json(const Pose2& pose) {
@@ -66,15 +69,18 @@ json to_json(const msg::RobotRow& row) {
   return object;
 }
 
-json to_json(const Goal& goal, const Route* route, const Names& names) {
+json to_json(const GoalEvent& event) {
+  return {{"at", to_text(event.at)}, {"state", to_string(event.state)}, {"cause", event.cause}, {"who", event.who}};
+}
+
+json to_json(const Goal& goal, const Route* route, const Names& names, WallTime now) {
   json places = json::array();
   if (route != nullptr) {
     for (const PlaceId& place : route->places) places.push_back(to_string(place));
   }
   json history = json::array();
   for (const GoalEvent& event : goal.history) {
-    history.push_back(
-        {{"at", to_text(event.at)}, {"state", to_string(event.state)}, {"cause", event.cause}, {"who", event.who}});
+    history.push_back(to_json(event));
   }
   json object = {{"id", to_string(goal.id)},
                  {"number", goal.number},
@@ -83,7 +89,7 @@ json to_json(const Goal& goal, const Route* route, const Names& names) {
                  {"state", to_string(goal.state)},
                  {"route", std::move(places)},
                  {"route_version", goal.route_version},
-                 {"duration_s", duration_s(goal)},
+                 {"duration_s", duration_s(goal, now)},
                  {"history", std::move(history)}};
   object["robot"] = goal.robot.has_value() ? json(name_of(names, *goal.robot)) : json();
   object["wanted"] = goal.wanted.has_value() ? json(name_of(names, *goal.wanted)) : json();

@@ -19,8 +19,9 @@ using Names = std::map<RobotId, std::string>;
 std::string name_of(const Names& names, const RobotId& robot);
 
 nlohmann::json to_json(const msg::RobotRow& row);
+nlohmann::json to_json(const GoalEvent& event);
 /// `route`: the goal's latest one, or null.
-nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names);
+nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names, WallTime now);
 nlohmann::json to_json(const msg::Event& event, const Names& names);
 nlohmann::json to_json(const msg::MapInfo& info);
 /// docs/formats/records.md, network.json.
@@ -29,7 +30,7 @@ nlohmann::json to_json(const Pose2& pose);
 
 /// "2026-11-21T10:40:03.250Z"
 std::string to_text(WallTime time);
-/// Between acceptance and end, or the last event.
-double duration_s(const Goal& goal);
+/// From when it was asked for until its end, or until now.
+double duration_s(const Goal& goal, WallTime now);
 
 }  // namespace weft::cli

@@ -42,12 +42,22 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
   if (errand.traffic_looked == traffic_.version()) return;
   errand.traffic_looked = traffic_.version();
   const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
+  const std::string reason = way.blocked_by ? "waits for " + fleet_.name_of(*way.blocked_by)
+                             : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
+                                                                      : "";
+  const bool waits_for_another = told && !way.through && route.reason != reason;
+  if (waits_for_another) {
+    Route next = route;
+    next.reason = reason;
+    if (book_.write(next, {}, now)) {
+      errand.wait = Duration{};
+      send_order(robot, errand, now.steady);
+    }
+  }
   if (way.through) {
     Route next = route;
     next.released = *way.through;
-    next.reason = way.blocked_by                           ? "waits for " + fleet_.name_of(*way.blocked_by)
-                  : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
-                                                           : "";
+    next.reason = reason;
     const std::uint32_t from = told ? traffic_.held(robot)->from : 0;
     const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, from, next.released);
     storage::Transaction transaction;

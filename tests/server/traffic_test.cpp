@@ -76,6 +76,22 @@ TEST_F(TrafficTest, StandingRobotIsInTheWayUntilItLeaves) {
   expect_apart();
 }
 
+TEST_F(TrafficTest, WhoWaitsForAnotherOneNowIsToldForWhom) {
+  Peer r3{.id = robot_id(3), .name = "r3"};
+  site.arrive(r3, std::nullopt);
+  site.say(site.state(r2, run.place(30)));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  const std::uint32_t released = order_to(r1).value().released;
+  EXPECT_EQ(order_to(r1)->reason, "waits for r2");
+  site.progress(r1, *order_to(r1), msg::RoutePhase::waiting, 1);
+  site.say(site.state(r3, run.place(30)));
+  site.say(site.state(r2, run.place(45)));
+  site.pass(2s);
+  EXPECT_EQ(order_to(r1)->released, released);
+  EXPECT_EQ(order_to(r1)->reason, "waits for r3");
+}
+
 TEST_F(TrafficTest, RoomIsLeftForTheFirstStepOfOneThatStands) {
   site.say(site.state(r2, run.place(30)));
   site.say(site.state(r1, run.place(0)));

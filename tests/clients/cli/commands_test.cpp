@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <tuple>
+#include <vector>
 
 #include "tests/clients/cli/fleet.hpp"
 
@@ -279,6 +282,55 @@ TEST(Commands, WatchTimesOutWithWhatToDo) {
   const Said said = fleet.weft({"goal", "watch", id, "--timeout", "3"});
   EXPECT_EQ(said.exit, Exit::timed_out);
   EXPECT_NE(said.err.find("goal why"), std::string::npos);
+}
+
+TEST(Commands, WatchingWithJsonIsADocumentALine) {
+  OneRobot fleet;
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const Said early = fleet.weft({"goal", "watch", id, "--timeout", "3", "--json"});
+  EXPECT_EQ(early.exit, Exit::timed_out);
+  fleet.r1.phase = msg::RoutePhase::arrived;
+  const Said said = fleet.weft({"goal", "watch", id, "--timeout", "30", "--json"});
+  EXPECT_EQ(said.exit, Exit::done);
+  const auto documents = [](const std::string& text) {
+    std::vector<nlohmann::json> all;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) all.push_back(nlohmann::json::parse(line));
+    return all;
+  };
+  EXPECT_EQ(documents(early.out).back()["error"]["code"], "timed_out");
+  EXPECT_EQ(documents(said.out).front()["state"], "pending");
+  EXPECT_EQ(documents(said.out).back()["state"], "succeeded");
+  EXPECT_EQ(documents(said.out).back()["goal"], id);
+}
+
+TEST(Commands, AGoalThatIsUnderWayAges) {
+  OneRobot fleet;
+  std::ignore = fleet.weft({"goal", "send", "--to", "packing"});
+  fleet.run(30s);
+  const auto goals = fleet.weft({"goal", "list", "--json"}).json()["goals"];
+  EXPECT_GE(goals[0]["duration_s"].get<double>(), 30.0);
+}
+
+TEST(Commands, WhyAGoalThatIsOverSaysNothingOfWaiting) {
+  OneRobot fleet;
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  fleet.r1.phase = msg::RoutePhase::arrived;
+  EXPECT_EQ(fleet.weft({"goal", "watch", id, "--timeout", "30"}).exit, Exit::done);
+  const Said why = fleet.weft({"goal", "why", id});
+  EXPECT_EQ(why.out.find("waits: arrived"), std::string::npos) << why.out;
+}
+
+TEST(Commands, DoctorNamesRobotsThatDoNotKnowWhereTheyAreAndGoalsThatGetNowhere) {
+  OneRobot fleet;
+  fleet.r1.state.localised = false;
+  fleet.run(2s);
+  std::ignore = fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1"});
+  fleet.run(70s);
+  const Said said = fleet.weft({"doctor"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.out.find("does not know where it is: weft localise r1"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("to packing is pending for"), std::string::npos) << said.out;
 }
 
 TEST(Commands, GoalToNowhereAndUnknownGoalsAreRefused) {
