@@ -90,8 +90,8 @@ std::vector<Finding> of_goals(const std::vector<Goal>& goals, WallTime now) {
     if (!waits || is_queued || since_s < kLong) continue;
     const std::string id = to_string(goal.id).substr(0, 8);
     found.push_back({"goal " + id, false,
-                     "to " + goal.label + " is " + to_string(goal.state) + " for " + fixed(since_s, 0) + " s: " +
-                         last.cause + "; see `weft goal why " + id + "`"});
+                     "to " + goal.label + " is " + to_string(goal.state) + " for " + fixed(since_s, 0) +
+                         " s: " + last.cause + "; see `weft goal why " + id + "`"});
   }
   if (found.empty()) found.push_back({"goals", true, std::to_string(under_way) + " under way, none is stuck"});
   return found;
@@ -111,7 +111,8 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
   if (!goals) return report(goals.error(), invocation.json, output);
   std::vector<Finding> findings = of_server(server, info->info, session.vendor());
   for (const msg::RobotRow& row : robots->robots) {
-    for (Finding& finding : of_robot(row, info->info.software, info->info.places > 0)) findings.push_back(std::move(finding));
+    for (Finding& finding : of_robot(row, info->info.software, info->info.places > 0))
+      findings.push_back(std::move(finding));
   }
   for (Finding& finding : of_goals(goals->goals, session.world().wall())) findings.push_back(std::move(finding));
   bool good = true;
