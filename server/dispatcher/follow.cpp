@@ -42,7 +42,7 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
   if (errand.traffic_looked == traffic_.version()) return;
   errand.traffic_looked = traffic_.version();
   const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
-  const std::string reason = way.blocked_by ? "waits for " + fleet_.name_of(*way.blocked_by)
+  const std::string reason = way.blocked_by                           ? "waits for " + fleet_.name_of(*way.blocked_by)
                              : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
                                                                       : "";
   const bool waits_for_another = told && !way.through && route.reason != reason;
