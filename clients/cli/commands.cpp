@@ -73,6 +73,8 @@ Duration patience(const Invocation& invocation) {
 }
 
 namespace {
+constexpr int kOneLine = -1;  // an error may end documents that follow one another, each a line
+
 /// Makes what every command prints with --json when it was not done, whoever said no.
 nlohmann::json error_document(const std::string& code, const std::string& message, int exit) {
   return {{"error", {{"code", code}, {"message", message}}}, {"exit", exit}};
@@ -85,16 +87,25 @@ int report(const NotRun& not_run, const Output& output) {
     constexpr std::string_view before = "weft: ";
     std::string message = not_run.text.substr(not_run.text.starts_with(before) ? before.size() : 0);
     while (message.ends_with('\n')) message.pop_back();
-    output.out << printed(error_document(to_string(ErrorCode::invalid), message, not_run.exit_code)) << '\n';
+    output.out << printed(error_document(to_string(ErrorCode::invalid), message, not_run.exit_code), kOneLine)
+               << '\n';
   }
   return not_run.exit_code;
 }
 
-Exit report(const Error& error, bool json, const Output& output, int indent) {
+Exit report(const Error& error, bool json, const Output& output) {
+  return report(error, exit_of(error), json, output);
+}
+
+Exit report_offline(const Error& error, bool json, const Output& output) {
   const Exit exit = exit_of(error);
+  return report(error, exit == Exit::unreached ? Exit::failed : exit, json, output);
+}
+
+Exit report(const Error& error, Exit exit, bool json, const Output& output) {
   output.err << "weft: " << error.message << '\n';
   if (json)
-    output.out << printed(error_document(to_string(error.code), error.message, static_cast<int>(exit)), indent)
+    output.out << printed(error_document(to_string(error.code), error.message, static_cast<int>(exit)), kOneLine)
                << '\n';
   return exit;
 }

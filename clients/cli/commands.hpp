@@ -34,7 +34,10 @@ Exit run_file(const Invocation& invocation, const Output& output);
 /// Shows help, or what is wrong with a command line: its exit code.
 int report(const NotRun& not_run, const Output& output);
 /// "weft: ..." to err, and with --json the error as a document.
-Exit report(const Error& error, bool json, const Output& output, int indent = 2);
+Exit report(const Error& error, bool json, const Output& output);
+Exit report(const Error& error, Exit exit, bool json, const Output& output);
+/// Of a command that needs no server: what cannot be reached is a file.
+Exit report_offline(const Error& error, bool json, const Output& output);
 
 // One family of commands each; connected already.
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);

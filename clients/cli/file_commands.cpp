@@ -87,7 +87,7 @@ Exit info(const Invocation& invocation, const Output& output) {
   Facts all = Facts::array();
   for (const std::string& file : invocation.files) {
     const Result<Read<Content>> read = read_any(file);
-    if (!read) return report(read.error(), invocation.json, output);
+    if (!read) return report_offline(read.error(), invocation.json, output);
     Facts facts = std::visit([](const auto& content) { return facts_of(content); }, read->value);
     if (!invocation.json) {
       output.out << file << ":";
@@ -142,16 +142,16 @@ Exit convert(const Invocation& invocation, const Output& output) {
   std::vector<Content> contents;
   for (const std::string& file : invocation.files) {
     Result<Read<Content>> read = read_any(file);
-    if (!read) return report(read.error(), invocation.json, output);
+    if (!read) return report_offline(read.error(), invocation.json, output);
     say_not_understood(read->not_understood, file, output);
     contents.push_back(std::move(read->value));
   }
   const Result<Content> content = joined(std::move(contents));
-  if (!content) return report(content.error(), invocation.json, output);
+  if (!content) return report_offline(content.error(), invocation.json, output);
   const Result<Bytes> bytes = bytes_for(*content, invocation.file, invocation.as_text);
-  if (!bytes) return report(bytes.error(), invocation.json, output);
+  if (!bytes) return report_offline(bytes.error(), invocation.json, output);
   if (const Result<void> written = write_file(*bytes, invocation.file); !written) {
-    return report(written.error(), invocation.json, output);
+    return report_offline(written.error(), invocation.json, output);
   }
   Facts facts = std::visit([](const auto& held) { return facts_of(held); }, *content);
   facts["file"] = invocation.file;

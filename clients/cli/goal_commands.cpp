@@ -152,7 +152,7 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
   }
   return report({ErrorCode::timed_out, "the goal is still under way: `weft goal why " +
                                            to_string(goal.id).substr(0, 8) + "` says what holds it up"},
-                invocation.json, output, -1);
+                invocation.json, output);
 }
 
 Exit cancel(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {

@@ -85,7 +85,7 @@ json to_json(const Goal& goal, const Route* route, const Names& names, WallTime 
   json object = {{"id", to_string(goal.id)},
                  {"number", goal.number},
                  {"to", goal.label},
-                 {"place", to_string(goal.to)},
+                 {"place", goal.to.experience ? json(to_string(goal.to)) : json()},
                  {"state", to_string(goal.state)},
                  {"route", std::move(places)},
                  {"route_version", goal.route_version},

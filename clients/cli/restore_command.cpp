@@ -36,7 +36,7 @@ Exit run_restore(const Invocation& invocation, const Output& output) {
     line.show(reply);
   };
   const Result<storage::Restored> restored = storage::restore(invocation.file, invocation.store, options);
-  if (!restored) return report(restored.error(), invocation.json, output);
+  if (!restored) return report_offline(restored.error(), invocation.json, output);
   show(*restored, invocation, output);
   return Exit::done;
 }

@@ -72,10 +72,11 @@ Result<void> check_bound(const BusConfig& config, const std::string& listen, std
   if (error == 0) return {};
   const std::string where = listen + ":" + std::to_string(port);
   if (error == EADDRINUSE) {
-    return fail(ErrorCode::unavailable, "UDP port " + std::to_string(port) + " on " + listen +
-                                            " is in use: another server of domain " + std::to_string(config.domain) +
-                                            " and index " + std::to_string(config.server_index) +
-                                            " is running; stop it or take another domain or index");
+    return fail(ErrorCode::unavailable,
+                "UDP port " + std::to_string(port) + " on " + listen + " is in use, by another server of domain " +
+                    std::to_string(config.domain) + " and index " + std::to_string(config.server_index) +
+                    " or by another program (`ss -ulpn` names it): stop it, or take "
+                    "another domain or index");
   }
   return fail(ErrorCode::unavailable, "cannot listen on " + where + ": " + std::strerror(error) +
                                           "; give the address of one of this machine's interfaces");

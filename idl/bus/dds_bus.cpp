@@ -72,6 +72,9 @@ Result<void> DdsBus::start() {
 Result<void> DdsBus::join(const std::string& listen) {
   const Result<Ports> own = own_ports(config_, listen);
   if (!own) return fail(own.error());
+  for (const ServerAddress& server : *servers_) {
+    if (const Result<void> reaches = check_reach(listen, server.ipv4); !reaches) return reaches;
+  }
   const Addresses at{listen, *own, *servers_};
   Result<std::unique_ptr<Participant>> participant = join_(at, inbox_);
   if (!participant) return fail(std::move(participant.error()));

@@ -67,4 +67,15 @@ Result<LocalLink> local_link(const std::string& listen) {
   return with_address(*host);
 }
 
+Result<void> check_reach(const std::string& listen, const std::string& server_ipv4) {
+  const auto is_loopback = [](const std::string& ipv4) { return ipv4.starts_with("127."); };
+  if (!is_loopback(listen) || is_loopback(server_ipv4)) return {};
+  const Result<LocalLink> here = local_link(server_ipv4);
+  if (here && !here->interface.empty()) return {};
+  return fail(ErrorCode::unavailable, "it listens on " + listen + ", which reaches this machine alone, and server " +
+                                          server_ipv4 +
+                                          " is another one: give --listen the address or the name of "
+                                          "the interface that leads there (`ip -brief address` lists them)");
+}
+
 }  // namespace weft::bus

@@ -18,4 +18,8 @@ struct LocalLink {
 /// unavailable: `listen` is a name that neither an interface nor a host has.
 Result<LocalLink> local_link(const std::string& listen);
 
+/// Refuses a server on another machine for who listens on this machine's loopback address alone, the default of
+/// --listen.
+Result<void> check_reach(const std::string& listen, const std::string& server_ipv4);
+
 }  // namespace weft::bus

@@ -272,6 +272,7 @@ void Desk::forget_or_rename(const Key& key, const msg::OperatorRequest& request,
   }
   const Result<void> done = forgets ? fleet_.forget(*id, who, now) : fleet_.rename(*id, request.label, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
+  if (forgets) dispatcher_.fail_waiting_for(*id, "its robot " + name + " was forgotten", who, now);
   answer(key, msg::Outcome::done,
          name + (forgets ? " is forgotten; what it taught stays" : " is called " + request.label + " from now on"));
 }

@@ -166,6 +166,16 @@ Result<void> Dispatcher::fail_goal(const RobotId& robot, const std::string& caus
   return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
 }
 
+void Dispatcher::fail_waiting_for(const RobotId& robot, const std::string& why, const std::string& who, Now now) {
+  const std::map<std::uint64_t, GoalId> alive = book_.alive();
+  for (const auto& [number, id] : alive) {
+    const Goal& goal = *book_.find(id);
+    if (goal.state != GoalState::pending || goal.wanted != robot) continue;
+    const GoalBook::Step step = {.state = GoalState::failed, .cause = why, .who = who};
+    if (book_.write(goal, step, std::nullopt, {}, now)) forget_waiting(id);
+  }
+}
+
 /// It is told to end its route, again and again until it has; meanwhile the place is held where it says that it is.
 Result<std::string> Dispatcher::clear_heard(const Robot& robot, const std::string& who, Now now) {
   if (const Result<void> over = fail_goal(robot.id, "its robot was cleared off its route", who, now); !over) {

@@ -40,6 +40,9 @@ class Dispatcher {
   /// is, and that is refused unless `is_sure`.
   Result<std::string> clear(const RobotId& robot, bool is_sure, const std::string& who, Now now);
 
+  /// Goals for the robot alone, that wait, fail: it is in the fleet no more.
+  void fail_waiting_for(const RobotId& robot, const std::string& why, const std::string& who, Now now);
+
   // What robots report.
   void on_state(const Robot& robot, Now now);
   void on_progress(const msg::RouteProgress& progress, Now now);

@@ -53,6 +53,20 @@ struct Roster : testing::Test {
   }
 };
 
+TEST_F(Roster, GoalsForAForgottenRobotFail) {
+  TaughtRun run{old, 50};
+  site.arrive(old, std::nullopt);
+  site.hand_in(old, run.next(3));
+  site.label("dock", run.place(2));
+  site.pass(10s);
+  site.send_goal(1, "dock", "r1");
+  site.pass(1s);
+  ASSERT_EQ(site.goal(1).state, GoalState::pending);
+  EXPECT_EQ(ask(Kind::forget, "r1").outcome, msg::Outcome::done);
+  EXPECT_EQ(site.goal(1).state, GoalState::failed);
+  EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("was forgotten"));
+}
+
 TEST_F(Roster, AnImportWhoseBatchOvertakesItsHelloIsNoRobot) {
   Peer importing{.id = robot_id(9), .name = "anna"};
   TaughtRun run{importing, 50};

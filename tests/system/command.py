@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / 'build/release/bin'
 # A DDS domain for each suite, since suites run side by side; 100 to 149 are the unit and contract tests' own.
 PROGRAMS_DOMAIN, NOBODYS_DOMAIN, BEARING_DOMAIN, SCRIPTS_DOMAIN, TWO_CAMERAS_DOMAIN = 151, 154, 152, 153, 155
-LEARNING_DOMAIN, EDITED_MAP_DOMAIN = 156, 157
+LEARNING_DOMAIN, EDITED_MAP_DOMAIN, JSON_DOMAIN = 156, 157, 158
 STAND_STILL_DOMAINS = 160, 161
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
