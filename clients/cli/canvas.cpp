@@ -11,55 +11,25 @@
 #include "clients/chart/canvas.hpp"
 
 namespace weft::cli {
-namespace {
 
-constexpr double kWidth = 1600.0;
-constexpr double kMargin = 60.0;
-constexpr double kTitle = 90.0;   // above the network
-constexpr double kFooter = 70.0;  // below it, besides the legend's lines
-constexpr double kLine = 26.0;    // of the legend
-constexpr double kTallest = 1400.0;
-constexpr double kWords = 15.0;  // size
-
-}  // namespace
-
-Point Sheet::operator()(const Pose2& pose) const {
-  return {kMargin + (pose.x - left) * scale, kTitle + (top - pose.y) * scale};
+void choose_letters(cairo_t* pen) {
+  cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_font_options_t* const options = cairo_font_options_create();
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_set_font_options(pen, options);
+  cairo_font_options_destroy(options);
 }
 
-Sheet fit(const std::vector<Pose2>& poses, std::size_t legend_lines) {
-  double left = 0.0;
-  double right = 1.0;
-  double bottom = 0.0;
-  double top = 1.0;
-  bool first = true;
-  for (const Pose2& pose : poses) {
-    left = first ? pose.x : std::min(left, pose.x);
-    right = first ? pose.x : std::max(right, pose.x);
-    bottom = first ? pose.y : std::min(bottom, pose.y);
-    top = first ? pose.y : std::max(top, pose.y);
-    first = false;
-  }
-  const double wide = std::max(right - left, 1.0);
-  const double tall = std::max(top - bottom, 1.0);
-  Sheet sheet;
-  sheet.scale = std::min((kWidth - 2.0 * kMargin) / wide, kTallest / tall);
-  sheet.left = left - 0.5 * ((kWidth - 2.0 * kMargin) / sheet.scale - wide);
-  sheet.top = top;
-  sheet.legend_top = kTitle + tall * sheet.scale + kFooter + kLine;
-  sheet.height = sheet.legend_top + kLine * (static_cast<double>(legend_lines) - 1.0) + kMargin;
-  return sheet;
-}
-
-Canvas::Canvas(std::string file, const Sheet& sheet)
-    : file_(std::move(file)), sheet_(sheet), legend_y_(sheet.legend_top) {
-  surface_.reset(file_.ends_with(".svg") ? cairo_svg_surface_create(file_.c_str(), kWidth, sheet.height)
-                                         : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kWidth),
-                                                                      static_cast<int>(sheet.height)));
+Canvas::Canvas(std::string file, const Sheet& sheet) : file_(std::move(file)), sheet_(sheet) {
+  surface_.reset(file_.ends_with(".svg")
+                     ? cairo_svg_surface_create(file_.c_str(), sheet.width, sheet.height)
+                     : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(sheet.width),
+                                                  static_cast<int>(sheet.height)));
   pen_.reset(cairo_create(surface_.get()));
   colour(kWhite);
   cairo_paint(pen());
-  cairo_select_font_face(pen(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  choose_letters(pen());
   cairo_set_line_cap(pen(), CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(pen(), CAIRO_LINE_JOIN_ROUND);
 }
@@ -79,31 +49,42 @@ Result<void> Canvas::finish() {
   return fail(ErrorCode::exhausted, file_ + ": " + cairo_status_to_string(status) + "; is the folder there?");
 }
 
-void Canvas::title(const std::string& title, const std::string& detail) {
-  text({kMargin, 46.0}, title, 24.0, kInk);
-  text({kMargin, 70.0}, detail, 14.0, kQuiet);
+void Canvas::head(const std::string& title, const std::string& detail) {
+  text({kSheetMargin, 42.0}, title, 24.0, kInk);
+  text({kSheetMargin, 66.0}, detail, kDetailWords, kQuiet);
+  scale_bar();
 }
 
 void Canvas::scale_bar() {
-  double metres = 1.0;
-  for (const double step : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0}) {
-    if (metres * sheet_.scale < 120.0) metres = step;
-  }
-  const double y = 62.0;
-  const double right = kWidth - kMargin;
+  const double metres = round_metres(sheet_.scale, 240.0);
+  const double y = 36.0;
+  const double right = sheet_.width - kSheetMargin;
   const double left = right - metres * sheet_.scale;
   stroke({left, y}, {right, y}, kInk, 2.0, false);
   stroke({left, y - 6.0}, {left, y + 6.0}, kInk, 2.0, false);
   stroke({right, y - 6.0}, {right, y + 6.0}, kInk, 2.0, false);
   std::array<char, 32> words{};
-  std::snprintf(words.data(), words.size(), "%g m", metres);
-  text({0.5 * (left + right) - 0.5 * width(words.data(), kWords), y - 10.0}, words.data(), kWords, kInk);
+  std::snprintf(words.data(), words.size(), metres == 1.0 ? "%g metre" : "%g metres", metres);
+  const double half = 0.5 * text_widths()(words.data(), kLegendWords);
+  const double middle = std::min(0.5 * (left + right), right - half);
+  text({middle - half, y - 10.0}, words.data(), kLegendWords, kInk);
 }
 
-void Canvas::legend_line(const std::string& words, const Colour& ink, double thick, bool dashed) {
-  stroke({kMargin, legend_y_}, {kMargin + 44.0, legend_y_}, ink, thick, dashed);
-  text({kMargin + 60.0, legend_y_ + 5.0}, words, kWords, kInk);
-  legend_y_ += kLine;
+void Canvas::tags(const std::vector<Tag>& tags) {
+  for (const Tag& tag : tags) {
+    if (needs_leader(tag.wish, tag.box))
+      stroke(tag.wish.anchor, nearest_in(tag.box, tag.wish.anchor), kQuiet, 1.0, false);
+  }
+  for (const Tag& tag : tags) {
+    const Box& box = tag.box;
+    cairo_rectangle(pen(), box.left + 1.0, box.top + 1.0, tag.wish.wide - 2.0, tag.wish.tall - 2.0);
+    cairo_set_source_rgba(pen(), 1.0, 1.0, 1.0, 0.9);
+    cairo_fill_preserve(pen());
+    colour(tag.frame);
+    cairo_set_line_width(pen(), 1.2);
+    cairo_stroke(pen());
+    text({box.left + 4.0, box.top + 18.0}, tag.words, kTagWords, tag.ink);
+  }
 }
 
 void Canvas::stroke(const Point& a, const Point& b, const Colour& ink, double thick, bool dashed) {
@@ -123,20 +104,9 @@ void Canvas::dot(const Point& at, double radius, const Colour& ink) {
   cairo_fill(pen());
 }
 
-void Canvas::tag(const Point& at, const std::string& words, double size, const Colour& ink) {
-  const double wide = width(words, size);
-  const bool fits = at.x + 14.0 + wide < kWidth - 8.0;
-  const Point from{fits ? at.x + 12.0 : at.x - 12.0 - wide, at.y - 10.0};
-  cairo_set_source_rgba(pen(), 1.0, 1.0, 1.0, 0.85);
-  cairo_rectangle(pen(), from.x - 3.0, from.y - size, wide + 6.0, size + 5.0);
-  cairo_fill(pen());
-  text(from, words, size, ink);
-}
-
-void Canvas::label(const Point& at, const std::string& words, const Colour& ink) {
-  dot(at, 8.0, ink);
+void Canvas::ring(const Point& at, const Colour& ink) {
+  dot(at, kLabelRadius, ink);
   dot(at, 5.0, kWhite);
-  tag(at, words, kWords, ink);
 }
 
 void Canvas::text(const Point& at, const std::string& words, double size, const Colour& ink) {
@@ -144,13 +114,7 @@ void Canvas::text(const Point& at, const std::string& words, double size, const 
   cairo_set_font_size(pen(), size);
   cairo_move_to(pen(), at.x, at.y);
   cairo_show_text(pen(), words.c_str());
-}
-
-double Canvas::width(const std::string& words, double size) {
-  cairo_text_extents_t extents{};
-  cairo_set_font_size(pen(), size);
-  cairo_text_extents(pen(), words.c_str(), &extents);
-  return extents.x_advance;
+  cairo_new_path(pen());  // it has left a point behind
 }
 
 }  // namespace weft::cli

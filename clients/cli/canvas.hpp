@@ -1,43 +1,22 @@
 #pragma once
 #include <cairo.h>
 
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/geometry/pose2.hpp"
+#include "clients/cli/legend.hpp"
+#include "clients/cli/picture.hpp"
+#include "clients/cli/sheet.hpp"
 #include "core/result.hpp"
 
 namespace weft::cli {
 
-struct Colour {
-  double r = 0.0, g = 0.0, b = 0.0;
-};
-inline constexpr Colour kInk = {0.13, 0.15, 0.18};
-inline constexpr Colour kQuiet = {0.50, 0.53, 0.57};
-inline constexpr Colour kWhite = {1.0, 1.0, 1.0};
+/// Sets the letters that pictures are written in; none is moved to whole pixels, so that widths are the same for
+/// every kind of file.
+void choose_letters(cairo_t* pen);
 
-/// Units of the sheet.
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-/// From the drawing's metres to the sheet's units; y turned round.
-struct Sheet {
-  double scale = 1.0;
-  double left = 0.0;
-  double top = 0.0;
-  double height = 0.0;
-  double legend_top = 0.0;  ///< the legend's first line
-  Point operator()(const Pose2& pose) const;
-};
-
-/// A sheet on which all of them have room, with `legend_lines` below.
-Sheet fit(const std::vector<Pose2>& poses, std::size_t legend_lines);
-
-/// A file to draw on, with what every drawing of a network has: title, scale, legend.
+/// A file to draw on, with what every drawing of a network has: title, scale, tags, legend.
 class Canvas {
  public:
   /// invalid: the file's name ends neither in .png nor in .svg.
@@ -48,20 +27,16 @@ class Canvas {
   const Sheet& sheet() const { return sheet_; }
   cairo_t* pen() const { return pen_.get(); }
 
-  void title(const std::string& title, const std::string& detail);
-  /// A bar of a round number of metres, above to the right.
-  void scale_bar();
-  /// One more line of the legend; lines are counted from the first.
-  void legend_line(const std::string& words, const Colour& ink, double thick, bool dashed = false);
+  /// Title and detail on the left, and a bar of a round number of metres on the right.
+  void head(const std::string& title, const std::string& detail);
+  /// Words where they were placed, with lines to what they name.
+  void tags(const std::vector<Tag>& tags);
 
   void stroke(const Point& a, const Point& b, const Colour& ink, double thick, bool dashed);
   void dot(const Point& at, double radius, const Colour& ink);
-  /// Words beside a point, on a white ground so that lines do not run through them.
-  void tag(const Point& at, const std::string& words, double size, const Colour& ink);
-  /// A dot with its words.
-  void label(const Point& at, const std::string& words, const Colour& ink);
+  /// The mark of a labelled place.
+  void ring(const Point& at, const Colour& ink);
   void text(const Point& at, const std::string& words, double size, const Colour& ink);
-  double width(const std::string& words, double size);
 
  private:
   struct Free {
@@ -70,10 +45,10 @@ class Canvas {
   };
   Canvas(std::string file, const Sheet& sheet);
   void colour(const Colour& ink) { cairo_set_source_rgb(pen_.get(), ink.r, ink.g, ink.b); }
+  void scale_bar();
 
   std::string file_;
   Sheet sheet_;
-  double legend_y_ = 0.0;
   std::unique_ptr<cairo_surface_t, Free> surface_;
   std::unique_ptr<cairo_t, Free> pen_;
 };

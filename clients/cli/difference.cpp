@@ -12,7 +12,7 @@ bool is_stitch(const Edge& edge) {
 
 /// Where both have a key, the value of `to`. Linear: nothing is put into the middle.
 template <class Map>
-Map united(const Map& from, const Map& to) {
+Map merged(const Map& from, const Map& to) {
   Map both;
   both.reserve(from.size() + to.size());
   auto old = from.begin();
@@ -76,8 +76,8 @@ void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to
 Window united(const Window& from, const Window& to) {
   Window both;
   both.revision = to.revision;
-  both.places = united(from.places, to.places);
-  both.edges = united(from.edges, to.edges);
+  both.places = merged(from.places, to.places);
+  both.edges = merged(from.edges, to.edges);
   both.labels = to.labels;
   both.labels.insert(from.labels.begin(), from.labels.end());
   index_edges(both);

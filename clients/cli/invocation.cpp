@@ -145,12 +145,14 @@ class Grammar {
     add(*map, "list", "What was taught and imported: by whom, when, how long, its labels, what it is joined to",
         Command::map_list);
     CLI::App* const draw =
-        add(*map, "draw", "Draw the network: experiences, stitches, labels, robots", Command::map_draw);
+        add(*map, "draw", "Draw the network: runs, stitches, labels, and what each line means", Command::map_draw);
     draw->add_option("OUT", into_.file, "A file, *.png or *.svg")->type_name("")->required();
     draw->add_option("--floor-plan", into_.floor_plan, "Draw it upon a floor plan: a map_server file, with its PGM")
         ->type_name("MAP.yaml");
     anchors(*draw);
-    revision(*draw, "--at", into_.at, "As the network was at that revision");
+    CLI::Option* const robots = draw->add_flag(
+        "--robots", into_.draws_robots, "Robots too, where they say they are, what they hold, and their routes");
+    revision(*draw, "--at", into_.at, "As the network was at that revision")->excludes(robots);
     CLI::App* const label = add(*map, "label", "Name a place, to send goals to", Command::map_label);
     label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
         ->type_name("")

@@ -68,6 +68,7 @@ struct Invocation {
   std::string floor_plan;          ///< map draw: a map_server file; empty: none
   std::vector<Anchor> anchors;     ///< map draw, map export: where labels lie in the site
   std::string experience;          ///< map export: an id or its beginning
+  bool draws_robots = false;       ///< map draw: robots too, and what they hold
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
   Revision from, to;               ///< map diff; map log: the newest to show (to)
   std::uint32_t most = 20;         ///< map log: how many

@@ -1,8 +1,8 @@
 #include "clients/cli/anchor.hpp"
 #include "clients/cli/commands.hpp"
-#include "clients/cli/draw.hpp"
 #include "clients/cli/export.hpp"
 #include "clients/cli/files.hpp"
+#include "clients/cli/map_draw.hpp"
 #include "clients/cli/table.hpp"
 
 namespace weft::cli {
@@ -37,13 +37,6 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   return Exit::done;
 }
 
-/// The network where it is to be drawn or written: as laid out, or in the site's frame.
-struct Laid {
-  Window network;
-  Layout layout;
-  std::string caption;
-};
-
 Result<Laid> lay(Window network, const Invocation& invocation) {
   const std::vector<Anchor>& anchors = invocation.anchors;
   const bool wants_poses = invocation.command == Command::map_draw || has_poses(invocation.file);
@@ -54,15 +47,6 @@ Result<Laid> lay(Window network, const Invocation& invocation) {
   if (!held) return fail(held.error());
   std::string caption = to_text(*held, anchors.size());
   return Laid{std::move(held->network), std::move(held->layout), std::move(caption)};
-}
-
-Result<void> draw(const Laid& laid, const std::vector<msg::RobotRow>& robots, const Invocation& invocation,
-                  const Output& output) {
-  if (invocation.floor_plan.empty()) return draw(laid.network, laid.layout, std::nullopt, robots, invocation.file);
-  Result<formats::FloorPlan> plan = read_floor_plan(invocation.floor_plan, output.err);
-  if (!plan) return fail(plan.error());
-  const Ground ground{*std::move(plan), "upon " + invocation.floor_plan + ", " + laid.caption};
-  return draw(laid.network, laid.layout, ground, robots, invocation.file);
 }
 
 /// What of the command line does not go together.
@@ -98,24 +82,13 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
   if (!robots) return report(robots.error(), invocation.json, output);
   Result<Window> network = network_at(session, invocation, {invocation.at, {}}, output);
   if (!network) return report(network.error(), invocation.json, output);
-  const Result<Laid> laid = lay(*std::move(network), invocation);
+  Result<Laid> laid = lay(*std::move(network), invocation);
   if (!laid) return report(laid.error(), invocation.json, output);
-  const Result<void> written = invocation.command == Command::map_draw
-                                   ? draw(*laid, robots->robots, invocation, output)
-                                   : write(*laid, names_of(robots->robots), invocation);
-  if (!written) return report(written.error(), invocation.json, output);
-  if (invocation.json) {
-    nlohmann::json document = {{"file", invocation.file},
-                               {"revision", laid->network.revision.value},
-                               {"places", laid->network.places.size()},
-                               {"edges", laid->network.edges.size()}};
-    if (!laid->caption.empty()) document["anchors"] = laid->caption;
-    output.out << printed(document) << '\n';
-  } else {
-    output.out << invocation.file << ": revision " << laid->network.revision.value << ", "
-               << laid->network.places.size() << " places" << (laid->caption.empty() ? "" : ", ") << laid->caption
-               << '\n';
-  }
+  if (invocation.command == Command::map_draw)
+    return run_map_draw(session, *std::move(laid), robots->robots, invocation, output);
+  if (const Result<void> written = write(*laid, names_of(robots->robots), invocation); !written)
+    return report(written.error(), invocation.json, output);
+  say_written(laid->network, laid->caption, nlohmann::json::object(), invocation, output);
   return Exit::done;
 }
 

@@ -232,6 +232,58 @@ TEST(Commands, DrawsAPicture) {
   EXPECT_EQ(fleet.weft({"map", "draw", "map.bmp"}).exit, Exit::usage);
 }
 
+TEST(Commands, MapDrawTellsRunsWithTheirColours) {
+  OneRobot fleet;
+  const auto document = fleet.weft({"map", "draw", (folder() / "map.png").string(), "--json"}).json();
+  ASSERT_EQ(document["runs"].size(), 2U);
+  EXPECT_EQ(document["runs"][0]["experience"], "00000000000000a1");
+  EXPECT_EQ(document["runs"][0]["colour"], "#d65e00");
+  EXPECT_TRUE(document["runs"][0]["name"].is_null());  // nobody has named it
+  EXPECT_FALSE(document.contains("robots"));
+}
+
+TEST(Commands, MapDrawWithRobotsTellsWhoIsNotDrawn) {
+  OneRobot fleet;
+  fleet.add_robot("r2");
+  fleet.run(1s);
+  const std::string file = (folder() / "map.svg").string();
+  const auto robots = fleet.weft({"map", "draw", file, "--robots", "--json"}).json()["robots"];
+  EXPECT_EQ(robots["drawn"], nlohmann::json::array({"r1"}));
+  ASSERT_EQ(robots["not_drawn"].size(), 1U);
+  EXPECT_EQ(robots["not_drawn"][0]["name"], "r2");
+  const Said said = fleet.weft({"map", "draw", file, "--robots"});
+  EXPECT_EQ(said.exit, Exit::done);
+  EXPECT_NE(said.out.find("not drawn: r2, it does not know where it is"), std::string::npos) << said.out;
+}
+
+TEST(Commands, MapDrawWithRobotsDrawsTheRouteThatOneHolds) {
+  OneRobot fleet;
+  Puppet& r2 = fleet.add_robot("r2");
+  r2.state.place = {fleet.second, 40};
+  r2.state.mode = msg::RobotMode::lost;
+  Puppet& r3 = fleet.add_robot("r3");
+  r3.state.localised = true;
+  r3.state.place = {fleet.second, 25};
+  fleet.run(1s);
+  const std::string before = (folder() / "before.png").string();
+  const std::string after = (folder() / "after.png").string();
+  ASSERT_EQ(fleet.weft({"map", "draw", before, "--robots"}).exit, Exit::done);
+  ASSERT_EQ(fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1"}).exit, Exit::done);
+  fleet.run(3s);
+  r3.speak_at = SteadyTime::max();
+  fleet.run(10s);
+  const auto robots = fleet.weft({"map", "draw", after, "--robots", "--json"}).json()["robots"];
+  EXPECT_EQ(robots["drawn"], nlohmann::json::array({"r1", "r2", "r3"}));
+  EXPECT_NE(std::filesystem::file_size(before), std::filesystem::file_size(after));
+}
+
+TEST(Commands, RobotsAreNotDrawnOnAnOldMap) {
+  Fleet fleet;
+  const Said said = fleet.weft({"map", "draw", (folder() / "map.svg").string(), "--robots", "--at", "1"});
+  EXPECT_EQ(said.exit, Exit::usage);
+  EXPECT_NE(said.err.find("--robots"), std::string::npos) << said.err;
+}
+
 TEST(Commands, AGoalsLife) {
   OneRobot fleet;
   const Said sent = fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"});

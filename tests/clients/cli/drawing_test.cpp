@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <utility>
 
 #include "clients/cli/draw.hpp"
 #include "clients/cli/exit.hpp"
@@ -20,6 +22,13 @@ Window loops(bool stitched) {
   for (const Batch& batch : batches) snapshot = with(snapshot, batch);
   snapshot = with_label(snapshot, "dock", {{0xA1}, 30});
   return make_window(snapshot, WindowDefinition{});
+}
+
+Subject subject_of(Window network) {
+  Subject subject;
+  subject.layout = lay_out(network);
+  subject.network = std::move(network);
+  return subject;
 }
 
 std::string read(const std::filesystem::path& path) {
@@ -54,7 +63,7 @@ TEST(LayOut, WhatNothingJoinsStandsSideBySide) {
 
 TEST(Draw, MakesAPicture) {
   const std::filesystem::path file = folder() / "network.png";
-  ASSERT_TRUE(draw(loops(true), {}, file.string()).has_value());
+  ASSERT_TRUE(draw(subject_of(loops(true)), file.string()).has_value());
   const std::string bytes = read(file);
   EXPECT_EQ(bytes.substr(1, 3), "PNG");
   EXPECT_GT(bytes.size(), 5000U);
@@ -63,7 +72,7 @@ TEST(Draw, MakesAPicture) {
 /// How many dashed strokes the vector picture of a network has.
 std::size_t dashed_strokes(const Window& network) {
   const std::filesystem::path file = folder() / "network.svg";
-  EXPECT_TRUE(draw(network, {}, file.string()).has_value());
+  EXPECT_TRUE(draw(subject_of(network), file.string()).has_value());
   const std::string svg = read(file);
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   std::size_t count = 0;
@@ -90,15 +99,45 @@ TEST(Draw, WhatIsJoinedByOdometryAloneIsDashedAndExplained) {
   EXPECT_EQ(dashed_strokes(loops(true)), 0U);
 }
 
+/// A picture of one robot whose look is that; the network's own picture without one.
+std::string picture_with(std::optional<RobotMark::Look> look, std::vector<PlaceId> held = {}) {
+  const std::filesystem::path file = folder() / "robots.svg";
+  Subject subject = subject_of(loops(true));
+  if (look.has_value()) {
+    RobotMark robot;
+    robot.name = robot.words = "r1";
+    robot.look = *look;
+    robot.drawing_from_robot = subject.layout.drawing_from_place.at({{0xA1}, 12});
+    robot.radius_m = 0.4;
+    robot.held = std::move(held);
+    subject.robots = RobotsOnMap{{robot}, {}};
+  }
+  EXPECT_TRUE(draw(subject, file.string()).has_value());
+  return read(file);
+}
+
+TEST(Draw, RobotsAndWhatTheyHoldAreInThePicture) {
+  const std::string bare = picture_with(std::nullopt);
+  const std::string heard = picture_with(RobotMark::Look::heard);
+  const std::string held = picture_with(RobotMark::Look::heard, {{{0xA1}, 12}, {{0xA1}, 13}, {{0xA1}, 14}});
+  EXPECT_NE(heard, bare);
+  EXPECT_NE(picture_with(RobotMark::Look::lost), heard);
+  EXPECT_NE(picture_with(RobotMark::Look::silent), heard);
+  const std::string band = "stroke-opacity:0.5";  // nothing else is pale
+  const std::string other = "stroke-opacity=\"0.5\"";
+  EXPECT_TRUE(held.find(band) != std::string::npos || held.find(other) != std::string::npos);
+  EXPECT_TRUE(heard.find(band) == std::string::npos && heard.find(other) == std::string::npos);
+}
+
 TEST(Draw, EmptyNetworkIsAPictureToo) {
-  EXPECT_TRUE(draw(Window{}, {}, (folder() / "empty.png").string()).has_value());
+  EXPECT_TRUE(draw(Subject{}, (folder() / "empty.png").string()).has_value());
 }
 
 TEST(Draw, OtherEndingsAndMissingFoldersAreRefused) {
-  EXPECT_EQ(draw(Window{}, {}, "x.pdf").error().code, ErrorCode::invalid);
+  EXPECT_EQ(draw(Subject{}, "x.pdf").error().code, ErrorCode::invalid);
   // Not the operator's grammar, and no word of a server: it failed.
-  EXPECT_EQ(exit_of(draw(Window{}, {}, "/nowhere/x.png").error()), Exit::failed);
-  EXPECT_EQ(exit_of(draw(Window{}, {}, "/nowhere/x.svg").error()), Exit::failed);
+  EXPECT_EQ(exit_of(draw(Subject{}, "/nowhere/x.png").error()), Exit::failed);
+  EXPECT_EQ(exit_of(draw(Subject{}, "/nowhere/x.svg").error()), Exit::failed);
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ TEST(Invocation, FieldsArriveWhereTheyBelong) {
   EXPECT_EQ(label.place, "here");
   EXPECT_EQ(label.robot, "r2");
   EXPECT_EQ(label.name, "dock");
+  EXPECT_TRUE(good({"map", "draw", "a.png", "--robots"}).draws_robots);
+  EXPECT_FALSE(good({"map", "draw", "a.png"}).draws_robots);
 }
 
 TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {

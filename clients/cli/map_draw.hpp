@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "clients/cli/commands.hpp"
+#include "clients/cli/layout.hpp"
+
+namespace weft::cli {
+
+/// The network where it is to be drawn or written: as laid out, or in the site's frame.
+struct Laid {
+  Window network;
+  Layout layout;
+  std::string caption;
+};
+
+/// Draws it, with robots if that is wanted. `robots` are all the server knows.
+Exit run_map_draw(Session& session, Laid laid, const std::vector<msg::RobotRow>& robots, const Invocation& invocation,
+                  const Output& output);
+
+/// Says that the file is written: a line, or a document with the members of `more` too.
+void say_written(const Window& network, const std::string& caption, const nlohmann::json& more,
+                 const Invocation& invocation, const Output& output);
+
+}  // namespace weft::cli
