@@ -114,6 +114,7 @@ class JsonDocuments(Fleet):
         done('map diff', revision - 1)
         for name in ('m.svg', 'm.png'):
             done('map draw', self.folder / name)
+        done('map draw', self.folder / 'r.svg', '--robots')
         done('map export', self.folder / 'm.json')
         done('map apart', '--list')
         done('map apart', f'{one}:0..1', f'{one}:5..6')
