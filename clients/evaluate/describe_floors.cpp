@@ -14,7 +14,8 @@ std::vector<CLI::Option*> flags_of_floors(CLI::App* sub, FloorOptions& options, 
   seeds = kept_seeds;
   const auto option = flags_of(sub);
   return {option("--kind", options.kind, "K", "One kind of floor, or one photograph [all]"),
-          option("--light", options.light, "L", "One light or wear on the other day; 'same' is none [all]"),
+          option("--light", options.light, "L",
+                 "One light or wear on the other day; 'same' is none [all; floor: same, halved, dirt]"),
           option("--floors", options.floors, "DIR",
                  "Photographs of floors (docs/simulation.md) instead of the simulation's"),
           option("--seeds", seeds, "A..B",
@@ -48,7 +49,14 @@ CLI::App* describe(CLI::App& app, FloorWords& words) {
       "With --replay: odometry, mapping and localisation on a recording instead. Writes replay.json and replay.png.");
   FloorOptions& options = words.study;
   const auto option = flags_of(sub);
-  std::vector<CLI::Option*> of_study = flags_of_floors(sub, options, "1..10", words.seeds);
+  std::vector<CLI::Option*> of_study = flags_of_floors(sub, options, "1..4", words.seeds);
+  options.usual_lights = {"same", "halved", "dirt"};
+  CLI::Option* const whole =
+      sub->add_flag("--all", words.is_whole, "Under every light and kind of wear, seeds 1..10: hours");
+  of_study.push_back(whole);
+  of_study.push_back(sub->add_flag("--quick", words.is_quick,
+                                   "Epoxy, nothing changed, seed 1, 6 m: says within three minutes that it works")
+                         ->excludes(whole));
   for (CLI::Option* const flag : flags_of_line(sub, options)) of_study.push_back(flag);
   CLI::Option* const replay =
       option("--replay", words.replay.recording, "DIR", "A recording in EuRoC layout (mav0/cam0), floor in view");

@@ -28,7 +28,7 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
   return sub;
 }
 
-CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds) {
+CLI::App* describe(CLI::App& app, BearingWords& words) {
   CLI::App* const sub = app.add_subcommand(
       "bearing",
       "How well the method bearing comes back to a way that it was taught, in the experiments of Krajnik et al. "
@@ -38,12 +38,15 @@ CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds) {
       "wheels, changed stock; each half of the method alone; the first loop against the paper's model.\n"
       "Writes bearing.csv, bearing.json and four pictures. Ctrl-C stops it; the same command goes on where it "
       "stopped.");
-  seeds = "1..3";
+  words.seeds = "1..2";
+  BearingOptions& options = words.study;
   options.scenes = "deploy/sites/bearing";
   options.out = "out/bearing";
   const auto option = flags_of(sub);
-  option("--seeds", seeds, "A..B", "Seeds A to B, or one: each is another hand, calibration, light and noise [1..3]");
+  option("--seeds", words.seeds, "A..B",
+         "Seeds A to B, or one: each is another hand, calibration, light and noise [1..2]");
   option("--trial", options.trial, "NAME", "Only this one; a wrong name lists them [all]");
+  sub->add_flag("--quick", words.is_quick, "One trial, seed 1: says within three minutes that it works");
   option("--scenes", options.scenes, "DIR", "Sites and lines that are driven [deploy/sites/bearing]");
   option("--out", options.out, "DIR", "Folder for the results; rows that it holds already are kept [out/bearing]");
   return sub;

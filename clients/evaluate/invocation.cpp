@@ -38,11 +38,28 @@ Parsed with_seeds(const CLI::App& app, Options options, const std::string& seeds
 
 Parsed parsed_floor(const CLI::App& app, FloorWords words) {
   words.study.out = words.replay.out = words.out;
+  const bool has_seeds = app.get_subcommand("floor")->get_option("--seeds")->count() > 0;
+  if (words.is_whole) words.study.usual_lights.clear();
+  if (words.is_whole && !has_seeds) words.seeds = "1..10";
+  if (words.is_quick) {
+    constexpr double kQuick_m = 6.0;
+    if (!has_seeds) words.seeds = "1";
+    if (words.study.kind.empty()) words.study.kind = "epoxy";
+    if (words.study.light.empty()) words.study.light = "same";
+    words.study.metres = std::min(words.study.metres, kQuick_m);
+  }
   if (words.replay.recording.empty()) return with_seeds(app, std::move(words.study), words.seeds);
   if (!words.mount.empty()) {
     words.replay.mount = ReplayMount{words.mount[0], words.mount[1], words.mount[2], words.mount[3]};
   }
   return words.replay;
+}
+
+Parsed parsed_bearing(const CLI::App& app, BearingWords words) {
+  const bool has_seeds = app.get_subcommand("bearing")->get_option("--seeds")->count() > 0;
+  if (words.is_quick && !has_seeds) words.seeds = "1";
+  if (words.is_quick && words.study.trial.empty()) words.study.trial = "oval-behind";
+  return with_seeds(app, std::move(words.study), words.seeds);
 }
 
 }  // namespace
@@ -74,8 +91,7 @@ Parsed parse(int argc, const char* const* argv) {
   std::string relocalise_seeds;
   ForetoldOptions foretold;
   OdometryOptions odometry;
-  BearingOptions bearing;
-  std::string bearing_seeds;
+  BearingWords bearing;
   LearningOptions learning;
   std::string learning_seeds;
   HeadingOptions heading;
@@ -89,7 +105,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const relocalise_sub = describe(app, relocalise, relocalise_seeds);
   const CLI::App* const foretold_sub = describe(app, foretold, foretold_seeds);
   const CLI::App* const odometry_sub = describe(app, odometry, odometry_seeds);
-  const CLI::App* const bearing_sub = describe(app, bearing, bearing_seeds);
+  const CLI::App* const bearing_sub = describe(app, bearing);
   const CLI::App* const learning_sub = describe(app, learning, learning_seeds);
   const CLI::App* const heading_sub = describe(app, heading);
   describe(app, generate);
@@ -103,7 +119,7 @@ Parsed parse(int argc, const char* const* argv) {
   }
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
   if (odometry_sub->parsed()) return with_seeds(app, odometry, odometry_seeds);
-  if (bearing_sub->parsed()) return with_seeds(app, bearing, bearing_seeds);
+  if (bearing_sub->parsed()) return parsed_bearing(app, bearing);
   if (learning_sub->parsed()) return with_seeds(app, learning, learning_seeds);
   if (heading_sub->parsed()) return heading;
   if (floor_sub->parsed()) return parsed_floor(app, floor);

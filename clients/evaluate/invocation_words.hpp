@@ -22,7 +22,15 @@ struct FloorWords {
   std::string seeds;
   ReplayOptions replay;
   std::vector<double> mount;
+  bool is_whole = false;  ///< every light and kind of wear, ten seeds
+  bool is_quick = false;
   std::filesystem::path out = "out/floor";
+};
+
+struct BearingWords {
+  BearingOptions study;
+  std::string seeds;
+  bool is_quick = false;
 };
 
 /// Each adds its subcommand; flags write into what is given.
@@ -32,7 +40,7 @@ CLI::App* describe(CLI::App& app, AttemptsOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds);
-CLI::App* describe(CLI::App& app, BearingOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, BearingWords& words);
 CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, HeadingOptions& options);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);

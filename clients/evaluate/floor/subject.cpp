@@ -62,7 +62,9 @@ Result<Subject> subject_without_line(const FloorOptions& options, std::function<
   subject.study = {WEFT_VERSION, sha256_of(*site_text), "", "", options.metres};
   Result<std::vector<std::string>> kinds = kinds_of(options, subject);
   if (!kinds) return fail(kinds.error());
-  Result<std::vector<std::string>> some_lights = chosen(lights(), options.light, "--light");
+  Result<std::vector<std::string>> some_lights = options.light.empty() && !options.usual_lights.empty()
+                                                     ? options.usual_lights
+                                                     : chosen(lights(), options.light, "--light");
   if (!some_lights) return fail(some_lights.error());
   subject.kinds = std::move(*kinds);
   subject.lights = std::move(*some_lights);

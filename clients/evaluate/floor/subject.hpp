@@ -14,13 +14,14 @@ namespace weft::evaluate {
 /// What every study of floors is asked for.
 struct FloorOptions {
   Seeds seeds;
-  std::filesystem::path site;    ///< file
-  std::filesystem::path along;   ///< file: the line, "x y" a row; empty: SITE without .toml, /r1.line
-  std::filesystem::path floors;  ///< folder of photographs; empty: the simulation's own floors
-  std::filesystem::path out;     ///< folder; made if it is not there
-  std::string kind;              ///< one floor; empty: all
-  std::string light;             ///< one light or wear; empty: all
-  double metres = 26.0;          ///< of the line that are driven
+  std::filesystem::path site;             ///< file
+  std::filesystem::path along;            ///< file: the line, "x y" a row; empty: SITE without .toml, /r1.line
+  std::filesystem::path floors;           ///< folder of photographs; empty: the simulation's own floors
+  std::filesystem::path out;              ///< folder; made if it is not there
+  std::string kind;                       ///< one floor; empty: all
+  std::string light;                      ///< one light or wear; empty: `usual_lights`
+  std::vector<std::string> usual_lights;  ///< empty: all
+  double metres = 26.0;                   ///< of the line that are driven
 };
 
 namespace floor {

@@ -29,6 +29,24 @@ TEST(EvaluateInvocation, FlagsAndDefaults) {
   EXPECT_EQ(given.out, "o");
 }
 
+TEST(EvaluateInvocation, StudiesTakeUnderAnHourUnlessAllIsAskedForAndMinutesIfQuick) {
+  const auto usual = std::get<FloorOptions>(parsed({"floor"}));
+  EXPECT_EQ(usual.seeds.last, 4U);
+  EXPECT_EQ(usual.usual_lights, (std::vector<std::string>{"same", "halved", "dirt"}));
+  const auto whole = std::get<FloorOptions>(parsed({"floor", "--all"}));
+  EXPECT_EQ(whole.seeds.last, 10U);
+  EXPECT_TRUE(whole.usual_lights.empty());
+  EXPECT_EQ(std::get<FloorOptions>(parsed({"floor", "--all", "--seeds", "1..4"})).seeds.last, 4U);
+  const auto quick = std::get<FloorOptions>(parsed({"floor", "--quick"}));
+  EXPECT_EQ(quick.seeds.last, 1U);
+  EXPECT_EQ(quick.kind, "epoxy");
+  EXPECT_EQ(quick.light, "same");
+  EXPECT_EQ(quick.metres, 6.0);
+  EXPECT_TRUE(std::holds_alternative<NotRun>(parsed({"floor", "--quick", "--all"})));
+  EXPECT_EQ(std::get<BearingOptions>(parsed({"bearing"})).seeds.last, 2U);
+  EXPECT_EQ(std::get<BearingOptions>(parsed({"bearing", "--quick"})).trial, "oval-behind");
+}
+
 TEST(EvaluateInvocation, AttemptsTakeTheFlagsOfFloors) {
   const auto plain = std::get<AttemptsOptions>(parsed({"floor-attempts"}));
   EXPECT_EQ(plain.attempts, 100'000U);
@@ -121,7 +139,7 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
 TEST(EvaluateInvocation, FloorsToStudy) {
   const auto plain = std::get<FloorOptions>(parsed({"floor"}));
   EXPECT_EQ(plain.seeds.first, 1U);
-  EXPECT_EQ(plain.seeds.last, 10U);
+  EXPECT_EQ(plain.seeds.last, 4U);
   EXPECT_EQ(plain.kind, "");
   EXPECT_EQ(plain.out, "out/floor");
   const auto given = std::get<FloorOptions>(parsed({"floor", "--kind", "epoxy", "--light", "same", "--seeds", "3",
