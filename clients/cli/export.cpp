@@ -9,14 +9,18 @@
 namespace weft::cli {
 namespace {
 
-Result<ExperienceId> experience_in(const Window& network, const std::string& beginning) {
-  std::set<ExperienceId> fitting;
+/// By its name, or else by the beginning of its id.
+Result<ExperienceId> experience_in(const Window& network, const RunNames& runs, const std::string& called) {
+  std::set<ExperienceId> fitting, named;
   for (const auto& [id, place] : network.places) {
-    if (to_string(id.experience).starts_with(beginning)) fitting.insert(id.experience);
+    const auto run = runs.find(id.experience);
+    if (run != runs.end() && run->second == called) named.insert(id.experience);
+    if (to_string(id.experience).starts_with(called)) fitting.insert(id.experience);
   }
+  if (!named.empty()) fitting = std::move(named);
   if (fitting.size() == 1) return *fitting.begin();
   return fail(ErrorCode::invalid, "a .tum file holds one experience, and " + std::to_string(fitting.size()) +
-                                      " fit: give --experience ID as `weft map export OUT.json` lists them");
+                                      " fit: give --experience NAME or ID as `weft map list` has them");
 }
 
 template <class Value, class Write>
@@ -32,7 +36,7 @@ bool has_poses(const std::string& file) {
   return kWithPoses.contains(ending_of(file));
 }
 
-Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names,
+Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names, const RunNames& runs,
                                 const std::string& file, const std::string& experience) {
   const std::string ending = ending_of(file);
   const formats::Poses& poses = layout.drawing_from_place;
@@ -41,11 +45,11 @@ Result<std::string> export_text(const Window& network, const Layout& layout, con
   if (ending == ".dot") return formats::dot_text(network, poses);
   if (ending == ".graphml") return formats::graphml_text(network, poses);
   if (ending == ".tum") {
-    const Result<ExperienceId> of = experience_in(network, experience);
+    const Result<ExperienceId> of = experience_in(network, runs, experience);
     if (!of) return fail(of.error());
     return written(formats::trajectory_of(network, poses, *of), formats::tum_text);
   }
-  return printed(to_json(network, names), 1) + "\n";
+  return printed(to_json(network, names, runs), 1) + "\n";
 }
 
 }  // namespace weft::cli

@@ -179,8 +179,10 @@ class Grammar {
                      "*.g2o | *.geojson (Nav2 route graph) | *.dot | *.graphml | *.tum; any other name: JSON")
         ->type_name("")
         ->required();
-    exported->add_option("--experience", into_.experience, "With *.tum: which, its id or the beginning of it")
-        ->type_name("ID");
+    exported
+        ->add_option("--experience", into_.experience,
+                     "With *.tum: which, by its name, or its id or the beginning of that")
+        ->type_name("NAME");
     anchors(*exported);
     revision(*exported, "--at", into_.at, "As the network was at that revision");
     CLI::App* const import =

@@ -67,7 +67,7 @@ struct Invocation {
   std::vector<std::string> files;  ///< to read
   std::string floor_plan;          ///< map draw: a map_server file; empty: none
   std::vector<Anchor> anchors;     ///< map draw, map export: where labels lie in the site
-  std::string experience;          ///< map export: an id or its beginning
+  std::string experience;          ///< map export: a name, an id or its beginning
   bool draws_robots = false;       ///< map draw: robots too, and what they hold
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
   Revision from, to;               ///< map diff; map log: the newest to show (to)

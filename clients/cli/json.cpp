@@ -125,7 +125,7 @@ json to_json(const msg::MapInfo& info) {
           {"counters", std::move(counters)}};
 }
 
-json to_json(const Window& network, const Names& names) {
+json to_json(const Window& network, const Names& names, const RunNames& runs) {
   json places = json::array();
   std::map<ExperienceId, json> experiences;
   for (const auto& [id, place] : network.places) {
@@ -139,7 +139,11 @@ json to_json(const Window& network, const Names& names) {
                       {"content_bytes", place.content.size}});
     json& experience = experiences[id.experience];
     if (experience.is_null()) {
-      experience = {{"id", to_string(id.experience)}, {"robot", name_of(names, place.robot)}, {"places", 0}};
+      const auto run = runs.find(id.experience);
+      experience = {{"id", to_string(id.experience)},
+                    {"name", run == runs.end() ? std::string() : run->second},
+                    {"robot", name_of(names, place.robot)},
+                    {"places", 0}};
     }
     experience["places"] = experience["places"].get<std::uint64_t>() + 1;
   }

@@ -8,6 +8,9 @@
 
 namespace weft::cli {
 
+/// Names of runs (experiences); runs that have none are missing.
+using RunNames = std::map<ExperienceId, std::string>;
+
 /// Returns the document as text: always valid, with U+FFFD where a name or a path is no UTF-8.
 template <class Json>
 std::string printed(const Json& document, int indent = 2) {
@@ -25,7 +28,7 @@ nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names,
 nlohmann::json to_json(const msg::Event& event, const Names& names);
 nlohmann::json to_json(const msg::MapInfo& info);
 /// docs/formats/records.md, network.json.
-nlohmann::json to_json(const Window& network, const Names& names);
+nlohmann::json to_json(const Window& network, const Names& names, const RunNames& runs);
 nlohmann::json to_json(const Pose2& pose);
 
 /// "2026-11-21T10:40:03.250Z"

@@ -2,24 +2,13 @@
 #include <tuple>
 
 #include "clients/cli/commands.hpp"
+#include "clients/cli/run_names.hpp"
 #include "clients/cli/table.hpp"
 #include "core/network/imported.hpp"
 
 /// What was taught and imported.
 namespace weft::cli {
 namespace {
-
-using ExperienceNames = std::map<ExperienceId, std::string>;
-
-/// The name, or the beginning of the id of one that has none, or shares it.
-std::string called(const ExperienceNames& names, const ExperienceId& id) {
-  constexpr std::size_t kDigits = 8;
-  const std::string beginning = to_string(id).substr(0, kDigits);
-  const auto found = names.find(id);
-  if (found == names.end() || found->second.empty()) return beginning;
-  const auto same = std::ranges::count(names, found->second, [](const auto& entry) { return entry.second; });
-  return same == 1 ? found->second : found->second + " (" + beginning + ")";
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -49,13 +38,15 @@ nlohmann::json document_of(const msg::ExperienceRow& row, const Names& robots) {
 }
 
 void print(const std::vector<msg::ExperienceRow>& rows, const Names& robots, const Output& output) {
-  ExperienceNames names;
-  for (const msg::ExperienceRow& row : rows) names[row.id] = row.name;
+  RunNames names;
+  for (const msg::ExperienceRow& row : rows) {
+    if (!row.name.empty()) names[row.id] = row.name;
+  }
   Table table;
   table.add({"NAME", "ID", "BY", "BEGUN", "METHOD", "PLACES", "METRES", "LABELS", "JOINED TO"});
   for (const msg::ExperienceRow& row : rows) {
     std::vector<std::string> others;
-    for (const ExperienceId& id : row.joined) others.push_back(called(names, id));
+    for (const ExperienceId& id : row.joined) others.push_back(shown_run(id, names));
     if (row.joined_count > row.joined.size()) {
       others.push_back(std::to_string(row.joined_count - row.joined.size()) + " more");
     }

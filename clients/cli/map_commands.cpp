@@ -3,6 +3,7 @@
 #include "clients/cli/export.hpp"
 #include "clients/cli/files.hpp"
 #include "clients/cli/map_draw.hpp"
+#include "clients/cli/run_names.hpp"
 #include "clients/cli/table.hpp"
 
 namespace weft::cli {
@@ -65,9 +66,9 @@ Result<void> check(const Invocation& invocation) {
   return {};
 }
 
-Result<void> write(const Laid& laid, const Names& names, const Invocation& invocation) {
+Result<void> write(const Laid& laid, const Names& names, const RunNames& runs, const Invocation& invocation) {
   const Result<std::string> text =
-      export_text(laid.network, laid.layout, names, invocation.file, invocation.experience);
+      export_text(laid.network, laid.layout, names, runs, invocation.file, invocation.experience);
   if (!text) return fail(text.error());
   return write_file(*text, invocation.file);
 }
@@ -86,7 +87,9 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
   if (!laid) return report(laid.error(), invocation.json, output);
   if (invocation.command == Command::map_draw)
     return run_map_draw(session, *std::move(laid), robots->robots, invocation, output);
-  if (const Result<void> written = write(*laid, names_of(robots->robots), invocation); !written)
+  const Result<RunNames> runs = query_run_names(session, patience(invocation));
+  if (!runs) return report(runs.error(), invocation.json, output);
+  if (const Result<void> written = write(*laid, names_of(robots->robots), *runs, invocation); !written)
     return report(written.error(), invocation.json, output);
   say_written(laid->network, laid->caption, nlohmann::json::object(), invocation, output);
   return Exit::done;

@@ -13,6 +13,12 @@ constexpr std::size_t kAhead = 16;                      ///< batches of one expe
 constexpr std::uint64_t kWaitingBytes = 256ULL << 20U;  ///< contents that may wait for the rest of their batch
 constexpr std::size_t kMissingInAck = 256;
 constexpr std::size_t kMostWaitingLines = 1024;
+
+/// The experience's name and id, for people.
+std::string called(const Batch& batch) {
+  const std::string id = to_string(batch.experience);
+  return batch.name.empty() ? id : batch.name + " (" + id + ")";
+}
 }  // namespace
 
 Intake::Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through) : context_(context) {
@@ -247,14 +253,13 @@ Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
   }
   transaction.changes.emplace_back(storage::AppendBatch{.batch = waiting.batch, .hash = waiting.hash});
   if (waiting.batch.sequence == 1 || waiting.batch.seal) {
-    transaction.changes.emplace_back(
-        storage::PutEvent{{.at = {},
-                           .kind = waiting.batch.seal ? "experience.sealed" : "experience.begun",
-                           .robot = waiting.batch.robot,
-                           .goal = {},
-                           .cause = to_string(waiting.batch.experience) + " " + waiting.batch.name +
-                                    (waiting.batch.seal ? ": " + waiting.batch.seal_reason : ""),
-                           .who = "server"}});
+    transaction.changes.emplace_back(storage::PutEvent{
+        {.at = {},
+         .kind = waiting.batch.seal ? "experience.sealed" : "experience.begun",
+         .robot = waiting.batch.robot,
+         .goal = {},
+         .cause = called(waiting.batch) + (waiting.batch.seal ? ": " + waiting.batch.seal_reason : ""),
+         .who = "server"}});
   }
   const Result<Revision> done = context_.record.commit(std::move(transaction), now);
   if (!done) return fail(done.error());

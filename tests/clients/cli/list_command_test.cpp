@@ -58,6 +58,12 @@ TEST(MapList, AnImportIsNoRobotsAndIsUndoneAsAWholeByItsName) {
   const nlohmann::json log = fleet.weft({"map", "log", "--most", "1", "--json"}).json()["revisions"];
   EXPECT_EQ(log[0]["who"], "tester") << "whoever imported it";
   EXPECT_NE(log[0]["cause"].get<std::string>().find("of experience hall ("), std::string::npos) << log[0]["cause"];
+  const std::string file = (folder() / "named.json").string();
+  ASSERT_EQ(fleet.weft({"map", "export", file}).exit, Exit::done);
+  const nlohmann::json exported = nlohmann::json::parse(std::ifstream(file))["experiences"];
+  EXPECT_EQ(std::ranges::count_if(exported, [](const auto& one) { return one["name"] == "hall"; }), 2);
+  const Said which = fleet.weft({"map", "export", (folder() / "a.tum").string(), "--experience", "hall"});
+  EXPECT_NE(which.err.find("2 fit: give --experience NAME or ID"), std::string::npos) << which.err;
   const Said undone = fleet.weft({"map", "undo", "hall"});
   EXPECT_EQ(undone.exit, Exit::done) << undone.err;
   EXPECT_EQ(fleet.service->snapshot().place_count(), before);
