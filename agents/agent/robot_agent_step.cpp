@@ -62,6 +62,7 @@ void RobotAgent::note_lift(const ExperienceId& experience, double lift_m) {
 }
 
 void RobotAgent::note_following(const Navigated& navigated, SteadyTime now) {
+  strays_ = false;
   if (!task_.route().has_value() || follow_pending_ || stopped_) return;
   task_.set_progress(navigated.route_at, navigated.route_freed, now);
   const std::string why(navigated.reason);

@@ -241,7 +241,10 @@ void RobotAgent::prepare_localising(SteadyTime now) {
     if (now < localising_->deadline) return;
     const std::optional<CommandKey> asked_by = localising_->asked_by;
     if (localising_->seed.has_value()) navigator_->seek(std::nullopt);  // it has led to nothing
-    if (localising_->believes) navigator_->stop_looking();
+    if (localising_->believes) {
+      navigator_->stop_looking();
+      forget_proposed();
+    }
     localising_.reset();
     if (asked_by.has_value()) {
       const std::string likeliest =
@@ -275,14 +278,14 @@ void RobotAgent::prepare_localising(SteadyTime now) {
   navigator_->seek(localising_->seed);
 }
 
-/// Of its own accord, as it may be mistaken.
+/// Begins a search by a robot that may be mistaken, and goes on believing what it believes.
 void RobotAgent::look_again(SteadyTime now) {
   searched_at_ = replica_.window().revision;
   search_at_ = now + kBetweenSearches;
   localising_ = Localising{.asked_by = {}, .seed = {}, .believes = true, .deadline = now + kMapAtMost};
 }
 
-/// A few times for a goal: then the route fails, and says why.
+/// Gives a route back that lies elsewhere, a few times for a goal: then the route fails, and says why.
 void RobotAgent::give_back_route(SteadyTime now) {
   constexpr int kMost = 3;
   if (!strays_ || !task_.route().has_value()) return;
@@ -314,9 +317,10 @@ void RobotAgent::note_fix(const Fix& fix, SteadyTime now) {
   reply(*asked_by, done);
 }
 
-/// Who does not know where it is looks once in each revision of the map, and on and on while it has a route; who may
-/// be mistaken does before a route is planned, and when its route turns out to lie elsewhere. A lost robot still has
-/// an idea of where it was; the navigator looks from there by itself.
+/// Returns whether a search of its own accord is due. A robot that does not know where it is looks once in each
+/// revision of the map, and on and on while it has a route; one that may be mistaken looks before a route is planned,
+/// and when its route turns out to lie elsewhere. A lost one still has an idea of where it was; the navigator looks
+/// from there by itself.
 bool RobotAgent::wants_to_look() const {
   const bool is_new = searched_at_ != replica_.window().revision;
   const std::optional<Estimate> estimate = navigator_->estimate();

@@ -56,8 +56,8 @@ Motion Part::take_motion(bool sees) {
   return std::exchange(since, Motion{});
 }
 
-/// What `knowing` believes, in words of the part's method. As of the part's own last step: of what has moved since
-/// then it will be told.
+/// Tells the part what `knowing` believes, in words of the part's method, as of the part's own last step: of what has
+/// moved since then it will be told.
 static void hint(Part& part, const Part& knowing, const NavigationConfig& config, const Window& window) {
   part.since_hint = {};
   auto told = as_seen_by(part.navigator->method(), config, window, *knowing.now());

@@ -33,8 +33,8 @@ using Parts = std::vector<Part>;
 /// Whoever does not know where the robot is, is told by who knows best: `active`, if it does. Once a second.
 void tell_who_does_not_know(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window);
 
-/// Where who drives now and who drives soon on the route believe themselves in different places, the one that is less
-/// sure believes the other, if that one has just seen where it is. At most once a second.
+/// Makes the less sure of two believe the other, if that one has just seen where it is: of who drives now and who
+/// drives soon on the route, where they believe themselves in different places. At most once a second.
 void tell_who_is_mistaken(Parts& parts, std::size_t active, const NavigationConfig& config, const Window& window,
                           const Route& route, std::uint32_t at);
 

@@ -94,6 +94,20 @@ TEST_F(Looking, FoundOffItsRouteItGivesThatBackForAnotherOne) {
   EXPECT_TRUE(rig.last<msg::RobotState>()->route);
 }
 
+TEST_F(Looking, AfterItsStrayRouteWasEndedItLooksNoMore) {
+  stand(0.0);
+  rig.run(4s);
+  be_sent_along(1, 5);
+  stray();
+  Route ended = a_route(laid, 10, 1);
+  ended.ended = true;
+  rig.tell(rig.order(ended));
+  rig.run(90s);
+  const int looks = rig.script->looks;
+  rig.run(90s);
+  EXPECT_EQ(rig.script->looks, looks);
+}
+
 TEST_F(Looking, AGoalWhoseRoutesAllLieElsewhereIsNotAskedForAgainForEver) {
   stand(0.0);
   rig.run(4s);
