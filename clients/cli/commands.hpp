@@ -36,7 +36,7 @@ int report(const NotRun& not_run, const Output& output);
 /// "weft: ..." to err, and with --json the error as a document.
 Exit report(const Error& error, bool json, const Output& output);
 Exit report(const Error& error, Exit exit, bool json, const Output& output);
-/// Of a command that needs no server: what cannot be reached is a file.
+/// Reports an error of a command that needs no server: what cannot be reached is a file, and the exit code is 1.
 Exit report_offline(const Error& error, bool json, const Output& output);
 
 // One family of commands each; connected already.

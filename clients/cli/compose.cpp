@@ -6,7 +6,7 @@
 namespace weft::cli {
 namespace {
 
-/// What must be on the sheet.
+/// Returns the poses that must be on the sheet.
 std::vector<Pose2> outline(const Subject& subject) {
   std::vector<Pose2> poses;
   for (const auto& [id, pose] : subject.layout.drawing_from_place) poses.push_back(pose);

@@ -55,7 +55,7 @@ class TwoRevisions {
   const Layout& layout() const { return layout_; }
   const NetworkDifference& difference() const { return difference_; }
 
-  /// What changed lies upon what did not.
+  /// Paints what changed upon what did not.
   void paint(Canvas& canvas) const {
     const auto at = [&](const PlaceId& id) { return canvas.sheet()(layout_.drawing_from_place.at(id)); };
     for (const bool changed : {false, true}) {

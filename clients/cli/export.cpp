@@ -9,7 +9,7 @@
 namespace weft::cli {
 namespace {
 
-/// By its name, or else by the beginning of its id.
+/// Finds the experience by its name, or else by the beginning of its id.
 Result<ExperienceId> experience_in(const Window& network, const RunNames& runs, const std::string& called) {
   std::set<ExperienceId> fitting, named;
   for (const auto& [id, place] : network.places) {

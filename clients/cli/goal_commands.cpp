@@ -122,7 +122,7 @@ Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation
   return Exit::done;
 }
 
-/// With --json a document of one line.
+/// Tells one event of a watched goal; with --json as a document of one line.
 void tell(const Goal& goal, const GoalEvent& event, const Invocation& invocation, const Output& output) {
   if (invocation.json) {
     nlohmann::json document = to_json(event);

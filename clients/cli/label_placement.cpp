@@ -20,7 +20,7 @@ constexpr double kRingCost = 3.0;     // rather cover so many points than move o
 constexpr double kBetweenRows = 4.0;  // below the frame
 constexpr double kBucket = 48.0;
 
-/// What is taken, in buckets of the sheet.
+/// Knows which parts of the sheet are taken, in buckets.
 class Room {
  public:
   explicit Room(const std::vector<Point>& points) {

@@ -34,8 +34,8 @@ std::string how_many(std::size_t count, const std::string& thing);
 /// Returns the words, cut short with an ellipsis between two characters where they are wider than `most`.
 std::string elided(const std::string& words, double size, double most, const WidthOf& width);
 
-/// Where each line begins, from the legend's upper left corner, runs first. In two columns if all words have room in
-/// them, else one below the other.
+/// Says where each line begins, from the legend's upper left corner, runs first: in two columns if all words have
+/// room in them, else one below the other.
 struct LegendLayout {
   std::vector<Point> lines;
   double height = 0.0;

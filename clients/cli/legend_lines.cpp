@@ -8,7 +8,7 @@ namespace {
 
 using Sample = LegendLine::Sample;
 
-/// Who taught it: the robot's name, else the beginning of its id.
+/// Returns who taught the run: the robot's name, else the beginning of its id.
 std::string teacher(const Subject& subject, const Run& run) {
   const auto found = subject.robot_names.find(run.robot);
   const bool is_named = found != subject.robot_names.end() && !found->second.empty();

@@ -6,7 +6,7 @@
 #include "clients/cli/table.hpp"
 #include "core/network/imported.hpp"
 
-/// What was taught and imported.
+/// The command `map list` shows what was taught and imported.
 namespace weft::cli {
 namespace {
 
