@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/network/called.hpp"
 #include "core/network/codec.hpp"
 
 namespace weft::storage {
@@ -15,9 +16,7 @@ template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
 
 std::string name_of(const Batch& batch) {
-  const std::string id = to_string(batch.experience);
-  return "batch " + std::to_string(batch.sequence) + " of experience " +
-         (batch.name.empty() ? id : batch.name + " (" + id + ")");
+  return "batch " + std::to_string(batch.sequence) + " of experience " + called(batch);
 }
 
 class Planner {

@@ -82,8 +82,8 @@ void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, con
 tl::unexpected<Error> several(const std::string& name, const std::vector<ExperienceId>& found) {
   std::string ids;
   for (const ExperienceId id : found) ids += (ids.empty() ? "" : ", ") + to_string(id);
-  return fail(ErrorCode::refused,
-              std::to_string(found.size()) + " experiences are named " + name + ": give one of the ids " + ids);
+  return fail(ErrorCode::refused, std::to_string(found.size()) + " experiences are named " + name +
+                                      ", or have ids that begin so: give one of " + ids);
 }
 
 }  // namespace

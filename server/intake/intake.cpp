@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/network/called.hpp"
+
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
@@ -13,12 +15,6 @@ constexpr std::size_t kAhead = 16;                      ///< batches of one expe
 constexpr std::uint64_t kWaitingBytes = 256ULL << 20U;  ///< contents that may wait for the rest of their batch
 constexpr std::size_t kMissingInAck = 256;
 constexpr std::size_t kMostWaitingLines = 1024;
-
-/// The experience's name and id, for people.
-std::string called(const Batch& batch) {
-  const std::string id = to_string(batch.experience);
-  return batch.name.empty() ? id : batch.name + " (" + id + ")";
-}
 }  // namespace
 
 Intake::Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through) : context_(context) {
@@ -71,7 +67,10 @@ Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, con
   const Batch& batch = message.batch;
   const auto found = line.waiting.find(batch.sequence);
   if (found != line.waiting.end()) {
-    if (found->second.hash == hash) return {};
+    if (found->second.hash == hash) {
+      if (found->second.who.empty()) found->second.who = who;  // it can have come before its sender's hello
+      return {};
+    }
     return fail(ErrorCode::conflict, "it came before with another hash, and that one waits for its contents");
   }
   if (batch.sequence > line.durable_through + kAhead) return fail(ErrorCode::exhausted, "too far ahead");
