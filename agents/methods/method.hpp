@@ -27,7 +27,7 @@ namespace weft::agents {
 /// What errors that all steps of a drive have in common (a calibration's) do to a relation, one column each: xi of
 /// (x, y, heading) in a_from_b * exp2(xi) for one sigma, m and rad. Columns are independent of one another; those
 /// that a method does not use are zero.
-using CommonErrors = Eigen::Matrix<double, 3, 6>;
+using CommonErrors = Eigen::Matrix<double, 3, 11>;
 
 /// The motion between two consecutive samples.
 struct Step {

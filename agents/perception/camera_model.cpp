@@ -31,7 +31,8 @@ CameraModel camera_model_from(const CameraCalibration& calibration, const std::s
           .lens = calibration.lens,
           .distortion = calibration.distortion,
           .divisor = calibration.divisor,
-          .robot_from_camera = calibration.body_from_camera.value_or(otherwise)};
+          .robot_from_camera = calibration.body_from_camera.value_or(otherwise),
+          .sigma = calibration.sigma};
 }
 
 CameraCalibration calibration_from(const CameraModel& camera) {
@@ -45,7 +46,7 @@ CameraCalibration calibration_from(const CameraModel& camera) {
           .distortion = camera.distortion,
           .divisor = camera.divisor,
           .body_from_camera = camera.robot_from_camera,
-          .sigma = {}};
+          .sigma = camera.sigma};
 }
 
 }  // namespace weft::agents

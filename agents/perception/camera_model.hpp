@@ -18,6 +18,7 @@ struct CameraModel {
   std::array<double, 5> distortion{};  ///< in the model's order
   std::array<double, 3> divisor{};     ///< k4 k5 k6 of a rational lens
   Pose3 robot_from_camera;
+  CalibrationSigma sigma;  ///< how well all this is known
 };
 
 /// The mount of a camera `height_m` above the floor, `forward_m` ahead of the robot's origin, looking ahead and
@@ -25,7 +26,7 @@ struct CameraModel {
 Pose3 downward_mount(double forward_m, double left_m, double height_m, double pitch_rad, double roll_rad,
                      double yaw_rad);
 
-/// What a camera's file says; where it has no mount, `otherwise`.
+/// Makes a camera of what a file says; where it has no mount, of `otherwise`.
 CameraModel camera_model_from(const CameraCalibration& calibration, const std::string& id, const Pose3& otherwise);
 CameraCalibration calibration_from(const CameraModel& camera);
 

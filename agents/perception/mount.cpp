@@ -85,7 +85,7 @@ MountTilt MountFilter::tilt() const {
   const Eigen::Matrix2d alone = information_.topLeftCorner<2, 2>().inverse();
   const Eigen::Vector2d mean = alone * weighted_;
   const Eigen::Vector2d by_focal = -prior_.focal_share * alone * information_.topRightCorner<2, 1>();
-  return {mean.x(), mean.y(), alone + by_focal * by_focal.transpose()};
+  return {mean.x(), mean.y(), alone + by_focal * by_focal.transpose(), alone};
 }
 
 void MountFilter::fade(double share) {

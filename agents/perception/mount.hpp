@@ -29,6 +29,7 @@ struct MountTilt {
   double pitch_rad = 0.0;
   double roll_rad = 0.0;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< what the focal length's sigma does to them included
+  Eigen::Matrix2d found = Eigen::Matrix2d::Zero();       ///< likewise, with the focal length as given
   double sigma_rad() const { return std::sqrt(covariance.diagonal().maxCoeff()); }
 };
 

@@ -145,7 +145,8 @@ CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds) 
       "How good the odometry of the method floor is by itself: each drive is watched with the camera as it was "
       "calibrated and as it is given, at three frame rates; speed error, drift, and how often the 95 % region of its "
       "covariance holds the truth over 1 m and 10 m.\n"
-      "Writes odometry.csv and prints a table. Ctrl-C stops it; it begins anew.");
+      "Writes odometry.json and odometry.csv, prints a table and what holds. Ctrl-C stops it; the same command goes "
+      "on where it stopped.");
   options.out = "out/odometry";
   flags_of_floors(sub, options, "1..3", seeds);
   flags_of_line(sub, options);

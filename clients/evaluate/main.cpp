@@ -94,8 +94,7 @@ int run(const evaluate::ForetoldOptions& options) {
 
 int run(const evaluate::OdometryOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
-  return finish_at_once(evaluate::odometry::study_odometry(options, around, thread_cpu_s),
-                        "odometry.csv has what was measured; the next call begins anew");
+  return finish(evaluate::odometry::study_odometry(options, around, thread_cpu_s), options.out);
 }
 
 int run(const evaluate::BearingOptions& options) {

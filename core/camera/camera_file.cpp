@@ -32,14 +32,14 @@ std::optional<Pose3> read_mount(CameraKeys& keys, const YAML::Node& node, std::s
 CalibrationSigma read_sigma(CameraKeys& keys, const YAML::Node& node) {
   CameraKeys parts(node, keys.file());
   CalibrationSigma sigma;
-  for (const auto& [key, into] : {std::pair{"focal_share", &sigma.focal_share},
-                                  {"tilt_rad", &sigma.tilt_rad},
-                                  {"yaw_rad", &sigma.yaw_rad},
-                                  {"scale_share", &sigma.scale_share}}) {
-    if (const std::optional<YAML::Node> value = parts.take(key)) *into = parts.number(*value, key, 1e-7, 1.0);
+  std::string known;
+  for (const auto& [key, member, most] : kSigmaKeys) {
+    if (const std::optional<YAML::Node> value = parts.take(key))
+      sigma.*member = parts.number(*value, key, 1e-7, most);
+    known += std::string(known.empty() ? "" : ", ") + key;
   }
   if (const std::vector<std::string> rest = parts.left_over(); !rest.empty())
-    parts.wrong(node, "weft_sigma has focal_share, tilt_rad, yaw_rad and scale_share only");
+    parts.wrong(node, "weft_sigma has " + known + " only");
   keys.adopt(parts);
   return sigma;
 }

@@ -13,11 +13,30 @@ namespace weft {
 
 /// How well a calibration is known, one standard deviation each; none: nobody has said.
 struct CalibrationSigma {
-  std::optional<double> focal_share;  ///< of the focal length
-  std::optional<double> tilt_rad;     ///< of the mount's pitch and roll
-  std::optional<double> yaw_rad;
-  std::optional<double> scale_share;  ///< of distances over the floor: height and focal length together
+  std::optional<double> focal_share;    ///< of the focal length
+  std::optional<double> centre_px;      ///< of the optical centre, across and down each
+  std::optional<double> distortion_px;  ///< of where the lens puts a ray that ends in the image's corner
+  std::optional<double> tilt_rad;       ///< of the mount's pitch and roll, each
+  std::optional<double> yaw_rad;        ///< of the direction in which a robot that drives straight on is seen to go
+  std::optional<double> position_m;     ///< of the mount ahead and aside, each
+  std::optional<double> height_m;       ///< of the mount
+  std::optional<double> scale_share;    ///< of distances driven straight on, all of the above together
 };
+
+/// Names the above as a camera's file has it (`weft_sigma`), and the largest value that is taken.
+struct SigmaKey {
+  const char* name;
+  std::optional<double> CalibrationSigma::*member;
+  double most;
+};
+inline constexpr std::array<SigmaKey, 8> kSigmaKeys = {{{"focal_share", &CalibrationSigma::focal_share, 1.0},
+                                                        {"centre_px", &CalibrationSigma::centre_px, 1000.0},
+                                                        {"distortion_px", &CalibrationSigma::distortion_px, 1000.0},
+                                                        {"tilt_rad", &CalibrationSigma::tilt_rad, 1.0},
+                                                        {"yaw_rad", &CalibrationSigma::yaw_rad, 1.0},
+                                                        {"position_m", &CalibrationSigma::position_m, 1.0},
+                                                        {"height_m", &CalibrationSigma::height_m, 1.0},
+                                                        {"scale_share", &CalibrationSigma::scale_share, 1.0}}};
 
 /// A camera as a file describes it; pixels, the centre of the first one at (0, 0).
 struct CameraCalibration {

@@ -27,10 +27,8 @@ std::string mount_text(const Pose3& body_from_camera) {
 
 std::string sigma_text(const CalibrationSigma& sigma) {
   std::string out;
-  for (const auto& [key, value] : {std::pair{"focal_share", sigma.focal_share},
-                                   {"tilt_rad", sigma.tilt_rad},
-                                   {"yaw_rad", sigma.yaw_rad},
-                                   {"scale_share", sigma.scale_share}}) {
+  for (const auto& [key, member, most] : kSigmaKeys) {
+    const std::optional<double>& value = sigma.*member;
     if (value.has_value()) out += std::string("  ") + key + ": " + number_text(*value) + "\n";
   }
   return out.empty() ? out : "# one standard deviation each\nweft_sigma:\n" + out;

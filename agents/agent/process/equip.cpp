@@ -30,7 +30,7 @@ Result<AnyMethod> made(const Config& config, const CameraModel& camera) {
 
 Result<AnyMethod> make_method(const Options& options, const Equipped& equipped) {
   if (equipped.method == Bearing::name) return made<Bearing>(options.bearing, equipped.camera);
-  return made<Floor>(informed(options.floor, equipped.known), equipped.camera);
+  return made<Floor>(options.floor, equipped.camera);
 }
 
 Result<std::unique_ptr<Navigator>> make_one(const Options& options, const Equipped& equipped) {
@@ -113,7 +113,7 @@ namespace {
 
 /// What is known of the camera that the body tells of.
 Result<CameraModel> calibrated(const Options& options, CameraModel told,
-                               const std::function<void(const std::string&)>& warn, CalibrationSigma& known) {
+                               const std::function<void(const std::string&)>& warn) {
   if (options.mount.has_value()) told.robot_from_camera = *options.mount;
   if (!options.calibration.has_value()) return told;
   const std::string& name = *options.calibration;
@@ -126,7 +126,6 @@ Result<CameraModel> calibrated(const Options& options, CameraModel told,
                                         " pixels, the body's has " + size(told.width, told.height) +
                                         "; calibrate at the size that is driven with");
   }
-  known = file->camera.sigma;
   CameraModel camera = camera_model_from(file->camera, told.id, told.robot_from_camera);
   if (options.mount.has_value()) camera.robot_from_camera = *options.mount;
   return camera;
@@ -146,9 +145,9 @@ Result<std::vector<Equipped>> make_cameras(const Options& options, const Body& b
       return fail(ErrorCode::invalid, "method " + options.method + ": the body has one camera, " + told->id +
                                           "; each method needs one of its own");
     }
-    Equipped equipped{method, *told, {}};
+    Equipped equipped{method, *told};
     if (all.empty()) {
-      const Result<CameraModel> camera = calibrated(options, *told, warn, equipped.known);
+      const Result<CameraModel> camera = calibrated(options, *told, warn);
       if (!camera) return fail(camera.error());
       equipped.camera = *camera;
     }

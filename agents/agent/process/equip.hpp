@@ -14,11 +14,10 @@ namespace weft::agents {
 /// The body that the options name. Errors are the body's own: no such file, site, recording or robot in it.
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
 
-/// A camera of the body's, as far as it is known, and the method that looks through it.
+/// Pairs a camera of the body with the method that looks through it.
 struct Equipped {
   std::string method;
   CameraModel camera;
-  CalibrationSigma known;
 };
 
 /// The methods that the options name, each with its camera: of a body that has several, the one that looks where the

@@ -1,16 +1,56 @@
 #include "agents/bodies/sim/calibration.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "agents/perception/camera_error.hpp"
+
 namespace weft::agents::sim {
 namespace {
 
-Eigen::Vector3d direction_from(Random& random) {
-  const Eigen::Vector3d v(random.normal(), random.normal(), random.normal());
-  return v.norm() > 1e-6 ? Eigen::Vector3d(v.normalized()) : Eigen::Vector3d::UnitX();
+/// Draws an error of RMS 1 with tails: Student's distribution with 4 degrees of freedom, scaled, without the one draw
+/// in 2,000 that lies beyond 5.
+double error_with_tails(Random& random) {
+  constexpr double kMost = 5.0;
+  for (;;) {
+    const double normal = random.normal();
+    double squares = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      const double other = random.normal();
+      squares += other * other;
+    }
+    const double error = normal / std::sqrt(0.25 * squares) / std::numbers::sqrt2;
+    if (std::abs(error) <= kMost) return error;
+  }
+}
+
+Eigen::Vector3d errors_with_tails(Random& random) {
+  const double x = error_with_tails(random);
+  const double y = error_with_tails(random);
+  return {x, y, error_with_tails(random)};
 }
 
 }  // namespace
 
-CameraModel given_camera_from(const CameraSetup& setup, const std::string& robot, std::uint64_t day) {
+CalibrationSigma stated_sigma(const Disturbances& disturbances, double focal_px) {
+  constexpr double kLeast = 1e-6;  // nothing is known exactly
+  const double shift_m = disturbances.mount_error_m / std::numbers::sqrt3;
+  const double turn_rad = disturbances.mount_error_rad / std::numbers::sqrt3;
+  const double centre_rad = disturbances.centre_error_px / focal_px;
+  CalibrationSigma sigma;
+  sigma.focal_share = std::max(kLeast, disturbances.focal_error);
+  sigma.centre_px = std::max(kLeast, disturbances.centre_error_px);
+  sigma.distortion_px = std::max(kLeast, disturbances.distortion_error_px);
+  sigma.tilt_rad = std::max(kLeast, std::hypot(turn_rad, centre_rad));
+  sigma.yaw_rad = std::max(kLeast, std::hypot(turn_rad, centre_rad));
+  sigma.position_m = std::max(kLeast, shift_m);
+  sigma.height_m = std::max(kLeast, shift_m);
+  return sigma;
+}
+
+CameraModel given_camera_from(const CameraSetup& setup, const Disturbances& disturbances, const std::string& robot,
+                              std::uint64_t day) {
   CameraModel camera;
   camera.id = robot + "/floor/day" + std::to_string(day);
   camera.width = setup.width;
@@ -20,18 +60,20 @@ CameraModel given_camera_from(const CameraSetup& setup, const std::string& robot
   camera.cy = setup.cy_px;
   camera.distortion = {setup.k1, setup.k2, setup.p1, setup.p2, setup.k3};
   camera.robot_from_camera = downward_mount(setup.forward_m, setup.left_m, setup.height_m, setup.pitch_rad, 0.0, 0.0);
+  camera.sigma = stated_sigma(disturbances, setup.focal_px);
   return camera;
 }
 
 CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, double sinks_m,
                              Random random) {
-  CameraModel camera = given;
-  const double focal = 1.0 + (random.chance(0.5) ? 1.0 : -1.0) * disturbances.focal_error;
-  camera.fx *= focal;
-  camera.fy *= focal;
-  camera.robot_from_camera.translation += disturbances.mount_error_m * direction_from(random);
-  const Eigen::AngleAxisd turn(disturbances.mount_error_rad, direction_from(random));
-  camera.robot_from_camera.rotation = (Eigen::Quaterniond(turn) * camera.robot_from_camera.rotation).normalized();
+  CameraError error;
+  error.focal_share = disturbances.focal_error * error_with_tails(random);
+  error.shift_m = disturbances.mount_error_m / std::numbers::sqrt3 * errors_with_tails(random);
+  error.turn_rad = disturbances.mount_error_rad / std::numbers::sqrt3 * errors_with_tails(random);
+  error.centre_px.x() = disturbances.centre_error_px * error_with_tails(random);
+  error.centre_px.y() = disturbances.centre_error_px * error_with_tails(random);
+  error.distortion_px = disturbances.distortion_error_px * error_with_tails(random);
+  CameraModel camera = with_error(given, error);
   camera.robot_from_camera.translation.z() -= sinks_m;
   return camera;
 }

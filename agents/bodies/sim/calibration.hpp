@@ -7,11 +7,16 @@
 
 namespace weft::agents::sim {
 
-/// What the agent is told.
-CameraModel given_camera_from(const CameraSetup& setup, const std::string& robot, std::uint64_t day);
+/// Returns how well the calibrations of a site's cameras are known: the sizes of the errors that are drawn. A mount's
+/// pitch, roll and yaw are known as well as the mount and the optical centre together.
+CalibrationSigma stated_sigma(const Disturbances& disturbances, double focal_px);
 
-/// What the camera really is: focal length and mount off by the stated sizes, in directions drawn from `random`, and
-/// lower by what the body has sunk.
+/// Returns what the agent is told.
+CameraModel given_camera_from(const CameraSetup& setup, const Disturbances& disturbances, const std::string& robot,
+                              std::uint64_t day);
+
+/// Returns what the camera really is: focal length, optical centre, lens and mount off by errors drawn from `random`
+/// whose RMS are the stated sizes, with tails, and lower by what the body has sunk.
 CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, double sinks_m,
                              Random random);
 

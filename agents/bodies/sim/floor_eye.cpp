@@ -19,7 +19,7 @@ class FloorEye final : public Eye {
  public:
   FloorEye(const Site& site, const EyeOwner& owner, std::shared_ptr<const FloorSource> floor, Random light)
       : site_(site),
-        given_(given_camera_from(site.camera, owner.robot, owner.day)),
+        given_(given_camera_from(site.camera, site.disturbances, owner.robot, owner.day)),
         true_(true_camera_from(given_, site.disturbances, site.change.sinks_m, owner.calibration)),
         gloss_(floor->gloss()),
         camera_(true_, options_of(site), std::move(floor), std::make_shared<const Scene>(site.boxes),

@@ -245,6 +245,8 @@ HandSetup hand_in(const Table& table) {
 Disturbances disturbances_in(const Table& table) {
   Disturbances d;
   d.focal_error = 0.01 * table.number("focal_error_percent", 100 * d.focal_error, 0.0, 5.0);
+  d.centre_error_px = table.number("principal_point_error_px", d.centre_error_px, 0.0, 20.0);
+  d.distortion_error_px = table.number("distortion_error_px", d.distortion_error_px, 0.0, 10.0);
   d.mount_error_m = 1e-3 * table.number("mount_error_mm", 1e3 * d.mount_error_m, 0.0, 50.0);
   d.mount_error_rad = kDegree * table.number("mount_error_deg", in_degrees(d.mount_error_rad), 0.0, 5.0);
   d.vibration_rad = kDegree * table.number("vibration_deg", in_degrees(d.vibration_rad), 0.0, 2.0);

@@ -113,11 +113,13 @@ struct HandSetup {
 
 /// Every default is the least that a demonstration has to stand.
 struct Disturbances {
-  double focal_error = 0.003;    ///< true / given - 1, sign by robot and day
-  double mount_error_m = 0.003;  ///< length of the offset; direction by robot and day
-  double mount_error_rad = 0.3 * 0.017453292519943295;
-  double vibration_rad = 0.05 * 0.017453292519943295;  ///< RMS of pitch and of roll, while moving
-  double vibration_m = 0.001;                          ///< RMS of height
+  double focal_error = 0.003;        ///< RMS of true / given - 1; drawn by robot and day, as the four below
+  double centre_error_px = 1.0;      ///< RMS, of the optical centre, across and down each
+  double distortion_error_px = 0.5;  ///< RMS, of where the lens puts the ray of the image's corner
+  double mount_error_m = 0.003;      ///< RMS of the offset's length, the same in every direction
+  double mount_error_rad = 0.3 * 0.017453292519943295;  ///< likewise, of the turn
+  double vibration_rad = 0.05 * 0.017453292519943295;   ///< RMS of pitch and of roll, while moving
+  double vibration_m = 0.001;                           ///< RMS of height
   double vibration_low_hz = 5.0, vibration_high_hz = 20.0;
   double exposure_s = 0.005;        ///< motion during it blurs
   double noise_grey = 2.0;          ///< standard deviation

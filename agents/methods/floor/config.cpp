@@ -40,13 +40,16 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"keyframe_share", &FloorConfig::keyframe_share, 0.1, 0.95},
     {"vibration_tilt_rad", &FloorConfig::vibration_tilt_rad, 1e-6, 0.05},
     {"vibration_height_m", &FloorConfig::vibration_height_m, 1e-6, 0.05},
+    {"load_m", &FloorConfig::load_m, 1e-6, 0.1},
+    {"focal_share", &FloorConfig::focal_share, 1e-7, 0.1},
+    {"centre_px", &FloorConfig::centre_px, 1e-7, 50.0},
+    {"distortion_px", &FloorConfig::distortion_px, 1e-7, 50.0},
     {"mount_tilt_rad", &FloorConfig::mount_tilt_rad, 1e-6, 0.1},
-    {"mount_height_m", &FloorConfig::mount_height_m, 1e-6, 0.1},
-    {"mount_position_m", &FloorConfig::mount_position_m, 1e-6, 0.1},
-    {"scale_sigma", &FloorConfig::scale_sigma, 1e-6, 0.1},
     {"mount_yaw_rad", &FloorConfig::mount_yaw_rad, 1e-6, 0.1},
-    {"turn_sigma", &FloorConfig::turn_sigma, 1e-6, 0.1},
-    {"curve_sigma", &FloorConfig::curve_sigma, 1e-6, 0.1},
+    {"mount_position_m", &FloorConfig::mount_position_m, 1e-6, 0.1},
+    {"mount_height_m", &FloorConfig::mount_height_m, 1e-6, 0.1},
+    {"measured_scale", &FloorConfig::measured_scale, 0.0, 0.1},
+    {"measured_heading_rad", &FloorConfig::measured_heading_rad, 0.0, 0.1},
     {"normal_angle_rad", &FloorConfig::normal_angle_rad, 1e-6, 1.2},
     {"along_normal_heights", &FloorConfig::along_normal_heights, 1e-6, 1},
     {"decompose_from_heights", &FloorConfig::decompose_from_heights, 0, 1},
@@ -124,19 +127,30 @@ FloorConfig read_floor_config(const config::Table& table) {
 }
 
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
-  constexpr double kLeastTilt = 0.0005;  // what a floor that is not quite flat does
-  constexpr double kLeastScale = 0.0008;
-  constexpr double kTurnByFocal = 0.37;  // of an oblique view; looking straight down a turn is the image's own
-  constexpr double kLeastTurn = 0.0004;
+  struct Stated {
+    std::optional<double> CalibrationSigma::*sigma;
+    double FloorConfig::*setting;
+    double least;
+    double most;
+  };
+  constexpr double kLeastTilt = 0.0005;   // a floor that is not quite flat does as much
+  constexpr double kLeastScale = 0.0008;  // odometry itself
+  constexpr double kLeastHeading = 1e-6;
+  constexpr std::array kStated = {
+      Stated{&CalibrationSigma::focal_share, &FloorConfig::focal_share, 1e-7, 0.1},
+      Stated{&CalibrationSigma::centre_px, &FloorConfig::centre_px, 1e-7, 50.0},
+      Stated{&CalibrationSigma::distortion_px, &FloorConfig::distortion_px, 1e-7, 50.0},
+      Stated{&CalibrationSigma::tilt_rad, &FloorConfig::mount_tilt_rad, kLeastTilt, 0.1},
+      Stated{&CalibrationSigma::position_m, &FloorConfig::mount_position_m, 1e-6, 0.1},
+      Stated{&CalibrationSigma::height_m, &FloorConfig::mount_height_m, 1e-6, 0.1},
+      Stated{&CalibrationSigma::scale_share, &FloorConfig::measured_scale, kLeastScale, 0.1},
+      Stated{&CalibrationSigma::yaw_rad, &FloorConfig::measured_heading_rad, kLeastHeading, 0.1},
+  };
   const FloorConfig unset;
-  if (known.tilt_rad.has_value() && config.mount_tilt_rad == unset.mount_tilt_rad)
-    config.mount_tilt_rad = std::clamp(*known.tilt_rad, kLeastTilt, 0.1);
-  if (known.yaw_rad.has_value() && config.mount_yaw_rad == unset.mount_yaw_rad)
-    config.mount_yaw_rad = std::clamp(*known.yaw_rad, kLeastTilt, 0.1);
-  if (known.scale_share.has_value() && config.scale_sigma == unset.scale_sigma)
-    config.scale_sigma = std::clamp(*known.scale_share, kLeastScale, 0.1);
-  if (known.focal_share.has_value() && config.turn_sigma == unset.turn_sigma)
-    config.turn_sigma = std::clamp(kTurnByFocal * *known.focal_share, kLeastTurn, 0.1);
+  for (const auto& [sigma, setting, least, most] : kStated) {
+    const std::optional<double>& stated = known.*sigma;
+    if (stated.has_value() && config.*setting == unset.*setting) config.*setting = std::clamp(*stated, least, most);
+  }
   return config;
 }
 

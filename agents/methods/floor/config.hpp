@@ -27,13 +27,19 @@ struct FloorConfig {
   // Mount and its vibration
   double vibration_tilt_rad = 0.0009;  ///< [1e-6, 0.05] RMS of pitch and roll
   double vibration_height_m = 0.001;   ///< [1e-6, 0.05] RMS
-  double mount_tilt_rad = 0.006;       ///< [1e-6, 0.1] 1 sigma of the calibration's pitch and roll
-  double mount_height_m = 0.003;       ///< [1e-6, 0.1] 1 sigma; also of what load does
-  double mount_position_m = 0.0026;    ///< [1e-6, 0.1] 1 sigma in the plane
-  double scale_sigma = 0.0036;         ///< [1e-6, 0.1] of distances: height and focal length together
-  double mount_yaw_rad = 0.0028;       ///< [1e-6, 0.1] 1 sigma of the calibration's heading
-  double turn_sigma = 0.0011;          ///< [1e-6, 0.1] of turns: focal length
-  double curve_sigma = 0.00017;        ///< [1e-6, 0.1] rad a metre: a straight way seems to bend; lens and tilt
+  double load_m = 0.0025;              ///< [1e-6, 0.1] 1 sigma of how far load lowers or raises a camera
+
+  // How well the camera is known, 1 sigma each (docs/decisions/060-what-a-calibration-leaves.md); a calibration that
+  // states its own sigmas brings them
+  double focal_share = 0.003;         ///< [1e-7, 0.1] of the focal length
+  double centre_px = 1.0;             ///< [1e-7, 50] of the optical centre, across and down each
+  double distortion_px = 0.5;         ///< [1e-7, 50] of where the lens puts a ray that ends in the image's corner
+  double mount_tilt_rad = 0.006;      ///< [1e-6, 0.1] of the mount's pitch and roll, before driving has shown them
+  double mount_yaw_rad = 0.003;       ///< [1e-6, 0.1] of the mount's heading
+  double mount_position_m = 0.0018;   ///< [1e-6, 0.1] of the mount ahead and aside, each
+  double mount_height_m = 0.0018;     ///< [1e-6, 0.1] of the mount
+  double measured_scale = 0.0;        ///< [0, 0.1] of distances driven straight on; 0: nobody has measured one
+  double measured_heading_rad = 0.0;  ///< [0, 0.1] of the direction of driving straight on; 0: likewise
 
   // Decomposition and agreement
   double normal_angle_rad = 0.35;        ///< [1e-6, 1.2] alpha_R, against the mount's normal
@@ -83,8 +89,8 @@ std::vector<std::string> check(const FloorConfig& config);
 /// The settings of a TOML table, key by key as they are named here; what is wrong is reported into its document.
 FloorConfig read_floor_config(const config::Table& table);
 
-/// The settings with what is known of the camera in place of those that were not set: mount_tilt_rad, mount_yaw_rad,
-/// scale_sigma, turn_sigma.
+/// Returns the settings with what a calibration states of itself in place of those that were not set; its yaw_rad and
+/// scale_share are of what is seen while driving (measured_heading_rad, measured_scale).
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known);
 
 }  // namespace weft::agents

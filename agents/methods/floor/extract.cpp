@@ -18,7 +18,8 @@ OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) cons
   content.camera = camera_;
   content.features = std::move(seen.features);
   content.patch = std::move(seen.patch);
-  const Eigen::Vector3d mount(config_.mount_tilt_rad, config_.mount_tilt_rad, config_.mount_height_m);
+  const Eigen::Vector3d mount(config_.mount_tilt_rad, config_.mount_tilt_rad,
+                              std::hypot(config_.mount_height_m, config_.load_m));
   const Eigen::Vector3d vibration(config_.vibration_tilt_rad, config_.vibration_tilt_rad, config_.vibration_height_m);
   content.sway_sigma = (mount.cwiseAbs2() + vibration.cwiseAbs2()).cwiseSqrt();
   if (s.newest && s.frame == view.frame && s.inliers > 0) {

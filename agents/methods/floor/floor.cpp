@@ -24,7 +24,7 @@ std::string_view Floor::name_of(SeenBy by) {
 }
 
 Floor::Floor(const FloorConfig& config, const CameraModel& camera, BirdsEye birds_eye)
-    : config_(config), camera_(camera), birds_eye_(std::move(birds_eye)) {}
+    : config_(config), camera_(camera), birds_eye_(std::move(birds_eye)), calibration_errors_(config, camera) {}
 
 Result<Floor> Floor::make(const FloorConfig& config, const CameraModel& camera) {
   if (const Result<void> sound = check(camera); !sound) return fail(sound.error());
@@ -37,7 +37,8 @@ Result<Floor> Floor::make(const FloorConfig& config, const CameraModel& camera) 
     return fail(ErrorCode::invalid, "camera \"" + camera.id +
                                         "\" sees less than 0.05 m2 of floor within floor.far_m = " +
                                         std::to_string(config.far_m) + " m; correct its mount");
-  return Floor(config, camera, BirdsEye(camera, {config.far_m, config.half_width_m, config.metres_per_pixel}));
+  return Floor(informed(config, camera.sigma), camera,
+               BirdsEye(camera, {config.far_m, config.half_width_m, config.metres_per_pixel}));
 }
 
 }  // namespace weft::agents

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/methods/floor/calibration_errors.hpp"
 #include "agents/methods/floor/config.hpp"
 #include "agents/methods/floor/content.hpp"
 #include "agents/methods/floor/sign.hpp"
@@ -65,7 +66,8 @@ class Floor {
   };
   using Content = FloorContent;
 
-  /// invalid: a setting or the calibration breaks its bound; every one is named.
+  /// Makes a method of settings and a camera; what the camera's calibration states of itself goes into settings that
+  /// are left as they are (`informed`). invalid: a setting or the calibration breaks its bound; every one is named.
   static Result<Floor> make(const FloorConfig& config, const CameraModel& camera);
 
   /// Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast, few_tracks,
@@ -96,9 +98,9 @@ class Floor {
   std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
 
   /// The view as another robot would have had it: beside, its camera mounted a little differently from what its
-  /// calibration says (mount_tilt_rad, mount_height_m), on a day that is up to 30 % darker, in half that light or on
-  /// a worn floor, with the sensor's noise as it is. Where it would see floor that the view does not show, there is
-  /// foreign floor. Refusals: not_an_image, wrong_size.
+  /// calibration says (mount_tilt_rad, mount_height_m, load_m), on a day that is up to 30 % darker, in half that
+  /// light or on a worn floor, with the sensor's noise as it is. Where it would see floor that the view does not
+  /// show, there is foreign floor. Refusals: not_an_image, wrong_size.
   OrRefusal<View> foresee(const View& view, const Passing& passing) const;
 
   const CameraModel& camera() const { return camera_; }
@@ -110,6 +112,7 @@ class Floor {
   FloorConfig config_;
   CameraModel camera_;
   BirdsEye birds_eye_;
+  CalibrationErrors calibration_errors_;
 };
 
 }  // namespace weft::agents

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/image_of.hpp"
 #include "agents/perception/foreseen.hpp"
@@ -11,8 +14,11 @@ OrRefusal<View> Floor::foresee(const View& view, const Passing& passing) const {
   Random random(passing.seed);
   OtherLook look;
   look.robot_from_other = passing.robot_from_other;
-  look.sway = {random.normal(0.0, config_.mount_tilt_rad), random.normal(0.0, config_.mount_tilt_rad),
-               random.normal(0.0, config_.mount_height_m)};
+  const FloorConfig others;  // this robot's camera may be better known than theirs
+  const double tilt_rad = std::max(config_.mount_tilt_rad, others.mount_tilt_rad);
+  const double height_m = std::max(config_.mount_height_m, others.mount_height_m);
+  look.sway = {random.normal(0.0, tilt_rad), random.normal(0.0, tilt_rad),
+               random.normal(0.0, std::hypot(height_m, config_.load_m))};
   // Lamps age, windows and the camera's exposure drift: another day is a little darker, if it is not brighter.
   look.light = random.uniform(0.7, 1.0) * (passing.prospect == Prospect::half_light ? 0.5 : 1.0);
   if (passing.prospect == Prospect::worn) look.wear = FloorWear{.far_m = config_.far_m};

@@ -103,7 +103,7 @@ bool turn_mount(const std::vector<FloorViews>& seen, const MountDriveConfig& con
   }
   const MountTilt tilt = filter.tilt();
   out.pairs = filter.pairs();
-  out.sigma.tilt_rad = tilt.sigma_rad();
+  out.camera.sigma.tilt_rad = tilt.sigma_rad();
   if (tilt.sigma_rad() > config.most_tilt_sigma_rad) return false;
   out.camera = tilted(out.camera, tilt.pitch_rad, tilt.roll_rad);
   out.pitch_rad += tilt.pitch_rad;
@@ -115,7 +115,7 @@ bool turn_mount(const std::vector<FloorViews>& seen, const MountDriveConfig& con
                lever->forward_sigma_m};
   out.yaw_seen = lever->yaw_sigma_rad < 0.5 * kYawBefore;
   out.forward_seen = lever->forward_sigma_m < 0.5 * kForwardBefore;
-  out.sigma.yaw_rad = lever->yaw_sigma_rad;
+  out.camera.sigma.yaw_rad = lever->yaw_sigma_rad;
   return true;
 }
 
@@ -124,7 +124,8 @@ bool turn_mount(const std::vector<FloorViews>& seen, const MountDriveConfig& con
 Result<MountDrive> calibrate_mount(const CameraModel& given, const PlayDrive& play, const MountDriveConfig& config) {
   MountDrive out;
   out.camera = given;
-  out.sigma.focal_share = config.prior.focal_share;
+  out.camera.sigma.focal_share = config.prior.focal_share;
+  out.camera.sigma.tilt_rad = out.camera.sigma.yaw_rad = out.camera.sigma.scale_share = std::nullopt;  // of before
   Played played;
   double height_share = 0.0;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -136,14 +137,14 @@ Result<MountDrive> calibrate_mount(const CameraModel& given, const PlayDrive& pl
     if (!height) return fail(height.error());
     height_share = (1.0 + height_share) * (1.0 + height->share) - 1.0;
     out.height_from = height->from;
-    out.sigma.scale_share = height->scale_sigma;
+    out.camera.sigma.scale_share = height->scale_sigma;
     out.camera.robot_from_camera.translation.z() *= 1.0 + height->share;
     if (pass == 0) out.seen_m = played.first_from_last.translation().norm();
     if (pass + 1 == kPasses) break;  // only the height is left to be found with the final mount
 
     if (!turn_mount(played.views, config, out))
       return fail(ErrorCode::refused,
-                  "pitch and roll are only known to " + text(*out.sigma.tilt_rad) + " rad, the bound is " +
+                  "pitch and roll are only known to " + text(*out.camera.sigma.tilt_rad) + " rad, the bound is " +
                       text(config.most_tilt_sigma_rad) +
                       "; drive further over a floor with texture, and calibrate the camera first");
   }

@@ -7,7 +7,6 @@
 #include "agents/perception/motion.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/view.hpp"
-#include "core/camera/camera_file.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -29,8 +28,8 @@ struct MountDriveConfig {
 enum class HeightFrom { nothing, distance, wheels };
 
 struct MountDrive {
-  CameraModel camera;      ///< with the mount that was found
-  CalibrationSigma sigma;  ///< scale_share is none when the height was not observable
+  /// With the mount that was found and how well it is known; scale_share is none when the height was not observable.
+  CameraModel camera;
   double pitch_rad = 0.0;  ///< found less given
   double roll_rad = 0.0;
   MountLever lever;           ///< yaw and forward against the given mount

@@ -159,23 +159,6 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
-/// What the calibration's errors do to a step: scale, heading of the mount, its place (twice), focal length, what
-/// bends straight ways.
-CommonErrors common_errors(const FloorConfig& c, const Pose2& moved) {
-  const Eigen::Vector3d xi = log2(moved);
-  const Eigen::Matrix3d turned = adjoint(moved.inverse()) - Eigen::Matrix3d::Identity();
-  CommonErrors errors;
-  errors.col(0) = c.scale_sigma * Eigen::Vector3d(xi.x(), xi.y(), 0.0);
-  errors.col(1) = c.mount_yaw_rad * turned.col(2);
-  errors.col(2) = M_SQRT1_2 * c.mount_position_m * turned.col(0);
-  errors.col(3) = M_SQRT1_2 * c.mount_position_m * turned.col(1);
-  errors.col(4) = c.turn_sigma * Eigen::Vector3d(0.0, 0.0, xi.z());
-  errors.col(5) = c.curve_sigma * Eigen::Vector3d(0.0, 0.0, xi.x());
-  // They have no tails, and add up: stated by their RMS, a region of 95 % of a long way would hold all.
-  constexpr double without_tails = 0.75;
-  return without_tails * errors;
-}
-
 /// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
 /// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top what all steps have in
 /// common (docs/decisions/024-odometry-candidates.md).
@@ -296,7 +279,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
   if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
   const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
-  const CommonErrors common = common_errors(config_, seen);
+  const CommonErrors common = calibration_errors_.of(seen, s.mount->tilt().found);
   Step step{Metric2{seen, step_covariance(fit, seen, common, s)}, true, {}, common};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;

@@ -194,15 +194,22 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
   return out;
 }
 
-/// Besides the fit's own: the mounts' position and heading, which no view of a plane shows, where the cameras differ.
+/// The fit's own, and where the cameras differ the mounts' position and heading, which no view of a plane shows: of
+/// this robot's camera as it is known, of the other one, whose calibration's sigmas its content does not say, as
+/// calibrations are.
 Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                               const PlanarFit& fit) {
   Eigen::Matrix3d covariance = fit.covariance.topLeftCorner<3, 3>();
   const bool one_camera = a.camera.id == b.camera.id && a.camera.fx == b.camera.fx;
-  const double cameras = one_camera ? 0.0 : 2.0;
-  const double position = cameras * c.mount_position_m * c.mount_position_m + 1e-6;
-  const double heading = cameras * c.mount_tilt_rad * c.mount_tilt_rad + 1e-6;
-  covariance += Eigen::Vector3d(position, position, heading).asDiagonal();
+  const auto variances = [](const FloorConfig& known) {
+    const double heading = known.measured_heading_rad > 0.0 ? known.measured_heading_rad : known.mount_yaw_rad;
+    const double lever = known.mount_position_m * known.mount_position_m;
+    const double focus = known.mount_tilt_rad * known.mount_tilt_rad;
+    return Eigen::Vector3d(2.0 * lever, 2.0 * lever, heading * heading + focus);
+  };
+  Eigen::Vector3d of_mounts = Eigen::Vector3d::Constant(1e-6);
+  if (!one_camera) of_mounts += variances(c) + variances(FloorConfig{});
+  covariance += of_mounts.asDiagonal();
   return 0.5 * (covariance + covariance.transpose());
 }
 

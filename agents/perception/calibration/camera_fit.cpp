@@ -236,7 +236,7 @@ Result<CameraFit> fit_camera(const std::vector<BoardImage>& images, int width, i
   fit.rms_px = std::sqrt(sum / static_cast<double>(points));
   fit.cover = cover_of(sightings, width, height);
   fit.tilt_rad = widest_tilt(solved->camera_from_board);
-  fit.camera.sigma.focal_share = focal_sigma(solved->camera, solved->camera_from_board, sightings);
+  fit.camera.sigma = intrinsics_sigma(solved->camera, solved->camera_from_board, sightings);
   if (const Result<void> spread = check_spread(fit, config); !spread) return fail(spread.error());
   return fit;
 }

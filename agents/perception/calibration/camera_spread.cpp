@@ -7,6 +7,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/perception/camera_error.hpp"
 #include "agents/perception/lens.hpp"
 
 namespace weft::agents {
@@ -54,6 +55,22 @@ Eigen::Matrix<double, 2, 6> by_pose(const CameraModel& camera, const Pose3& pose
   return jacobian;
 }
 
+/// What the coefficients' covariance leaves open of the image's corner, in pixels.
+double corner_sigma_px(const CameraModel& camera, const Eigen::Matrix4d& of_coefficients) {
+  const Eigen::Vector2d corner = image_corner(camera);
+  Eigen::Matrix<double, 2, 4> by_coefficients;
+  for (int i = 0; i < 4; ++i) {
+    constexpr double step = 1e-6;
+    CameraModel more = camera;
+    CameraModel less = camera;
+    intrinsic(more, 4 + i) += step;
+    intrinsic(less, 4 + i) -= step;
+    by_coefficients.col(i) =
+        (pixel_from_normalised(more, corner) - pixel_from_normalised(less, corner)) / (2.0 * step);
+  }
+  return std::sqrt((by_coefficients * of_coefficients * by_coefficients.transpose()).trace());
+}
+
 }  // namespace
 
 double cover_of(const std::vector<Sighting>& sightings, int width, int height) {
@@ -81,8 +98,8 @@ double widest_tilt(const std::vector<Pose3>& camera_from_board) {
   return widest;
 }
 
-double focal_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_from_board,
-                   const std::vector<Sighting>& sightings) {
+CalibrationSigma intrinsics_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_from_board,
+                                  const std::vector<Sighting>& sightings) {
   Matrix8d information = Matrix8d::Zero();
   double sum = 0.0;
   std::size_t points = 0;
@@ -104,12 +121,18 @@ double focal_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_f
   const auto unknowns = static_cast<double>(kIntrinsics + 6 * sightings.size());
   const double freedom = 2.0 * static_cast<double>(points) - unknowns;
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (freedom <= 0.0) return infinite;
+  CalibrationSigma sigma;
+  sigma.focal_share = sigma.centre_px = sigma.distortion_px = infinite;
+  if (freedom <= 0.0) return sigma;
   const Eigen::LDLT<Matrix8d> factors(information);
-  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0.0) return infinite;
+  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0.0) return sigma;
+  const Matrix8d covariance = sum / freedom * factors.solve(Matrix8d::Identity());
   Vector8d mean = Vector8d::Zero();
   mean.head<2>().setConstant(0.5);
-  return std::sqrt(sum / freedom * mean.dot(factors.solve(mean))) / focal_px(camera);
+  sigma.focal_share = std::sqrt(mean.dot(covariance * mean)) / focal_px(camera);
+  sigma.centre_px = std::sqrt(std::max(covariance(2, 2), covariance(3, 3)));
+  sigma.distortion_px = corner_sigma_px(camera, covariance.bottomRightCorner<4, 4>());
+  return sigma;
 }
 
 }  // namespace weft::agents

@@ -12,9 +12,10 @@ double cover_of(const std::vector<Sighting>& sightings, int width, int height);
 /// The largest angle between the board's normals of two images, rad.
 double widest_tilt(const std::vector<Pose3>& camera_from_board);
 
-/// One standard deviation of the mean focal length as a share of it: the covariance of least squares over intrinsics
-/// and all poses, scaled by the residuals. Infinite when the images leave something undetermined.
-double focal_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_from_board,
-                   const std::vector<Sighting>& sightings);
+/// Returns how well images determine the mean focal length, the optical centre (the worse of its two coordinates) and
+/// the lens: the covariance of least squares over intrinsics and all poses, scaled by the residuals. Infinite when
+/// the images leave something undetermined. The mount is not looked at.
+CalibrationSigma intrinsics_sigma(const CameraModel& camera, const std::vector<Pose3>& camera_from_board,
+                                  const std::vector<Sighting>& sightings);
 
 }  // namespace weft::agents

@@ -15,6 +15,8 @@ struct Switch {
 };
 constexpr std::array kSwitches = {
     Switch{"focal length", {&Disturbances::focal_error}},
+    Switch{"principal point", {&Disturbances::centre_error_px}},
+    Switch{"lens", {&Disturbances::distortion_error_px}},
     Switch{"mount position", {&Disturbances::mount_error_m}},
     Switch{"mount angle", {&Disturbances::mount_error_rad}},
     Switch{"vibration, angle", {&Disturbances::vibration_rad}},

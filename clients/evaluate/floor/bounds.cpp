@@ -20,7 +20,8 @@ bool concerns(const Bound& bound, const std::string& kind, const std::string& pa
   return is_easy == (bound.of == Bound::Of::easy);
 }
 
-void judge_share(Judged& judged, const std::vector<double>& values) {
+void judge_share(Judged& judged, const std::vector<double>& values, std::size_t seeds) {
+  judged.is_judged = seeds >= kSeedsOfAShare;
   judged.median = judged.worst = mean_of(values);
   judged.met = judged.median >= judged.bound->median && judged.median <= judged.bound->worst;
 }
@@ -103,10 +104,12 @@ std::vector<Judged> judge(const Rows& rows, Seeds seeds) {
     Judged judged;
     judged.bound = &bound;
     std::vector<double> all_values;
+    std::size_t most_seeds = 0;
     for (const auto& [key, scores] : groups) {
       if (!concerns(bound, key.first, key.second)) continue;
       const std::vector<double> values = values_of(scores, bound.value);
       all_values.insert(all_values.end(), values.begin(), values.end());
+      most_seeds = std::max(most_seeds, scores.size());
       const MedianWorst of = median_worst(values);
       Group group{key.first, key.second, scores.size(), 0.0, of.median, of.worst, false};
       for (const Score* const score : scores) group.metres += score->metres;
@@ -117,7 +120,7 @@ std::vector<Judged> judge(const Rows& rows, Seeds seeds) {
     }
     judged.met = !judged.groups.empty() && std::all_of(judged.groups.begin(), judged.groups.end(),
                                                        [](const Group& group) { return group.met; });
-    if (bound.is_share) judge_share(judged, all_values);
+    if (bound.is_share) judge_share(judged, all_values, most_seeds);
     all.push_back(std::move(judged));
   }
   return all;
@@ -125,7 +128,7 @@ std::vector<Judged> judge(const Rows& rows, Seeds seeds) {
 
 bool is_any_missed(const std::vector<Judged>& all) {
   return std::any_of(all.begin(), all.end(),
-                     [](const Judged& judged) { return !judged.groups.empty() && !judged.met; });
+                     [](const Judged& judged) { return !judged.groups.empty() && judged.is_judged && !judged.met; });
 }
 
 }  // namespace weft::evaluate::floor

@@ -32,6 +32,8 @@ struct Bound {
   /// which nothing was set: from the first number to the second.
   bool is_share = false;
 };
+/// Shares of all seeds together are judged from so many on.
+inline constexpr std::size_t kSeedsOfAShare = 40;
 /// What `weft-evaluate floor` measures itself.
 const std::vector<Bound>& bounds();
 
@@ -56,13 +58,14 @@ struct Judged {
   double median = Score::kNothing;  ///< of the group that is worst; of a share the mean, as `worst`
   double worst = Score::kNothing;
   bool met = false;                 ///< by every group, and there is one
+  bool is_judged = true;            ///< false: of a share, by too few seeds, each with one draw of a calibration
   const char* command = "floor";    ///< of weft-evaluate, that measures it
   std::optional<std::size_t> of{};  ///< attempts or trials, where they are counted
 };
 /// All of `bounds`, over the seeds that are there.
 std::vector<Judged> judge(const Rows& rows, Seeds seeds);
 
-/// Whether one that was measured does not hold.
+/// Tells whether one that was measured and is judged does not hold.
 bool is_any_missed(const std::vector<Judged>& all);
 
 /// The median and the largest; NaN without values. A value that is none (it could not be measured) is the worst.

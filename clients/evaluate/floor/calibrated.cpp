@@ -62,11 +62,11 @@ Result<double> measured_m(const Drive& drive) {
 
 }  // namespace
 
-Result<std::optional<KnownCamera>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
+Result<std::optional<agents::CameraModel>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
   const RemovedAtEnd truth(drive.body.truth_path.value_or(""));
   const Result<bool> driven = play(drive, line, [](const View*, const Motion&) {});
   if (!driven) return fail(driven.error());
-  if (!*driven) return std::optional<KnownCamera>();
+  if (!*driven) return std::optional<agents::CameraModel>();
   const Result<double> measured = measured_m(drive);
   if (!measured) return fail(measured.error());
 
@@ -85,9 +85,9 @@ Result<std::optional<KnownCamera>> calibrated(const Drive& drive, const std::vec
     return is_stopped ? Result<void>(fail(ErrorCode::refused, "stopped")) : Result<void>();
   };
   const Result<MountDrive> found = calibrate_mount((*body)->cameras().front(), again, config);
-  if (is_stopped) return std::optional<KnownCamera>();
+  if (is_stopped) return std::optional<agents::CameraModel>();
   if (!found) return fail(found.error());
-  return std::optional(KnownCamera{found->camera, found->sigma});
+  return std::optional(found->camera);
 }
 
 }  // namespace weft::evaluate::floor

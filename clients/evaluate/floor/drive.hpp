@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "agents/bodies/sim/sim_body.hpp"
-#include "clients/evaluate/floor/known_camera.hpp"
+#include "agents/perception/camera_model.hpp"
 #include "clients/evaluate/floor/trace.hpp"
 #include "clients/evaluate/taught_map.hpp"
 #include "core/result.hpp"
@@ -14,9 +14,9 @@ namespace weft::evaluate::floor {
 
 /// Who drives, in which site, on which day.
 struct Drive {
-  agents::sim::SimBodyConfig body;         ///< its truth_path: a file to be made and removed
-  std::function<bool()> asked_to_stop;     ///< asked at every sample
-  std::optional<KnownCamera> camera = {};  ///< as it was calibrated; none: as the site gives it
+  agents::sim::SimBodyConfig body;                 ///< its truth_path: a file to be made and removed
+  std::function<bool()> asked_to_stop;             ///< asked at every sample
+  std::optional<agents::CameraModel> camera = {};  ///< as it was calibrated; none: as the site gives it
 };
 
 /// What robots were taught, one experience after the other, and where its places truly are.

@@ -11,7 +11,8 @@ namespace weft::evaluate::floor {
 
 using namespace agents;
 
-Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const std::optional<KnownCamera>& camera) {
+Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config,
+                                      const std::optional<agents::CameraModel>& camera) {
   const std::filesystem::path truth = config.truth_path.value_or("");
   std::error_code problem;
   std::filesystem::remove(truth, problem);
@@ -23,9 +24,8 @@ Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config, const st
   return robot;
 }
 
-Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<KnownCamera>& camera) {
-  const KnownCamera with = camera.value_or(KnownCamera{body->cameras().front(), {}});
-  Result<Floor> floor = Floor::make(informed({}, with.sigma), with.model);
+Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<agents::CameraModel>& camera) {
+  Result<Floor> floor = Floor::make({}, camera.value_or(body->cameras().front()));
   if (!floor) return fail(floor.error());
   DrivenRobot robot;
   robot.body_ = std::move(body);

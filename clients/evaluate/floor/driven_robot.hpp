@@ -9,7 +9,7 @@
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/navigation/navigator.hpp"
-#include "clients/evaluate/floor/known_camera.hpp"
+#include "agents/perception/camera_model.hpp"
 #include "clients/evaluate/floor/trace.hpp"
 #include "clients/evaluate/floor/watched_floor.hpp"
 #include "core/result.hpp"
@@ -22,9 +22,11 @@ class DrivenRobot {
  public:
   /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
   /// `camera`: as it was calibrated; none: as the body says.
-  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config, const std::optional<KnownCamera>& camera);
+  static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config,
+                                  const std::optional<agents::CameraModel>& camera);
   /// Any other body; what it drives has no truth. Errors of the method.
-  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body, const std::optional<KnownCamera>& camera = {});
+  static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body,
+                                const std::optional<agents::CameraModel>& camera = {});
   DrivenRobot(DrivenRobot&&) = default;
   DrivenRobot& operator=(DrivenRobot&&) = delete;
   ~DrivenRobot();

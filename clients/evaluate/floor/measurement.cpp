@@ -32,7 +32,8 @@ Result<Ended> Measurement::repeat_under(const std::string& light) {
 
 Result<Ended> Measurement::calibrate_once() {
   if (camera_) return Ended::complete;
-  Result<std::optional<KnownCamera>> found = calibrated(scenario_.for_calibration(), scenario_.calibration_line());
+  Result<std::optional<agents::CameraModel>> found =
+      calibrated(scenario_.for_calibration(), scenario_.calibration_line());
   if (!found) return fail(found.error());
   camera_ = std::move(*found);
   return camera_ ? Ended::complete : Ended::stopped;

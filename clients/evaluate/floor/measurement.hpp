@@ -38,7 +38,7 @@ class Measurement {
   bool all_runs_;
   const Surroundings& around_;
   Keep keep_;
-  std::optional<KnownCamera> camera_;
+  std::optional<agents::CameraModel> camera_;
   Taught taught_;
 };
 

@@ -32,7 +32,8 @@ json json_of(const Judged& judged) {
               {"paper", bound.paper},         {"median", judged.median},
               {"bound_median", bound.median}, {"worst", judged.worst},
               {"bound_worst", bound.worst},   {"met", judged.met},
-              {"groups", json::array()},      {"command", std::string("weft-evaluate ") + judged.command}};
+              {"judged", judged.is_judged},   {"groups", json::array()},
+              {"command", std::string("weft-evaluate ") + judged.command}};
   if (judged.of) row["of"] = *judged.of;
   for (const Group& group : judged.groups) {
     row["groups"].push_back({{"floor", group.kind},

@@ -14,6 +14,7 @@ using Groups = std::map<GroupKey, std::vector<const Score*>>;
 
 std::string verdict_of(const Judged& judged) {
   if (judged.groups.empty()) return std::string("not measured (weft-evaluate ") + judged.command + ")";
+  if (!judged.is_judged) return "not judged (of " + std::to_string(kSeedsOfAShare) + " seeds or more)";
   return judged.met ? "met" : "NOT MET";
 }
 

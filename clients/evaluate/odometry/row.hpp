@@ -7,6 +7,11 @@
 
 namespace weft::evaluate::odometry {
 
+/// The drive as taught at the site's frame rate, and the names of the product that watches it.
+inline constexpr const char* kMappingDrive = "mapping";
+inline constexpr const char* kCalibrated = "weft, calibrated";
+inline constexpr const char* kAsGiven = "weft, as given";
+
 /// What one observer made of one drive.
 struct Row {
   std::string kind;

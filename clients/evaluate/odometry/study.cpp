@@ -1,5 +1,6 @@
 #include "clients/evaluate/odometry/study.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,8 +12,9 @@
 #include "clients/evaluate/floor/calibrated.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "clients/evaluate/odometry/keyframe_odometry.hpp"
+#include "clients/evaluate/odometry/regions.hpp"
 #include "clients/evaluate/odometry/rehearsal.hpp"
-#include "clients/evaluate/odometry/row.hpp"
+#include "clients/evaluate/odometry/row_file.hpp"
 
 namespace weft::evaluate::odometry {
 namespace {
@@ -21,10 +23,10 @@ constexpr double kCandidatesOverM = 8.0;
 
 using CpuTime = std::function<double()>;
 
-/// The product, every setting at its default but for what is known of its camera.
-Result<Observer> product(const std::string& name, std::size_t every, const floor::KnownCamera& camera,
+/// Watches with the product, every setting at its default but for what is known of its camera.
+Result<Observer> product(const std::string& name, std::size_t every, const agents::CameraModel& camera,
                          const CpuTime& cpu_s) {
-  Result<agents::Floor> made = agents::Floor::make(agents::informed({}, camera.sigma), camera.model);
+  Result<agents::Floor> made = agents::Floor::make({}, camera);
   if (!made) return fail(made.error());
   const auto method = std::make_shared<const agents::Floor>(std::move(*made));
   const auto state = std::make_shared<agents::Floor::Odometry>();
@@ -36,9 +38,9 @@ Result<Observer> product(const std::string& name, std::size_t every, const floor
       cpu_s);
 }
 
-Observer candidate(const std::string& name, std::size_t every, const floor::KnownCamera& camera,
+Observer candidate(const std::string& name, std::size_t every, const agents::CameraModel& camera,
                    const CpuTime& cpu_s) {
-  const auto state = std::make_shared<KeyframeOdometry>(make_front_end(name, camera.model, vibration_alone()));
+  const auto state = std::make_shared<KeyframeOdometry>(make_front_end(name, camera, vibration_alone()));
   return Observer(
       name, every,
       [state](const agents::View* view, const agents::Motion& motion) { return state->observe(view, motion); },
@@ -55,11 +57,11 @@ struct Rehearsed {
 
 std::vector<Rehearsed> drives_of(const floor::Scenario& scenario, bool candidates) {
   if (!candidates) {
-    return {{"mapping", scenario.first(), scenario.line(), {1, 2, 4}},
+    return {{kMappingDrive, scenario.first(), scenario.line(), {1, 2, 4}},
             {"1.5 m/s", scenario.fast(), scenario.fast_line(), {1}}};
   }
   const auto part = scenario.line_beginning(kCandidatesOverM);
-  std::vector<Rehearsed> drives = {{"mapping", scenario.first(), part, {1, 4}},
+  std::vector<Rehearsed> drives = {{kMappingDrive, scenario.first(), part, {1, 4}},
                                    {"1.5 m/s", scenario.fast(), scenario.fast_line(), {1}}};
   floor::Drive dark = scenario.first();
   const auto site = agents::sim::under_light(dark.body.site, "halved");
@@ -73,20 +75,20 @@ std::string named(const std::string& drive, std::size_t every) {
 }
 
 /// Who watches: the product with both cameras, or all candidates beside it.
-Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const floor::KnownCamera& calibrated,
+Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const agents::CameraModel& calibrated,
                                        const OdometryOptions& options, const CpuTime& cpu_s) {
   const Result<std::unique_ptr<agents::Body>> body = agents::sim::make_sim_body(rehearsed.drive.body);
   if (!body) return fail(body.error());
   std::vector<Observer> observers;
   for (const std::size_t every : rehearsed.every) {
-    Result<Observer> ours = product("weft, calibrated", every, calibrated, cpu_s);
+    Result<Observer> ours = product(kCalibrated, every, calibrated, cpu_s);
     if (!ours) return fail(ours.error());
     observers.push_back(std::move(*ours));
     if (options.candidates) {
       for (const std::string& name : front_ends()) observers.push_back(candidate(name, every, calibrated, cpu_s));
       continue;
     }
-    Result<Observer> given = product("weft, as given", every, {(*body)->cameras().front(), {}}, cpu_s);
+    Result<Observer> given = product(kAsGiven, every, (*body)->cameras().front(), cpu_s);
     if (!given) return fail(given.error());
     observers.push_back(std::move(*given));
   }
@@ -116,22 +118,35 @@ Result<Ended> study_odometry(const OdometryOptions& options, const Surroundings&
   const Result<floor::Subject> subject = floor::subject_of(options, around.asked_to_stop);
   if (!subject) return fail(subject.error());
   if (const Result<void> made = make_folder(options.out); !made) return fail(made.error());
-  std::vector<Row> rows;
-  RowsMeasured progress(subject->kinds.size() * (options.seeds.last - options.seeds.first + 1), 0, around);
+  floor::Study study = subject->study;
+  if (options.candidates) study.metres = kCandidatesOverM;
+  Result<std::vector<Row>> read = read_odometry_rows(options.out, study);
+  if (!read) return fail(read.error());
+  std::vector<Row>& rows = *read;
+  const auto is_there = [&rows](const std::string& kind, std::uint64_t seed) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Row& row) { return row.kind == kind && row.seed == seed; });
+  };
+  std::size_t kept = 0;
+  for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed)
+    for (const std::string& kind : subject->kinds) kept += is_there(kind, seed) ? 1 : 0;
+  RowsMeasured progress(subject->kinds.size() * (options.seeds.last - options.seeds.first + 1), kept, around);
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
     for (const std::string& kind : subject->kinds) {
+      if (is_there(kind, seed)) continue;
       const Result<floor::Scenario> scenario = floor::Scenario::make(subject->stage, kind, seed);
       if (!scenario) return fail(scenario.error());
       const Result<bool> done = measure(*scenario, kind, seed, options, cpu_s, rows);
       if (!done) return fail(done.error());
       if (!*done) return Ended::stopped;
-      if (const Result<void> kept = write_text(options.out / "odometry.csv", csv_of(rows)); !kept)
-        return fail(kept.error());
+      if (const Result<void> written = write_odometry_rows(options.out, study, rows); !written)
+        return fail(written.error());
       progress.row(kind + ", seed " + std::to_string(seed));
     }
   }
-  around.out << table_of(rows) << std::flush;
-  return Ended::complete;
+  const std::vector<Region> regions = regions_of(rows);
+  around.out << table_of(rows) << words_of(regions) << std::flush;
+  return is_any_missed(regions) ? Ended::missed : Ended::complete;
 }
 
 }  // namespace weft::evaluate::odometry

@@ -11,13 +11,15 @@ namespace {
 using agents::sim::Disturbances;
 
 /// All that can be turned off; the vibration's band is not.
-constexpr std::array kFields = {
-    &Disturbances::focal_error,     &Disturbances::mount_error_m, &Disturbances::mount_error_rad,
-    &Disturbances::vibration_rad,   &Disturbances::vibration_m,   &Disturbances::exposure_s,
-    &Disturbances::noise_grey,      &Disturbances::vignetting,    &Disturbances::exposure_drift,
-    &Disturbances::dropped_frames,  &Disturbances::time_jitter_s, &Disturbances::wheel_scale_error,
-    &Disturbances::wheel_asymmetry, &Disturbances::slip,          &Disturbances::light_change,
-    &Disturbances::shadow};
+constexpr std::array kFields = {&Disturbances::focal_error,     &Disturbances::mount_error_m,
+                                &Disturbances::mount_error_rad, &Disturbances::vibration_rad,
+                                &Disturbances::vibration_m,     &Disturbances::exposure_s,
+                                &Disturbances::noise_grey,      &Disturbances::vignetting,
+                                &Disturbances::exposure_drift,  &Disturbances::dropped_frames,
+                                &Disturbances::time_jitter_s,   &Disturbances::wheel_scale_error,
+                                &Disturbances::wheel_asymmetry, &Disturbances::slip,
+                                &Disturbances::light_change,    &Disturbances::shadow,
+                                &Disturbances::centre_error_px, &Disturbances::distortion_error_px};
 
 std::set<std::size_t> on(const Disturbances& disturbances) {
   std::set<std::size_t> fields;

@@ -123,7 +123,8 @@ void print_camera(const CameraFit& fit, std::ostream& out) {
               fit.rms_px, used, 100.0 * fit.cover, fit.tilt_rad * 180.0 / 3.14159265358979);
   out << text("%s  fx %.2f  fy %.2f  cx %.2f  cy %.2f px  distortion %.5f %.5f %.5f %.5f\n", to_string(c.lens), c.fx,
               c.fy, c.cx, c.cy, c.distortion[0], c.distortion[1], c.distortion[2], c.distortion[3]);
-  out << text("focal length to %.2f %% (one sigma)\n", 100.0 * *c.sigma.focal_share);
+  out << text("one sigma: focal length %.2f %%, optical centre %.2f px, lens %.2f px in the image's corner\n",
+              100.0 * *c.sigma.focal_share, *c.sigma.centre_px, *c.sigma.distortion_px);
 }
 
 nlohmann::ordered_json document_of(const CameraFit& fit, const Found& found, const CameraJob& job) {
@@ -140,6 +141,8 @@ nlohmann::ordered_json document_of(const CameraFit& fit, const Found& found, con
           {"distortion", c.distortion},
           {"rms_px", fit.rms_px},
           {"focal_sigma_share", *c.sigma.focal_share},
+          {"centre_sigma_px", *c.sigma.centre_px},
+          {"distortion_sigma_px", *c.sigma.distortion_px},
           {"cover", fit.cover},
           {"tilt_rad", fit.tilt_rad},
           {"images", images},

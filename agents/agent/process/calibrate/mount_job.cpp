@@ -73,16 +73,16 @@ nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job)
   static constexpr std::array kFrom = {"nothing", "distance", "wheels"};
   return {{"pitch_change_rad", found.pitch_rad},
           {"roll_change_rad", found.roll_rad},
-          {"tilt_sigma_rad", maybe(found.sigma.tilt_rad)},
+          {"tilt_sigma_rad", maybe(found.camera.sigma.tilt_rad)},
           {"yaw_seen", found.yaw_seen},
           {"yaw_change_rad", found.lever.yaw_rad},
-          {"yaw_sigma_rad", maybe(found.sigma.yaw_rad)},
+          {"yaw_sigma_rad", maybe(found.camera.sigma.yaw_rad)},
           {"forward_seen", found.forward_seen},
           {"forward_change_m", found.lever.forward_m},
           {"height_from", kFrom.at(static_cast<std::size_t>(found.height_from))},
           {"height_m", found.camera.robot_from_camera.translation.z()},
           {"height_change_share", found.height_share},
-          {"scale_sigma_share", maybe(found.sigma.scale_share)},
+          {"scale_sigma_share", maybe(found.camera.sigma.scale_share)},
           {"images", found.samples},
           {"blind", found.blind},
           {"driven_m", found.path_m},
@@ -96,12 +96,12 @@ std::string height_words(const MountDrive& found) {
         "height  %8.4f m  as given: not observable from the drive alone; give --distance-m, or --wheels-percent",
         height_m);
   return text("height  %8.4f m  %+.2f %%, distances to %.2f %% (one sigma), by %s", height_m,
-              100.0 * found.height_share, 100.0 * *found.sigma.scale_share,
+              100.0 * found.height_share, 100.0 * *found.camera.sigma.scale_share,
               found.height_from == HeightFrom::distance ? "the measured distance" : "the wheels");
 }
 
 void print(const MountDrive& found, std::ostream& out) {
-  const double tilt_sigma = *found.sigma.tilt_rad / kDegree;
+  const double tilt_sigma = *found.camera.sigma.tilt_rad / kDegree;
   out << "        found less given\n";
   out << text("pitch   %+8.3f degrees, one sigma %.3f\n", found.pitch_rad / kDegree, tilt_sigma);
   out << text("roll    %+8.3f degrees, one sigma %.3f\n", found.roll_rad / kDegree, tilt_sigma);
@@ -138,10 +138,10 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   if (!body) return fail(body.error());
   const Result<std::vector<Equipped>> equipped = make_cameras(options_of(job), **body, warn);
   if (!equipped) return fail(equipped.error());
-  const auto& [method, given, known] = equipped->front();
+  const CameraModel& given = equipped->front().camera;
 
   MountDriveConfig config;
-  config.prior.focal_share = known.focal_share.value_or(config.prior.focal_share);
+  config.prior.focal_share = given.sigma.focal_share.value_or(config.prior.focal_share);
   config.distance_m = job.distance_m;
   config.distance_sigma_m = job.distance_sigma_m;
   config.wheels_sigma = job.wheels_sigma;
@@ -164,8 +164,7 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   const Result<MountDrive> found = calibrate_mount(given, again, config);
   if (!found) return fail(found.error());
 
-  CameraCalibration camera = calibration_from(found->camera);
-  camera.sigma = found->sigma;
+  const CameraCalibration camera = calibration_from(found->camera);
   std::ofstream file(job.out, std::ios::trunc);
   file << camera_file_text(
       camera, {text("mount by weft calibrate mount: %.2f m driven, %zu images", found->path_m, found->samples)});

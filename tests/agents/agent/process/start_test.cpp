@@ -103,24 +103,6 @@ TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
   expect_refused(options, "each method needs one of its own");
 }
 
-TEST(AgentStart, WhatIsKnownOfACameraTakesThePlaceOfSettingsThatWereNotSet) {
-  FloorConfig config;
-  CalibrationSigma known;
-  EXPECT_EQ(informed(config, known).scale_sigma, config.scale_sigma);
-  known.tilt_rad = 0.002;
-  known.scale_share = 0.0015;
-  EXPECT_EQ(informed(config, known).mount_tilt_rad, 0.002);
-  EXPECT_EQ(informed(config, known).scale_sigma, 0.0015);
-  known.yaw_rad = 0.004;
-  known.focal_share = 0.0005;
-  EXPECT_EQ(informed(config, known).mount_yaw_rad, 0.004);
-  EXPECT_EQ(informed(config, known).turn_sigma, 0.0004) << "no better than following corners is";
-  known.focal_share = 0.003;
-  EXPECT_NEAR(informed(config, known).turn_sigma, 0.37 * 0.003, 1e-12) << "a part of what the focal length is wrong";
-  config.scale_sigma = 0.02;
-  EXPECT_EQ(informed(config, known).scale_sigma, 0.02);
-}
-
 TEST(AgentStart, WrongCameraFilesAreNamed) {
   const Folder folder;
   Options options = options_in(folder);

@@ -68,7 +68,7 @@ class CameraSees : public testing::Test {
   int at(const Bytes& image, int u, int v) const { return image[static_cast<std::size_t>(v * model_.width + u)]; }
 
   Site site_;
-  CameraModel model_ = given_camera_from(CameraSetup{}, "r1", 0);
+  CameraModel model_ = given_camera_from(CameraSetup{}, no_disturbances(), "r1", 0);
 };
 
 Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) {

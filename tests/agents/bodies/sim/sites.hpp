@@ -10,7 +10,8 @@ namespace weft::agents::sim {
 /// All disturbances at zero, wheels perfect.
 inline Disturbances no_disturbances() {
   Disturbances d;
-  d.focal_error = d.mount_error_m = d.mount_error_rad = d.vibration_rad = d.vibration_m = 0.0;
+  d.focal_error = d.centre_error_px = d.distortion_error_px = 0.0;
+  d.mount_error_m = d.mount_error_rad = d.vibration_rad = d.vibration_m = 0.0;
   d.exposure_s = d.noise_grey = d.vignetting = d.exposure_drift = d.dropped_frames = d.time_jitter_s = 0.0;
   d.wheel_scale_error = d.wheel_asymmetry = d.slip = d.light_change = d.shadow = 0.0;
   return d;

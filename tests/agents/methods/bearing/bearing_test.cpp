@@ -284,7 +284,7 @@ class BearingOtherLensTest : public BearingLocateTest,
 TEST_P(BearingOtherLensTest, IsFoundOutOnTheWay) {
   const auto [error, believed_before] = GetParam();
   sim::Site site = test::aisle_site();
-  site.disturbances.focal_error = error;  // too long, or too short
+  site.forward_camera.focal_px *= 1.0 + error;
   test::Lookout other{site};
   Bearing::Belief belief{AlongPath{-1.0, 0.01}};
   if (believed_before != 0.0) belief.cameras.told({ExperienceId{}, {believed_before, 1e-4}}, 0.03);
@@ -309,7 +309,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, BearingOtherLensTest,
 /// Around a place that is only supposed to be where it is, nothing is learned for good.
 TEST_F(BearingLocateTest, OfLensesOnlyViewsThatAreBelievedTell) {
   sim::Site site = test::aisle_site();
-  site.disturbances.focal_error = 0.01;
+  site.forward_camera.focal_px *= 1.01;
   test::Lookout other{site};
   int looks = 0;
   for (double x = 6.6; x < 7.4; x += 0.05) {

@@ -87,7 +87,7 @@ TEST_F(FloorOdometry, AWrongCalibrationCostsAboutItsScale) {
   // 0.5 % by the height, 0.3 % by the focal length, up to 1.1 % by the pitch before it is estimated (1 sigma each,
   // with tails, as drawn here).
   FloorConfig told;
-  told.scale_sigma = std::hypot(0.005, 0.003);
+  told.measured_scale = std::hypot(0.005, 0.003);
   for (const std::uint64_t seed : {1U, 2U}) {
     test::Drive how;
     how.duration_s = 3.0;

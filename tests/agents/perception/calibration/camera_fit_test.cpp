@@ -79,6 +79,15 @@ TEST(CameraFit, FindsTheLensOfEitherModel) {
     ASSERT_TRUE(fit->camera.sigma.focal_share);
     EXPECT_LT(std::abs(fit->camera.fx / truth.fx - 1.0), 4.0 * *fit->camera.sigma.focal_share);
     EXPECT_LT(*fit->camera.sigma.focal_share, 0.001);
+    ASSERT_TRUE(fit->camera.sigma.centre_px && fit->camera.sigma.distortion_px);
+    EXPECT_LT(std::abs(fit->camera.cx - truth.cx), 4.0 * *fit->camera.sigma.centre_px);
+    EXPECT_LT(std::abs(fit->camera.cy - truth.cy), 4.0 * *fit->camera.sigma.centre_px);
+    EXPECT_LT(*fit->camera.sigma.centre_px, 1.0);
+    CameraModel lens = truth;  // nothing but the coefficients differs
+    lens.distortion = fit->camera.distortion;
+    const Eigen::Vector2d corner = image_corner(truth);
+    EXPECT_LT((pixel_from_normalised(lens, corner) - pixel_from_normalised(truth, corner)).norm(),
+              4.0 * *fit->camera.sigma.distortion_px);
     EXPECT_FALSE(fit->camera.body_from_camera);
     for (const ImageFit& image : fit->images) {
       EXPECT_TRUE(image.used) << image.name;

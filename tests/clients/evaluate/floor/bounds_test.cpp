@@ -108,5 +108,21 @@ TEST(FloorBounds, HowOftenRegionsHoldIsAMeanOverFloorsThatSetNothing) {
   EXPECT_FALSE(of(judge(rows, {1, 2}), name).met);
 }
 
+TEST(FloorBounds, HowOftenRegionsHoldIsJudgedOfFortySeeds) {
+  Rows rows;
+  const std::string name = "95 % region of 1 m holds the truth, mount calibrated, floors that set nothing";
+  const auto drive = [&rows](std::uint64_t seed) {
+    Score& score = rows[{"wood", kMapping, seed}];
+    score.speed_percent = score.speed_wrong_mount_percent = score.speed_fast_percent = 0.3;
+    score.held_1m_percent = score.held_10m_percent = 60.0;
+  };
+  for (std::uint64_t seed = 1; seed <= 39; ++seed) drive(seed);
+  EXPECT_FALSE(of(judge(rows, {1, 40}), name).is_judged);
+  EXPECT_FALSE(is_any_missed(judge(rows, {1, 40})));
+  drive(40);
+  EXPECT_TRUE(of(judge(rows, {1, 40}), name).is_judged);
+  EXPECT_TRUE(is_any_missed(judge(rows, {1, 40})));
+}
+
 }  // namespace
 }  // namespace weft::evaluate::floor

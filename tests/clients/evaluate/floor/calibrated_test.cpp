@@ -32,7 +32,7 @@ TEST(FloorCalibrated, FindsTheSpeedAndLeavesNoTruthBehind) {
   ASSERT_TRUE(camera->has_value());
   EXPECT_FALSE(std::filesystem::exists(here.scratch));
 
-  const auto off_by = [&](const std::optional<KnownCamera>& with) {
+  const auto off_by = [&](const std::optional<agents::CameraModel>& with) {
     Drive drive = scenario->first();
     drive.camera = with;
     const auto trace = lead(drive, scenario->line_beginning(3.0));

@@ -17,6 +17,8 @@ class ABodyUnderLoad : public testing::Test {
     drive.body.site = *site;
     drive.body.site.disturbances.mount_error_m = mount_error_m;
     drive.body.site.disturbances.focal_error = focal_error;
+    drive.body.site.disturbances.centre_error_px = focal_error / 0.003;
+    drive.body.site.disturbances.distortion_error_px = 0.5 * focal_error / 0.003;
     drive.body.robot = "r1";
     drive.body.truth_path = (folder.path() / "truth").string();
     drive.asked_to_stop = [] { return false; };

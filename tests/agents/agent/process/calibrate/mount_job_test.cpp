@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
+#include "agents/perception/camera_error.hpp"
 #include "tests/agents/agent/process/calibrate/invoked.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An empty hall, a camera whose mount is 0.5 degrees and 8 mm off, wheels that are right.
+/// An empty hall, a camera that is exactly as the site says, wheels that are right.
 constexpr const char* kSite = R"([floor]
 x_min = 0.0
 y_min = 0.0
@@ -24,8 +25,10 @@ x = 2.0
 y = 3.0
 [disturbances]
 focal_error_percent = 0.0
-mount_error_mm = 8.0
-mount_error_deg = 0.5
+principal_point_error_px = 0.0
+distortion_error_px = 0.0
+mount_error_mm = 0.0
+mount_error_deg = 0.0
 wheel_scale_percent = 0.0
 wheel_asymmetry_percent = 0.0
 )";
@@ -38,6 +41,17 @@ MountJob drive_job_in(const Folder& folder) {
   job.out = folder.file("mount.yaml");
   job.json = true;
   return job;
+}
+
+/// The site's camera, as a file that has it 0.5 degrees and 8 mm off.
+std::string camera_off_by_half_a_degree() {
+  CameraModel camera;  // as [camera] has it by default
+  camera.distortion = {-0.08, 0.01, 0.0004, -0.0003, 0.0};
+  camera.robot_from_camera = downward_mount(0.25, 0.0, 0.6, 0.735, 0.0, 0.0);
+  CameraError error;
+  error.turn_rad = Eigen::Vector3d(0.0050, -0.0050, 0.0050);
+  error.shift_m = Eigen::Vector3d(0.0045, 0.0045, -0.0045);
+  return camera_file_text(calibration_from(with_error(camera, error)), {});
 }
 
 nlohmann::json done(const MountJob& job) {
@@ -54,6 +68,7 @@ TEST(CalibrateMount, TheWheelsShowTheHeightAndTheFileIsTaken) {
   const Folder folder;
   MountJob job = drive_job_in(folder);
   job.wheels_sigma = 0.005;
+  job.calibration = folder.write("given.yaml", camera_off_by_half_a_degree());
   const nlohmann::json found = done(job);
   EXPECT_EQ(found["height_from"], "wheels");
   EXPECT_LT(found["scale_sigma_share"], 0.01);
