@@ -151,9 +151,13 @@ CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds) 
   flags_of_floors(sub, options, "1..3", seeds);
   flags_of_line(sub, options);
   const auto option = flags_of(sub);
-  option("--out", options.out, "DIR", "Folder for odometry.csv [out/odometry]");
-  sub->add_flag("--candidates", options.candidates,
-                "Other ways to see motion beside it (tracks, direct alignment, binary features), on the first 8 m");
+  option("--out", options.out, "DIR", "Folder for the results; rows that it holds already are kept [out/odometry]");
+  auto* const candidates = sub->add_flag(
+      "--candidates", options.candidates,
+      "Other ways to see motion beside it (tracks, direct alignment, binary features), on the first 8 m");
+  sub->add_flag("--regions", options.regions,
+                "Only what the 95 % regions are judged by, of 40 seeds or more: the drive at the site's frame rate")
+      ->excludes(candidates);
   return sub;
 }
 

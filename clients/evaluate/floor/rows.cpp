@@ -28,11 +28,16 @@ Score score_from(const json& row) {
 
 json json_of(const Judged& judged) {
   const Bound& bound = *judged.bound;
-  json row = {{"name", bound.name},           {"unit", bound.unit},
-              {"paper", bound.paper},         {"median", judged.median},
-              {"bound_median", bound.median}, {"worst", judged.worst},
-              {"bound_worst", bound.worst},   {"met", judged.met},
-              {"judged", judged.is_judged},   {"groups", json::array()},
+  json row = {{"name", bound.name},
+              {"unit", bound.unit},
+              {"paper", bound.paper},
+              {"median", judged.median},
+              {"bound_median", bound.median},
+              {"worst", judged.worst},
+              {"bound_worst", bound.worst},
+              {"met", judged.met},
+              {"judged", judged.is_judged},
+              {"groups", json::array()},
               {"command", std::string("weft-evaluate ") + judged.command}};
   if (judged.of) row["of"] = *judged.of;
   for (const Group& group : judged.groups) {

@@ -55,8 +55,9 @@ struct Rehearsed {
   std::vector<std::size_t> every;
 };
 
-std::vector<Rehearsed> drives_of(const floor::Scenario& scenario, bool candidates) {
-  if (!candidates) {
+std::vector<Rehearsed> drives_of(const floor::Scenario& scenario, const OdometryOptions& options) {
+  if (options.regions) return {{kMappingDrive, scenario.first(), scenario.line(), {1}}};
+  if (!options.candidates) {
     return {{kMappingDrive, scenario.first(), scenario.line(), {1, 2, 4}},
             {"1.5 m/s", scenario.fast(), scenario.fast_line(), {1}}};
   }
@@ -101,7 +102,7 @@ Result<bool> measure(const floor::Scenario& scenario, const std::string& kind, s
   const auto camera = floor::calibrated(scenario.for_calibration(), scenario.calibration_line());
   if (!camera) return fail(camera.error());
   if (!*camera) return false;
-  for (const Rehearsed& rehearsed : drives_of(scenario, options.candidates)) {
+  for (const Rehearsed& rehearsed : drives_of(scenario, options)) {
     Result<std::vector<Observer>> observers = watchers(rehearsed, **camera, options, cpu_s);
     if (!observers) return fail(observers.error());
     const Result<bool> done = rehearse(rehearsed.drive, rehearsed.line, *observers);

@@ -9,6 +9,7 @@ namespace weft::evaluate {
 
 struct OdometryOptions : FloorOptions {
   bool candidates = false;  ///< other ways to see motion too, on the first 8 m
+  bool regions = false;     ///< only what the 95 % regions are judged by: mapping at the site's frame rate
 };
 
 namespace odometry {

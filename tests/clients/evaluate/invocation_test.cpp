@@ -90,6 +90,8 @@ TEST(EvaluateInvocation, OdometryAsksForCandidatesByFlag) {
   const auto given =
       std::get<OdometryOptions>(parsed({"odometry", "--candidates", "--kind", "epoxy", "--seeds", "7"}));
   EXPECT_TRUE(given.candidates);
+  EXPECT_TRUE(std::get<OdometryOptions>(parsed({"odometry", "--regions"})).regions);
+  EXPECT_TRUE(std::holds_alternative<NotRun>(parsed({"odometry", "--regions", "--candidates"})));
   EXPECT_EQ(given.kind, "epoxy");
   EXPECT_EQ(given.seeds.first, 7U);
 }

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "agents/perception/camera_error.hpp"
+#include "agents/perception/lens.hpp"
 #include "tests/support/board_view.hpp"
 
 namespace weft::agents {
