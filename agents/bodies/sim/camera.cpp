@@ -27,7 +27,8 @@ Camera::Camera(const CameraModel& camera, const CameraOptions& options, std::sha
       levels_(levels_of_rows()),
       floor_(std::move(floor), reach_m(), options.cache_bytes),
       scene_(std::move(scene)),
-      light_(light) {
+      light_(light),
+      bent_(kShadeCell, columns_, rows_) {
   assert(camera_.width % kShadeCell == 0);
   make_noise();
   const auto nodes = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
@@ -77,7 +78,12 @@ Eigen::Vector2d floor_point(const FloorFromRay& h, float x, float y) {
 }  // namespace
 
 std::array<double, kLevels> Camera::reach_m() const {
-  const FloorFromRay h = floor_from_ray(camera_.robot_from_camera, 0.0, 0.0, 0.0, 0.0);
+  Pose3 robot_from_camera = camera_.robot_from_camera;
+  if (options_.relief) {  // on a slope it looks farther
+    const Eigen::AngleAxisd up(-std::atan(options_.relief->steep()), Eigen::Vector3d::UnitY());
+    robot_from_camera.rotation = up * robot_from_camera.rotation;
+  }
+  const FloorFromRay h = floor_from_ray(robot_from_camera, 0.0, 0.0, 0.0, 0.0);
   std::array<std::vector<Eigen::Vector2d>, kLevels> seen;
   for (int v = 0; v < camera_.height; ++v) {
     // As fetch_floor does: a level is wanted a little beyond the rows that sample it.
@@ -135,18 +141,24 @@ std::vector<Camera::RowLevels> Camera::levels_of_rows() const {
 }
 
 void Camera::look_at_grid(const FloorShot& shot) {
-  const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
-  const FloorFromRay h = floor_from_ray(shot.site_from_camera_mid, eye.x(), eye.y(), 0.0, 0.0);
   for (int j = 0; j < rows_; ++j) {
-    const int v = std::min(j * kShadeCell, camera_.height - 1);
+    const int v = row_of_node(j);
+    const Pose3& site_from_camera = shot.mid_of_row(v);
+    const Eigen::Vector3d& eye = site_from_camera.translation;
+    const FloorFromRay h = floor_from_ray(site_from_camera, eye.x(), eye.y(), 0.0, 0.0);
     for (int i = 0; i < columns_; ++i) {
       const int u = std::min(i * kShadeCell, camera_.width - 1);
       const auto at =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
-      const Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]);
+      Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]) + eye.head<2>();
       const auto n = static_cast<std::size_t>(j * columns_ + i);
-      nodes_.x[n] = static_cast<float>(p.x() + eye.x());
-      nodes_.y[n] = static_cast<float>(p.y() + eye.y());
+      if (options_.relief) {
+        const FloorMet met = meet_floor(*options_.relief, site_from_camera, p);
+        bent_.set(n, met);
+        p = met.at;
+      }
+      nodes_.x[n] = static_cast<float>(p.x());
+      nodes_.y[n] = static_cast<float>(p.y());
     }
   }
 }
@@ -183,42 +195,63 @@ void Camera::fetch_floor() {
   }
 }
 
+/// Of each image row; of one, when all are taken at once.
+std::vector<Camera::FloorFromSubsamples> Camera::floor_from_rows(const FloorShot& shot, TileKey origin) const {
+  std::vector<FloorFromSubsamples> all(shot.rows.empty() ? 1 : shot.rows.size());
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const std::array<Pose3, kSubsamples>& poses = shot.poses_of_row(static_cast<int>(row));
+    for (std::size_t k = 0; k < kSubsamples; ++k) {
+      all[row][k] =
+          floor_from_ray(poses[k], origin.x * kTileM, origin.y * kTileM, kSubsampleRight[k], kSubsampleDown[k]);
+    }
+  }
+  return all;
+}
+
 void Camera::sample_floor(const FloorShot& shot) {
   const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
   const TileKey origin = tile_of(eye.x(), eye.y());
-  const auto sees_floor = [this](int u, int v) { return shows_.empty() || shows(u, v) != Shows::inside; };
-  std::array<FloorFromRay, kSubsamples> floor_from_ray_of{};
+  const std::vector<FloorFromSubsamples> floor_from_row = floor_from_rows(shot, origin);
   std::array<LevelPixels, kLevels> pixels{};
-  for (std::size_t k = 0; k < kSubsamples; ++k) {
-    floor_from_ray_of[k] = floor_from_ray(shot.site_from_camera[k], origin.x * kTileM, origin.y * kTileM,
-                                          kSubsampleRight[k], kSubsampleDown[k]);
-  }
   for (int l = 0; l < kLevels; ++l) {
     pixels[static_cast<std::size_t>(l)] = floor_.level(l, origin);
   }
   for (int v0 = 0; v0 < camera_.height; v0 += kBlock) {
     for (int u0 = 0; u0 < camera_.width; u0 += kBlock) {
       for (int v = v0; v < std::min(v0 + kBlock, camera_.height); ++v) {
+        const FloorFromSubsamples& floor_from_ray_of =
+            floor_from_row[shot.rows.empty() ? 0 : static_cast<std::size_t>(v)];
         RowJob job;
         for (std::size_t k = 0; k < kSubsamples; ++k) {
           job.floor_from_ray[k] = &floor_from_ray_of[k];
           job.level[k] = &pixels[levels_[static_cast<std::size_t>(v)][k]];
         }
-        const int end = std::min(u0 + kBlock, camera_.width);
-        for (int u = u0; u < end;) {
-          const int from = u;
-          while (u < end && sees_floor(u, v)) u += kShadeCell;
-          if (u > from) {
-            job.ray_x = rays_.x.data() + pixel(from, v);
-            job.ray_y = rays_.y.data() + pixel(from, v);
-            job.count = u - from;
-            job.out = albedo_.data() + pixel(from, v);
-            kernels().sample_row(job);
-          } else {
-            u += kShadeCell;
-          }
-        }
+        sample_row(job, u0, std::min(u0 + kBlock, camera_.width), v);
       }
+    }
+  }
+}
+
+/// Pixels from `begin` to before `end`, where they may show floor.
+void Camera::sample_row(RowJob& job, int begin, int end, int v) {
+  const auto sees_floor = [this, v](int u) { return shows_.empty() || shows(u, v) != Shows::inside; };
+  for (int u = begin; u < end;) {
+    const int from = u;
+    while (u < end && sees_floor(u)) u += kShadeCell;
+    if (u > from) {
+      job.ray_x = rays_.x.data() + pixel(from, v);
+      job.ray_y = rays_.y.data() + pixel(from, v);
+      job.count = u - from;
+      if (options_.relief) {
+        const auto count = static_cast<std::size_t>(job.count);
+        bent_.bend(from, v, {job.ray_x, count}, {job.ray_y, count});
+        job.ray_x = bent_.x();
+        job.ray_y = bent_.y();
+      }
+      job.out = albedo_.data() + pixel(from, v);
+      kernels().sample_row(job);
+    } else {
+      u += kShadeCell;
     }
   }
 }

@@ -1,9 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "agents/bodies/sim/bent_rays.hpp"
 #include "agents/bodies/sim/floor/floor_window.hpp"
 #include "agents/bodies/sim/light.hpp"
 #include "agents/bodies/sim/pixel_rays.hpp"
@@ -27,6 +30,19 @@ struct FloorShot {
   double gain = 1.0;
   std::uint64_t noise_seed = 0;
   double time_s = 0.0;  ///< of the body
+  /// Where the camera is while one row of the image is taken.
+  struct Row {
+    std::array<Pose3, kSubsamples> site_from_camera;
+    Pose3 site_from_camera_mid;
+  };
+  std::vector<Row> rows;  ///< of a rolling shutter; empty: all rows are taken at once, as said above
+
+  const std::array<Pose3, kSubsamples>& poses_of_row(int v) const {
+    return rows.empty() ? site_from_camera : rows[static_cast<std::size_t>(v)].site_from_camera;
+  }
+  const Pose3& mid_of_row(int v) const {
+    return rows.empty() ? site_from_camera_mid : rows[static_cast<std::size_t>(v)].site_from_camera_mid;
+  }
 };
 
 struct CameraOptions {
@@ -37,6 +53,7 @@ struct CameraOptions {
   double lens_depth = 0.0;
   std::uint64_t lens_seed = 0;
   std::size_t cache_bytes = 160'000'000;
+  std::optional<Relief> relief = {};  ///< of the floor; none: it is a plane
 };
 
 /// A camera that sees the site. Not for several threads.
@@ -58,6 +75,7 @@ class Camera {
     std::vector<float> x, y;
   };
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
+  using FloorFromSubsamples = std::array<FloorFromRay, kSubsamples>;
   /// Directions and what lights a hit, for one pose of the camera.
   struct Eye {
     Eigen::Vector3d at;
@@ -85,7 +103,11 @@ class Camera {
                               double down_px) const;
   void look_at_grid(const FloorShot& shot);
   void fetch_floor();
+  std::vector<FloorFromSubsamples> floor_from_rows(const FloorShot& shot, TileKey origin) const;
   void sample_floor(const FloorShot& shot);
+  void sample_row(RowJob& job, int begin, int end, int v);
+  /// Image row of a row of the light grid.
+  int row_of_node(int j) const { return std::min(j * kShadeCell, camera_.height - 1); }
   std::size_t pixel(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
   }
@@ -130,9 +152,9 @@ class Camera {
   };
   void find_boxes(const FloorShot& shot);
   void forget_boxes();
-  void mark_cells(const Eigen::Vector3d& eye);
-  void cast_nodes(const Pose3& site_from_camera);
-  void cast_cells(const Pose3& site_from_camera);
+  void mark_cells(const FloorShot& shot);
+  void cast_nodes(const FloorShot& shot);
+  void cast_cells(const FloorShot& shot);
   Shows& shows(int u, int v) {
     return shows_[static_cast<std::size_t>((v / kShadeCell) * (columns_ - 1) + u / kShadeCell)];
   }
@@ -147,7 +169,7 @@ class Camera {
   // camera_faces.cpp
   void draw_boxes(const FloorShot& shot);
   void draw_insides(const Eye& eye, double exposure_gain, int v);
-  void draw_lone(const Eye& eye, double exposure_gain);
+  void draw_lone(const FloorShot& shot);
   void draw_edges(const FloorShot& shot);
   /// Grey levels of places on a face, without the lamps.
   void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
@@ -175,6 +197,7 @@ class Camera {
 
   // Of the image being made.
   Nodes nodes_;
+  BentRays bent_;  ///< where the floor is no plane
   std::vector<float> albedo_, gain_, add_;
   std::vector<Shows> shows_;  ///< of each cell; empty: no box is near
   FaceMemo face_memo_;

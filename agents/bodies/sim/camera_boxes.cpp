@@ -14,12 +14,14 @@ constexpr double kFarthestBoxM = 6.0;
 
 /// Where a box may be seen: a line of sight to a node in or next to the cell passes over one; an edge may pass
 /// between two nodes.
-void Camera::mark_cells(const Eigen::Vector3d& eye) {
+void Camera::mark_cells(const FloorShot& shot) {
   shows_.clear();
-  const std::vector<std::int32_t> near = scene_->boxes_near(eye.x(), eye.y(), kFarthestBoxM);
+  const Eigen::Vector3d& middle = shot.site_from_camera_mid.translation;
+  const std::vector<std::int32_t> near = scene_->boxes_near(middle.x(), middle.y(), kFarthestBoxM);
   std::vector<std::uint8_t> nodes(nodes_.x.size(), 0);
   bool any = false;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Eigen::Vector3d& eye = shot.mid_of_row(row_of_node(static_cast<int>(n) / columns_)).translation;
     nodes[n] = std::any_of(near.begin(), near.end(), [&](std::int32_t box) {
       return scene_->crosses(box, eye.x(), eye.y(), nodes_.x[n], nodes_.y[n]);
     });
@@ -42,14 +44,14 @@ void Camera::mark_cells(const Eigen::Vector3d& eye) {
 }
 
 /// Marks what four corners agree on: most of a rack is the inside of one of its faces.
-void Camera::cast_nodes(const Pose3& site_from_camera) {
-  const Eye eye(site_from_camera);
+void Camera::cast_nodes(const FloorShot& shot) {
   const int across = columns_ - 1;
   const int down = rows_ - 2;
   node_hits_.resize(nodes_.x.size());
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   for (int j = 0; j <= down; ++j) {
-    const int v = std::min(j * kShadeCell, camera_.height - 1);
+    const int v = row_of_node(j);
+    const Eye eye(shot.mid_of_row(v));
     for (int first = 0; first <= across; first += static_cast<int>(Scene::kPacket)) {
       const int count = std::min(static_cast<int>(Scene::kPacket), across + 1 - first);
       for (int i = 0; i < count; ++i) {
@@ -87,11 +89,11 @@ void Camera::cast_nodes(const Pose3& site_from_camera) {
   }
 }
 
-void Camera::cast_cells(const Pose3& site_from_camera) {
-  const Eye eye(site_from_camera);
+void Camera::cast_cells(const FloorShot& shot) {
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
   for (int v = 0; v < camera_.height; v += 2) {
+    const Eye eye(shot.mid_of_row(v));  // of the row below it as well, which is taken next
     for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
       if (cell == Shows::floor || cell == Shows::inside) continue;
@@ -115,10 +117,10 @@ void Camera::cast_cells(const Pose3& site_from_camera) {
 }
 
 void Camera::find_boxes(const FloorShot& shot) {
-  mark_cells(shot.site_from_camera_mid.translation);
+  mark_cells(shot);
   if (shows_.empty()) return;
-  cast_nodes(shot.site_from_camera_mid);
-  cast_cells(shot.site_from_camera_mid);
+  cast_nodes(shot);
+  cast_cells(shot);
 }
 
 /// Between images nothing is hit: clearing what was cast is cheaper than a whole picture.

@@ -62,11 +62,10 @@ bool Camera::at_edge(int u, int v) {
 
 void Camera::draw_boxes(const FloorShot& shot) {
   if (shows_.empty()) return;
-  const Eye eye(shot.site_from_camera_mid);
   edges_.clear();
   lone_.clear();
   for (int v = 0; v < camera_.height; ++v) {
-    draw_insides(eye, shot.gain, v);
+    draw_insides(Eye(shot.mid_of_row(v)), shot.gain, v);
     for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
       if (cell == Shows::inside || cell == Shows::floor) continue;
@@ -79,7 +78,7 @@ void Camera::draw_boxes(const FloorShot& shot) {
       }
     }
   }
-  draw_lone(eye, shot.gain);
+  draw_lone(shot);
   draw_edges(shot);
   forget_boxes();
 }
@@ -124,9 +123,13 @@ void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
 }
 
 /// Pixels on a face in cells that show other things too.
-void Camera::draw_lone(const Eye& eye, double exposure_gain) {
+void Camera::draw_lone(const FloorShot& shot) {
   ends_.clear();
+  Eye eye;
+  int row = -1;
   for (const auto& [u, v] : lone_) {
+    if (v != row) eye = Eye(shot.mid_of_row(v));
+    row = v;
     const std::size_t at = pixel(u, v);
     const Surface surface = surface_at(hits_[at], eye, direction_of(eye, at));
     albedo_[at] = surface.albedo;
@@ -135,7 +138,7 @@ void Camera::draw_lone(const Eye& eye, double exposure_gain) {
   ends_.look(light_);
   for (std::size_t n = 0; n < lone_.size(); ++n) {
     const auto [u, v] = lone_[n];
-    const PixelLight light = light_at(u, v, exposure_gain);
+    const PixelLight light = light_at(u, v, shot.gain);
     float& albedo = albedo_[pixel(u, v)];
     albedo = (light.camera_gain * albedo * ends_.gain[n] - light.add) / light.gain;
   }
@@ -145,28 +148,32 @@ void Camera::draw_lone(const Eye& eye, double exposure_gain) {
 void Camera::draw_edges(const FloorShot& shot) {
   constexpr std::size_t together = Scene::kPacket / kSubsamples;
   const double per_focal = 1.0 / camera_.fx;
-  std::array<Eye, kSubsamples> eyes;
-  std::transform(shot.site_from_camera.begin(), shot.site_from_camera.end(), eyes.begin(),
-                 [](const Pose3& pose) { return Eye(pose); });
+  std::array<std::array<Eye, kSubsamples>, together> eyes;  // of each pixel
   std::array<Eigen::Vector3f, Scene::kPacket> from;
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
   std::array<Surface, Scene::kPacket> surfaces;
   for (std::size_t first = 0; first < edges_.size(); first += together) {
     const std::size_t count = std::min(together, edges_.size() - first);
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::array<Pose3, kSubsamples>& poses = shot.poses_of_row(edges_[first + n].v);
+      std::transform(poses.begin(), poses.end(), eyes[n].begin(), [](const Pose3& pose) { return Eye(pose); });
+    }
     for (std::size_t i = 0; i < count * kSubsamples; ++i) {
       const std::size_t k = i % kSubsamples;
       const std::size_t at = pixel(edges_[first + i / kSubsamples].u, edges_[first + i / kSubsamples].v);
       const Eigen::Vector3f inside(rays_.x[at] + static_cast<float>(kSubsampleRight[k] * per_focal),
                                    rays_.y[at] + static_cast<float>(kSubsampleDown[k] * per_focal), 1.0F);
-      from[i] = eyes[k].at.cast<float>();
-      directions[i] = eyes[k].site_from_camera * inside;
+      const Eye& eye = eyes[i / kSubsamples][k];
+      from[i] = eye.at.cast<float>();
+      directions[i] = eye.site_from_camera * inside;
     }
     const std::size_t rays = count * kSubsamples;
     scene_->cast(std::span(from).first(rays), std::span(directions).first(rays), std::span(hits).first(rays));
     ends_.clear();
     for (std::size_t i = 0; i < rays; ++i) {
-      surfaces[i] = hits[i].box < 0 ? Surface{} : surface_at(hits[i], eyes[i % kSubsamples], directions[i]);
+      surfaces[i] =
+          hits[i].box < 0 ? Surface{} : surface_at(hits[i], eyes[i / kSubsamples][i % kSubsamples], directions[i]);
       ends_.add(surfaces[i].at);
     }
     ends_.look(light_);

@@ -1,6 +1,7 @@
 #include "agents/bodies/sim/calibration.hpp"
 #include "agents/bodies/sim/camera.hpp"
 #include "agents/bodies/sim/eye.hpp"
+#include "agents/bodies/sim/readout.hpp"
 
 namespace weft::agents::sim {
 namespace {
@@ -12,7 +13,8 @@ CameraOptions options_of(const Site& site) {
           .lens_spots = site.change.lens_spots,
           .lens_depth = site.change.lens_depth,
           .lens_seed = site.change.seed,
-          .cache_bytes = static_cast<std::size_t>(site.floor.cache_mb * 1e6)};
+          .cache_bytes = static_cast<std::size_t>(site.floor.cache_mb * 1e6),
+          .relief = relief_of(site)};
 }
 
 class FloorEye final : public Eye {
@@ -31,11 +33,13 @@ class FloorEye final : public Eye {
 
   Image look(const Moment& moment) override {
     FloorShot shot;
-    for (std::size_t k = 0; k < kSubsamples; ++k) {
-      shot.site_from_camera[k] =
-          moment.site_from_camera(true_.robot_from_camera, kSubsampleTime[k] * site_.disturbances.exposure_s);
+    const FloorShot::Row middle = row_at(moment, 0.0);
+    shot.site_from_camera = middle.site_from_camera;
+    shot.site_from_camera_mid = middle.site_from_camera_mid;
+    if (const double readout_s = site_.disturbances.rolling_shutter_s; readout_s > 0.0) {
+      for (int v = 0; v < true_.height; ++v)
+        shot.rows.push_back(row_at(moment, row_time_s(v, true_.height, readout_s)));
     }
-    shot.site_from_camera_mid = moment.site_from_camera(true_.robot_from_camera, 0.0);
     shot.body = {moment.site_from_robot.x, moment.site_from_robot.y, site_.base.radius_m, site_.base.body_height_m};
     shot.gain = moment.brightness;
     shot.time_s = moment.time_s;
@@ -44,6 +48,17 @@ class FloorEye final : public Eye {
   }
 
  private:
+  /// Where the camera is for a row that is taken so much later than the image's middle.
+  FloorShot::Row row_at(const Moment& moment, double later_s) const {
+    FloorShot::Row row;
+    for (std::size_t k = 0; k < kSubsamples; ++k) {
+      row.site_from_camera[k] = moment.site_from_camera(true_.robot_from_camera,
+                                                        later_s + kSubsampleTime[k] * site_.disturbances.exposure_s);
+    }
+    row.site_from_camera_mid = moment.site_from_camera(true_.robot_from_camera, later_s);
+    return row;
+  }
+
   Site site_;
   CameraModel given_;
   CameraModel true_;

@@ -4,6 +4,7 @@
 #include "agents/bodies/sim/eye.hpp"
 #include "agents/bodies/sim/hall/exposure_control.hpp"
 #include "agents/bodies/sim/hall/hall_camera.hpp"
+#include "agents/bodies/sim/readout.hpp"
 
 namespace weft::agents::sim {
 namespace {
@@ -49,9 +50,13 @@ class ForwardEye final : public Eye {
     exposure_.comes(moment.time_s);
     exposed_ = exposure_.now();
     HallShot shot;
-    for (std::size_t k = 0; k < kHallSamples; ++k)
-      shot.site_from_camera[k] =
-          moment.site_from_camera(true_.robot_from_camera, kSampleTime[k] * exposure_.exposure_s());
+    shot.site_from_camera = poses_at(moment, 0.0);
+    if (const double readout_s = site_.disturbances.rolling_shutter_s; readout_s > 0.0) {
+      for (int band = 0; band < true_.height / kHallBand; ++band) {
+        const double middle_row = kHallBand * band + (kHallBand - 1) / 2.0;
+        shot.bands.push_back(poses_at(moment, row_time_s(middle_row, true_.height, readout_s)));
+      }
+    }
     shot.time_s = moment.time_s;
     shot.gain = exposure_.gain() * moment.brightness;
     shot.noise_grey = site_.disturbances.noise_grey * std::sqrt(exposure_.amplified());
@@ -64,6 +69,14 @@ class ForwardEye final : public Eye {
   bool expose(const Exposure& exposure) override { return exposure_.tell(exposure); }
 
  private:
+  /// Where the camera is for rows that are taken so much later than the image's middle.
+  std::array<Pose3, kHallSamples> poses_at(const Moment& moment, double later_s) const {
+    std::array<Pose3, kHallSamples> poses;
+    for (std::size_t k = 0; k < kHallSamples; ++k)
+      poses[k] = moment.site_from_camera(true_.robot_from_camera, later_s + kSampleTime[k] * exposure_.exposure_s());
+    return poses;
+  }
+
   Site site_;
   CameraModel given_;
   CameraModel true_;

@@ -8,6 +8,8 @@
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hall/hall_photographs.hpp"
 #include "agents/bodies/sim/hand.hpp"
+#include "agents/bodies/sim/relief.hpp"
+#include "agents/bodies/sim/stance.hpp"
 #include "agents/bodies/sim/truth.hpp"
 #include "agents/bodies/sim/wave.hpp"
 
@@ -86,6 +88,7 @@ class SimBody final : public SimulatedBody {
   std::string robot_;
   Base base_;
   Shake shake_;
+  std::optional<Relief> relief_;  ///< none: the floor is a plane
   BoundedWave exposure_drift_;
   Random timing_;
   std::vector<Looking> eyes_;
@@ -105,6 +108,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
             wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,
             random_of(seed_, slip, day_)),
       shake_(shake_from(site_.disturbances, random_of(seed_, vibration, day_))),
+      relief_(relief_of(site_)),
       exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
@@ -182,18 +186,24 @@ Moment SimBody::moment_now() {
   // Standing still nothing shakes; from a slow walk on everything does.
   const double shaking = std::min(1.0, (std::abs(moving.linear_m_s) + 0.3 * std::abs(moving.angular_rad_s)) / 0.2);
   Moment moment;
-  moment.site_from_camera = [this, moving, shaking](Pose3 robot_from_camera, double from_now_s) {
+  // What is stamped now has been taken this much earlier.
+  const double offset_s = site_.disturbances.time_offset_s;
+  const auto robot_at = [this, moving](double from_now_s) {
+    return base_.site_from_robot() *
+           exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
+  };
+  moment.site_from_camera = [this, robot_at, offset_s, shaking](Pose3 robot_from_camera, double from_taken_s) {
+    const double from_now_s = from_taken_s - offset_s;
     const double t = now_s_ + from_now_s;
-    const Pose2 now_from_then =
-        exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
     robot_from_camera.translation.z() += shaking * shake_.height.at(t);
     const Eigen::AngleAxisd pitch(shaking * shake_.pitch.at(t), Eigen::Vector3d::UnitY());
     const Eigen::AngleAxisd roll(shaking * shake_.roll.at(t), Eigen::Vector3d::UnitX());
     robot_from_camera.rotation = (roll * pitch * robot_from_camera.rotation).normalized();
-    return lift(base_.site_from_robot() * now_from_then) * robot_from_camera;
+    const Pose2 site_from_robot = robot_at(from_now_s);
+    return (relief_ ? stance_on(*relief_, site_.base, site_from_robot) : lift(site_from_robot)) * robot_from_camera;
   };
-  moment.site_from_robot = base_.site_from_robot();
-  moment.time_s = now_s_;
+  moment.site_from_robot = robot_at(-offset_s);
+  moment.time_s = std::max(0.0, now_s_ - offset_s);
   moment.brightness = 1.0 + exposure_drift_.at(now_s_);
   moment.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
   return moment;

@@ -267,6 +267,9 @@ Disturbances disturbances_in(const Table& table) {
   d.slip = 0.01 * table.number("slip_percent", 100 * d.slip, 0.0, 20.0);
   d.light_change = 0.01 * table.number("light_change_percent", 100 * d.light_change, 0.0, 90.0);
   d.shadow = 0.01 * table.number("shadow_percent", 100 * d.shadow, 0.0, 100.0);
+  d.unevenness_m = 1e-3 * table.number("unevenness_mm", 1e3 * d.unevenness_m, 0.0, 10.0);
+  d.rolling_shutter_s = 1e-3 * table.number("rolling_shutter_ms", 1e3 * d.rolling_shutter_s, 0.0, 60.0);
+  d.time_offset_s = 1e-3 * table.number("time_offset_ms", 1e3 * d.time_offset_s, -100.0, 100.0);
   return d;
 }
 

@@ -132,6 +132,9 @@ struct Disturbances {
   double slip = 0.01;               ///< standard deviation of each wheel's slip
   double light_change = 0.15;       ///< each lamp's brightness, by day and from run to run
   double shadow = 1.0;              ///< 0: the robot casts none
+  double unevenness_m = 0.0;        ///< greatest deviation of the floor from its plane
+  double rolling_shutter_s = 0.0;   ///< from the first row of an image to the last
+  double time_offset_s = 0.0;       ///< an image's stamp less the time at which it was taken
 };
 
 struct Site {

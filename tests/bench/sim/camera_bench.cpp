@@ -60,6 +60,21 @@ BENCHMARK(simulated_camera)
     ->Unit(benchmark::kMillisecond)
     ->MinTime(5.0);
 
+/// Of a floor that is uneven by so many millimetres, with a shutter that rolls for so many milliseconds.
+void harder_camera(benchmark::State& state) {
+  SimBodyConfig config;
+  config.site = site_with(Scenery::open);
+  config.site.disturbances.unevenness_m = 1e-3 * static_cast<double>(state.range(0));
+  config.site.disturbances.rolling_shutter_s = 1e-3 * static_cast<double>(state.range(1));
+  config.robot = "r1";
+  drive(state, config);
+}
+BENCHMARK(harder_camera)
+    ->ArgsProduct({{0, 2}, {0, 20}})
+    ->ArgNames({"uneven_mm", "rolling_ms"})
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(2.0);
+
 /// Width; 60 images a second at 320 x 240 and 15 at 640 x 480 are asked for.
 void forward_camera(benchmark::State& state) {
   SimBodyConfig config;

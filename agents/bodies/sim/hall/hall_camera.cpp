@@ -12,7 +12,7 @@
 namespace weft::agents::sim {
 namespace {
 
-constexpr int kBlock = 4;  // pixels a side that one packet looks through
+constexpr int kBlock = kHallBand;  // pixels a side that one packet looks through
 static_assert(kBlock * kBlock == kRays);
 constexpr std::size_t kNoise = 1U << 18U;
 // Places within the pixel, each at its own moment: orthogonal to time and to each other.
@@ -97,17 +97,26 @@ void HallCamera::shade(const std::vector<ShadedFace>& faces, const RayPacket& ra
   }
 }
 
-void HallCamera::look(const HallShot& shot, const Moving& moving) {
+std::array<HallCamera::Sample, kHallSamples> HallCamera::samples_from(
+    const std::array<Pose3, kHallSamples>& site_from_camera) const {
   std::array<Sample, kHallSamples> samples;
   for (std::size_t k = 0; k < kHallSamples; ++k) {
-    samples[k] = {shot.site_from_camera[k].translation.cast<float>(),
-                  shot.site_from_camera[k].rotation.toRotationMatrix().cast<float>(),
+    samples[k] = {site_from_camera[k].translation.cast<float>(),
+                  site_from_camera[k].rotation.toRotationMatrix().cast<float>(),
                   kRight[k] / static_cast<float>(camera_.fx), kDown[k] / static_cast<float>(camera_.fy)};
   }
+  return samples;
+}
+
+void HallCamera::look(const HallShot& shot, const Moving& moving) {
+  std::array<Sample, kHallSamples> samples = samples_from(shot.site_from_camera);
   std::fill(seen_.begin(), seen_.end(), 0.0F);
+  const auto blocks_across = static_cast<std::size_t>(camera_.width / kBlock);
   // Block by block: what its four looks need is at hand.
-  for (std::size_t from = 0; from < ray_x_.size(); from += kRays)
-    for (const Sample& sample : samples) look_through(from, sample, moving);
+  for (std::size_t block = 0; block < ray_x_.size() / kRays; ++block) {
+    if (!shot.bands.empty() && block % blocks_across == 0) samples = samples_from(shot.bands[block / blocks_across]);
+    for (const Sample& sample : samples) look_through(block * kRays, sample, moving);
+  }
 }
 
 void HallCamera::look_through(std::size_t from, const Sample& sample, const Moving& moving) {

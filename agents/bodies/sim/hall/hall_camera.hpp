@@ -12,11 +12,14 @@
 namespace weft::agents::sim {
 
 inline constexpr std::size_t kHallSamples = 4;
+inline constexpr int kHallBand = 4;  ///< rows of an image that are taken together
 
 /// One image's circumstances.
 struct HallShot {
   std::array<Pose3, kHallSamples> site_from_camera;  ///< in the middle of each quarter of the exposure
-  double time_s = 0.0;                               ///< of the body: what moves is there then
+  /// Of a rolling shutter: likewise for each kHallBand rows; empty: all rows are taken at once.
+  std::vector<std::array<Pose3, kHallSamples>> bands;
+  double time_s = 0.0;      ///< of the body: what moves is there then
   double gain = 1.0;        ///< grey levels for what is 1 when the sensor is exposed as sites are lit for
   double noise_grey = 2.0;  ///< standard deviation
   std::uint64_t noise_seed = 0;
@@ -65,6 +68,7 @@ class HallCamera {
     Eigen::Matrix3f site_from_camera = Eigen::Matrix3f::Identity();
     float right = 0.0F, down = 0.0F;  ///< of the pixel's middle, normalised
   };
+  std::array<Sample, kHallSamples> samples_from(const std::array<Pose3, kHallSamples>& site_from_camera) const;
   void look(const HallShot& shot, const Moving& moving);
   void look_through(std::size_t from, const Sample& sample, const Moving& moving);
   void shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from, std::uint32_t which);

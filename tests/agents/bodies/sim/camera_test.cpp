@@ -8,6 +8,7 @@
 #include "agents/bodies/sim/calibration.hpp"
 #include "agents/bodies/sim/floor/procedural.hpp"
 #include "agents/perception/lens.hpp"
+#include "marks_seen.hpp"
 #include "sites.hpp"
 
 namespace weft::agents::sim {
@@ -50,19 +51,7 @@ class CameraSees : public testing::Test {
   }
 
   Eigen::Vector2d pixel_of(const Pose3& site_from_camera, const Eigen::Vector3d& in_site) const {
-    const Eigen::Vector3d p = site_from_camera.inverse() * in_site;
-    return pixel_from_normalised(model_, {p.x() / p.z(), p.y() / p.z()});
-  }
-
-  /// Outline of a disc on the floor, in the image.
-  std::vector<Eigen::Vector2d> outline(const Pose3& site_from_camera, double x, double y) const {
-    std::vector<Eigen::Vector2d> around;
-    for (int i = 0; i < 90; ++i) {
-      const double a = 2.0 * M_PI * i / 90;
-      around.push_back(pixel_of(
-          site_from_camera, {x + DottedFloor::kRadiusM * std::cos(a), y + DottedFloor::kRadiusM * std::sin(a), 0.0}));
-    }
-    return around;
+    return sim::pixel_of(model_, site_from_camera, in_site);
   }
 
   int at(const Bytes& image, int u, int v) const { return image[static_cast<std::size_t>(v * model_.width + u)]; }
@@ -71,63 +60,13 @@ class CameraSees : public testing::Test {
   CameraModel model_ = given_camera_from(CameraSetup{}, no_disturbances(), "r1", 0);
 };
 
-Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) {
-  double area = 0.0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d a = polygon[i] - polygon[0];
-    const Eigen::Vector2d b = polygon[(i + 1) % polygon.size()] - polygon[0];
-    const double cross = a.x() * b.y() - a.y() * b.x();
-    area += cross;
-    sum += cross * (a + b) / 3.0;
-  }
-  return polygon[0] + sum / area;
-}
-
 TEST_F(CameraSees, MarksWhereTheTrueModelProjectsThem) {
-  const Pose2 site_from_robot{3.137, 2.071, 0.7};
   Camera subject = camera();
-  const FloorShot shot = still(site_from_robot);
-  const Bytes image = subject.render(shot);
-  int checked = 0;
-  double squares = 0.0;
-  for (int i = 5; i < 40; ++i) {
-    for (int j = 0; j < 40; ++j) {
-      const double x = i * DottedFloor::kSpacingM;
-      const double y = j * DottedFloor::kSpacingM;
-      const Eigen::Vector3d in_camera = shot.site_from_camera_mid.inverse() * Eigen::Vector3d(x, y, 0.0);
-      if (in_camera.z() < 0.3 || in_camera.z() > 1.5) {
-        continue;
-      }
-      const auto around = outline(shot.site_from_camera_mid, x, y);
-      Eigen::Vector2d low = around[0];
-      Eigen::Vector2d high = around[0];
-      for (const Eigen::Vector2d& p : around) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-      constexpr double kRim = 5.0;
-      if (low.minCoeff() < kRim + 1 || high.x() > model_.width - kRim - 2 || high.y() > model_.height - kRim - 2) {
-        continue;
-      }
-      double weights = 0.0;
-      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-      const double white = at(image, static_cast<int>(low.x() - kRim), static_cast<int>(low.y() - kRim));
-      for (int v = static_cast<int>(low.y() - kRim); v <= high.y() + kRim; ++v) {
-        for (int u = static_cast<int>(low.x() - kRim); u <= high.x() + kRim; ++u) {
-          const double dark = white - at(image, u, v);
-          weights += dark;
-          sum += dark * Eigen::Vector2d(u, v);
-        }
-      }
-      const Eigen::Vector2d off = sum / weights - centroid_of(around);
-      EXPECT_LT(off.norm(), 0.12) << "mark at " << x << ", " << y << " is off by " << off.transpose();
-      squares += off.squaredNorm();
-      ++checked;
-    }
-  }
-  EXPECT_GT(checked, 25);
-  EXPECT_LT(std::sqrt(squares / checked), 0.05);
+  const FloorShot shot = still({3.137, 2.071, 0.7});
+  expect_where_they_belong(
+      marks_seen(model_, shot.site_from_camera_mid, subject.render(shot), [&](const Eigen::Vector2d& p) {
+        return pixel_of(shot.site_from_camera_mid, {p.x(), p.y(), 0.0});
+      }));
 }
 
 /// Spread (variance, px^2) of one mark's darkness along the columns and rows.

@@ -204,6 +204,49 @@ TEST(SimBody, StampsJitterAndNeverRunBackwards) {
   EXPECT_NEAR(std::sqrt(squares / 400), 0.001, 0.0002);
 }
 
+double difference_of(const Bytes& a, const Bytes& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+/// Samples of a robot that rolls on at an even speed, an image every 10 ms.
+std::vector<Sample> rolling_with_stamps_off_by(double offset_s) {
+  Site site = empty_site();
+  site.disturbances = no_disturbances();
+  site.disturbances.time_offset_s = offset_s;
+  site.camera.fps = 100.0;
+  const auto body = make_sim_body(config_of(site));
+  EXPECT_TRUE(body);
+  (*body)->put({4.0, 6.0, 0.0}, {0.5, 0.2});
+  return run(**body, 6, {0.5, 0.2});
+}
+
+TEST(SimBody, WithAnOffsetImagesAreTakenThatMuchBeforeTheirStamps) {
+  const auto right = rolling_with_stamps_off_by(0.0);
+  const auto late = rolling_with_stamps_off_by(0.01);
+  const auto early = rolling_with_stamps_off_by(-0.02);
+  const double apart = difference_of(pixels_of(right[2]), pixels_of(right[3]));
+  EXPECT_GT(apart, 1.0);
+  for (std::size_t i = 1; i + 2 < right.size(); ++i) {
+    EXPECT_LT(difference_of(pixels_of(late[i]), pixels_of(right[i - 1])), 0.02 * apart);
+    EXPECT_LT(difference_of(pixels_of(early[i]), pixels_of(right[i + 2])), 0.02 * apart);
+    // The wheels and all else keep their clock.
+    EXPECT_EQ(late[i].time, right[i].time);
+    EXPECT_EQ(early[i].view->time, right[i].view->time);
+    EXPECT_EQ(late[i].motion.elapsed, right[i].motion.elapsed);
+    EXPECT_EQ(late[i].motion.wheels->distance_m, right[i].motion.wheels->distance_m);
+  }
+}
+
+TEST(SimBody, AnOffsetChangesNothingAtRest) {
+  Site site = quick_site();
+  site.disturbances = no_disturbances();
+  const Bytes right = pixels_of(run(*body_of(config_of(site)), 2, {})[1]);
+  site.disturbances.time_offset_s = 0.1;
+  EXPECT_EQ(right, pixels_of(run(*body_of(config_of(site)), 2, {})[1]));
+}
+
 TEST(SimBody, ExposureDriftsByTheStatedShare) {
   Site site = quick_site();
   site.disturbances = no_disturbances();

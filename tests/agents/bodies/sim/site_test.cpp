@@ -109,6 +109,35 @@ TEST(Site, EachDisturbanceCanBeSet) {
   EXPECT_NEAR(site->disturbances.focal_error, 0.01, 1e-12);
 }
 
+TEST(Site, IsNoHarderThanItSays) {
+  const auto easy = parse_site(kSmall, "f");
+  ASSERT_TRUE(easy);
+  EXPECT_EQ(easy->disturbances.unevenness_m, 0.0);
+  EXPECT_EQ(easy->disturbances.rolling_shutter_s, 0.0);
+  EXPECT_EQ(easy->disturbances.time_offset_s, 0.0);
+  const auto hard = parse_site(
+      std::string(kSmall) + "[disturbances]\nunevenness_mm = 2\nrolling_shutter_ms = 20\ntime_offset_ms = -10\n",
+      "f");
+  ASSERT_TRUE(hard) << hard.error().message;
+  EXPECT_NEAR(hard->disturbances.unevenness_m, 0.002, 1e-12);
+  EXPECT_NEAR(hard->disturbances.rolling_shutter_s, 0.02, 1e-12);
+  EXPECT_NEAR(hard->disturbances.time_offset_s, -0.01, 1e-12);
+}
+
+TEST(Site, IsNoHarderThanItCanBe) {
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"unevenness_mm = 10.1", "10"},   {"unevenness_mm = -1", "0"},     {"rolling_shutter_ms = 61", "60"},
+      {"rolling_shutter_ms = -1", "0"}, {"time_offset_ms = 101", "100"}, {"time_offset_ms = -101", "-100"},
+  };
+  for (const auto& [line, bound] : wrong) {
+    const auto site = parse_site(std::string(kSmall) + "[disturbances]\n" + line + "\n", "small.toml");
+    ASSERT_FALSE(site) << line;
+    EXPECT_THAT(site.error().message, HasSubstr("small.toml:14"));
+    EXPECT_THAT(site.error().message, HasSubstr("disturbances." + line.substr(0, line.find(' '))));
+    EXPECT_THAT(site.error().message, HasSubstr(bound));
+  }
+}
+
 TEST(Site, AnUnknownKeyIsNamedWithItsLine) {
   const auto site = parse_site(std::string(kSmall) + "[disturbances]\nnoise_gray = 0\n", "small.toml");
   ASSERT_FALSE(site);
