@@ -10,7 +10,9 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
       "disturbances",
       "What each disturbance of the simulated body costs the method floor in accuracy: one robot is led along a "
       "line, "
-      "another looks for its places a day later, under the site's disturbances, none, all but one, and one alone.\n"
+      "another looks for its places a day later, under the site's disturbances, none, all but one, and one alone; "
+      "then "
+      "with an uneven floor, a rolling shutter and late stamps as well.\n"
       "Writes disturbances.csv, .json and .png. Ctrl-C stops it; the same command goes on where it stopped.");
   seeds = "1..3";
   options.site = "deploy/sites/demo.toml";
@@ -23,6 +25,10 @@ CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& see
          "Line to be led along, 'x y' a row in metres [r1.line in the folder named like the site, beside it]");
   option("--metres", options.metres, "M", "How much of the line, 11 to 1000 [12]")
       ->check(CLI::Range(11.0, 1000.0).description(""));
+  option("--only", options.only, "NAME",
+         "Only this row of the table, or the rows of this disturbance; can be given again; a wrong name lists them "
+         "[all]")
+      ->allow_extra_args(false);
   option("--out", options.out, "DIR",
          "Folder for the results; rows that it holds already are kept [out/disturbances]");
   return sub;

@@ -21,6 +21,7 @@ constexpr double kBottom = 70.0;
 
 constexpr Colour kWithout = kBlue;
 constexpr Colour kOnly = kVermilion;
+constexpr Colour kWith = kGreen;
 
 struct Panel {
   const char* title;
@@ -57,6 +58,8 @@ class Drawing {
     x = key(
         x, [&](double at) { mark(at, 86.0, kWithout, false); }, "all but this one");
     x = key(
+        x, [&](double at) { mark(at, 86.0, kWith, false); }, "all and this one");
+    x = key(
         x, [&](double at) { mark(at, 86.0, kOnly, true); }, "this one alone");
     x = key(
         x, [&](double at) { upright(at, 78.0, 94.0, kWithout, true); }, "all");
@@ -88,6 +91,7 @@ class Drawing {
     upright(x(spread("none", panel.value).mean), kTop - 4.0, end, kOnly, true);
     for (std::size_t i = 0; i < names_.size(); ++i) {
       show(spread("without " + names_[i], panel.value), x, row(i) - 5.0, kWithout, false);
+      show(spread("with " + names_[i], panel.value), x, row(i) - 5.0, kWith, false);
       show(spread("only " + names_[i], panel.value), x, row(i) + 5.0, kOnly, true);
     }
   }

@@ -1,5 +1,6 @@
 #include "clients/evaluate/disturbances/study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ struct Subject {
   agents::sim::Site site;
   std::vector<agents::SitePoint> line;
   Study study;
+  std::vector<Variant> all;     ///< that there are
+  std::vector<Variant> chosen;  ///< to be measured
 };
 
 Result<Subject> subject_of(const DisturbancesOptions& options) {
@@ -34,8 +37,11 @@ Result<Subject> subject_of(const DisturbancesOptions& options) {
   if (!line) return fail(line.error());
   Result<std::vector<agents::SitePoint>> part = first_metres(*line, options.metres, along.string());
   if (!part) return fail(part.error());
+  std::vector<Variant> all = variants_of(site->disturbances);
+  Result<std::vector<Variant>> chosen = named(all, options.only);
+  if (!chosen) return fail(chosen.error());
   Study study{WEFT_VERSION, sha256_of(*site_text), sha256_of(*line_text), options.metres};
-  return Subject{std::move(*site), std::move(*part), std::move(study)};
+  return Subject{std::move(*site), std::move(*part), std::move(study), std::move(all), std::move(*chosen)};
 }
 
 std::size_t kept_of(const Rows& rows, const std::vector<Variant>& variants, Seeds seeds) {
@@ -51,7 +57,7 @@ std::size_t kept_of(const Rows& rows, const std::vector<Variant>& variants, Seed
 /// Seed by seed, so that what an interruption leaves is whole comparisons.
 Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& options, Rows& rows,
                           const Surroundings& around) {
-  const std::vector<Variant> variants = variants_of(subject.site.disturbances);
+  const std::vector<Variant>& variants = subject.chosen;
   const std::size_t all = variants.size() * (options.seeds.last - options.seeds.first + 1);
   RowsMeasured progress(all, kept_of(rows, variants, options.seeds), around);
   LeadTask task{subject.site, subject.line, 1, options.out / "truth.now", around.asked_to_stop};
@@ -71,18 +77,32 @@ Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& opt
   return Ended::complete;
 }
 
+std::vector<std::string> names_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> names;
+  for (const Variant& variant : variants) names.push_back(name_of(variant));
+  return names;
+}
+
+/// The disturbances that any of these are about.
+std::vector<std::string> disturbances_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> names = disturbance_names();
+  std::erase_if(names, [&](const std::string& name) {
+    return std::none_of(variants.begin(), variants.end(),
+                        [&](const Variant& variant) { return variant.disturbance == name; });
+  });
+  return names;
+}
+
 Result<void> report(const Subject& subject, const DisturbancesOptions& options, const Rows& rows, std::ostream& out) {
-  std::vector<std::string> variants;
-  for (const Variant& variant : variants_of(subject.site.disturbances)) variants.push_back(name_of(variant));
-  if (const Result<void> csv = write_csv(options.out, variants, rows); !csv) return csv;
+  if (const Result<void> csv = write_csv(options.out, names_of(subject.all), rows); !csv) return csv;
   const std::string about = "site " + subject.site.name + ", method floor, two runs over " +
                             std::to_string(std::lround(options.metres)) + " m, " + words_of(options.seeds);
   const std::filesystem::path picture = options.out / "disturbances.png";
-  if (const Result<void> drawn = draw_disturbances(rows, disturbance_names(), options.seeds, about, picture);
-      !drawn) {
+  const std::vector<std::string> drawn_ones = disturbances_of(subject.chosen);
+  if (const Result<void> drawn = draw_disturbances(rows, drawn_ones, options.seeds, about, picture); !drawn) {
     return drawn;
   }
-  out << table_of(rows, variants, options.seeds) << std::flush;
+  out << table_of(rows, names_of(subject.chosen), options.seeds) << std::flush;
   return {};
 }
 

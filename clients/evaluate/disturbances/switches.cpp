@@ -1,6 +1,8 @@
 #include "clients/evaluate/disturbances/switches.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace weft::evaluate {
 namespace {
@@ -33,6 +35,18 @@ constexpr std::array kSwitches = {
     Switch{"own shadow", {&Disturbances::shadow}},
 };
 
+/// Off by default; studied at a size.
+struct Harder {
+  const char* name;
+  Field field;
+  double size;
+};
+constexpr std::array kHarder = {
+    Harder{"floor uneven by 2 mm", &Disturbances::unevenness_m, 0.002},
+    Harder{"rolling shutter 20 ms", &Disturbances::rolling_shutter_s, 0.02},
+    Harder{"stamps 10 ms late", &Disturbances::time_offset_s, 0.01},
+};
+
 Disturbances with(Disturbances into, const Switch& which, const Disturbances& from) {
   for (const Field field : which.fields) {
     if (field != nullptr) into.*field = from.*field;
@@ -53,7 +67,13 @@ Disturbances none_of(const Disturbances& site) {
   }();
   Disturbances none = site;
   for (const Switch& each : kSwitches) none = with(none, each, off);
+  for (const Harder& each : kHarder) none.*each.field = 0.0;
   return none;
+}
+
+Disturbances with(Disturbances into, const Harder& which) {
+  into.*which.field = which.size;
+  return into;
 }
 
 }  // namespace
@@ -66,6 +86,8 @@ std::string name_of(const Variant& variant) {
       return "all";
     case Variant::Kind::without:
       return "without " + variant.disturbance;
+    case Variant::Kind::with:
+      return "with " + variant.disturbance;
     case Variant::Kind::only:
       break;
   }
@@ -75,6 +97,7 @@ std::string name_of(const Variant& variant) {
 std::vector<std::string> disturbance_names() {
   std::vector<std::string> names;
   for (const Switch& each : kSwitches) names.emplace_back(each.name);
+  for (const Harder& each : kHarder) names.emplace_back(each.name);
   return names;
 }
 
@@ -85,7 +108,30 @@ std::vector<Variant> variants_of(const Disturbances& site) {
     variants.push_back({Variant::Kind::without, each.name, with(site, each, none)});
     variants.push_back({Variant::Kind::only, each.name, with(none, each, site)});
   }
+  for (const Harder& each : kHarder) {
+    variants.push_back({Variant::Kind::with, each.name, with(site, each)});
+    variants.push_back({Variant::Kind::only, each.name, with(none, each)});
+  }
   return variants;
+}
+
+Result<std::vector<Variant>> named(const std::vector<Variant>& all, const std::vector<std::string>& names) {
+  if (names.empty()) return all;
+  const auto means = [](const std::string& name, const Variant& variant) {
+    return name == name_of(variant) || (!name.empty() && name == variant.disturbance);
+  };
+  for (const std::string& name : names) {
+    if (std::any_of(all.begin(), all.end(), [&](const Variant& variant) { return means(name, variant); })) continue;
+    std::string there;
+    for (const std::string& each : disturbance_names()) there += ", '" + each + "'";
+    return fail(ErrorCode::invalid, "--only: there is no '" + name + "'; there are 'none', 'all'" + there +
+                                        ", and each of these after 'only', 'without' or 'with'");
+  }
+  std::vector<Variant> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](const Variant& variant) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return means(name, variant); });
+  });
+  return some;
 }
 
 }  // namespace weft::evaluate

@@ -3,23 +3,30 @@
 #include <vector>
 
 #include "agents/bodies/sim/site.hpp"
+#include "core/result.hpp"
 
 namespace weft::evaluate {
 
 /// One set of disturbances to measure.
 struct Variant {
-  enum class Kind { none, all, without, only };
+  enum class Kind { none, all, without, with, only };
   Kind kind = Kind::all;
-  std::string disturbance;  ///< for `without` and `only`
+  std::string disturbance;  ///< for `without`, `with` and `only`
   agents::sim::Disturbances disturbances;
 };
 
 std::string name_of(const Variant& variant);
 
-/// The disturbances that can be switched by themselves, in the order of docs/simulation.md.
+/// The disturbances that can be switched by themselves, in the order of docs/simulation.md; those that sites have off
+/// unless they say otherwise come last.
 std::vector<std::string> disturbance_names();
 
-/// None, the site as it is, then each disturbance: the site without it, and with it alone.
+/// None, the site as it is, then each disturbance: the site without it, and with it alone. Those that are off have a
+/// size of their own here, which their names say: the site with it as well, and with it alone.
 std::vector<Variant> variants_of(const agents::sim::Disturbances& site);
+
+/// Those of these names, in the order of `all`; a disturbance's name means all that are about it. No names: all.
+/// invalid: says which name is none, and what there is.
+Result<std::vector<Variant>> named(const std::vector<Variant>& all, const std::vector<std::string>& names);
 
 }  // namespace weft::evaluate

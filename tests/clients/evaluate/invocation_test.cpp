@@ -26,6 +26,9 @@ TEST(EvaluateInvocation, FlagsAndDefaults) {
   EXPECT_EQ(given.seeds.last, 9U);
   EXPECT_EQ(given.metres, 20.0);
   EXPECT_EQ(given.along, "l");
+  EXPECT_TRUE(given.only.empty());
+  EXPECT_EQ(std::get<DisturbancesOptions>(parsed({"disturbances", "--only", "all", "--only", "own shadow"})).only,
+            (std::vector<std::string>{"all", "own shadow"}));
   EXPECT_EQ(given.out, "o");
 }
 
@@ -108,6 +111,8 @@ TEST(EvaluateInvocation, MistakesAreUsageInOneLineAndSayWhich) {
       {{"disturbances", "--seeds", "3..1"}, "'3..1'"},
       {{"disturbances", "--seeds", "1..99999"}, "10000"},
       {{"disturbances", "--metres", "10"}, "--metres"},
+      {{"disturbances", "--only"}, "--only"},
+      {{"disturbances", "--only", "all", "none"}, "none"},
       {{"disturbances", "--out"}, "--out"},
       {{"floor", "--seeds", "2..1"}, "'2..1'"},
       {{"floor", "--metres", "4"}, "--metres"},

@@ -46,7 +46,7 @@ TEST_F(StudyOfDisturbances, StopsWhenAskedAndLeavesNoTruthBehind) {
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::stopped);
-  EXPECT_NE(progress.str().find("30 rows to measure, 0 of them"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("36 rows to measure, 0 of them"), std::string::npos) << progress.str();
   EXPECT_TRUE(std::filesystem::is_empty(options.out));
 }
 
@@ -62,10 +62,32 @@ TEST_F(StudyOfDisturbances, RowsThatAreThereAreNotMeasuredAgain) {
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::complete);
-  EXPECT_NE(progress.str().find("30 of them are there already"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("36 of them are there already"), std::string::npos) << progress.str();
   EXPECT_NE(out.str().find("| without noise "), std::string::npos);
   EXPECT_GT(std::filesystem::file_size(options.out / "disturbances.png"), 10'000U);
   EXPECT_GT(std::filesystem::file_size(options.out / "disturbances.csv"), 1'000U);
+}
+
+TEST_F(StudyOfDisturbances, OnlyTheRowsThatAreAskedFor) {
+  std::filesystem::create_directories(options.out);
+  Rows rows;
+  for (const char* name : {"all", "only blur", "with rolling shutter 20 ms", "only rolling shutter 20 ms"})
+    rows[{name, 5}] = {3.0, 40.0, 0.3, 4.0, 9.0, 0.1, 97.0, 0.0, 0.5};
+  const Study study{WEFT_VERSION, hash_of(WEFT_SITES "/demo.toml"), hash_of(WEFT_SITES "/demo/r1.line"), 12.0};
+  ASSERT_TRUE(write_rows(options.out, study, rows).has_value());
+  options.seeds = {5, 5};
+  options.only = {"rolling shutter 20 ms", "all"};
+  const Result<Ended> ended = run();
+  ASSERT_TRUE(ended.has_value()) << ended.error().message;
+  EXPECT_EQ(*ended, Ended::complete);
+  EXPECT_NE(progress.str().find("3 rows to measure, 3 of them"), std::string::npos) << progress.str();
+  EXPECT_NE(out.str().find("| with rolling shutter 20 ms "), std::string::npos);
+  EXPECT_EQ(out.str().find("| only blur "), std::string::npos);
+  std::ifstream csv(options.out / "disturbances.csv");
+  const std::string text{std::istreambuf_iterator<char>(csv), {}};
+  EXPECT_NE(text.find("\"only blur\",5"), std::string::npos) << "rows of other calls stay";
+  options.only = {"rolling"};
+  EXPECT_NE(refusal().find("--only: there is no 'rolling'"), std::string::npos) << refusal();
 }
 
 TEST_F(StudyOfDisturbances, WhatIsMissingOrWrongIsNamed) {
