@@ -9,7 +9,7 @@
 
 #include "core/names.hpp"
 #include "core/utf8.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/desk/answers.hpp"
 #include "server/desk/desk.hpp"
 #include "server/dispatcher/dispatcher.hpp"

@@ -9,33 +9,11 @@
 #include "core/random.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
-#include "server/recognise/signers.hpp"
+#include "server/base/config.hpp"
+#include "server/base/now.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {
-
-/// Robots in parts of the map that nothing joins do not see one another.
-enum class Unjoined : std::uint8_t {
-  warn,       ///< an event and `weft doctor` say so
-  one_drives  ///< and no more than one robot is on its way at a time
-};
-
-struct ServiceConfig {
-  PeerId self;
-  std::uint64_t incarnation = 0;
-  std::string name = "server";
-  std::string software;
-  std::string vendor;                 ///< for the hello
-  double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
-  Unjoined unjoined = Unjoined::warn;
-  Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
-};
-
-/// Both clocks at one moment: `steady` decides, `wall` is written down.
-struct Now {
-  SteadyTime steady{};
-  WallTime wall{};
-};
 
 /// The fleet map server without its edges: intake, keeper, library, dispatcher, traffic behind one state machine.
 /// No clock, thread, socket; the store is its only effect besides the messages it returns. Messages go out in order.

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/network/page.hpp"
+#include "server/base/outcome.hpp"
 #include "server/desk/experience_rows.hpp"
-#include "server/outcome.hpp"
 
 namespace weft::server {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/dispatcher/goal_book.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"

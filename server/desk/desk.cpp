@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "server/outcome.hpp"
+#include "server/base/outcome.hpp"
 
 namespace weft::server {
 namespace {

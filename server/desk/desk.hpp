@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
+#include "server/base/request_ledger.hpp"
 #include "server/desk/commands.hpp"
-#include "server/desk/request_ledger.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/editor/editor.hpp"
 #include "server/fleet/fleet.hpp"

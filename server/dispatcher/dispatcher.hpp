@@ -8,7 +8,7 @@
 
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
 #include "server/fleet/fleet.hpp"

@@ -2,8 +2,8 @@
 #include <chrono>
 #include <utility>
 
+#include "server/base/repeating.hpp"
 #include "server/dispatcher/dispatcher.hpp"
-#include "server/repeating.hpp"
 
 namespace weft::server {
 namespace {

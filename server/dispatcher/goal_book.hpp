@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/network/goal.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 
 namespace weft::server {
 

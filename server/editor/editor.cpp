@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "server/outcome.hpp"
+#include "server/base/outcome.hpp"
 
 namespace weft::server {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/editor/edits.hpp"
 #include "server/traffic/traffic.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/fleet/incarnations.hpp"
 #include "server/fleet/skew.hpp"
 

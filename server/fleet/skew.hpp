@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/protocol/messages.hpp"
-#include "server/service.hpp"
+#include "server/base/now.hpp"
 
 namespace weft::server {
 

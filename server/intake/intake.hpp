@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/intake/assembly.hpp"
 
 namespace weft::server {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iterator>
 
-#include "server/outcome.hpp"
+#include "server/base/outcome.hpp"
 
 namespace weft::server {
 namespace {

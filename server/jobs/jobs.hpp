@@ -7,8 +7,8 @@
 
 #include "core/network/prune.hpp"
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
-#include "server/desk/request_ledger.hpp"
+#include "server/base/context.hpp"
+#include "server/base/request_ledger.hpp"
 #include "server/editor/editor.hpp"
 
 namespace weft::server {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 
 namespace weft::server {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "server/base/repeating.hpp"
 #include "server/keeper/parts.hpp"
 #include "server/keeper/untouched.hpp"
-#include "server/repeating.hpp"
 
 namespace weft::server {
 namespace {

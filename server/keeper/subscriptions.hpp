@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 
 namespace weft::server {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/repeating.hpp"
+#include "server/base/repeating.hpp"
 
 namespace weft::server {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/library/content_sizes.hpp"
 
 namespace weft::server {

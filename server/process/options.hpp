@@ -6,7 +6,7 @@
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
-#include "server/service.hpp"
+#include "server/base/config.hpp"
 
 namespace weft::server {
 

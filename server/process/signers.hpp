@@ -1,5 +1,5 @@
 #pragma once
-#include "server/recognise/signers.hpp"
+#include "server/base/signers.hpp"
 
 namespace weft::server {
 

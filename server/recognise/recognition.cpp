@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "server/repeating.hpp"
+#include "server/base/repeating.hpp"
 
 namespace weft::server {
 namespace {

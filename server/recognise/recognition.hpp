@@ -9,8 +9,8 @@
 
 #include "agents/methods/recognition/index.hpp"
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
-#include "server/recognise/signers.hpp"
+#include "server/base/context.hpp"
+#include "server/base/signers.hpp"
 
 namespace weft::server {
 

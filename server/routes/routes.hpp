@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/network/routing/routing.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 
 namespace weft::server {
 

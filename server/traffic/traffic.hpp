@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/protocol/messages.hpp"
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/traffic/proximity.hpp"
 #include "server/traffic/stretch.hpp"
 #include "storage/map_store.hpp"

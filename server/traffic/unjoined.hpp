@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "server/context.hpp"
+#include "server/base/context.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/traffic/traffic.hpp"
 

@@ -31,6 +31,12 @@ def room_of(path, arrows):
     return None
 
 
+def is_listed_in_part(name, room, arrows):
+    """Whether the file is in a folder of its room that is no room itself, although other folders of the room are."""
+    folder = name.rpartition('/')[0]
+    return folder != room and any(other.startswith(room + '/') for other in arrows)
+
+
 def wrong_includes(root, arrows):
     tops = sorted({room.split('/')[0] for room in arrows})
     for path in sorted(p for top in tops for p in (root / top).rglob('*') if p.suffix in ('.hpp', '.cpp', '.h', '.c')):
@@ -38,6 +44,9 @@ def wrong_includes(root, arrows):
         room = room_of(name, arrows)
         if room is None:
             yield name, 'stands in no room of arrows.txt'
+            continue
+        if is_listed_in_part(name, room, arrows):
+            yield name, f'its folder is no room of arrows.txt, and other folders of {room} are: list it there'
             continue
         for target in INCLUDE.findall(path.read_text(errors='replace')):
             used = room_of(target, arrows)

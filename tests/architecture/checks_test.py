@@ -36,6 +36,26 @@ class Arrows(unittest.TestCase):
         code, text = run('check_arrows.py', {'agents/methods/floor/f.cpp': '#include "server/s.hpp"\n'}, self.TABLE)
         self.assertEqual(code, 1)
 
+    FOLDERS = 'server/base:\nserver/traffic: server/base\nserver/dispatcher: server/base server/traffic\nserver: server/base server/dispatcher\n'
+
+    def test_folders_of_one_program_have_arrows_of_their_own(self):
+        files = {'server/dispatcher/d.hpp': '#include "server/traffic/t.hpp"\n', 'server/s.cpp': '#include "server/dispatcher/d.hpp"\n',
+                 'server/base/b.hpp': '#include "server/base/config.hpp"\n'}
+        self.assertEqual(run('check_arrows.py', files, self.FOLDERS), (0, ''))
+
+    def test_an_include_back_up_within_one_program_fails_and_is_named(self):
+        for name, included, used in (('server/traffic/t.hpp', 'server/dispatcher/d.hpp', 'server/dispatcher'),
+                                     ('server/base/context.hpp', 'server/service.hpp', 'server'),
+                                     ('server/s.cpp', 'server/traffic/t.hpp', 'server/traffic')):
+            code, text = run('check_arrows.py', {name: f'#include "{included}"\n'}, self.FOLDERS)
+            self.assertEqual(code, 1, name)
+            self.assertEqual(text, f'{name}: {name.rpartition("/")[0]} may not include {included} ({used})\n')
+
+    def test_a_new_folder_beside_listed_ones_has_to_be_listed(self):
+        code, text = run('check_arrows.py', {'server/new/n.cpp': ''}, self.FOLDERS)
+        self.assertEqual(code, 1)
+        self.assertIn('server/new/n.cpp: its folder is no room', text)
+
     def test_a_typing_error_in_the_table_is_no_free_pass(self):
         self.assertNotEqual(run('check_arrows.py', {}, 'core:\nserver: cor\n')[0], 0)
 

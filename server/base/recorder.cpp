@@ -1,4 +1,4 @@
-#include "server/recorder.hpp"
+#include "server/base/recorder.hpp"
 
 #include <utility>
 #include <variant>

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/result.hpp"
-#include "server/outbox.hpp"
-#include "server/service.hpp"
+#include "server/base/now.hpp"
+#include "server/base/outbox.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {

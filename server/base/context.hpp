@@ -1,9 +1,9 @@
 #pragma once
-#include "core/random.hpp"
-#include "server/keeper/snapshots.hpp"
-#include "server/outbox.hpp"
-#include "server/recorder.hpp"
-#include "server/service.hpp"
+#include "server/base/config.hpp"
+#include "server/base/now.hpp"
+#include "server/base/outbox.hpp"
+#include "server/base/recorder.hpp"
+#include "server/base/snapshots.hpp"
 
 namespace weft::server {
 

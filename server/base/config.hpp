@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "core/ids.hpp"
+#include "server/base/signers.hpp"
+
+namespace weft::server {
+
+/// The rule for robots in parts of the map that nothing joins: they do not see one another.
+enum class Unjoined : std::uint8_t {
+  warn,       ///< an event and `weft doctor` say so
+  one_drives  ///< and no more than one robot is on its way at a time
+};
+
+/// The settings of one server, checked by `start`.
+struct ServiceConfig {
+  PeerId self;
+  std::uint64_t incarnation = 0;
+  std::string name = "server";
+  std::string software;
+  std::string vendor;                 ///< for the hello
+  double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
+  Unjoined unjoined = Unjoined::warn;
+  Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
+};
+
+}  // namespace weft::server

@@ -1,0 +1,12 @@
+#pragma once
+#include "core/time.hpp"
+
+namespace weft::server {
+
+/// Both clocks at one moment: `steady` decides, `wall` is written down.
+struct Now {
+  SteadyTime steady{};
+  WallTime wall{};
+};
+
+}  // namespace weft::server
