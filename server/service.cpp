@@ -36,9 +36,9 @@ class FleetMapServer final : public Service {
                  Now now)
       : config_(config),
         out_(config.self, config.incarnation, stored.epoch),
-        record_(store, out_, counters_),
-        snapshots_(std::move(stored.snapshot)),
-        context_{config_, store, out_, counters_, record_, snapshots_},
+        writer_(store, std::move(stored.snapshot), out_, counters_),
+        maintenance_(store),
+        context_{config_, store, out_, counters_, writer_, writer_.snapshots(), maintenance_},
         fleet_(context_, random.fork(1), stored.robots, now.steady),
         intake_(context_, stored.durable_through),
         subscriptions_(context_),
@@ -53,15 +53,15 @@ class FleetMapServer final : public Service {
         answers_(context_, fleet_, traffic_, unjoined_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
-      record_.note(
+      writer_.note(
           {.at = {}, .kind = "store.quarantined", .robot = {}, .goal = {}, .cause = damaged, .who = "server"}, now);
     }
-    record_.note({.at = {},
+    writer_.note({.at = {},
                   .kind = "server.started",
                   .robot = {},
                   .goal = {},
                   .cause = "epoch " + std::to_string(stored.epoch.value) + ", revision " +
-                           std::to_string(snapshots_.current().revision().value),
+                           std::to_string(context_.snapshots.current().revision().value),
                   .who = config.name},
                  now);
   }
@@ -108,19 +108,19 @@ class FleetMapServer final : public Service {
     if (const auto* const patch = std::get_if<msg::WindowPatch>(&message)) fleet_.sent_window(patch->to, bytes);
     if (const auto* const chunk = std::get_if<msg::Chunk>(&message)) fleet_.sent_content(chunk->to, bytes);
   }
-  const Snapshot& snapshot() const override { return snapshots_.current(); }
+  const Snapshot& snapshot() const override { return context_.snapshots.current(); }
   std::vector<Goal> goals() const override {
     std::vector<Goal> goals;
     for (const auto& [id, goal] : dispatcher_.book().goals()) goals.push_back(goal);
     return goals;
   }
-  std::optional<Error> broken() const override { return record_.broken(); }
+  std::optional<Error> broken() const override { return writer_.broken(); }
 
  private:
   using Verdict = Incarnations::Verdict;
 
   void settle(Now now) {
-    const Revision revision = snapshots_.current().revision();
+    const Revision revision = context_.snapshots.current().revision();
     if (revision != told_revision_) {
       told_revision_ = revision;
       subscriptions_.network_changed();
@@ -266,8 +266,8 @@ class FleetMapServer final : public Service {
   const ServiceConfig config_;
   Counters counters_;
   Outbox out_;
-  Recorder record_;
-  Snapshots snapshots_;
+  MapWriter writer_;
+  Maintenance maintenance_;
   Context context_;
   Fleet fleet_;
   Intake intake_;

@@ -15,8 +15,8 @@
 
 namespace weft::server {
 
-/// The fleet map server without its edges: intake, keeper, library, dispatcher, traffic behind one state machine.
-/// No clock, thread, socket; the store is its only effect besides the messages it returns. Messages go out in order.
+/// Is the fleet map server without its edges: all its parts behind one state machine. It has no clock, thread or
+/// socket; the store is its only effect besides the messages it returns. Messages go out in order.
 class Service {
  public:
   virtual ~Service() = default;

@@ -7,7 +7,8 @@
 
 namespace weft::server {
 
-/// The network as it is, and as it was at its latest revisions. Revisions share what did not change.
+/// Keeps the network as it is, and as it was at its latest revisions. Revisions share what did not change. The map
+/// writer owns the one that is served; everybody else reads it.
 class Snapshots {
  public:
   /// `kept`: how many revisions can still be the base of a patch.
@@ -15,12 +16,12 @@ class Snapshots {
 
   const Snapshot& current() const { return *ring_.back(); }
   std::shared_ptr<const Snapshot> shared_current() const { return ring_.back(); }
-  /// The newest one from here on.
+  /// Makes `next` the newest one from here on.
   void push(Snapshot next) {
     ring_.push_back(std::make_shared<const Snapshot>(std::move(next)));
     if (ring_.size() > kept_) ring_.pop_front();
   }
-  /// Null when that revision is older than what is kept.
+  /// Returns null when that revision is older than what is kept.
   std::shared_ptr<const Snapshot> at(Revision revision) const {
     for (auto found = ring_.rbegin(); found != ring_.rend(); ++found) {
       if ((*found)->revision() == revision) return *found;

@@ -206,7 +206,7 @@ msg::MapInfo Answers::info() const {
   info.engine = context_.store.engine();
   for (const auto& [what, times] : context_.counters) info.counters.emplace_back(what, times);
   info.unjoined = clipped(unjoined_.warning());
-  if (context_.record.stopped()) info.stopped = clipped(context_.record.stopped()->message);
+  if (context_.writer.stopped()) info.stopped = clipped(context_.writer.stopped()->message);
   return info;
 }
 

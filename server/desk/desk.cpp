@@ -184,7 +184,7 @@ void Desk::command_one(const Key& key, const msg::OperatorRequest& request, cons
                            : request.kind == Kind::teach_stop   ? "robot.teach_end_asked"
                            : request.kind == Kind::teach_report ? "robot.report_asked"
                                                                 : "robot.localise_asked";
-  context_.record.note(
+  context_.writer.note(
       {.at = {}, .kind = kind, .robot = (*robot)->id, .goal = {}, .cause = request.label, .who = who}, now);
   send_for(key, *std::move(command), now.steady);
 }
@@ -215,9 +215,7 @@ Result<void> Desk::put_label(const std::string& label, const PlaceId& place, con
            {.at = {}, .kind = "map.label", .robot = {}, .goal = {}, .cause = label_moves(label, place), .who = who}}},
       {}};
   transaction.note.who = who;
-  const Result<Revision> done = context_.record.commit(std::move(transaction), now);
-  if (!done) return fail(done.error());
-  context_.snapshots.push(with_label(snapshot, label, place));
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) return fail(done.error());
   return {};
 }
 

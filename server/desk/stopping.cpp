@@ -52,7 +52,7 @@ Desk::Called::Robot Desk::call(const Key& key, const Robot& robot, const msg::Op
     one.refusal = unreachable_reason(robot);
     return one;
   }
-  context_.record.note({.at = {},
+  context_.writer.note({.at = {},
                         .kind = stops ? "robot.stop_asked" : "robot.resume_asked",
                         .robot = robot.id,
                         .goal = {},

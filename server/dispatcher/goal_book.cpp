@@ -46,7 +46,7 @@ Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Ro
     transaction.changes.emplace_back(storage::PutRoute{*route});
   }
   add(goal, step, transaction, now);
-  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   if (route) routes_[goal.id] = *route;
@@ -63,7 +63,7 @@ Result<void> GoalBook::write(const std::vector<Waiting>& waiting, Now now) {
     const Step step = {.state = GoalState::pending, .cause = one.why, .who = "dispatcher", .kind = "goal.waits"};
     add(goals.emplace_back(goals_.at(one.goal)), step, transaction, now);
   }
-  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   for (Goal& goal : goals) goals_[goal.id] = std::move(goal);
@@ -72,7 +72,7 @@ Result<void> GoalBook::write(const std::vector<Waiting>& waiting, Now now) {
 
 Result<void> GoalBook::write(const Route& route, storage::Transaction transaction, Now now) {
   transaction.changes.emplace_back(storage::PutRoute{route});
-  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   routes_[route.goal] = route;

@@ -31,12 +31,6 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
   return transaction;
 }
 
-/// Nothing but one pair.
-bool is_one_apart(const Edit& edit) {
-  const bool is_else = !edit.out.empty() || !edit.back.empty() || !edit.known_anew.empty() || !edit.labels.empty();
-  return edit.aparts.size() == 1 && !is_else && edit.to.value == 0;
-}
-
 const char* edit_name(Kind kind) {
   switch (kind) {
     case Kind::rollback:
@@ -85,29 +79,19 @@ msg::OperatorReply Editor::on_request(const msg::OperatorRequest& request, const
 
 msg::OperatorReply Editor::commit(const Edit& edit, const std::string& who, Now now) {
   msg::OperatorReply reply;
-  const Result<Revision> revision = context_.record.commit(transaction_of(edit, who), now);
-  if (!revision) {
+  const MapWriter::Served before = context_.snapshots.shared_current();
+  const Result<MapWriter::Served> served = context_.writer.commit(transaction_of(edit, who), now);
+  if (!served) {
     reply.outcome = msg::Outcome::failed;
-    reply.message = "nothing was changed: " + revision.error().message;
+    reply.message = (context_.writer.unserved() ? "" : "nothing was changed: ") + served.error().message;
     return reply;
   }
-  Result<Snapshot> next = edited(edit, *revision);
-  if (!next) {
-    // What is stored is right; what is served would not be it any more.
-    context_.record.give_up({ErrorCode::internal, "the edited map cannot be loaded, the server has to start anew: " +
-                                                      next.error().message});
-    reply.outcome = msg::Outcome::failed;
-    reply.message = "it is stored as revision " + std::to_string(revision->value) +
-                    "; the server has to start anew (" + next.error().message + ")";
-    return reply;
-  }
-  const Snapshot before = context_.snapshots.current();
-  context_.snapshots.push(*std::move(next));
-  traffic_.edited(before);
+  traffic_.edited(*before);
   dispatcher_.network_edited();
-  reply.revision = *revision;
-  reply.message = "revision " + std::to_string(revision->value) + ": " + to_text(edit) +
-                  " (weft map undo --revision " + std::to_string(revision->value) + " undoes it)";
+  const Revision revision = (*served)->revision();
+  reply.revision = revision;
+  reply.message = "revision " + std::to_string(revision.value) + ": " + to_text(edit) +
+                  " (weft map undo --revision " + std::to_string(revision.value) + " undoes it)";
   return reply;
 }
 
@@ -119,18 +103,6 @@ std::set<PlaceId> Editor::in_use() const {
     if (const Route* const route = book.route(id)) places.insert(route->places.begin(), route->places.end());
   }
   return places;
-}
-
-Result<Snapshot> Editor::edited(const Edit& edit, Revision revision) const {
-  const bool only_out = edit.back.empty() && edit.known_anew.empty() && edit.labels.empty() && edit.aparts.empty() &&
-                        edit.to.value == 0;
-  if (only_out) return without(context_.snapshots.current(), edit.out);
-  const Snapshot& current = context_.snapshots.current();
-  if (is_one_apart(edit) && is_served(current, edit.aparts.begin()->first)) {
-    const auto& [apart, holds] = *edit.aparts.begin();
-    return holds ? with_apart(current, apart) : without_apart(current, apart);
-  }
-  return context_.store.snapshot_at(revision, current);
 }
 
 }  // namespace weft::server

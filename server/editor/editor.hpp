@@ -27,7 +27,6 @@ class Editor {
 
  private:
   Result<Edit> edit_for(const msg::OperatorRequest& request) const;
-  Result<Snapshot> edited(const Edit& edit, Revision revision) const;
 
   Context& context_;
   Traffic& traffic_;

@@ -66,7 +66,7 @@ bool Fleet::on_hello(const msg::Hello& hello, Now now) {
     ++context_.counters["hello: no protocol version in common"];
     const bool is_new = refused_.size() < kMostRobots && refused_.insert(hello.peer).second;
     if (is_new) {
-      context_.record.note({.at = {},
+      context_.writer.note({.at = {},
                             .kind = "peer.refused",
                             .robot = hello.role == msg::Role::agent ? hello.peer : PeerId{},
                             .goal = {},
@@ -90,7 +90,7 @@ void Fleet::named(Robot& robot, const std::string& name, Now now) {
   if (robot.name == name || name.empty()) return;
   const bool was_nameless = robot.name.empty();
   // If it cannot be kept, the next description brings it again.
-  const bool is_kept = context_.record.commit({{storage::PutRobot{robot.id, name}}}, now).has_value();
+  const bool is_kept = context_.writer.commit({{storage::PutRobot{robot.id, name}}}, now).has_value();
   if (is_kept || was_nameless) robot.name = name;
   if (was_nameless && !robot.silent) note("robot.heard", robot, "it speaks", now);
 }
@@ -207,7 +207,7 @@ std::string Fleet::name_of(const RobotId& id) const {
 }
 
 void Fleet::note(const char* kind, const Robot& robot, const std::string& cause, Now now) {
-  context_.record.note({.at = {}, .kind = kind, .robot = robot.id, .goal = {}, .cause = cause, .who = robot.name},
+  context_.writer.note({.at = {}, .kind = kind, .robot = robot.id, .goal = {}, .cause = cause, .who = robot.name},
                        now);
 }
 

@@ -63,7 +63,7 @@ Result<void> Fleet::forget(const RobotId& id, const std::string& who, Now now) {
                             .goal = {},
                             .cause = name_of(id) + " (" + to_string(id) + ") is forgotten",
                             .who = who};
-  const auto stored = context_.record.commit({{storage::PutRobot{id, ""}, storage::PutEvent{event}}, {}}, now);
+  const auto stored = context_.writer.commit({{storage::PutRobot{id, ""}, storage::PutEvent{event}}, {}}, now);
   if (!stored) return fail(stored.error());
   robots_.erase(id);
   return {};
@@ -88,7 +88,7 @@ Result<void> Fleet::rename(const RobotId& id, const std::string& name, const std
                             .goal = {},
                             .cause = name_of(id) + " is called " + name + " from now on",
                             .who = who};
-  const auto stored = context_.record.commit({{storage::PutRobot{id, name}, storage::PutEvent{event}}, {}}, now);
+  const auto stored = context_.writer.commit({{storage::PutRobot{id, name}, storage::PutEvent{event}}, {}}, now);
   if (!stored) return fail(stored.error());
   found->second.name = name;
   return {};

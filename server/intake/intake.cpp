@@ -161,7 +161,7 @@ std::vector<Batch> Intake::on_chunk(const msg::Chunk& chunk, Now now) {
   incoming.assembly = Assembly(bytes ? 0 : incoming.size);
   if (!bytes) {
     ++context_.counters["intake: content with a wrong hash"];
-    context_.record.note({.at = {},
+    context_.writer.note({.at = {},
                           .kind = "intake.content_refused",
                           .robot = chunk.header.sender,
                           .goal = {},
@@ -260,9 +260,7 @@ Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
          .cause = called(waiting.batch) + (waiting.batch.seal ? ": " + waiting.batch.seal_reason : ""),
          .who = "server"}});
   }
-  const Result<Revision> done = context_.record.commit(std::move(transaction), now);
-  if (!done) return fail(done.error());
-  context_.snapshots.push(with(context_.snapshots.current(), waiting.batch));
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) return fail(done.error());
   line.durable_through = waiting.batch.sequence;
   line.incarnation = waiting.incarnation;
   ++acknowledged_;
@@ -281,7 +279,7 @@ void Intake::seal_abandoned(const Waiting& waiting, Now now) {
   }
   for (const ExperienceId id : open) {
     const std::string reason = "its robot began " + to_string(waiting.batch.experience) + " after a restart";
-    if (!context_.record.commit({{storage::SealExperience{.experience = id, .reason = reason},
+    if (!context_.writer.commit({{storage::SealExperience{.experience = id, .reason = reason},
                                   storage::PutEvent{{.at = {},
                                                      .kind = "experience.sealed",
                                                      .robot = waiting.batch.robot,
@@ -291,7 +289,6 @@ void Intake::seal_abandoned(const Waiting& waiting, Now now) {
                                 now)) {
       return;
     }
-    context_.snapshots.push(with_seal(context_.snapshots.current(), id, reason));
   }
 }
 
@@ -303,7 +300,7 @@ void Intake::refuse(Line& line, const Batch& batch, const ContentHash& hash, con
   ++refused_;
   refused_batches_.emplace_back(batch, why);
   ++context_.counters[std::string("intake: batch refused, ") + to_string(why.code)];
-  context_.record.note(
+  context_.writer.note(
       {.at = {},
        .kind = "intake.refused",
        .robot = batch.robot,

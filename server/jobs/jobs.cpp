@@ -87,14 +87,14 @@ Result<Jobs::Running> Jobs::make(const msg::OperatorRequest& request) const {
 Result<std::unique_ptr<storage::StoreJob>> Jobs::store_job(const msg::OperatorRequest& request) const {
   switch (request.kind) {
     case Kind::check:
-      return context_.store.check();
+      return context_.maintenance.check();
     case Kind::snapshot:
     case Kind::snapshot_verified:
-      return context_.store.snapshot_to(request.work.file);
+      return context_.maintenance.snapshot_to(request.work.file);
     case Kind::compact:
-      return context_.store.compact(request.work.revision);
+      return context_.maintenance.compact(request.work.revision);
     default:
-      return context_.store.stats();
+      return context_.maintenance.stats();
   }
 }
 
@@ -163,7 +163,7 @@ Error Jobs::unverified(const Error& error) const {
 /// The copy has just ended, so the map that is served is the map of its revision.
 msg::OperatorReply Jobs::verify(const storage::JobProgress& copied, msg::OperatorReply reply) {
   running_->written = copied.summary;
-  auto job = context_.store.verify(running_->request.work.file, context_.snapshots.current());
+  auto job = context_.maintenance.verify(running_->request.work.file, context_.snapshots.current());
   if (!job) return refusal(unverified(job.error()));
   running_->store_job = *std::move(job);
   return reply;
@@ -209,7 +209,7 @@ msg::OperatorReply Jobs::pruned(Now now) {
 }
 
 void Jobs::note_end(const msg::OperatorReply& reply, Now now) {
-  context_.record.note({.at = {},
+  context_.writer.note({.at = {},
                         .kind = "map." + name_of(running_->request.kind) + "_ended",
                         .robot = {},
                         .goal = {},

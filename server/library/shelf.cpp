@@ -72,7 +72,7 @@ std::shared_ptr<const storage::StoredContent> Shelf::fetch(const ContentHash& ha
   Result<storage::StoredContent> content = context_.store.stored_content(hash);
   if (!content) {
     ++context_.counters["library: content cannot be read"];
-    context_.record.note({.at = {},
+    context_.writer.note({.at = {},
                           .kind = "library.content_damaged",
                           .robot = {},
                           .goal = {},

@@ -148,7 +148,7 @@ void Routes::store(const std::set<std::string>& methods, Prepared& prepared, Now
   transaction.changes.emplace_back(
       storage::PutPreparation{.methods = key_of(methods), .bytes = routing::encode(*prepared.ready)});
   // Kept or not: it is tried again when it is due again.
-  std::ignore = context_.record.commit(std::move(transaction), now);
+  std::ignore = context_.writer.commit(std::move(transaction), now);
 }
 
 void Routes::tick(Now now) {

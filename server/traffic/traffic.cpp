@@ -58,7 +58,7 @@ void Traffic::recall_pasts(Now now) {
       pasts_.push_back(std::make_shared<const Snapshot>(*std::move(then)));
       continue;
     }
-    context_.record.note({.at = {},
+    context_.writer.note({.at = {},
                           .kind = "traffic.ground_unknown",
                           .robot = robot,
                           .goal = {},
@@ -258,7 +258,7 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
     return;
   }
   if (!known.intruding) {
-    context_.record.note(
+    context_.writer.note(
         {.at = {},
          .kind = "traffic.too_close",
          .robot = robot,
@@ -277,7 +277,7 @@ bool Traffic::store(const RobotId& robot, Holder& known, storage::PutOccupancy n
     if (!holder.is_stored && other != robot) transaction.changes.emplace_back(holder.occupancy);
   }
   transaction.changes.emplace_back(next);
-  if (!context_.record.commit(std::move(transaction), now)) return false;
+  if (!context_.writer.commit(std::move(transaction), now)) return false;
   for (auto& [other, holder] : holders_) holder.is_stored = true;
   known.occupancy = std::move(next);
   return true;
@@ -295,7 +295,7 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
                                                       .goal = {},
                                                       .cause = "from " + to_string(at),
                                                       .who = who}});
-  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   known.occupancy = nothing_held(robot);
@@ -327,7 +327,7 @@ Result<std::string> Traffic::clear_route(const RobotId& robot, const std::option
                                                       .goal = {},
                                                       .cause = "all but " + to_string(stands_at),
                                                       .who = who}});
-  if (const Result<Revision> done = context_.record.commit(std::move(transaction), now); !done) {
+  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   known.occupancy = std::move(next);

@@ -71,7 +71,7 @@ void Traffic::tell_of_layout(Now now) {
   laid_told_ = laid;
   const std::string places =
       std::to_string(laid) + " of " + std::to_string(total) + " places of the map are laid out";
-  context_.record.note({.at = {},
+  context_.writer.note({.at = {},
                         .kind = is_done ? "traffic.laid_out" : "traffic.laying_out",
                         .robot = {},
                         .goal = {},

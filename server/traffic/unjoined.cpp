@@ -34,7 +34,7 @@ void UnjoinedWatch::tick(Now now) {
   const bool was_told = !warning_.empty();
   warning_ = warning_of(traffic_.by_part(), fleet_, context_.config.unjoined);
   if (was_told == !warning_.empty()) return;
-  context_.record.note({.at = {},
+  context_.writer.note({.at = {},
                         .kind = was_told ? "traffic.joined" : "traffic.unjoined",
                         .robot = {},
                         .goal = {},

@@ -54,9 +54,10 @@ struct Rig {
   ServiceConfig config;
   Outbox out{{}, 1, Epoch{1}};
   Counters counters;
-  Recorder record{*store, out, counters};
-  Snapshots snapshots;
-  Context context{config, *store, out, counters, record, snapshots};
+  MapWriter writer{*store, Snapshot{}, out, counters};
+  Maintenance maintenance{*store};
+  Snapshots snapshots;  ///< the test's own: its networks are nobody's batches
+  Context context{config, *store, out, counters, writer, snapshots, maintenance};
   Routes routes{context};
   Now now{.steady = SteadyTime(1000s), .wall = WallTime(5000s)};
 };

@@ -1,20 +1,16 @@
-#include "server/base/recorder.hpp"
+#include "server/base/map_writer.hpp"
 
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "server/base/clipped.hpp"
+#include "server/base/next_map.hpp"
+
 namespace weft::server {
-namespace {
-constexpr std::size_t kLongestText = 2000;
-}
 
-std::string clipped(std::string text) {
-  if (text.size() > kLongestText) text.resize(kLongestText);
-  return text;
-}
-
-Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
+Result<MapWriter::Served> MapWriter::commit(storage::Transaction transaction, Now now) {
   if (broken_) return fail(*broken_);
   std::vector<msg::Event> events;
   for (auto& change : transaction.changes) {
@@ -41,10 +37,33 @@ Result<Revision> Recorder::commit(storage::Transaction transaction, Now now) {
           .who = "server"},
          now);
   }
-  return done->revision;
+  if (const Result<void> served = serve(transaction, done->revision); !served) return fail(served.error());
+  return snapshots_.shared_current();
 }
 
-void Recorder::note(msg::Event event, Now now) {
+/// Serves the map of the revision that the store has made. When that cannot be had, what is stored stays right and
+/// what is served would not be it any more: the server has to end and load anew.
+Result<void> MapWriter::serve(const storage::Transaction& transaction, Revision stored) {
+  const Snapshot& map = snapshots_.current();
+  if (stored == map.revision()) return {};
+  std::optional<Snapshot> next;
+  if (stored.value == map.revision().value + 1) next = next_map(map, transaction);
+  if (!next) {
+    Result<Snapshot> read = store_.snapshot_at(stored, map);
+    if (!read) {
+      unserved_ = stored;
+      broken_ = {ErrorCode::internal,
+                 "the edited map cannot be loaded, the server has to start anew: " + read.error().message};
+      return fail(ErrorCode::internal, "it is stored as revision " + std::to_string(stored.value) +
+                                           "; the server has to start anew (" + read.error().message + ")");
+    }
+    next = *std::move(read);
+  }
+  snapshots_.push(*std::move(next));
+  return {};
+}
+
+void MapWriter::note(msg::Event event, Now now) {
   event.at = now.wall;
   event.cause = clipped(std::move(event.cause));
   const Result<storage::Commit> kept =
@@ -56,7 +75,7 @@ void Recorder::note(msg::Event event, Now now) {
   tell(event);
 }
 
-void Recorder::failed(const Error& error, Now now) {
+void MapWriter::failed(const Error& error, Now now) {
   ++counters_[std::string("store: ") + to_string(error.code)];
   // A conflict is about the transaction, not about the store.
   if (error.code == ErrorCode::conflict || error.code == ErrorCode::invalid) return;

@@ -1,0 +1,11 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace weft::server {
+
+/// Refusals and the like, by name; shown in `map info`.
+using Counters = std::map<std::string, std::uint64_t>;
+
+}  // namespace weft::server
