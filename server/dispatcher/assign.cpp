@@ -20,10 +20,10 @@ std::string metres(double length_m) {
 
 }  // namespace
 
-/// Why the robot cannot be given a goal; empty when it can.
+/// Returns why the robot cannot be given a goal; empty when it can.
 std::string Dispatcher::not_ready(const Robot& robot) const {
   if (std::string why = unreachable_reason(robot); !why.empty()) return why;
-  if (errands_.contains(robot.id)) return robot.name + " has goal " + to_string(errands_.at(robot.id).goal);
+  if (assignments_.contains(robot.id)) return robot.name + " has goal " + to_string(assignments_.at(robot.id).goal);
   if (!robot.state) return robot.name + " has not said yet where it is";
   if (!robot.state->localised || !robot.state->place) {
     return robot.name + " does not know where it is: weft localise " + robot.name;
@@ -46,8 +46,8 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
   return ready;
 }
 
-/// From the last place of a run nothing may lead on although its end lies on another run's way: a robot that stands
-/// there sets off from a place of that way.
+/// Searches ways from a robot's place and, where there is none, from places beside it: from the last place of a run
+/// nothing may lead on although its end lies on another run's way.
 FindWay Dispatcher::ways_to(const PlaceId& to, Now now) {
   return [this, to, now](const Candidate& from) {
     Result<Path> way = routes_.find(from.at, to, from.methods, now.steady);
@@ -92,8 +92,9 @@ void Dispatcher::assign_waiting(Now now) {
   note_pending(queues, now);
 }
 
-/// The first goal for a robot, or for any, says what it waits for whenever that changes. Those behind it say once
-/// that it comes first, and once that there was no way: a queue writes as much as it is long, not its square.
+/// Decides what a pending goal says. The first goal for a robot, or for any, says what it waits for whenever that
+/// changes. Those behind it say once that it comes first, and once that there was no way: a queue writes as much as
+/// it is long, not its square.
 void Dispatcher::still_pending(const Goal& goal, Why kind, const std::string& why, Queues& queues) const {
   const bool is_first = queues.begun.insert(goal.wanted).second;
   const auto told = told_.find(goal.id);
@@ -147,27 +148,27 @@ bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
                                         " away by " + std::to_string(choice.path.places.size()) + " places",
                                .who = "dispatcher"};
   if (!book_.write(next, step, route_of(goal, choice), {}, now)) return false;
-  Errand errand;
-  errand.goal = goal.id;
-  errand.send_at = now.steady;
-  errand.plan_at = now.steady;
-  release(choice.robot, errands_[choice.robot] = errand, now);
+  RouteAssignment assignment;
+  assignment.goal = goal.id;
+  assignment.send_at = now.steady;
+  assignment.plan_at = now.steady;
+  release(choice.robot, assignments_[choice.robot] = assignment, now);
   return true;
 }
 
-/// Said once.
+/// Notes once what the goal waits for.
 void Dispatcher::wait_for(const Goal& goal, const std::string& why, Now now) {
   if (goal.history.back().cause == why) return;
   std::ignore = book_.write(goal, {.state = goal.state, .cause = why, .who = "dispatcher", .kind = "goal.waits"},
                             std::nullopt, {}, now);
 }
 
-/// The robot has lost its route: the same goal, from where it stands, as the next version of the route. What it held
+/// Plans the same goal from where the robot stands, as the next version of the route that it has lost. What it held
 /// stays held until the new version is released.
-void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
+void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now now) {
   const Robot* const known = fleet_.find(robot);
-  const Goal& goal = *book_.find(errand.goal);
-  if (errand.plan_at > now.steady || goal.state == GoalState::paused) return;
+  const Goal& goal = *book_.find(assignment.goal);
+  if (assignment.plan_at > now.steady || goal.state == GoalState::paused) return;
   if (known == nullptr || !unreachable_reason(*known).empty() || !known->state) return;
   const msg::RobotState& state = *known->state;
   if (!state.localised || !state.place) {
@@ -176,7 +177,7 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
                         known->name + " --at LABEL` helps",
                     now);
   }
-  errand.plan_at = now.steady + kBetweenPlans;
+  assignment.plan_at = now.steady + kBetweenPlans;
   if (context_.snapshots.current().place(state.place) == nullptr) {
     return wait_for(goal, known->name + " stands on a place that was taken out of the map: it looks for itself", now);
   }
@@ -189,17 +190,17 @@ void Dispatcher::plan_anew(const RobotId& robot, Errand& errand, Now now) {
                                .who = "dispatcher",
                                .kind = "goal.planned_anew"};
   Route route = route_of(goal, *choice);
-  if (errand.is_over_there) route.id = new_route_id();
+  if (assignment.is_closed) route.id = new_route_id();
   if (!book_.write(goal, step, route, {}, now)) return;
-  errand.lost = false;
-  errand.cut = false;
-  errand.is_over_there = false;
-  errand.told_way = {};  // told anew, if it waits again
-  errand.has_latest_order = false;
-  errand.heard_of_it.reset();
-  errand.missing_since.reset();
-  errand.traffic_looked = 0;
-  release(robot, errand, now);
+  assignment.route_lost = false;
+  assignment.cut_short = false;
+  assignment.is_closed = false;
+  assignment.noted_way = {};  // told anew, if it waits again
+  assignment.has_latest_order = false;
+  assignment.latest_report.reset();
+  assignment.missing_since.reset();
+  assignment.traffic_looked = 0;
+  release(robot, assignment, now);
 }
 
 }  // namespace weft::server

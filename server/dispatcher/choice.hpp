@@ -9,7 +9,7 @@
 
 namespace weft::server {
 
-/// A robot that could take a goal: idle, reachable, and it knows where it stands.
+/// Describes a robot that could take a goal: idle, reachable, and it knows where it stands.
 struct Candidate {
   RobotId robot;
   PlaceId at;
@@ -22,11 +22,11 @@ struct Choice {
   Path path;
 };
 
-/// The shortest way of a candidate to where it is to go, or why there is none.
+/// Finds the shortest way of a candidate to where it is to go, or tells why there is none.
 using FindWay = std::function<Result<Path>(const Candidate&)>;
 
-/// The candidate with the shortest way; of equally long ones the one with the lowest id.
-/// not_found: there is no candidate, or none of them can get there; the message says how far the last one gets.
+/// Returns the candidate with the shortest way; of equally long ones the one with the lowest id. not_found: there is
+/// no candidate, or none of them can get there; the message says how far the last one gets.
 Result<Choice> choose(std::vector<Candidate> candidates, const FindWay& find_way);
 
 }  // namespace weft::server

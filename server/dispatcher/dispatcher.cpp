@@ -48,19 +48,19 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
     const bool is_over = is_terminal(goal.state);
     // Over, and what it held is still held: the robot may not know yet.
     if (is_over && !is_told(*goal.robot, *route)) continue;
-    Errand errand;
-    errand.goal = id;
-    errand.ending = is_over;
-    errand.send_at = now;
-    errand.plan_at = now;
-    if (is_over) errand.ordered_at = now;
-    errands_[*goal.robot] = errand;
+    RouteAssignment assignment;
+    assignment.goal = id;
+    assignment.ending = is_over;
+    assignment.send_at = now;
+    assignment.plan_at = now;
+    if (is_over) assignment.ordered_at = now;
+    assignments_[*goal.robot] = assignment;
   }
 }
 
 const Goal* Dispatcher::goal_of(const RobotId& robot) const {
-  const auto found = errands_.find(robot);
-  return found == errands_.end() ? nullptr : book_.find(found->second.goal);
+  const auto found = assignments_.find(robot);
+  return found == assignments_.end() ? nullptr : book_.find(found->second.goal);
 }
 
 msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const std::string& who, Now now) {
@@ -113,9 +113,9 @@ msg::OperatorReply Dispatcher::cancel(const GoalId& id, const std::string& who, 
     return reply(msg::Outcome::refused, id, std::string("it is over already: ") + to_string(goal->state));
   }
   const std::string cause = "cancelled";
-  const auto errand = goal->robot ? errands_.find(*goal->robot) : errands_.end();
-  if (errand != errands_.end() && errand->second.goal == id) {
-    finish(errand->first, errand->second, GoalState::cancelled, cause, who, now);
+  const auto assignment = goal->robot ? assignments_.find(*goal->robot) : assignments_.end();
+  if (assignment != assignments_.end() && assignment->second.goal == id) {
+    finish(assignment->first, assignment->second, GoalState::cancelled, cause, who, now);
   } else {
     const GoalBook::Step step = {.state = GoalState::cancelled, .cause = cause, .who = who};
     // Seen below: the state changes only once it is stored.
@@ -140,7 +140,7 @@ Result<std::string> Dispatcher::pause(const RobotId& robot, const std::string& w
 }
 
 Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& who, Now now) {
-  const auto errand = errands_.find(robot);
+  const auto assignment = assignments_.find(robot);
   const Goal* const goal = goal_of(robot);
   if (goal == nullptr || goal->state != GoalState::paused) return std::string("it has no paused goal");
   const bool was_executing = std::any_of(goal->history.begin(), goal->history.end(),
@@ -151,18 +151,18 @@ Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& 
   if (const Result<void> stored = book_.write(*goal, step, std::nullopt, {}, now); !stored) {
     return fail(stored.error());
   }
-  errand->second.send_at = now.steady;
-  errand->second.traffic_looked = 0;
+  assignment->second.send_at = now.steady;
+  assignment->second.traffic_looked = 0;
   return "its goal " + to_string(goal->id) + " goes on";
 }
 
-/// Over, when it is not yet: what the robot holds is the caller's.
+/// Ends the robot's goal when it is not over yet; what the robot holds is left to the caller.
 Result<void> Dispatcher::fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now) {
-  const auto errand = errands_.find(robot);
-  if (errand == errands_.end() || errand->second.ending) return {};
-  finish(robot, errand->second, GoalState::failed, cause, who, now);
-  const auto still = errands_.find(robot);
-  if (still == errands_.end() || still->second.ending) return {};
+  const auto assignment = assignments_.find(robot);
+  if (assignment == assignments_.end() || assignment->second.ending) return {};
+  finish(robot, assignment->second, GoalState::failed, cause, who, now);
+  const auto still = assignments_.find(robot);
+  if (still == assignments_.end() || still->second.ending) return {};
   return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
 }
 
@@ -176,7 +176,8 @@ void Dispatcher::fail_waiting_for(const RobotId& robot, const std::string& why, 
   }
 }
 
-/// It is told to end its route, again and again until it has; meanwhile the place is held where it says that it is.
+/// Tells the robot to end its route, again and again until it has; meanwhile the place is held where it says that it
+/// is.
 Result<std::string> Dispatcher::clear_heard(const Robot& robot, const std::string& who, Now now) {
   if (const Result<void> over = fail_goal(robot.id, "its robot was cleared off its route", who, now); !over) {
     return fail(over.error());
@@ -199,7 +200,7 @@ Result<std::string> Dispatcher::clear(const RobotId& robot, bool is_sure, const 
   if (const Result<void> over = fail_goal(robot, "its robot was cleared away", who, now); !over) {
     return fail(over.error());
   }
-  errands_.erase(robot);
+  assignments_.erase(robot);
   look_again_ = true;
   return traffic_.clear(robot, who, now);
 }

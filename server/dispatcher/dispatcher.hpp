@@ -17,7 +17,7 @@
 
 namespace weft::server {
 
-/// What the robot can drive; it has described itself.
+/// Returns the methods that the robot can drive; it has described itself.
 inline std::set<std::string> methods_of(const Robot& robot) {
   return {robot.description->methods.begin(), robot.description->methods.end()};
 }
@@ -26,31 +26,31 @@ inline std::set<std::string> methods_of(const Robot& robot) {
 /// by traffic, sends the order until the robot has it, and follows its progress to the end.
 class Dispatcher {
  public:
-  /// Goals that were under way are taken up where they were.
+  /// Takes up goals that were under way where they were.
   Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Random random,
              std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now);
 
-  // What operators ask for. Each leaves the request's number, sender and header to the caller.
+  // These do what operators ask for. Each leaves the request's number, sender and header to the caller.
   msg::OperatorReply send(const msg::OperatorRequest& request, const std::string& who, Now now);
   msg::OperatorReply cancel(const GoalId& id, const std::string& who, Now now);
-  /// The robot's goal, if it has one; says what happened.
+  /// Stops or continues the robot's goal, if it has one; returns a text of what happened.
   Result<std::string> pause(const RobotId& robot, const std::string& who, Now now);
   Result<std::string> resume(const RobotId& robot, const std::string& who, Now now);
-  /// The robot is vouched to be away: its goal fails, and what it held is free. Of one that is heard only the route
-  /// is, and that is refused unless `is_sure`.
+  /// Takes an operator's word that the robot is away: its goal fails, and what it held is free. Of a robot that is
+  /// heard only the route is freed, and that is refused unless `is_sure`.
   Result<std::string> clear(const RobotId& robot, bool is_sure, const std::string& who, Now now);
 
-  /// Goals for the robot alone, that wait, fail: it is in the fleet no more.
+  /// Fails the pending goals for that robot alone: it is no longer in the fleet.
   void fail_waiting_for(const RobotId& robot, const std::string& why, const std::string& who, Now now);
 
-  // What robots report.
+  // These take robots' reports.
   void on_state(const Robot& robot, Now now);
   void on_progress(const msg::RouteProgress& progress, Now now);
-  /// Its agent was restarted and has forgotten its route.
+  /// Notes that the robot's agent was restarted and has forgotten its route.
   void on_restart(const RobotId& robot);
 
   void network_changed();
-  /// Something left the map or came back: routes under way are held against it at the next tick.
+  /// Has routes under way checked at the next tick: something left the map or came back.
   void network_edited() { routes_checked_ = false; }
   void tick(Now now);
   /// Leaves out of every wait for a robot's word what the server itself was away.
@@ -58,35 +58,35 @@ class Dispatcher {
   std::optional<SteadyTime> next() const;
 
   const GoalBook& book() const { return book_; }
-  /// The goal that keeps the robot busy; none when it is free for another.
+  /// Returns the goal that keeps the robot busy; none when it is free for another.
   const Goal* goal_of(const RobotId& robot) const;
 
  private:
-  /// What the server and a robot have to settle about one route.
-  struct Errand {
+  /// Holds what the server and a robot still have to settle about one route.
+  struct RouteAssignment {
     GoalId goal;
-    bool ending = false;                       ///< the goal is over, the robot is still to forget the route
-    bool has_latest_order = false;             ///< it answered to this version and release
-    std::optional<std::uint64_t> heard_of_it;  ///< sequence of its latest report on this version
-    std::optional<SteadyTime> ordered_at;      ///< last order to follow it
+    bool ending = false;                         ///< the goal is over, the robot is still to forget the route
+    bool has_latest_order = false;               ///< it answered to this version and release
+    std::optional<std::uint64_t> latest_report;  ///< sequence of its latest report on this version
+    std::optional<SteadyTime> ordered_at;        ///< last order to follow it
     SteadyTime send_at;
     Duration wait{};
-    bool lost = false;           ///< the robot has no such route any more: plan from where it stands
-    bool cut = false;            ///< the route leads to its released point and no farther: the map has changed
-    bool recalled = false;       ///< what the robot drives on has left the map: it is to forget the route, and stand
-    bool is_over_there = false;  ///< the robot takes no more orders for the route's id
+    bool route_lost = false;  ///< the robot has no such route any more: plan from where it stands
+    bool cut_short = false;   ///< the route leads to its released point and no farther: the map has changed
+    bool recalled = false;    ///< what the robot drives on has left the map: it is to forget the route, and stand
+    bool is_closed = false;   ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
     std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
-    Traffic::Way told_way;             ///< what it waits for, as it was told
+    Traffic::Way noted_way;            ///< what it waits for, as it was told
   };
 
   // assign.cpp
   void assign_waiting(Now now);
   bool assign(const Goal& goal, const Choice& choice, Now now);
-  /// Why a goal is not given to a robot: the robots have others first, or are not ready; or there is no way.
+  /// Tells why a goal is not given to a robot: the robots have others first or are not ready, or there is no way.
   enum class Why : std::uint8_t { turn, no_way };
-  /// Of one look at all pending goals.
+  /// Collects what one look at all pending goals finds.
   struct Queues {
     struct Waits {
       GoalBook::Waiting goal;
@@ -101,7 +101,7 @@ class Dispatcher {
   std::string not_ready(const Robot& robot) const;
   std::vector<Candidate> candidates(const Goal& goal, std::string& why_none) const;
   void wait_for(const Goal& goal, const std::string& why, Now now);
-  void plan_anew(const RobotId& robot, Errand& errand, Now now);
+  void replan(const RobotId& robot, RouteAssignment& assignment, Now now);
   Route route_of(const Goal& goal, const Choice& choice);
   FindWay ways_to(const PlaceId& to, Now now);
   RouteId new_route_id();
@@ -109,25 +109,26 @@ class Dispatcher {
   Result<std::string> clear_heard(const Robot& robot, const std::string& who, Now now);
   Result<void> fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
 
-  // mend.cpp
-  void mend(const RobotId& robot, Errand& errand, Now now);
-  void plan_on(const RobotId& robot, Errand& errand, Now now);
-  void cut_off(const RobotId& robot, Errand& errand, const std::string& why, Now now);
-  void recall(const RobotId& robot, Errand& errand, Now now);
+  // reroute.cpp
+  void reroute(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void replan_ahead(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
+  void recall(const RobotId& robot, RouteAssignment& assignment, Now now);
 
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
-  void release(const RobotId& robot, Errand& errand, Now now);
-  void note_waiting(const RobotId& robot, Errand& errand, const Traffic::Way& way, Now now);
+  void release(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string why_it_waits(const Traffic::Way& way) const;
   std::string why_it_goes_on(const Traffic::Way& way) const;
-  void send_order(const RobotId& robot, Errand& errand, SteadyTime now);
+  void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
-  void finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause, const std::string& who,
-              Now now);
-  bool has_to_send(const RobotId& robot, const Errand& errand) const;
-  bool has_forgotten(const Errand& errand, const msg::RobotState& state, const Route& route, SteadyTime now) const;
-  void watch_for_loss(Errand& errand, const Route& route, const msg::RobotState& state, SteadyTime now);
+  void finish(const RobotId& robot, RouteAssignment& assignment, GoalState state, const std::string& cause,
+              const std::string& who, Now now);
+  bool has_to_send(const RobotId& robot, const RouteAssignment& assignment) const;
+  bool has_forgotten(const RouteAssignment& assignment, const msg::RobotState& state, const Route& route,
+                     SteadyTime now) const;
+  void watch_for_loss(RouteAssignment& assignment, const Route& route, const msg::RobotState& state, SteadyTime now);
 
   Context& context_;
   Fleet& fleet_;
@@ -135,7 +136,7 @@ class Dispatcher {
   Routes& routes_;
   Random random_;
   GoalBook book_;
-  std::map<RobotId, Errand> errands_;
+  std::map<RobotId, RouteAssignment> assignments_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started
   Revision tried_at_;

@@ -10,13 +10,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kBetweenLooks = 500ms;
-/// No order is longer on its way than this.
-constexpr Duration kLongestWay = 3s;
-/// A robot that says for this long that it has no such route has lost it.
+/// Bounds how long an order can be on its way.
+constexpr Duration kLongestOnItsWay = 3s;
+/// Bounds how long a robot may say that it has no such route before it has lost it.
 constexpr Duration kLostAfter = 2s;
 }  // namespace
 
-/// Not at the beginning of its route, where the nearest place may flicker.
+/// Returns whether the robot is not at the beginning of its route, where the nearest place may flicker.
 static bool stands_elsewhere(const msg::RobotState& state, const Route& route) {
   constexpr std::size_t kBeginning = 3;
   if (!state.localised || !state.place) return false;
@@ -24,23 +24,23 @@ static bool stands_elsewhere(const msg::RobotState& state, const Route& route) {
   return std::find(route.places.begin(), end, state.place) == end;
 }
 
-/// Whether the robot may know of this version of the route: then what it holds is of it.
+/// Returns whether the robot may know of this version of the route: then what it holds is of it.
 bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
   const storage::PutOccupancy* const held = traffic_.held(robot);
   return held != nullptr && held->held.id == route.id && held->held.version == route.version;
 }
 
-/// As far as nobody else is in the way: what is granted is stored before it is sent.
-void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
-  const Goal& goal = *book_.find(errand.goal);
-  const Route& route = *book_.route(errand.goal);
-  const bool stays = errand.ending || errand.lost || errand.cut || errand.recalled;
+/// Releases the route as far as nobody else is in the way: what is granted is stored before it is sent.
+void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  const Goal& goal = *book_.find(assignment.goal);
+  const Route& route = *book_.route(assignment.goal);
+  const bool stays = assignment.ending || assignment.route_lost || assignment.cut_short || assignment.recalled;
   if (stays || goal.state == GoalState::paused) return;
   const bool told = is_told(robot, route);
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   if (told && route.released == last) return;
-  if (errand.traffic_looked == traffic_.version()) return;
-  errand.traffic_looked = traffic_.version();
+  if (assignment.traffic_looked == traffic_.version()) return;
+  assignment.traffic_looked = traffic_.version();
   const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
   const std::string reason = way.blocked_by                           ? "waits for " + fleet_.name_of(*way.blocked_by)
                              : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
@@ -50,8 +50,8 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
     Route next = route;
     next.reason = reason;
     if (book_.write(next, {}, now)) {
-      errand.wait = Duration{};
-      send_order(robot, errand, now.steady);
+      assignment.wait = Duration{};
+      send_order(robot, assignment, now.steady);
     }
   }
   if (way.through) {
@@ -63,15 +63,15 @@ void Dispatcher::release(const RobotId& robot, Errand& errand, Now now) {
     storage::Transaction transaction;
     for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
     if (!book_.write(next, std::move(transaction), now)) {
-      errand.traffic_looked = 0;
+      assignment.traffic_looked = 0;
       return;
     }
     traffic_.committed(claims);
-    errand.has_latest_order = false;
-    errand.wait = Duration{};
-    send_order(robot, errand, now.steady);
+    assignment.has_latest_order = false;
+    assignment.wait = Duration{};
+    send_order(robot, assignment, now.steady);
   }
-  note_waiting(robot, errand, way, now);
+  note_waiting(robot, assignment, way, now);
 }
 
 std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
@@ -98,10 +98,10 @@ std::string Dispatcher::why_it_goes_on(const Traffic::Way& way) const {
   }
 }
 
-void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const Traffic::Way& way, Now now) {
-  if (errand.told_way.ends_alike(way)) return;
-  const Traffic::Way before = std::exchange(errand.told_way, way);
-  const Goal& goal = *book_.find(errand.goal);
+void Dispatcher::note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now) {
+  if (assignment.noted_way.ends_alike(way)) return;
+  const Traffic::Way before = std::exchange(assignment.noted_way, way);
+  const Goal& goal = *book_.find(assignment.goal);
   const bool waits = way.end != Traffic::Way::End::free;
   const std::string cause =
       waits ? fleet_.name_of(robot) + " waits until " + why_it_waits(way) : why_it_goes_on(before);
@@ -111,23 +111,23 @@ void Dispatcher::note_waiting(const RobotId& robot, Errand& errand, const Traffi
       std::nullopt, {}, now);
 }
 
-void Dispatcher::send_order(const RobotId& robot, Errand& errand, SteadyTime now) {
-  Route route = *book_.route(errand.goal);
-  if (errand.ending || errand.recalled) {
+void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now) {
+  Route route = *book_.route(assignment.goal);
+  if (assignment.ending || assignment.recalled) {
     // To end it, the robot needs to know which, and why.
     route.places.clear();
     route.relations.clear();
     route.released = 0;
     route.ended = true;
   } else {
-    errand.ordered_at = now;
+    assignment.ordered_at = now;
   }
-  errand.wait = next_wait(errand.wait);
-  errand.send_at = now + errand.wait;
+  assignment.wait = next_wait(assignment.wait);
+  assignment.send_at = now + assignment.wait;
   context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
 }
 
-/// It follows a route that it should not: one of a goal that is over, or that this server never gave out.
+/// Ends a route that the robot should not follow: one of a goal that is over, or that this server never gave out.
 void Dispatcher::end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& id) {
   const Route* const known = book_.route(goal);
   Route route;
@@ -142,19 +142,19 @@ void Dispatcher::end_unknown(const RobotId& robot, const GoalId& goal, const Rou
 
 void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   const RobotId robot = progress.header.sender;
-  const auto found = errands_.find(robot);
-  const Route* const route = found == errands_.end() ? nullptr : book_.route(found->second.goal);
+  const auto found = assignments_.find(robot);
+  const Route* const route = found == assignments_.end() ? nullptr : book_.route(found->second.goal);
   if (route == nullptr || route->id != progress.route) {
     end_unknown(robot, progress.goal, progress.route);
     return;
   }
-  Errand& errand = found->second;
+  RouteAssignment& assignment = found->second;
   // The order to end it is repeated by the clock, not by its reports.
-  if (errand.ending || errand.recalled || progress.version != route->version) return;
-  errand.lost = false;
-  errand.missing_since.reset();
-  errand.heard_of_it = std::max(errand.heard_of_it.value_or(0), progress.header.sequence);
-  errand.has_latest_order = progress.released >= route->released;
+  if (assignment.ending || assignment.recalled || progress.version != route->version) return;
+  assignment.route_lost = false;
+  assignment.missing_since.reset();
+  assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
+  assignment.has_latest_order = progress.released >= route->released;
   traffic_.freed(robot, route->id, progress.freed);
   const std::string who = fleet_.name_of(robot);
   if (progress.phase == msg::RoutePhase::arrived) {
@@ -164,122 +164,124 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
       return;
     }
     traffic_.freed(robot, route->id, last);
-    finish(robot, errand, GoalState::succeeded, "arrived", who, now);
+    finish(robot, assignment, GoalState::succeeded, "arrived", who, now);
     return;
   }
   if (progress.phase == msg::RoutePhase::failed) {
-    finish(robot, errand, GoalState::failed, progress.reason.empty() ? "the robot gave up" : progress.reason, who,
+    finish(robot, assignment, GoalState::failed, progress.reason.empty() ? "the robot gave up" : progress.reason, who,
            now);
     return;
   }
-  const Goal& goal = *book_.find(errand.goal);
+  const Goal& goal = *book_.find(assignment.goal);
   if (goal.state != GoalState::assigned) return;
   // Not stored: the next report brings it again.
   std::ignore = book_.write(goal, {.state = GoalState::executing, .cause = "the robot has its route", .who = who},
                             std::nullopt, {}, now);
 }
 
-/// The goal is over; the route ends where it was released to. What the robot holds stays held until it has forgotten
-/// the route and says where it stands.
-void Dispatcher::finish(const RobotId& robot, Errand& errand, GoalState state, const std::string& cause,
+/// Ends the goal, and its route where it was released to. What the robot holds stays held until it has forgotten the
+/// route and says where it stands.
+void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalState state, const std::string& cause,
                         const std::string& who, Now now) {
-  const Goal& goal = *book_.find(errand.goal);
-  Route route = *book_.route(errand.goal);
+  const Goal& goal = *book_.find(assignment.goal);
+  Route route = *book_.route(assignment.goal);
   route.ended = true;
   route.reason = cause;
   const bool told = is_told(robot, route) || traffic_.holds_route(robot, route.id);
   if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, {}, now)) return;
   look_again_ = true;
   if (!told) {
-    errands_.erase(robot);
+    assignments_.erase(robot);
     return;
   }
-  errand.ending = true;
-  errand.wait = Duration{};
-  send_order(robot, errand, now.steady);
+  assignment.ending = true;
+  assignment.wait = Duration{};
+  send_order(robot, assignment, now.steady);
 }
 
-bool Dispatcher::has_forgotten(const Errand& errand, const msg::RobotState& state, const Route& route,
+bool Dispatcher::has_forgotten(const RouteAssignment& assignment, const msg::RobotState& state, const Route& route,
                                SteadyTime now) const {
   if (state.route == route.id) return false;
   // It had the route and says now that it has not; or no order to follow it can be on the way any more.
-  const bool had_it = errand.heard_of_it && *errand.heard_of_it < state.header.sequence;
-  return had_it || !errand.ordered_at || now - *errand.ordered_at > kLongestWay;
+  const bool had_it = assignment.latest_report && *assignment.latest_report < state.header.sequence;
+  return had_it || !assignment.ordered_at || now - *assignment.ordered_at > kLongestOnItsWay;
 }
 
-void Dispatcher::watch_for_loss(Errand& errand, const Route& route, const msg::RobotState& state, SteadyTime now) {
+void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route, const msg::RobotState& state,
+                                SteadyTime now) {
   const bool has_it = state.route == route.id;
   if (has_it) {
-    errand.missing_since.reset();
-    if (state.route_version == route.version) errand.lost = false;
+    assignment.missing_since.reset();
+    if (state.route_version == route.version) assignment.route_lost = false;
     return;
   }
-  const bool had_it = errand.heard_of_it && *errand.heard_of_it < state.header.sequence;
-  if (!had_it || errand.lost) return;
-  if (!errand.missing_since) errand.missing_since = now;
-  if (now - *errand.missing_since >= kLostAfter) errand.lost = true;
+  const bool had_it = assignment.latest_report && *assignment.latest_report < state.header.sequence;
+  if (!had_it || assignment.route_lost) return;
+  if (!assignment.missing_since) assignment.missing_since = now;
+  if (now - *assignment.missing_since >= kLostAfter) assignment.route_lost = true;
 }
 
 void Dispatcher::on_state(const Robot& robot, Now now) {
   const msg::RobotState& state = *robot.state;
   look_again_ = true;
-  const auto found = errands_.find(robot.id);
-  if (found == errands_.end()) {
+  const auto found = assignments_.find(robot.id);
+  if (found == assignments_.end()) {
     traffic_.stands(state, now);
     if (state.route) end_unknown(robot.id, state.goal, state.route);
     return;
   }
-  Errand& errand = found->second;
-  const Route& route = *book_.route(errand.goal);
-  if (errand.ending) {
-    if (!has_forgotten(errand, state, route, now.steady)) {
+  RouteAssignment& assignment = found->second;
+  const Route& route = *book_.route(assignment.goal);
+  if (assignment.ending) {
+    if (!has_forgotten(assignment, state, route, now.steady)) {
       // Cleared off its route, and not standing yet.
       if (!traffic_.holds_route(robot.id, route.id)) traffic_.stands(state, now);
       return;
     }
-    errands_.erase(found);
+    assignments_.erase(found);
     traffic_.stands(state, now);
     return;
   }
-  if (errand.recalled) {
-    if (!has_forgotten(errand, state, route, now.steady)) return;
-    errand.recalled = false;
-    errand.is_over_there = true;
-    errand.lost = true;
+  if (assignment.recalled) {
+    if (!has_forgotten(assignment, state, route, now.steady)) return;
+    assignment.recalled = false;
+    assignment.is_closed = true;
+    assignment.route_lost = true;
     traffic_.stands(state, now);
   }
   if (!is_told(robot.id, route) && !traffic_.holds_route(robot.id, route.id)) {
     traffic_.stands(state, now);
     // It was moved before it could set off.
-    if (stands_elsewhere(state, route)) errand.lost = true;
+    if (stands_elsewhere(state, route)) assignment.route_lost = true;
   } else {
-    watch_for_loss(errand, route, state, now.steady);
+    watch_for_loss(assignment, route, state, now.steady);
   }
-  if (errand.lost) plan_anew(robot.id, errand, now);
+  if (assignment.route_lost) replan(robot.id, assignment, now);
 }
 
 void Dispatcher::on_restart(const RobotId& robot) {
-  const auto found = errands_.find(robot);
-  if (found == errands_.end() || found->second.ending) return;
-  found->second.lost = true;
+  const auto found = assignments_.find(robot);
+  if (found == assignments_.end() || found->second.ending) return;
+  found->second.route_lost = true;
   found->second.recalled = false;
   found->second.has_latest_order = false;
-  found->second.heard_of_it.reset();
+  found->second.latest_report.reset();
 }
 
-bool Dispatcher::has_to_send(const RobotId& robot, const Errand& errand) const {
-  if (errand.ending || errand.recalled) return true;
-  const bool is_paused = book_.find(errand.goal)->state == GoalState::paused;
-  return !errand.has_latest_order && !errand.lost && !is_paused && is_told(robot, *book_.route(errand.goal));
+bool Dispatcher::has_to_send(const RobotId& robot, const RouteAssignment& assignment) const {
+  if (assignment.ending || assignment.recalled) return true;
+  const bool is_paused = book_.find(assignment.goal)->state == GoalState::paused;
+  return !assignment.has_latest_order && !assignment.route_lost && !is_paused &&
+         is_told(robot, *book_.route(assignment.goal));
 }
 
 void Dispatcher::tick(Now now) {
   if (!std::exchange(routes_checked_, true)) {
-    for (auto& [robot, errand] : errands_) mend(robot, errand, now);
+    for (auto& [robot, assignment] : assignments_) reroute(robot, assignment, now);
   }
-  for (auto& [robot, errand] : errands_) {
-    if (!errand.lost) release(robot, errand, now);
-    if (has_to_send(robot, errand) && errand.send_at <= now.steady) send_order(robot, errand, now.steady);
+  for (auto& [robot, assignment] : assignments_) {
+    if (!assignment.route_lost) release(robot, assignment, now);
+    if (has_to_send(robot, assignment) && assignment.send_at <= now.steady) send_order(robot, assignment, now.steady);
   }
   if (!look_again_ || look_at_ > now.steady) return;
   look_again_ = false;
@@ -288,8 +290,8 @@ void Dispatcher::tick(Now now) {
 }
 
 void Dispatcher::excuse(Duration away, SteadyTime now) {
-  for (auto& [robot, errand] : errands_) {
-    for (std::optional<SteadyTime>* const since : {&errand.ordered_at, &errand.missing_since}) {
+  for (auto& [robot, assignment] : assignments_) {
+    for (std::optional<SteadyTime>* const since : {&assignment.ordered_at, &assignment.missing_since}) {
       if (*since) *since = std::min(**since + away, now);
     }
   }
@@ -298,8 +300,8 @@ void Dispatcher::excuse(Duration away, SteadyTime now) {
 std::optional<SteadyTime> Dispatcher::next() const {
   std::optional<SteadyTime> next;
   const auto sooner = [&next](SteadyTime at) { next = next ? std::min(*next, at) : at; };
-  for (const auto& [robot, errand] : errands_) {
-    if (has_to_send(robot, errand)) sooner(errand.send_at);
+  for (const auto& [robot, assignment] : assignments_) {
+    if (has_to_send(robot, assignment)) sooner(assignment.send_at);
   }
   const bool anybody_waits = std::any_of(book_.alive().begin(), book_.alive().end(), [this](const auto& entry) {
     return book_.find(entry.second)->state == GoalState::pending;

@@ -5,7 +5,7 @@
 
 namespace weft::server {
 namespace {
-/// A goal that waits for long keeps how it began and what happened last.
+/// Bounds the history of a goal that waits for long: it keeps how it began and what happened last.
 constexpr std::size_t kHistory = 100;
 }  // namespace
 

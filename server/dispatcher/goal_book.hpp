@@ -10,7 +10,8 @@
 
 namespace weft::server {
 
-/// Every goal with its life and its latest route, as the store has them. A step is in here only once it is durable.
+/// Keeps every goal with its life and its latest route, as the store has them. A step is in here only once it is
+/// durable.
 class GoalBook {
  public:
   GoalBook(Context& context, std::map<GoalId, Goal> goals, std::map<GoalId, Route> routes);
@@ -29,15 +30,15 @@ class GoalBook {
     GoalId goal;
     std::string why;
   };
-  /// What pending goals wait for, in one transaction. None: nothing is written.
+  /// Writes what pending goals wait for, in one transaction; nothing when there are none.
   Result<void> write(const std::vector<Waiting>& waiting, Now now);
-  /// A route's release grew.
+  /// Writes a route whose release has grown.
   Result<void> write(const Route& route, storage::Transaction transaction, Now now);
 
   const Goal* find(const GoalId& id) const;
   const Route* route(const GoalId& id) const;
   const std::map<GoalId, Goal>& goals() const { return goals_; }
-  /// Those whose life is not over, in the order in which they were accepted.
+  /// Returns the goals that are not over, in the order in which they were accepted.
   const std::map<std::uint64_t, GoalId>& alive() const { return alive_; }
   std::uint64_t next_number() const { return next_number_; }
 

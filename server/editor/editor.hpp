@@ -11,7 +11,7 @@
 namespace weft::server {
 
 /// Changes the map as operators ask. Each edit is one revision that can be undone; who drives on what is edited is
-/// looked after (dispatcher/mend.cpp, traffic).
+/// looked after (dispatcher/reroute.cpp, traffic).
 class Editor {
  public:
   Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)

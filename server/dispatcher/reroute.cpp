@@ -4,7 +4,7 @@
 #include "core/network/search.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 
-/// Routes under way when the map is edited (docs/path-of-a-goal.md, 6).
+/// Reroutes robots under way when the map is edited (docs/path-of-a-goal.md, 6).
 namespace weft::server {
 namespace {
 
@@ -15,8 +15,8 @@ bool leads_on(const Snapshot& snapshot, const PlaceId& from, const PlaceId& to) 
   return leads;
 }
 
-/// The index of the first place, after `from`, that the map does not lead to any more along the route; `from` itself
-/// when it is out. None: the route is whole.
+/// Returns the index of the first place, after `from`, that the map does not lead to any more along the route; `from`
+/// itself when it is out; none when the route is whole.
 std::optional<std::uint32_t> first_broken(const Snapshot& snapshot, const Route& route, std::uint32_t from) {
   if (from >= route.places.size()) return std::nullopt;
   if (snapshot.place(route.places[from]) == nullptr) return from;
@@ -30,40 +30,42 @@ std::optional<std::uint32_t> first_broken(const Snapshot& snapshot, const Route&
 
 void Dispatcher::network_changed() {
   look_again_ = true;
-  const bool any_cut =
-      std::any_of(errands_.begin(), errands_.end(), [](const auto& entry) { return entry.second.cut; });
+  const bool any_cut_short =
+      std::any_of(assignments_.begin(), assignments_.end(), [](const auto& entry) { return entry.second.cut_short; });
   // What was added may lead on where something was taken away.
-  if (any_cut) routes_checked_ = false;
+  if (any_cut_short) routes_checked_ = false;
 }
 
-void Dispatcher::mend(const RobotId& robot, Errand& errand, Now now) {
-  if (errand.ending || errand.recalled || errand.lost) return;
-  const Route& route = *book_.route(errand.goal);
+void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  if (assignment.ending || assignment.recalled || assignment.route_lost) return;
+  const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
   const std::optional<std::uint32_t> broken =
       first_broken(context_.snapshots.current(), route, told ? traffic_.held(robot)->from : 0);
   if (!broken) {
-    if (std::exchange(errand.cut, false)) errand.traffic_looked = 0;
+    if (std::exchange(assignment.cut_short, false)) assignment.traffic_looked = 0;
     return;
   }
   if (!told) {
-    errand.lost = true;  // as if it had been moved: from where it says that it stands
+    assignment.route_lost = true;  // as if it had been moved: from where it says that it stands
   } else if (*broken > route.released) {
-    plan_on(robot, errand, now);
+    replan_ahead(robot, assignment, now);
   } else {
-    recall(robot, errand, now);
+    recall(robot, assignment, now);
   }
 }
 
-/// The next version begins with all that was released, so that the robot need not stop and holds what it held.
-void Dispatcher::plan_on(const RobotId& robot, Errand& errand, Now now) {
-  const Goal& goal = *book_.find(errand.goal);
-  const Route& route = *book_.route(errand.goal);
+/// Plans the next version of the route beyond its released point. It begins with all that was released, so that the
+/// robot need not stop and holds what it held.
+void Dispatcher::replan_ahead(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  const Goal& goal = *book_.find(assignment.goal);
+  const Route& route = *book_.route(assignment.goal);
   const Robot* const known = fleet_.find(robot);
-  if (known == nullptr || !known->description) return cut_off(robot, errand, "its robot has not been heard yet", now);
+  if (known == nullptr || !known->description)
+    return cut_off(robot, assignment, "its robot has not been heard yet", now);
   const Result<Choice> choice = choose(
       {{.robot = robot, .at = route.places[route.released], .methods = methods_of(*known)}}, ways_to(goal.to, now));
-  if (!choice) return cut_off(robot, errand, choice.error().message, now);
+  if (!choice) return cut_off(robot, assignment, choice.error().message, now);
   Route next = route;
   const auto kept = static_cast<std::ptrdiff_t>(route.released);
   next.version = route.version + 1;
@@ -83,38 +85,38 @@ void Dispatcher::plan_on(const RobotId& robot, Errand& errand, Now now) {
                                .kind = "goal.planned_anew"};
   if (!book_.write(goal, step, next, std::move(transaction), now)) {
     routes_checked_ = false;  // the store takes nothing now; nothing more of the old one is released meanwhile
-    errand.cut = true;
+    assignment.cut_short = true;
     return;
   }
   traffic_.committed(claims);
-  errand.cut = false;
-  errand.has_latest_order = false;
-  errand.heard_of_it.reset();
-  errand.traffic_looked = 0;
-  errand.wait = Duration{};
-  send_order(robot, errand, now.steady);
+  assignment.cut_short = false;
+  assignment.has_latest_order = false;
+  assignment.latest_report.reset();
+  assignment.traffic_looked = 0;
+  assignment.wait = Duration{};
+  send_order(robot, assignment, now.steady);
 }
 
-/// It stops at its released point, and says why.
-void Dispatcher::cut_off(const RobotId& robot, Errand& errand, const std::string& why, Now now) {
-  errand.cut = true;
-  const Goal& goal = *book_.find(errand.goal);
+/// Lets the robot stop at its released point, and says why.
+void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
+  assignment.cut_short = true;
+  const Goal& goal = *book_.find(assignment.goal);
   const std::string cause = "the map was changed ahead of " + fleet_.name_of(robot) + ": " + why;
   if (goal.history.back().cause == cause) return;
-  Route next = *book_.route(errand.goal);
+  Route next = *book_.route(assignment.goal);
   next.reason = clipped(cause);
   if (!book_.write(goal, {.state = goal.state, .cause = cause, .who = "dispatcher", .kind = "goal.waits"}, next, {},
                    now)) {
     return;  // said again at the next change of the map
   }
-  errand.wait = Duration{};
-  send_order(robot, errand, now.steady);
+  assignment.wait = Duration{};
+  send_order(robot, assignment, now.steady);
 }
 
-void Dispatcher::recall(const RobotId& robot, Errand& errand, Now now) {
-  const Goal& goal = *book_.find(errand.goal);
-  errand.recalled = true;
-  errand.wait = Duration{};
+void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  const Goal& goal = *book_.find(assignment.goal);
+  assignment.recalled = true;
+  assignment.wait = Duration{};
   // Told even when it cannot be written down: to stand is more urgent.
   std::ignore = book_.write(goal,
                             {.state = goal.state,
@@ -123,7 +125,7 @@ void Dispatcher::recall(const RobotId& robot, Errand& errand, Now now) {
                              .who = "dispatcher",
                              .kind = "goal.waits"},
                             std::nullopt, {}, now);
-  send_order(robot, errand, now.steady);
+  send_order(robot, assignment, now.steady);
 }
 
 }  // namespace weft::server
