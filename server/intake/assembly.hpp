@@ -10,15 +10,15 @@
 
 namespace weft::server {
 
-/// One content as its chunks come in: any order, any number of times, with any overlap.
+/// Puts one content together as its chunks come in: in any order, any number of times, with any overlap.
 class Assembly {
  public:
   explicit Assembly(std::uint64_t total) : bytes_(total) {}
 
-  /// invalid: the chunk does not lie within the content, or states another size.
+  /// Adds a chunk. invalid: it does not lie within the content, or states another size.
   Result<void> add(const msg::Chunk& chunk);
   bool is_complete() const;
-  /// corrupt: complete, and not what was promised.
+  /// Returns the content. corrupt: it is complete and not what was promised.
   Result<Bytes> take(const ContentHash& promised) &&;
   std::uint64_t size() const { return bytes_.size(); }
 

@@ -11,18 +11,18 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kRetry = 2s;
-constexpr std::size_t kAhead = 16;                      ///< batches of one experience that may wait
+constexpr std::size_t kBatchesAhead = 16;               ///< batches of one experience that may wait
 constexpr std::uint64_t kWaitingBytes = 256ULL << 20U;  ///< contents that may wait for the rest of their batch
 constexpr std::size_t kMissingInAck = 256;
-constexpr std::size_t kMostWaitingLines = 1024;
+constexpr std::size_t kMostOpenStreams = 1024;
 }  // namespace
 
 Intake::Intake(Context& context, const std::map<ExperienceId, std::uint64_t>& durable_through) : context_(context) {
   for (const auto& [experience, through] : durable_through) {
-    Line& line = lines_[experience];
-    line.durable_through = through;
+    ExperienceStream& stream = streams_[experience];
+    stream.durable_through = through;
     const Experience* const known = context.snapshots.current().experience(experience);
-    if (known != nullptr) line.robot = known->robot;
+    if (known != nullptr) stream.robot = known->robot;
   }
 }
 
@@ -33,47 +33,48 @@ std::vector<Batch> Intake::on_batch(const msg::ExperienceBatch& message, const s
     ++context_.counters["intake: batch without an id, or of another robot"];
     return {};
   }
-  const bool is_new = !lines_.contains(batch.experience);
-  if (is_new && lines_.size() >= kMostWaitingLines + context_.snapshots.current().experiences().size()) {
+  const bool is_new = !streams_.contains(batch.experience);
+  if (is_new && streams_.size() >= kMostOpenStreams + context_.snapshots.current().experiences().size()) {
     ++context_.counters["intake: too many unfinished experiences"];
     return {};
   }
-  Line& line = lines_[batch.experience];
-  if (is_new) line.robot = sender;
-  if (line.robot != sender) {
+  ExperienceStream& stream = streams_[batch.experience];
+  if (is_new) stream.robot = sender;
+  if (stream.robot != sender) {
     ++context_.counters["intake: experience of another robot"];
     return {};
   }
   const ContentHash hash = weft::hash(batch);
-  if (batch.sequence <= line.durable_through) {
+  if (batch.sequence <= stream.durable_through) {
     if (context_.store.batch_hash(batch.experience, batch.sequence) != hash) {
-      refuse(line, batch, hash, {ErrorCode::conflict, "it is on disk with another hash"}, now);
+      refuse(stream, batch, hash, {ErrorCode::conflict, "it is on disk with another hash"}, now);
     }
-  } else if (const Result<void> taken = accept(line, message, who, hash); !taken) {
+  } else if (const Result<void> taken = accept(stream, message, who, hash); !taken) {
     if (taken.error().code == ErrorCode::exhausted) {
       ++context_.counters["intake: no room, batch to be repeated"];
     } else {
-      refuse(line, batch, hash, taken.error(), now);
+      refuse(stream, batch, hash, taken.error(), now);
     }
   }
   std::vector<Batch> joined = advance(batch.experience, now);
-  answer(batch.experience, line);
+  answer(batch.experience, stream);
   return joined;
 }
 
-/// exhausted: no room now, it will be repeated. Anything else: refused for good.
-Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, const std::string& who,
+/// Takes the batch into the queue of its stream. exhausted: there is no room now, it will be repeated. Any other
+/// error: it is refused for good.
+Result<void> Intake::accept(ExperienceStream& stream, const msg::ExperienceBatch& message, const std::string& who,
                             const ContentHash& hash) {
   const Batch& batch = message.batch;
-  const auto found = line.waiting.find(batch.sequence);
-  if (found != line.waiting.end()) {
+  const auto found = stream.waiting.find(batch.sequence);
+  if (found != stream.waiting.end()) {
     if (found->second.hash == hash) {
       if (found->second.who.empty()) found->second.who = who;  // it can have come before its sender's hello
       return {};
     }
     return fail(ErrorCode::conflict, "it came before with another hash, and that one waits for its contents");
   }
-  if (batch.sequence > line.durable_through + kAhead) return fail(ErrorCode::exhausted, "too far ahead");
+  if (batch.sequence > stream.durable_through + kBatchesAhead) return fail(ErrorCode::exhausted, "too far ahead");
   const Place* wrong = nullptr;
   for_each_place(batch, [&](const Place& place) {
     if (place.content.size == 0 || place.content.size > msg::kContentBytes) wrong = &place;
@@ -86,11 +87,11 @@ Result<void> Intake::accept(Line& line, const msg::ExperienceBatch& message, con
   std::map<ContentHash, std::uint64_t> needs = contents_needed(batch);
   if (const Result<void> room = make_room(needs); !room) return room;
   for (const auto& [content, size] : needs) expect(content, size);
-  line.waiting.emplace(batch.sequence, Waiting{.batch = batch,
-                                               .hash = hash,
-                                               .needs = std::move(needs),
-                                               .incarnation = message.header.incarnation,
-                                               .who = who});
+  stream.waiting.emplace(batch.sequence, Waiting{.batch = batch,
+                                                 .hash = hash,
+                                                 .needs = std::move(needs),
+                                                 .incarnation = message.header.incarnation,
+                                                 .who = who});
   return {};
 }
 
@@ -100,9 +101,9 @@ void Intake::expect(const ContentHash& content, std::uint64_t size) {
   if (is_new) bytes_ += size;
 }
 
-/// What was stored when the batch came can be gone when it joins: a compaction deletes what nothing names, a check
-/// sets damaged contents aside. True: something is to be asked for again.
-bool Intake::expect_what_went(Waiting& waiting) {
+/// Returns true when something is to be asked for again: what was stored when the batch came can be gone when it
+/// joins, as a compaction deletes what nothing names, and a check sets damaged contents aside.
+bool Intake::expect_missing(Waiting& waiting) {
   bool any = false;
   for_each_place(waiting.batch, [&](const Place& place) {
     const ContentRef& content = place.content;
@@ -172,9 +173,9 @@ std::vector<Batch> Intake::on_chunk(const msg::Chunk& chunk, Now now) {
   }
   incoming.done = *std::move(bytes);
   std::vector<Batch> joined;
-  for (auto& [experience, line] : lines_) {
-    if (line.waiting.empty() || !line.waiting.begin()->second.needs.contains(chunk.hash)) continue;
-    std::vector<Batch> more = advance_and_answer(experience, line, now);
+  for (auto& [experience, stream] : streams_) {
+    if (stream.waiting.empty() || !stream.waiting.begin()->second.needs.contains(chunk.hash)) continue;
+    std::vector<Batch> more = advance_and_answer(experience, stream, now);
     joined.insert(joined.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
   return joined;
@@ -187,39 +188,39 @@ bool Intake::is_ready(const Waiting& waiting) const {
   });
 }
 
-std::vector<Batch> Intake::advance_and_answer(ExperienceId experience, Line& line, Now now) {
+std::vector<Batch> Intake::advance_and_answer(ExperienceId experience, ExperienceStream& stream, Now now) {
   std::vector<Batch> joined = advance(experience, now);
-  if (!joined.empty() || line.refusal) answer(experience, line);
+  if (!joined.empty() || stream.refusal) answer(experience, stream);
   return joined;
 }
 
 std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
   std::vector<Batch> joined;
-  Line& line = lines_.at(experience);
+  ExperienceStream& stream = streams_.at(experience);
   while (true) {
-    const auto next = line.waiting.find(line.durable_through + 1);
-    if (next == line.waiting.end()) return joined;
+    const auto next = stream.waiting.find(stream.durable_through + 1);
+    if (next == stream.waiting.end()) return joined;
     const std::uint64_t sequence = next->first;
     // At once, so that nobody sends contents for nothing, and again before it joins.
     const bool ready = is_ready(next->second);
     if (ready || !next->second.is_checked) {
       const std::vector<Error> issues = check(context_.snapshots.current(), next->second.batch);
       if (!issues.empty()) {
-        refuse_waiting(line, sequence, issues.front(), now);
+        refuse_waiting(stream, sequence, issues.front(), now);
         return joined;
       }
       next->second.is_checked = true;
     }
     if (!ready) return joined;
-    if (expect_what_went(next->second)) {
-      answer(experience, line);
+    if (expect_missing(next->second)) {
+      answer(experience, stream);
       return joined;
     }
-    leave_out_what_is_late(next->second.batch);
-    if (const Result<void> done = commit(line, next->second, now); !done) {
+    drop_late_learning(next->second.batch);
+    if (const Result<void> done = commit(stream, next->second, now); !done) {
       const bool never_fits = done.error().code == ErrorCode::conflict || done.error().code == ErrorCode::invalid;
       if (never_fits) {
-        refuse_waiting(line, sequence, done.error(), now);
+        refuse_waiting(stream, sequence, done.error(), now);
       } else {
         retry_at_ = now.steady + kRetry;
       }
@@ -227,20 +228,20 @@ std::vector<Batch> Intake::advance(ExperienceId experience, Now now) {
     }
     seal_abandoned(next->second, now);
     joined.push_back(std::move(next->second.batch));
-    forget(line, sequence);
+    forget(stream, sequence);
   }
 }
 
-/// Two robots that learn beside each other: the first one counts, the second one learns anew upon it. The batch keeps
-/// the hash under which it was handed in.
-void Intake::leave_out_what_is_late(Batch& batch) {
+/// Drops what the batch has learned too late: of two robots that learn beside each other the first one counts, and
+/// the second one learns anew upon it. The batch keeps the hash under which it was handed in.
+void Intake::drop_late_learning(Batch& batch) {
   const std::size_t handed_in = batch.learned.size();
   batch = in_time(context_.snapshots.current(), std::move(batch));
   const std::size_t late = handed_in - batch.learned.size();
   if (late > 0) context_.counters["intake: places learned too late"] += late;
 }
 
-Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
+Result<void> Intake::commit(ExperienceStream& stream, const Waiting& waiting, Now now) {
   storage::Transaction transaction;
   transaction.note.who = waiting.who;
   std::set<ContentHash> named;
@@ -261,21 +262,21 @@ Result<void> Intake::commit(Line& line, const Waiting& waiting, Now now) {
          .who = "server"}});
   }
   if (const auto done = context_.writer.commit(std::move(transaction), now); !done) return fail(done.error());
-  line.durable_through = waiting.batch.sequence;
-  line.incarnation = waiting.incarnation;
+  stream.durable_through = waiting.batch.sequence;
+  stream.incarnation = waiting.incarnation;
   ++acknowledged_;
   return {};
 }
 
-/// A robot that begins another experience after a restart has given up what it had left open: its agent sends what
-/// it still has of older ones first.
+/// Seals what the robot had left open and has given up, as it begins another experience after a restart: its agent
+/// sends what it still has of older ones first.
 void Intake::seal_abandoned(const Waiting& waiting, Now now) {
   if (waiting.batch.sequence != 1) return;
   std::vector<ExperienceId> open;
   for (const auto& [id, experience] : context_.snapshots.current().experiences()) {
     if (id == waiting.batch.experience || experience->sealed || experience->robot != waiting.batch.robot) continue;
-    const Line& line = lines_[id];
-    if (line.waiting.empty() && line.incarnation != waiting.incarnation) open.push_back(id);
+    const ExperienceStream& stream = streams_[id];
+    if (stream.waiting.empty() && stream.incarnation != waiting.incarnation) open.push_back(id);
   }
   for (const ExperienceId id : open) {
     const std::string reason = "its robot began " + to_string(waiting.batch.experience) + " after a restart";
@@ -292,11 +293,12 @@ void Intake::seal_abandoned(const Waiting& waiting, Now now) {
   }
 }
 
-void Intake::refuse(Line& line, const Batch& batch, const ContentHash& hash, const Error& why, Now now) {
-  line.refusal = why;
-  line.refusal_of = batch.sequence;
-  if (line.last_refused == hash) return;
-  line.last_refused = hash;
+void Intake::refuse(ExperienceStream& stream, const Batch& batch, const ContentHash& hash, const Error& why,
+                    Now now) {
+  stream.refusal = why;
+  stream.refusal_of = batch.sequence;
+  if (stream.last_refused == hash) return;
+  stream.last_refused = hash;
   ++refused_;
   refused_batches_.emplace_back(batch, why);
   ++context_.counters[std::string("intake: batch refused, ") + to_string(why.code)];
@@ -310,41 +312,41 @@ void Intake::refuse(Line& line, const Batch& batch, const ContentHash& hash, con
       now);
 }
 
-void Intake::refuse_waiting(Line& line, std::uint64_t sequence, const Error& why, Now now) {
-  const Waiting& wrong = line.waiting.at(sequence);
-  refuse(line, wrong.batch, wrong.hash, why, now);
+void Intake::refuse_waiting(ExperienceStream& stream, std::uint64_t sequence, const Error& why, Now now) {
+  const Waiting& wrong = stream.waiting.at(sequence);
+  refuse(stream, wrong.batch, wrong.hash, why, now);
   // What follows a batch that never comes is never taken either.
-  while (!line.waiting.empty()) {
-    const auto follower = line.waiting.begin();
+  while (!stream.waiting.empty()) {
+    const auto follower = stream.waiting.begin();
     if (follower->first != sequence) refused_batches_.emplace_back(follower->second.batch, why);
-    forget(line, follower->first);
+    forget(stream, follower->first);
   }
 }
 
-void Intake::forget(Line& line, std::uint64_t sequence) {
-  const auto found = line.waiting.find(sequence);
-  if (found == line.waiting.end()) return;
+void Intake::forget(ExperienceStream& stream, std::uint64_t sequence) {
+  const auto found = stream.waiting.find(sequence);
+  if (found == stream.waiting.end()) return;
   for (const auto& [content, size] : found->second.needs) {
     const auto incoming = incoming_.find(content);
     if (incoming == incoming_.end() || --incoming->second.wanted_by > 0) continue;
     bytes_ -= size;
     incoming_.erase(incoming);
   }
-  line.waiting.erase(found);
+  stream.waiting.erase(found);
 }
 
-void Intake::answer(ExperienceId experience, Line& line) {
+void Intake::answer(ExperienceId experience, ExperienceStream& stream) {
   msg::BatchAck ack;
-  ack.to = line.robot;
+  ack.to = stream.robot;
   ack.experience = experience;
-  ack.durable_through = line.durable_through;
-  if (line.refusal) {
-    ack.refused_sequence = line.refusal_of;
-    ack.refusal = clipped(line.refusal->message);
-    line.refusal.reset();
+  ack.durable_through = stream.durable_through;
+  if (stream.refusal) {
+    ack.refused_sequence = stream.refusal_of;
+    ack.refusal = clipped(stream.refusal->message);
+    stream.refusal.reset();
   }
-  const auto next = line.waiting.find(line.durable_through + 1);
-  if (next != line.waiting.end()) {
+  const auto next = stream.waiting.find(stream.durable_through + 1);
+  if (next != stream.waiting.end()) {
     for (const auto& [content, size] : next->second.needs) {
       const auto found = incoming_.find(content);
       if (found != incoming_.end() && !found->second.done) ack.missing.push_back(content);
@@ -358,9 +360,9 @@ std::vector<Batch> Intake::tick(Now now) {
   std::vector<Batch> joined;
   if (!retry_at_ || *retry_at_ > now.steady) return joined;
   retry_at_.reset();
-  for (auto& [experience, line] : lines_) {
-    if (line.waiting.empty()) continue;
-    std::vector<Batch> more = advance_and_answer(experience, line, now);
+  for (auto& [experience, stream] : streams_) {
+    if (stream.waiting.empty()) continue;
+    std::vector<Batch> more = advance_and_answer(experience, stream, now);
     joined.insert(joined.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     if (retry_at_) return joined;
   }
