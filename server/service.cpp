@@ -10,17 +10,17 @@
 #include "core/names.hpp"
 #include "core/utf8.hpp"
 #include "server/base/context.hpp"
-#include "server/desk/answers.hpp"
 #include "server/desk/desk.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
-#include "server/keeper/subscriptions.hpp"
 #include "server/library/shelf.hpp"
+#include "server/queries/answers.hpp"
 #include "server/recognise/recognition.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
+#include "server/windows/window_publisher.hpp"
 
 namespace weft::server {
 namespace {
@@ -41,7 +41,7 @@ class FleetMapServer final : public Service {
         context_{config_, store, out_, counters_, writer_, writer_.snapshots(), maintenance_},
         fleet_(context_, random.fork(1), stored.robots, now.steady),
         intake_(context_, stored.durable_through),
-        subscriptions_(context_),
+        window_publisher_(context_),
         shelf_(context_),
         recognition_(context_),
         traffic_(context_, std::move(stored.occupancies), now),
@@ -76,7 +76,7 @@ class FleetMapServer final : public Service {
     if (next_hello_ <= now.steady) say_hello(now.steady);
     for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot, now.steady);
     after(intake_.tick(now), now);
-    subscriptions_.tick(now.steady);
+    window_publisher_.tick(now.steady);
     shelf_.tick(now);
     recognition_.tick(now);
     desk_.tick(now);
@@ -90,7 +90,7 @@ class FleetMapServer final : public Service {
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
-         {fleet_.next(), intake_.next(), subscriptions_.next(), shelf_.next(), recognition_.next(),
+         {fleet_.next(), intake_.next(), window_publisher_.next(), shelf_.next(), recognition_.next(),
           dispatcher_.next(), desk_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
@@ -123,8 +123,8 @@ class FleetMapServer final : public Service {
     const Revision revision = context_.snapshots.current().revision();
     if (revision != told_revision_) {
       told_revision_ = revision;
-      subscriptions_.network_changed();
-      subscriptions_.tick(now.steady);
+      window_publisher_.network_changed();
+      window_publisher_.tick(now.steady);
       dispatcher_.network_changed();
     }
     unjoined_.tick(now);
@@ -237,7 +237,7 @@ class FleetMapServer final : public Service {
     shelf_.tick(now);
   }
   void receive(const msg::WindowRequest& request, Now now) {
-    if (admit(request.header, false, now)) subscriptions_.on_request(request, now.steady);
+    if (admit(request.header, false, now)) window_publisher_.on_request(request, now.steady);
   }
   void receive(const msg::Recognise& question, Now now) {
     if (admit(question.header, true, now)) recognition_.on_question(question, now.steady);
@@ -271,7 +271,7 @@ class FleetMapServer final : public Service {
   Context context_;
   Fleet fleet_;
   Intake intake_;
-  Subscriptions subscriptions_;
+  WindowPublisher window_publisher_;
   Shelf shelf_;
   Recognition recognition_;
   Traffic traffic_;

@@ -15,6 +15,6 @@ inline Duration next_wait(Duration wait) {
 }
 
 /// Peers whose wishes are remembered; more are not listened to.
-inline constexpr std::size_t kMostAskers = 1024;
+inline constexpr std::size_t kMostPeers = 1024;
 
 }  // namespace weft::server

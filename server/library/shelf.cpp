@@ -40,7 +40,7 @@ std::optional<std::uint64_t> Shelf::size_of(const ContentHash& hash) {
 }
 
 void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
-  if (askers_.size() >= kMostAskers && !askers_.contains(request.header.sender)) {
+  if (askers_.size() >= kMostPeers && !askers_.contains(request.header.sender)) {
     ++context_.counters["library: too many askers"];
     return;
   }

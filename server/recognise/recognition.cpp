@@ -121,7 +121,7 @@ void Recognition::on_question(const msg::Recognise& asked, SteadyTime now) {
                              std::to_string(index.numbers()) + " numbers, not " + std::to_string(asked.seen.size()));
   }
   std::erase_if(searches_, [&](const Search& other) { return other.asked.header.sender == asked.header.sender; });
-  if (searches_.size() >= kMostAskers) return refuse(asked, "too many robots look for themselves: ask again later");
+  if (searches_.size() >= kMostPeers) return refuse(asked, "too many robots look for themselves: ask again later");
   const agents::Wanted wanted{.most = asked.most, .after = asked.after};
   searches_.push_back({asked, agents::RecognitionSearch(index, asked.seen, agents::kept_for(wanted))});
   asked_at_ = now;

@@ -2,7 +2,7 @@
 
 #include "server/fleet/incarnations.hpp"
 #include "server/intake/assembly.hpp"
-#include "server/keeper/parts.hpp"
+#include "server/windows/patch_parts.hpp"
 
 namespace weft::server {
 namespace {

@@ -10,21 +10,22 @@
 
 namespace weft::server {
 
-/// Keeps every asker's window as the network has it. At most two patches a second for each asker; none unasked while
-/// its window is right. What was sent is taken for received until the asker says that it holds something else.
-class Subscriptions {
+/// Keeps every subscriber's window as the network has it. Sends at most two patches a second to each, and none
+/// unasked while its window is right. Takes what was sent for received until the subscriber says that it holds
+/// something else.
+class WindowPublisher {
  public:
-  explicit Subscriptions(Context& context) : context_(context) {}
+  explicit WindowPublisher(Context& context) : context_(context) {}
 
   void on_request(const msg::WindowRequest& request, SteadyTime now);
-  /// The network has a new revision.
+  /// Notes that the network has a new revision.
   void network_changed();
-  /// Makes at most one window, for whom is due longest: messages are heard between one and the next.
+  /// Makes at most one window, for the subscriber that is due longest: messages are heard between one and the next.
   void tick(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
  private:
-  struct Asker {
+  struct Subscriber {
     std::uint64_t definition_id = 0;
     WindowDefinition definition;
     std::shared_ptr<const Window> held;  ///< as far as we know; null: nothing, or nothing we can build on
@@ -36,16 +37,17 @@ class Subscriptions {
     bool asked = true;      ///< it asked, and has no answer yet
   };
 
-  /// As the network has it, with its digest.
+  /// Returns the window as the network has it, with its digest.
   std::pair<std::shared_ptr<const Window>, Digest> window_now(const WindowDefinition& definition) const;
-  /// True when that took making a window, much longer than seeing that it is right.
-  bool serve(const PeerId& peer, Asker& asker, SteadyTime now);
+  /// Sends what the subscriber is due. Returns true when that took making a window, much longer than seeing that it
+  /// is right.
+  bool serve(const PeerId& peer, Subscriber& subscriber, SteadyTime now);
   void send(const PeerId& peer, std::uint64_t definition_id, const Patch& patch);
-  /// Takes what the asker holds for the window with this digest; for nothing, when we cannot tell what it is.
-  void believe(Asker& asker, Revision revision, const Digest& held_digest) const;
+  /// Takes what the subscriber holds for the window with this digest; for nothing, when it cannot be told what it is.
+  void assume_held(Subscriber& subscriber, Revision revision, const Digest& held_digest) const;
 
   Context& context_;
-  std::map<PeerId, Asker> askers_;
+  std::map<PeerId, Subscriber> subscribers_;
 };
 
 }  // namespace weft::server

@@ -7,13 +7,14 @@
 
 namespace weft::server {
 
-/// The network at revisions that somebody reads page by page: held until nobody has asked for them for a while, or
-/// for too many others, because reading one from the store again costs what differs between it and now.
-class Past {
+/// Holds the network at revisions that somebody reads page by page, until nobody has asked for one for a while or too
+/// many others are asked for: reading one from the store again costs what differs between it and now.
+class PastMaps {
  public:
-  explicit Past(Context& context) : context_(context) {}
+  explicit PastMaps(Context& context) : context_(context) {}
 
-  /// As it was then; 0: as it is. refused: there is no such revision; otherwise as the store's `snapshot_at`.
+  /// Returns the network as it was then; 0: as it is. refused: there is no such revision; otherwise as the store's
+  /// `snapshot_at`.
   Result<std::shared_ptr<const Snapshot>> at(Revision revision, SteadyTime now);
   /// Lets go of what nobody reads any more.
   void tick(SteadyTime now);

@@ -1,4 +1,4 @@
-#include "server/keeper/untouched.hpp"
+#include "server/windows/untouched.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "server/keeper/parts.hpp"
+#include "server/windows/patch_parts.hpp"
 
 namespace weft::server {
 namespace {

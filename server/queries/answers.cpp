@@ -1,11 +1,11 @@
-#include "server/desk/answers.hpp"
+#include "server/queries/answers.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/network/page.hpp"
 #include "server/base/outcome.hpp"
-#include "server/desk/experience_rows.hpp"
+#include "server/queries/experience_rows.hpp"
 
 namespace weft::server {
 namespace {
@@ -16,12 +16,12 @@ constexpr std::size_t kMostEvents = 1000;
 constexpr std::size_t kMostGoals = 1000;
 constexpr std::size_t kRevisionsInPart = 100;
 constexpr std::size_t kMostRevisions = 1000;
-/// Labels and joined experiences that go into one part, about; a row counts for some.
+/// Bounds the labels and joined experiences that go into one part, about; a row counts for some.
 constexpr std::size_t kExperienceWeightOfPart = 10'000;
 constexpr std::size_t kRowWeight = 10;
-/// Places of routes and events of goals that go into one part, about.
+/// Bounds the places of routes and events of goals that go into one part, about.
 constexpr std::size_t kGoalWeightOfPart = 600;
-/// Made, sent and read within a few milliseconds.
+/// Bounds a page, so that it is made, sent and read within a few milliseconds.
 constexpr std::size_t kEntitiesOfPage = 4 * msg::kPatchEntities;
 
 }  // namespace
@@ -170,11 +170,11 @@ Result<Answers::Parts> Answers::experiences() const {
 }
 
 Result<Answers::Parts> Answers::network(const msg::Query& query, SteadyTime now) {
-  const Result<std::shared_ptr<const Snapshot>> network = past_.at(query.at, now);
+  const Result<std::shared_ptr<const Snapshot>> network = past_maps_.at(query.at, now);
   if (!network) return fail(network.error());
   std::shared_ptr<const Snapshot> other;
   if (query.apart_from != Revision{}) {
-    const Result<std::shared_ptr<const Snapshot>> found = past_.at(query.apart_from, now);
+    const Result<std::shared_ptr<const Snapshot>> found = past_maps_.at(query.apart_from, now);
     if (!found) return fail(found.error());
     other = *found;
   }

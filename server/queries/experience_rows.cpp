@@ -1,4 +1,4 @@
-#include "server/desk/experience_rows.hpp"
+#include "server/queries/experience_rows.hpp"
 
 #include <algorithm>
 #include <set>

@@ -8,13 +8,13 @@
 #include "server/dispatcher/goal_book.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
-#include "server/keeper/past.hpp"
+#include "server/queries/past_maps.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
 
 namespace weft::server {
 
-/// Answers what clients ask to see, in parts of bounded size. Changes nothing of what it shows.
+/// Answers the queries of clients, in parts of bounded size. Changes nothing of what it shows.
 class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
@@ -25,11 +25,11 @@ class Answers {
         unjoined_(unjoined),
         book_(book),
         intake_(intake),
-        past_(context) {}
+        past_maps_(context) {}
 
   void on_query(const msg::Query& query, SteadyTime now);
-  void tick(SteadyTime now) { past_.tick(now); }
-  std::optional<SteadyTime> next() const { return past_.next(); }
+  void tick(SteadyTime now) { past_maps_.tick(now); }
+  std::optional<SteadyTime> next() const { return past_maps_.next(); }
 
  private:
   using Parts = std::vector<msg::QueryReply>;
@@ -50,7 +50,7 @@ class Answers {
   const UnjoinedWatch& unjoined_;
   const GoalBook& book_;
   const Intake& intake_;
-  Past past_;
+  PastMaps past_maps_;
 };
 
 }  // namespace weft::server

@@ -1,4 +1,4 @@
-#include "server/keeper/past.hpp"
+#include "server/queries/past_maps.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,12 +9,12 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kHeld = 30s;
-/// Two to compare, and one for who draws or exports meanwhile. Each may be as large as the map.
+/// Allows two to compare, and one for somebody who draws or exports meanwhile. Each may be as large as the map.
 constexpr std::size_t kMost = 3;
 
 }  // namespace
 
-Result<std::shared_ptr<const Snapshot>> Past::found(Revision revision) const {
+Result<std::shared_ptr<const Snapshot>> PastMaps::found(Revision revision) const {
   const Snapshot& current = context_.snapshots.current();
   if (revision > current.revision()) {
     return fail(ErrorCode::refused, "the map has no revision " + std::to_string(revision.value) + "; its newest is " +
@@ -26,7 +26,7 @@ Result<std::shared_ptr<const Snapshot>> Past::found(Revision revision) const {
   return std::make_shared<const Snapshot>(*std::move(stored));
 }
 
-Result<std::shared_ptr<const Snapshot>> Past::at(Revision revision, SteadyTime now) {
+Result<std::shared_ptr<const Snapshot>> PastMaps::at(Revision revision, SteadyTime now) {
   if (revision == Revision{}) revision = context_.snapshots.current().revision();
   const auto is_it = [&](const Held& one) { return one.network->revision() == revision; };
   const auto known = std::find_if(held_.begin(), held_.end(), is_it);
@@ -45,11 +45,11 @@ Result<std::shared_ptr<const Snapshot>> Past::at(Revision revision, SteadyTime n
   return held.network;
 }
 
-void Past::tick(SteadyTime now) {
+void PastMaps::tick(SteadyTime now) {
   while (!held_.empty() && held_.front().until <= now) held_.pop_front();
 }
 
-std::optional<SteadyTime> Past::next() const {
+std::optional<SteadyTime> PastMaps::next() const {
   if (held_.empty()) return std::nullopt;
   return held_.front().until;
 }

@@ -9,8 +9,8 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-struct Keeper : testing::Test {
-  Keeper() {
+struct Windows : testing::Test {
+  Windows() {
     site.arrive(r1, std::nullopt);
     site.arrive(r2, std::nullopt);
     site.hand_in(r1, run.next(3));
@@ -48,7 +48,7 @@ struct Keeper : testing::Test {
   Window window;
 };
 
-TEST_F(Keeper, FirstRequestGetsTheWholeWindow) {
+TEST_F(Windows, FirstRequestGetsTheWholeWindow) {
   ask();
   ASSERT_THAT(site.heard<msg::WindowPatch>(), SizeIs(1));
   EXPECT_EQ(site.last<msg::WindowPatch>()->patch.base, Revision{});
@@ -56,7 +56,7 @@ TEST_F(Keeper, FirstRequestGetsTheWholeWindow) {
   EXPECT_TRUE(is_up_to_date());
 }
 
-TEST_F(Keeper, ChangesComeUnaskedAsDifferences) {
+TEST_F(Windows, ChangesComeUnaskedAsDifferences) {
   ask();
   follow();
   site.pass(1s);
@@ -69,7 +69,7 @@ TEST_F(Keeper, ChangesComeUnaskedAsDifferences) {
   EXPECT_TRUE(is_up_to_date());
 }
 
-TEST_F(Keeper, AtMostTwoPatchesASecond) {
+TEST_F(Windows, AtMostTwoPatchesASecond) {
   ask();
   follow();
   site.pass(1s);
@@ -84,7 +84,7 @@ TEST_F(Keeper, AtMostTwoPatchesASecond) {
   EXPECT_TRUE(is_up_to_date());
 }
 
-TEST_F(Keeper, NothingIsSaidWhileTheWindowStaysTheSame) {
+TEST_F(Windows, NothingIsSaidWhileTheWindowStaysTheSame) {
   WindowDefinition around;
   around.centre = run.place(0);
   around.hops = 1;
@@ -96,7 +96,7 @@ TEST_F(Keeper, NothingIsSaidWhileTheWindowStaysTheSame) {
   EXPECT_THAT(site.heard<msg::WindowPatch>(), IsEmpty());
 }
 
-TEST_F(Keeper, LostPatchIsMadeGoodOnRequest) {
+TEST_F(Windows, LostPatchIsMadeGoodOnRequest) {
   ask();
   follow();
   site.pass(1s);
@@ -109,7 +109,7 @@ TEST_F(Keeper, LostPatchIsMadeGoodOnRequest) {
   EXPECT_TRUE(is_up_to_date());
 }
 
-TEST_F(Keeper, LostFirstPatchIsMadeGoodOnRequest) {
+TEST_F(Windows, LostFirstPatchIsMadeGoodOnRequest) {
   ask();
   site.hush();
   site.pass(1s);
@@ -118,7 +118,7 @@ TEST_F(Keeper, LostFirstPatchIsMadeGoodOnRequest) {
   EXPECT_TRUE(is_up_to_date());
 }
 
-TEST_F(Keeper, UnknownBaseGetsAFreshWindow) {
+TEST_F(Windows, UnknownBaseGetsAFreshWindow) {
   ask();
   follow();
   site.pass(1s);
@@ -130,7 +130,7 @@ TEST_F(Keeper, UnknownBaseGetsAFreshWindow) {
   EXPECT_EQ(site.last<msg::WindowPatch>()->patch.base, Revision{});
 }
 
-TEST_F(Keeper, AnotherDefinitionIsAnsweredEvenWhenItGivesTheSameWindow) {
+TEST_F(Windows, AnotherDefinitionIsAnsweredEvenWhenItGivesTheSameWindow) {
   ask();
   follow();
   site.pass(1s);
@@ -143,7 +143,7 @@ TEST_F(Keeper, AnotherDefinitionIsAnsweredEvenWhenItGivesTheSameWindow) {
   EXPECT_TRUE(follow());
 }
 
-TEST_F(Keeper, WindowSurvivesARestartOfTheServer) {
+TEST_F(Windows, WindowSurvivesARestartOfTheServer) {
   ask();
   follow();
   site.restart();
