@@ -10,11 +10,11 @@
 #include "core/names.hpp"
 #include "core/utf8.hpp"
 #include "server/base/context.hpp"
+#include "server/contents/content_server.hpp"
 #include "server/desk/desk.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
-#include "server/library/shelf.hpp"
 #include "server/queries/answers.hpp"
 #include "server/recognise/recognition.hpp"
 #include "server/routes/routes.hpp"
@@ -42,7 +42,7 @@ class FleetMapServer final : public Service {
         fleet_(context_, random.fork(1), stored.robots, now.steady),
         intake_(context_, stored.durable_through),
         window_publisher_(context_),
-        shelf_(context_),
+        content_server_(context_),
         recognition_(context_),
         traffic_(context_, std::move(stored.occupancies), now),
         unjoined_(context_, fleet_, traffic_),
@@ -77,7 +77,7 @@ class FleetMapServer final : public Service {
     for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot, now.steady);
     after(intake_.tick(now), now);
     window_publisher_.tick(now.steady);
-    shelf_.tick(now);
+    content_server_.tick(now);
     recognition_.tick(now);
     desk_.tick(now);
     answers_.tick(now.steady);
@@ -90,7 +90,7 @@ class FleetMapServer final : public Service {
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
-         {fleet_.next(), intake_.next(), window_publisher_.next(), shelf_.next(), recognition_.next(),
+         {fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(), recognition_.next(),
           dispatcher_.next(), desk_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
@@ -154,7 +154,7 @@ class FleetMapServer final : public Service {
 
   void after(const std::vector<Batch>& joined, Now now) {
     for (const Batch& batch : joined) {
-      shelf_.joined(batch);
+      content_server_.joined(batch);
       traffic_.joined(batch);
       desk_.joined(batch, now);
     }
@@ -233,8 +233,8 @@ class FleetMapServer final : public Service {
   }
   void receive(const msg::ContentRequest& request, Now now) {
     if (!admit(request.header, false, now)) return;
-    shelf_.on_request(request, now.steady);
-    shelf_.tick(now);
+    content_server_.on_request(request, now.steady);
+    content_server_.tick(now);
   }
   void receive(const msg::WindowRequest& request, Now now) {
     if (admit(request.header, false, now)) window_publisher_.on_request(request, now.steady);
@@ -272,7 +272,7 @@ class FleetMapServer final : public Service {
   Fleet fleet_;
   Intake intake_;
   WindowPublisher window_publisher_;
-  Shelf shelf_;
+  ContentServer content_server_;
   Recognition recognition_;
   Traffic traffic_;
   UnjoinedWatch unjoined_;

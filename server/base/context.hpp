@@ -10,7 +10,7 @@
 
 namespace weft::server {
 
-/// Lends every part of the server what all of them work with. The service owns it; parts hold a reference. The map is
+/// Gives every part of the server what all of them work with. The service owns it; parts hold a reference. The map is
 /// written through `writer` alone: `store` and `snapshots` are there to be read.
 struct Context {
   const ServiceConfig& config;

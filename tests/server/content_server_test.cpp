@@ -11,8 +11,8 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-struct Library : testing::Test {
-  Library() {
+struct Contents : testing::Test {
+  Contents() {
     site.arrive(r1, std::nullopt);
     site.arrive(r2, std::nullopt);
   }
@@ -25,7 +25,7 @@ struct Library : testing::Test {
   TaughtRun run{r1, 10};
 };
 
-TEST_F(Library, LendsAContentInChunks) {
+TEST_F(Contents, ServesAContentInChunks) {
   const Handed handed = run.next(1, 2 * msg::kChunkBytes + 5);
   site.hand_in(r1, handed);
   ask({{handed.batch.places[0].content.hash, 0}});
@@ -38,7 +38,7 @@ TEST_F(Library, LendsAContentInChunks) {
   EXPECT_EQ(got, handed.contents[0]);
 }
 
-TEST_F(Library, GoesOnFromAnOffset) {
+TEST_F(Contents, GoesOnFromAnOffset) {
   const Handed handed = run.next(1, msg::kChunkBytes + 5);
   site.hand_in(r1, handed);
   ask({{handed.batch.places[0].content.hash, msg::kChunkBytes}});
@@ -46,7 +46,7 @@ TEST_F(Library, GoesOnFromAnOffset) {
   EXPECT_EQ(site.last<msg::Chunk>()->data.size(), 5U);
 }
 
-TEST_F(Library, LendsAContentAsItIsStored) {
+TEST_F(Contents, ServesAContentAsItIsStored) {
   const Handed handed = run.next(1, 4 * msg::kChunkBytes, 16);
   const ContentRef stated = handed.batch.places[0].content;
   site.hand_in(r1, handed);
@@ -61,7 +61,7 @@ TEST_F(Library, LendsAContentAsItIsStored) {
   EXPECT_EQ(storage::ContentCoder().decode(msg::Coding::zstd, got, stated.size).value(), handed.contents[0]);
 }
 
-TEST_F(Library, AnOffsetBeyondWhatIsStoredBeginsAnew) {
+TEST_F(Contents, AnOffsetBeyondWhatIsStoredBeginsAnew) {
   const Handed handed = run.next(1, msg::kChunkBytes, 2);
   const ContentRef stated = handed.batch.places[0].content;
   site.hand_in(r1, handed);
@@ -71,7 +71,7 @@ TEST_F(Library, AnOffsetBeyondWhatIsStoredBeginsAnew) {
   EXPECT_EQ(site.last<msg::Chunk>()->data.size(), site.last<msg::Chunk>()->total);
 }
 
-TEST_F(Library, SmallGoesBeforeBig) {
+TEST_F(Contents, SmallGoesBeforeBig) {
   const Handed big = run.next(1, 5 * msg::kChunkBytes);
   const Handed small = run.next(1, 50);
   site.hand_in(r1, big);
@@ -81,7 +81,7 @@ TEST_F(Library, SmallGoesBeforeBig) {
   EXPECT_EQ(site.heard<msg::Chunk>().front().hash, small.batch.places[0].content.hash);
 }
 
-TEST_F(Library, KeepsToItsBudget) {
+TEST_F(Contents, KeepsToItsBudget) {
   const std::size_t size = 16U << 20U;
   const Handed handed = run.next(1, size);
   site.hand_in(r1, handed);
@@ -94,12 +94,12 @@ TEST_F(Library, KeepsToItsBudget) {
   EXPECT_EQ(site.heard<msg::Chunk>().size() * msg::kChunkBytes, size);
 }
 
-TEST_F(Library, UnknownContentIsCounted) {
+TEST_F(Contents, UnknownContentIsCounted) {
   ContentHash hash;
   hash.bytes[0] = 3;
   ask({{hash, 0}});
   EXPECT_THAT(site.heard<msg::Chunk>(), IsEmpty());
-  EXPECT_EQ(site.counted("library: content that nobody handed in"), 1U);
+  EXPECT_EQ(site.counted("contents: content that nobody handed in"), 1U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "server/library/content_sizes.hpp"
+#include "server/contents/content_sizes.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "server/library/shelf.hpp"
+#include "server/contents/content_server.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 namespace weft::server {
 namespace {
 
-constexpr double kBytesPerSecond = 4.0 * (1U << 20U);  ///< for each asker
+constexpr double kBytesPerSecond = 4.0 * (1U << 20U);  ///< for each recipient
 constexpr double kBurstBytes = 8.0 * msg::kChunkBytes;
 constexpr std::size_t kMostWanted = 8192;
 
@@ -23,14 +23,15 @@ static ContentSizes sizes_in(const Snapshot& snapshot) {
   return ContentSizes(std::move(sizes));
 }
 
-Shelf::Shelf(Context& context) : context_(context), sizes_(sizes_in(context.snapshots.current())) {}
+ContentServer::ContentServer(Context& context) : context_(context), sizes_(sizes_in(context.snapshots.current())) {}
 
-void Shelf::joined(const Batch& batch) {
+void ContentServer::joined(const Batch& batch) {
   for_each_place(batch, [&](const Place& place) { sizes_.add(place.content.hash, place.content.size); });
 }
 
-/// Contents of a map of the past can be asked for again after an undo: the store has them.
-std::optional<std::uint64_t> Shelf::size_of(const ContentHash& hash) {
+/// Returns the size of a content that can be served; none: nobody handed it in. Contents of a map of the past can be
+/// asked for again after an undo: the store has them.
+std::optional<std::uint64_t> ContentServer::size_of(const ContentHash& hash) {
   if (const std::optional<std::uint64_t> known = sizes_.find(hash)) return known;
   if (!context_.store.has_content(hash)) return std::nullopt;
   const Result<storage::StoredContent> stored = context_.store.stored_content(hash);
@@ -39,41 +40,41 @@ std::optional<std::uint64_t> Shelf::size_of(const ContentHash& hash) {
   return stored->size;
 }
 
-void Shelf::on_request(const msg::ContentRequest& request, SteadyTime now) {
-  if (askers_.size() >= kMostPeers && !askers_.contains(request.header.sender)) {
-    ++context_.counters["library: too many askers"];
+void ContentServer::on_request(const msg::ContentRequest& request, SteadyTime now) {
+  if (recipients_.size() >= kMostPeers && !recipients_.contains(request.header.sender)) {
+    ++context_.counters["contents: too many peers"];
     return;
   }
-  const auto [at, is_new] = askers_.try_emplace(request.header.sender);
-  Asker& asker = at->second;
+  const auto [at, is_new] = recipients_.try_emplace(request.header.sender);
+  Recipient& recipient = at->second;
   if (is_new) {
-    asker.budget = kBurstBytes;
-    asker.budget_at = now;
+    recipient.budget = kBurstBytes;
+    recipient.budget_at = now;
   }
   for (const msg::ContentRequest::Item& item : request.items) {
     const std::optional<std::uint64_t> size = size_of(item.hash);
     if (!size) {
-      ++context_.counters["library: content that nobody handed in"];
+      ++context_.counters["contents: content that nobody handed in"];
       continue;
     }
-    if (item.offset >= *size || asker.wanted.size() >= kMostWanted) continue;
+    if (item.offset >= *size || recipient.wanted.size() >= kMostWanted) continue;
     // Asked again while it is being sent: those bytes are on their way.
-    asker.wanted.emplace(Key{*size, item.hash}, item.offset);
+    recipient.wanted.emplace(Key{*size, item.hash}, item.offset);
   }
 }
 
-void Shelf::refill(Asker& asker, SteadyTime now) const {
-  asker.budget = std::min(kBurstBytes, asker.budget + kBytesPerSecond * seconds(now - asker.budget_at));
-  asker.budget_at = now;
+void ContentServer::refill(Recipient& recipient, SteadyTime now) const {
+  recipient.budget = std::min(kBurstBytes, recipient.budget + kBytesPerSecond * seconds(now - recipient.budget_at));
+  recipient.budget_at = now;
 }
 
-std::shared_ptr<const storage::StoredContent> Shelf::fetch(const ContentHash& hash, Now now) {
+std::shared_ptr<const storage::StoredContent> ContentServer::fetch(const ContentHash& hash, Now now) {
   if (open_ != nullptr && open_hash_ == hash) return open_;
   Result<storage::StoredContent> content = context_.store.stored_content(hash);
   if (!content) {
-    ++context_.counters["library: content cannot be read"];
+    ++context_.counters["contents: content cannot be read"];
     context_.writer.note({.at = {},
-                          .kind = "library.content_damaged",
+                          .kind = "contents.damaged",
                           .robot = {},
                           .goal = {},
                           .cause = content.error().message,
@@ -87,14 +88,14 @@ std::shared_ptr<const storage::StoredContent> Shelf::fetch(const ContentHash& ha
   return open_;
 }
 
-void Shelf::serve(const PeerId& peer, Asker& asker, Now now) {
-  refill(asker, now.steady);
-  while (!asker.wanted.empty() && asker.budget >= 0.0) {
-    const auto first = asker.wanted.begin();
+void ContentServer::serve(const PeerId& peer, Recipient& recipient, Now now) {
+  refill(recipient, now.steady);
+  while (!recipient.wanted.empty() && recipient.budget >= 0.0) {
+    const auto first = recipient.wanted.begin();
     const ContentHash hash = std::get<1>(first->first);
     const std::shared_ptr<const storage::StoredContent> content = fetch(hash, now);
     if (content == nullptr) {
-      asker.wanted.erase(first);
+      recipient.wanted.erase(first);
       continue;
     }
     const Bytes& bytes = content->bytes;
@@ -111,25 +112,25 @@ void Shelf::serve(const PeerId& peer, Asker& asker, Now now) {
                                  .total = bytes.size(),
                                  .offset = offset,
                                  .data = Bytes(begin, begin + static_cast<std::ptrdiff_t>(size))});
-    asker.budget -= static_cast<double>(size);
+    recipient.budget -= static_cast<double>(size);
     first->second += size;
-    if (first->second == bytes.size()) asker.wanted.erase(first);
+    if (first->second == bytes.size()) recipient.wanted.erase(first);
   }
 }
 
-void Shelf::tick(Now now) {
-  for (auto& [peer, asker] : askers_) {
-    if (!asker.wanted.empty()) serve(peer, asker, now);
+void ContentServer::tick(Now now) {
+  for (auto& [peer, recipient] : recipients_) {
+    if (!recipient.wanted.empty()) serve(peer, recipient, now);
   }
 }
 
-std::optional<SteadyTime> Shelf::next() const {
+std::optional<SteadyTime> ContentServer::next() const {
   std::optional<SteadyTime> next;
-  for (const auto& [peer, asker] : askers_) {
-    if (asker.wanted.empty()) continue;
+  for (const auto& [peer, recipient] : recipients_) {
+    if (recipient.wanted.empty()) continue;
     // When a quarter of the burst can be sent at once: fewer, fuller wake-ups.
-    const double lacking = std::max(0.0, kBurstBytes / 4 - asker.budget);
-    const SteadyTime due = asker.budget_at + from_seconds(lacking / kBytesPerSecond);
+    const double lacking = std::max(0.0, kBurstBytes / 4 - recipient.budget);
+    const SteadyTime due = recipient.budget_at + from_seconds(lacking / kBytesPerSecond);
     if (!next || due < *next) next = due;
   }
   return next;
