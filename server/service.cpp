@@ -11,12 +11,12 @@
 #include "core/utf8.hpp"
 #include "server/base/context.hpp"
 #include "server/contents/content_server.hpp"
-#include "server/desk/desk.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/answers.hpp"
 #include "server/recognise/recognition.hpp"
+#include "server/requests/operator_requests.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
@@ -49,7 +49,7 @@ class FleetMapServer final : public Service {
         routes_(context_),
         dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
-        desk_(context_, fleet_, traffic_, dispatcher_),
+        requests_(context_, fleet_, traffic_, dispatcher_),
         answers_(context_, fleet_, traffic_, unjoined_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
@@ -74,12 +74,12 @@ class FleetMapServer final : public Service {
 
   std::vector<msg::Message> tick(Now now) override {
     if (next_hello_ <= now.steady) say_hello(now.steady);
-    for (const RobotId& robot : fleet_.tick(now)) desk_.on_silence(robot, now.steady);
+    for (const RobotId& robot : fleet_.tick(now)) requests_.on_silence(robot, now.steady);
     after(intake_.tick(now), now);
     window_publisher_.tick(now.steady);
     content_server_.tick(now);
     recognition_.tick(now);
-    desk_.tick(now);
+    requests_.tick(now);
     answers_.tick(now.steady);
     traffic_.tick(now);
     routes_.tick(now);
@@ -91,7 +91,7 @@ class FleetMapServer final : public Service {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
          {fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(), recognition_.next(),
-          dispatcher_.next(), desk_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
+          dispatcher_.next(), requests_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -156,9 +156,9 @@ class FleetMapServer final : public Service {
     for (const Batch& batch : joined) {
       content_server_.joined(batch);
       traffic_.joined(batch);
-      desk_.joined(batch, now);
+      requests_.joined(batch, now);
     }
-    for (const auto& [batch, why] : intake_.take_refused()) desk_.refused(batch, why);
+    for (const auto& [batch, why] : intake_.take_refused()) requests_.refused(batch, why);
   }
 
   /// True when the message comes from somebody who may speak.
@@ -173,7 +173,7 @@ class FleetMapServer final : public Service {
     const std::optional<Verdict> verdict = fleet_.hear(from, says_it_is_a_robot, now);
     if (!verdict) return !says_it_is_a_robot;
     if (*verdict == Verdict::fresh) dispatcher_.on_restart(from.sender);
-    if (*verdict == Verdict::twin && !were_twins) desk_.on_twins(from.sender, now);
+    if (*verdict == Verdict::twin && !were_twins) requests_.on_twins(from.sender, now);
     if (*verdict == Verdict::late) ++counters_["message of a robot's earlier incarnation"];
     if (*verdict == Verdict::twin) ++counters_["message of a robot that runs twice"];
     return *verdict == Verdict::first || *verdict == Verdict::fresh || *verdict == Verdict::current;
@@ -219,7 +219,7 @@ class FleetMapServer final : public Service {
     const Robot* const robot = fleet_.on_state(state, now);
     if (robot == nullptr) return;
     dispatcher_.on_state(*robot, now);
-    desk_.on_state(*robot, now);
+    requests_.on_state(*robot, now);
   }
   void receive(const msg::ExperienceBatch& batch, Now now) {
     // What was seen stays true whichever incarnation hands it in. A client that imports a file is no robot of the
@@ -246,13 +246,13 @@ class FleetMapServer final : public Service {
     if (admit(progress.header, true, now)) dispatcher_.on_progress(progress, now);
   }
   void receive(const msg::AgentReply& reply, Now now) {
-    if (admit(reply.header, true, now)) desk_.on_reply(reply, now);
+    if (admit(reply.header, true, now)) requests_.on_reply(reply, now);
   }
   void receive(const msg::ClockReply& reply, Now now) {
     if (admit(reply.header, false, now)) fleet_.on_clock_reply(reply, now);
   }
   void receive(const msg::OperatorRequest& request, Now now) {
-    if (admit(request.header, false, now)) desk_.on_request(request, who_asks(request), now);
+    if (admit(request.header, false, now)) requests_.on_request(request, who_asks(request), now);
   }
   void receive(const msg::Query& query, Now now) {
     if (admit(query.header, false, now)) answers_.on_query(query, now.steady);
@@ -278,7 +278,7 @@ class FleetMapServer final : public Service {
   UnjoinedWatch unjoined_;
   Routes routes_;
   Dispatcher dispatcher_;
-  Desk desk_;
+  OperatorRequests requests_;
   Answers answers_;
   std::map<PeerId, std::string> clients_;
   std::deque<std::uint64_t> answers_to_;  ///< challenges, the latest last

@@ -18,7 +18,7 @@ class Commands {
 
   /// Gives the command its number, and returns it.
   std::uint64_t give(msg::AgentCommand command, SteadyTime now);
-  /// The command that this answers; none when it was answered before.
+  /// Returns the command that this answers; none when it was answered before.
   std::optional<msg::AgentCommand> on_reply(const msg::AgentReply& reply, SteadyTime now);
   /// Gives up whatever the robot has not answered, but `stop`. Returns what was given up.
   std::vector<msg::AgentCommand> give_up(const RobotId& robot);
@@ -34,7 +34,7 @@ class Commands {
     Duration wait{};
   };
   using Queue = std::deque<Waiting>;
-  /// Whether the command at `index` may be sent: it is the first, or a stop.
+  /// Returns whether the command at `index` may be sent: it is the first, or a stop.
   static bool may_go(const Queue& queue, std::size_t index) {
     return index == 0 || queue[index].command.kind == msg::AgentCommand::Kind::stop;
   }

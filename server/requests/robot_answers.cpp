@@ -1,20 +1,20 @@
 #include <utility>
 
-#include "server/desk/desk.hpp"
+#include "server/requests/operator_requests.hpp"
 
 namespace weft::server {
 
-void Desk::on_reply(const msg::AgentReply& reply, Now now) {
+void OperatorRequests::on_reply(const msg::AgentReply& reply, Now now) {
   const std::optional<msg::AgentCommand> command = commands_.on_reply(reply, now.steady);
   if (command) robot_answered(*command, reply, now);
 }
 
-void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
+void OperatorRequests::robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
   const auto asked = asked_for_.find(command.command);
   if (asked == asked_for_.end()) return;
   const Key key = asked->second;
   asked_for_.erase(asked);
-  if (called_.contains(key)) return called_answered(key, command.command, reply, now.steady);
+  if (group_commands_.contains(key)) return group_answered(key, command.command, reply, now.steady);
   const auto found = waiting_.find(key);
   if (found == waiting_.end()) return;
   Waiting& waiting = found->second;
@@ -44,12 +44,13 @@ void Desk::robot_answered(const msg::AgentCommand& command, const msg::AgentRepl
   answer(key, std::move(answered));
 }
 
-/// The robot has kept a place; the label is set once that place is on disk.
-void Desk::label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
+/// Sets the label of a place that the robot has kept, once that place is on disk.
+void OperatorRequests::label_kept_place(const Key& key, const msg::AgentCommand& command,
+                                        const msg::AgentReply& reply, Now now) {
   std::string who = std::move(asked_by_[key]);
   asked_by_.erase(key);
   if (context_.snapshots.current().place(reply.place) == nullptr) {
-    labels_to_be_[reply.place] = {.key = key, .label = command.name, .who = std::move(who)};
+    pending_labels_[reply.place] = {.key = key, .label = command.name, .who = std::move(who)};
     return;
   }
   const Result<void> done = put_label(command.name, reply.place, who, now);
@@ -60,34 +61,34 @@ void Desk::label_kept_place(const Key& key, const msg::AgentCommand& command, co
   answer(key, std::move(answered));
 }
 
-void Desk::joined(const Batch& batch, Now now) {
-  if (labels_to_be_.empty()) return;
+void OperatorRequests::joined(const Batch& batch, Now now) {
+  if (pending_labels_.empty()) return;
   for (const Place& place : batch.places) {
-    const auto found = labels_to_be_.find(place.id);
-    if (found == labels_to_be_.end()) continue;
-    const LabelToBe to_be = std::move(found->second);
-    labels_to_be_.erase(found);
+    const auto found = pending_labels_.find(place.id);
+    if (found == pending_labels_.end()) continue;
+    const PendingLabel pending = std::move(found->second);
+    pending_labels_.erase(found);
     msg::AgentCommand command;
-    command.name = to_be.label;
+    command.name = pending.label;
     msg::AgentReply reply;
     reply.place = place.id;
-    asked_by_[to_be.key] = to_be.who;
-    label_kept_place(to_be.key, command, reply, now);
+    asked_by_[pending.key] = pending.who;
+    label_kept_place(pending.key, command, reply, now);
   }
 }
 
-void Desk::refused(const Batch& batch, const Error& why) {
+void OperatorRequests::refused(const Batch& batch, const Error& why) {
   for (const Place& place : batch.places) {
-    const auto found = labels_to_be_.find(place.id);
-    if (found == labels_to_be_.end()) continue;
-    const LabelToBe to_be = std::move(found->second);
-    labels_to_be_.erase(found);
-    answer(to_be.key, msg::Outcome::failed,
-           "the place that was kept for " + to_be.label + " is not taken into the map: " + why.message);
+    const auto found = pending_labels_.find(place.id);
+    if (found == pending_labels_.end()) continue;
+    const PendingLabel pending = std::move(found->second);
+    pending_labels_.erase(found);
+    answer(pending.key, msg::Outcome::failed,
+           "the place that was kept for " + pending.label + " is not taken into the map: " + why.message);
   }
 }
 
-void Desk::on_state(const Robot& robot, Now now) {
+void OperatorRequests::on_state(const Robot& robot, Now now) {
   if (const auto stop = unstored_stops_.find(robot.id); stop != unstored_stops_.end()) {
     // Not to be taken for a robot that has missed its order to go on.
     if (!dispatcher_.pause(robot.id, stop->second, now)) return;
@@ -106,13 +107,13 @@ void Desk::on_state(const Robot& robot, Now now) {
   commands_.give(std::move(command), now.steady);
 }
 
-void Desk::on_silence(const RobotId& robot, SteadyTime now) {
+void OperatorRequests::on_silence(const RobotId& robot, SteadyTime now) {
   for (const msg::AgentCommand& command : commands_.give_up(robot)) {
     const auto asked = asked_for_.find(command.command);
     if (asked == asked_for_.end()) continue;
     const Key key = asked->second;
     asked_for_.erase(asked);
-    if (called_.contains(key)) called_fell_silent(key, command.command, now);
+    if (group_commands_.contains(key)) group_fell_silent(key, command.command, now);
     if (waiting_.erase(key) == 0) continue;
     asked_by_.erase(key);
     answer(key, msg::Outcome::failed,
@@ -120,7 +121,7 @@ void Desk::on_silence(const RobotId& robot, SteadyTime now) {
   }
 }
 
-void Desk::on_twins(const RobotId& robot, Now now) {
+void OperatorRequests::on_twins(const RobotId& robot, Now now) {
   // Told to stand in any case; the goal shows it as soon as it can be stored.
   std::ignore = dispatcher_.pause(robot, "server", now);
   msg::AgentCommand command;

@@ -11,8 +11,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-struct Desk : testing::Test {
-  Desk() {
+struct OperatorRequests : testing::Test {
+  OperatorRequests() {
     site.arrive(r1, std::nullopt);
     site.hand_in(r1, run.next(4));
     site.hush();
@@ -35,7 +35,7 @@ struct Desk : testing::Test {
   TaughtRun run{r1, 10};
 };
 
-TEST_F(Desk, CommandGoesToTheRobotAndItsAnswerToTheOperator) {
+TEST_F(OperatorRequests, CommandGoesToTheRobotAndItsAnswerToTheOperator) {
   msg::OperatorRequest teach = site.request(Kind::teach_start);
   teach.robot = "r1";
   teach.label = "loop";
@@ -47,7 +47,7 @@ TEST_F(Desk, CommandGoesToTheRobotAndItsAnswerToTheOperator) {
   EXPECT_EQ(reply()->outcome, msg::Outcome::done);
 }
 
-TEST_F(Desk, ReportIsAskedOfTheRobotAndPassedOn) {
+TEST_F(OperatorRequests, ReportIsAskedOfTheRobotAndPassedOn) {
   msg::OperatorRequest wanted = site.request(Kind::teach_report);
   wanted.robot = "r1";
   wanted.label = "loop";
@@ -62,7 +62,7 @@ TEST_F(Desk, ReportIsAskedOfTheRobotAndPassedOn) {
   EXPECT_EQ(reply()->experience, run.id());
 }
 
-TEST_F(Desk, CountsAreAskedOfTheRobotPassedOnAndLeaveNoEvent) {
+TEST_F(OperatorRequests, CountsAreAskedOfTheRobotPassedOnAndLeaveNoEvent) {
   const std::size_t before = site.disk->events.size();
   msg::OperatorRequest wanted = site.request(Kind::robot_counts);
   wanted.robot = "r1";
@@ -76,7 +76,7 @@ TEST_F(Desk, CountsAreAskedOfTheRobotPassedOnAndLeaveNoEvent) {
   EXPECT_EQ(site.disk->events.size(), before);
 }
 
-TEST_F(Desk, CommandIsRepeatedUntilAnsweredAndTheRequestDoneOnce) {
+TEST_F(OperatorRequests, CommandIsRepeatedUntilAnsweredAndTheRequestDoneOnce) {
   msg::OperatorRequest localise = site.request(Kind::localise);
   localise.robot = "r1";
   site.say(localise);
@@ -94,7 +94,7 @@ TEST_F(Desk, CommandIsRepeatedUntilAnsweredAndTheRequestDoneOnce) {
   EXPECT_THAT(site.heard<msg::AgentCommand>(), IsEmpty());
 }
 
-TEST_F(Desk, PolylineNeedsABodyWithAHand) {
+TEST_F(OperatorRequests, PolylineNeedsABodyWithAHand) {
   msg::OperatorRequest teach = site.request(Kind::teach_start);
   teach.robot = "r1";
   teach.along = {{0, 0}, {1, 0}};
@@ -102,7 +102,7 @@ TEST_F(Desk, PolylineNeedsABodyWithAHand) {
   EXPECT_THAT(site.heard<msg::AgentCommand>(), IsEmpty());
 }
 
-TEST_F(Desk, SilentRobotIsRefusedAtOnceAndOneThatFallsSilentLater) {
+TEST_F(OperatorRequests, SilentRobotIsRefusedAtOnceAndOneThatFallsSilentLater) {
   msg::OperatorRequest localise = site.request(Kind::localise);
   localise.robot = "r1";
   site.say(localise);
@@ -113,7 +113,7 @@ TEST_F(Desk, SilentRobotIsRefusedAtOnceAndOneThatFallsSilentLater) {
   EXPECT_EQ(site.ask(again).outcome, msg::Outcome::refused);
 }
 
-TEST_F(Desk, LabelIsSetMovedAndChecked) {
+TEST_F(OperatorRequests, LabelIsSetMovedAndChecked) {
   site.label("dock", run.place(1));
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(1));
   site.label("dock", run.place(2));
@@ -130,7 +130,7 @@ TEST_F(Desk, LabelIsSetMovedAndChecked) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(2));
 }
 
-TEST_F(Desk, ALabelThatTheStoreDoesNotTakeHasFailed) {
+TEST_F(OperatorRequests, ALabelThatTheStoreDoesNotTakeHasFailed) {
   site.disk->faults.full = true;
   msg::OperatorRequest dock = site.request(Kind::label);
   dock.label = "dock";
@@ -140,7 +140,7 @@ TEST_F(Desk, ALabelThatTheStoreDoesNotTakeHasFailed) {
   site.disk->faults.full = false;
 }
 
-TEST_F(Desk, LabelHereTakesThePlaceOnWhichTheRobotStands) {
+TEST_F(OperatorRequests, LabelHereTakesThePlaceOnWhichTheRobotStands) {
   site.say(site.state(r1, run.place(3)));
   msg::OperatorRequest here = site.request(Kind::label_here);
   here.robot = "r1";
@@ -149,7 +149,7 @@ TEST_F(Desk, LabelHereTakesThePlaceOnWhichTheRobotStands) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(3));
 }
 
-TEST_F(Desk, LabelHereWaitsUntilTheKeptPlaceIsOnDisk) {
+TEST_F(OperatorRequests, LabelHereWaitsUntilTheKeptPlaceIsOnDisk) {
   msg::OperatorRequest here = site.request(Kind::label_here);
   here.robot = "r1";
   here.label = "dock";
@@ -162,7 +162,7 @@ TEST_F(Desk, LabelHereWaitsUntilTheKeptPlaceIsOnDisk) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(4));
 }
 
-TEST_F(Desk, StopOvertakesAndResumeDoesNot) {
+TEST_F(OperatorRequests, StopOvertakesAndResumeDoesNot) {
   msg::OperatorRequest localise = site.request(Kind::localise);
   localise.robot = "r1";
   site.say(localise);
@@ -178,7 +178,7 @@ TEST_F(Desk, StopOvertakesAndResumeDoesNot) {
   EXPECT_EQ(command().kind, Agent::resume);
 }
 
-TEST_F(Desk, AnswersToQueriesCarryEverything) {
+TEST_F(OperatorRequests, AnswersToQueriesCarryEverything) {
   site.label("dock", run.place(1));
   msg::Query query;
   query.header = site.client.header();

@@ -4,13 +4,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "server/desk/desk.hpp"
+#include "server/requests/operator_requests.hpp"
 
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-/// Robots that live answer in milliseconds; the operator hears by then how each stands, with or without its answer.
+/// Bounds the wait for robots, which answer in milliseconds when they live; the operator hears by then how each
+/// stands, with or without its answer.
 constexpr Duration kAnswerWithin = 1500ms;
 constexpr std::size_t kMostLines = 100;  ///< of a reply
 
@@ -22,7 +23,8 @@ std::string in_seconds(Duration duration) {
 
 }  // namespace
 
-void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                      Now now) {
   std::vector<RobotId> robots;
   if (request.robot.empty()) {
     for (const auto& [id, robot] : fleet_.robots()) robots.push_back(id);
@@ -32,22 +34,23 @@ void Desk::stop_or_resume(const Key& key, const msg::OperatorRequest& request, c
     robots.push_back(*id);
   }
   if (robots.empty()) return answer(key, msg::Outcome::done, "there is no robot");
-  Called called;
-  called.stops = request.kind == msg::OperatorRequest::Kind::stop;
-  called.answer_by = now.steady + kAnswerWithin;
-  for (const RobotId& id : robots) called.robots.push_back(call(key, *fleet_.find(id), request, who, now));
-  const bool waits = std::any_of(called.robots.begin(), called.robots.end(),
-                                 [](const Called::Robot& robot) { return robot.command.has_value(); });
-  called_[key] = std::move(called);
-  if (!waits) answer_called(key, now.steady);
+  GroupCommand group;
+  group.stops = request.kind == msg::OperatorRequest::Kind::stop;
+  group.answer_by = now.steady + kAnswerWithin;
+  for (const RobotId& id : robots) group.robots.push_back(command_in_group(key, *fleet_.find(id), request, who, now));
+  const bool waits = std::any_of(group.robots.begin(), group.robots.end(),
+                                 [](const GroupCommand::Robot& robot) { return robot.command.has_value(); });
+  group_commands_[key] = std::move(group);
+  if (!waits) answer_group(key, now.steady);
 }
 
 /// Pauses the robot's goal or lets it go on, and tells the robot. One that is not heard is told when it is; nobody
 /// waits for its answer.
-Desk::Called::Robot Desk::call(const Key& key, const Robot& robot, const msg::OperatorRequest& request,
-                               const std::string& who, Now now) {
+OperatorRequests::GroupCommand::Robot OperatorRequests::command_in_group(const Key& key, const Robot& robot,
+                                                                         const msg::OperatorRequest& request,
+                                                                         const std::string& who, Now now) {
   const bool stops = request.kind == msg::OperatorRequest::Kind::stop;
-  Called::Robot one{.id = robot.id, .goal = {}, .command = {}, .has_confirmed = false, .refusal = {}};
+  GroupCommand::Robot one{.id = robot.id, .goal = {}, .command = {}, .has_confirmed = false, .refusal = {}};
   if (!stops && robot.incarnations.twins()) {
     one.refusal = unreachable_reason(robot);
     return one;
@@ -82,10 +85,11 @@ Desk::Called::Robot Desk::call(const Key& key, const Robot& robot, const msg::Op
   return one;
 }
 
-void Desk::called_answered(const Key& key, std::uint64_t command, const msg::AgentReply& reply, SteadyTime now) {
-  Called& called = called_.at(key);
+void OperatorRequests::group_answered(const Key& key, std::uint64_t command, const msg::AgentReply& reply,
+                                      SteadyTime now) {
+  GroupCommand& group = group_commands_.at(key);
   bool all = true;
-  for (Called::Robot& robot : called.robots) {
+  for (GroupCommand::Robot& robot : group.robots) {
     if (robot.command == command) {
       robot.command.reset();
       robot.has_confirmed = reply.done;
@@ -93,41 +97,41 @@ void Desk::called_answered(const Key& key, std::uint64_t command, const msg::Age
     }
     all = all && !robot.command;
   }
-  if (all) answer_called(key, now);
+  if (all) answer_group(key, now);
 }
 
-void Desk::called_fell_silent(const Key& key, std::uint64_t command, SteadyTime now) {
+void OperatorRequests::group_fell_silent(const Key& key, std::uint64_t command, SteadyTime now) {
   msg::AgentReply none;
   none.done = false;
   none.reason = "it fell silent before it answered; is its agent running?";
-  called_answered(key, command, none, now);
+  group_answered(key, command, none, now);
 }
 
-void Desk::answer_overdue(SteadyTime now) {
+void OperatorRequests::answer_overdue(SteadyTime now) {
   std::vector<Key> overdue;
-  for (const auto& [key, called] : called_) {
-    if (called.answer_by <= now) overdue.push_back(key);
+  for (const auto& [key, group] : group_commands_) {
+    if (group.answer_by <= now) overdue.push_back(key);
   }
-  for (const Key& key : overdue) answer_called(key, now);
+  for (const Key& key : overdue) answer_group(key, now);
 }
 
-void Desk::answer_called(const Key& key, SteadyTime now) {
-  const Called called = std::move(called_.extract(key).mapped());
+void OperatorRequests::answer_group(const Key& key, SteadyTime now) {
+  const GroupCommand group = std::move(group_commands_.extract(key).mapped());
   // Whoever has not confirmed is what the operator has to know first.
   std::vector<std::string> open;
   std::vector<std::string> settled;
-  for (const Called::Robot& robot : called.robots) {
+  for (const GroupCommand::Robot& robot : group.robots) {
     if (robot.command) asked_for_.erase(*robot.command);
-    (robot.has_confirmed ? settled : open).push_back(line_of(called, robot, now));
+    (robot.has_confirmed ? settled : open).push_back(line_of(group, robot, now));
   }
   msg::OperatorReply reply;
   reply.outcome = open.empty() ? msg::Outcome::done : msg::Outcome::failed;
-  const std::size_t all = called.robots.size();
+  const std::size_t all = group.robots.size();
   if (all == 1) {
     reply.message = open.empty() ? settled.front() : open.front();
   } else {
     reply.message = std::to_string(settled.size()) + " of " + std::to_string(all) + " robots " +
-                    (called.stops ? "stand" : "go on") +
+                    (group.stops ? "stand" : "go on") +
                     (open.empty() ? "" : ", " + std::to_string(open.size()) + " not confirmed");
     reply.findings = std::move(open);
     reply.findings.insert(reply.findings.end(), settled.begin(), settled.end());
@@ -136,17 +140,18 @@ void Desk::answer_called(const Key& key, SteadyTime now) {
   answer(key, std::move(reply));
 }
 
-std::string Desk::line_of(const Called& called, const Called::Robot& robot, SteadyTime now) const {
+std::string OperatorRequests::line_of(const GroupCommand& group, const GroupCommand::Robot& robot,
+                                      SteadyTime now) const {
   const std::string name = fleet_.name_of(robot.id) + ": ";
   const std::string goal = robot.goal.empty() ? "" : "; " + robot.goal;
-  if (robot.has_confirmed) return name + (called.stops ? "stands" : "goes on") + goal;
+  if (robot.has_confirmed) return name + (group.stops ? "stands" : "goes on") + goal;
   if (!robot.refusal.empty()) return name + robot.refusal + goal;
   return name + "not heard for " + in_seconds(now - fleet_.find(robot.id)->heard) + "; it is told when it is heard" +
-         (called.stops ? ", and until then drives " + reach_of(robot.id) : "") + goal;
+         (group.stops ? ", and until then drives " + reach_of(robot.id) : "") + goal;
 }
 
-/// How far a robot may go that hears nothing.
-std::string Desk::reach_of(const RobotId& robot) const {
+/// Returns how far a robot may go that hears nothing.
+std::string OperatorRequests::reach_of(const RobotId& robot) const {
   const Goal* const goal = dispatcher_.goal_of(robot);
   const Route* const route = goal == nullptr ? nullptr : dispatcher_.book().route(goal->id);
   if (route == nullptr || route->ended) return "nowhere, as nothing is released to it";

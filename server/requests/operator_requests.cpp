@@ -1,4 +1,4 @@
-#include "server/desk/desk.hpp"
+#include "server/requests/operator_requests.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using Kind = msg::OperatorRequest::Kind;
 
-/// Within this a robot stands exactly on a place.
+/// Bounds how far from a place a robot stands exactly on it.
 constexpr double kOnPlace_m = 0.03;
 constexpr double kOnPlace_rad = 0.035;
 
@@ -22,7 +22,7 @@ bool stands_on_its_place(const msg::RobotState& state) {
 
 }  // namespace
 
-void Desk::answer(const Key& key, msg::OperatorReply reply) {
+void OperatorRequests::answer(const Key& key, msg::OperatorReply reply) {
   reply.to = key.first;
   reply.message = clipped(std::move(reply.message));
   reply.request = key.second;
@@ -30,14 +30,14 @@ void Desk::answer(const Key& key, msg::OperatorReply reply) {
   context_.out.send(std::move(reply));
 }
 
-void Desk::answer(const Key& key, msg::Outcome outcome, const std::string& message) {
+void OperatorRequests::answer(const Key& key, msg::Outcome outcome, const std::string& message) {
   msg::OperatorReply reply;
   reply.outcome = outcome;
   reply.message = message;
   answer(key, std::move(reply));
 }
 
-void Desk::on_request(const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::on_request(const msg::OperatorRequest& request, const std::string& who, Now now) {
   const Key key = {request.header.sender, request.request};
   switch (ledger_.see(key)) {
     case RequestLedger::Seen::under_way:
@@ -101,7 +101,7 @@ void Desk::on_request(const msg::OperatorRequest& request, const std::string& wh
   }
 }
 
-void Desk::tick(Now now) {
+void OperatorRequests::tick(Now now) {
   commands_.tick(now.steady);
   answer_overdue(now.steady);
   for (auto& [key, reply] : jobs_.tick(now)) {
@@ -115,14 +115,14 @@ void Desk::tick(Now now) {
   }
 }
 
-std::optional<SteadyTime> Desk::next() const {
+std::optional<SteadyTime> OperatorRequests::next() const {
   std::optional<SteadyTime> next = jobs_.next();
   if (!next) next = commands_.next();
-  for (const auto& [key, called] : called_) next = next ? std::min(*next, called.answer_by) : called.answer_by;
+  for (const auto& [key, group] : group_commands_) next = next ? std::min(*next, group.answer_by) : group.answer_by;
   return next;
 }
 
-Result<const Robot*> Desk::reachable(const std::string& name) const {
+Result<const Robot*> OperatorRequests::reachable(const std::string& name) const {
   const Result<RobotId> id = fleet_.by_name(name);
   if (!id) return fail(id.error());
   const Robot* const robot = fleet_.find(*id);
@@ -130,7 +130,8 @@ Result<const Robot*> Desk::reachable(const std::string& name) const {
   return robot;
 }
 
-Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request, const Robot& robot) const {
+Result<msg::AgentCommand> OperatorRequests::command_for(const msg::OperatorRequest& request,
+                                                        const Robot& robot) const {
   msg::AgentCommand command;
   command.to = robot.id;
   command.along = request.along;
@@ -171,7 +172,8 @@ Result<msg::AgentCommand> Desk::command_for(const msg::OperatorRequest& request,
   return command;
 }
 
-void Desk::command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                   Now now) {
   const Result<const Robot*> robot = reachable(request.robot);
   if (!robot) return answer(key, msg::Outcome::refused, robot.error().message);
   if (request.place && context_.snapshots.current().place(request.place) == nullptr) {
@@ -189,21 +191,22 @@ void Desk::command_one(const Key& key, const msg::OperatorRequest& request, cons
   send_for(key, *std::move(command), now.steady);
 }
 
-void Desk::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
+void OperatorRequests::send_for(const Key& key, msg::AgentCommand command, SteadyTime now) {
   const std::uint64_t number = commands_.give(std::move(command), now);
   asked_for_[number] = key;
   waiting_[key].commands.insert(number);
 }
 
-/// For people: where the label is from now on, and where it was.
-std::string Desk::label_moves(const std::string& label, const PlaceId& place) const {
+/// Returns, for people, where the label is from now on, and where it was.
+std::string OperatorRequests::label_moves(const std::string& label, const PlaceId& place) const {
   const Snapshot::Labels& labels = context_.snapshots.current().labels();
   const auto known = labels.find(label);
   const bool moves = known != labels.end() && known->second != place;
   return label + " is " + to_string(place) + (moves ? ", no longer " + to_string(known->second) : "");
 }
 
-Result<void> Desk::put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now) {
+Result<void> OperatorRequests::put_label(const std::string& label, const PlaceId& place, const std::string& who,
+                                         Now now) {
   if (const Result<void> good = check_name("label", label); !good) return fail(good.error());
   const Snapshot& snapshot = context_.snapshots.current();
   if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
@@ -219,7 +222,7 @@ Result<void> Desk::put_label(const std::string& label, const PlaceId& place, con
   return {};
 }
 
-void Desk::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
   msg::OperatorReply reply;
   reply.message = label_moves(request.label, request.place);
   const Result<void> done = put_label(request.label, request.place, who, now);
@@ -228,7 +231,8 @@ void Desk::label(const Key& key, const msg::OperatorRequest& request, const std:
   answer(key, std::move(reply));
 }
 
-void Desk::label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                  Now now) {
   if (const Result<void> good = check_name("label", request.label); !good) {
     return answer(key, msg::Outcome::refused, good.error().message);
   }
@@ -250,7 +254,7 @@ void Desk::label_here(const Key& key, const msg::OperatorRequest& request, const
   send_for(key, std::move(command), now.steady);
 }
 
-void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
   const Result<RobotId> id = fleet_.by_name(request.robot);
   if (!id) return answer(key, msg::Outcome::refused, id.error().message);
   const Result<std::string> done = dispatcher_.clear(*id, request.is_sure, who, now);
@@ -259,7 +263,8 @@ void Desk::clear(const Key& key, const msg::OperatorRequest& request, const std:
 }
 
 /// Clears a robot before it forgets it: what it holds is free, and its goal fails.
-void Desk::forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
+void OperatorRequests::forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                        Now now) {
   const Result<RobotId> id = fleet_.by_name(request.robot);
   if (!id) return answer(key, msg::Outcome::refused, id.error().message);
   const std::string name = fleet_.name_of(*id) + " (" + to_string(*id) + ")";

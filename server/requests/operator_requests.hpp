@@ -9,19 +9,19 @@
 #include "core/protocol/messages.hpp"
 #include "server/base/context.hpp"
 #include "server/base/request_ledger.hpp"
-#include "server/desk/commands.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/editor/editor.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/jobs/jobs.hpp"
+#include "server/requests/commands.hpp"
 
 namespace weft::server {
 
-/// Where operators are served: what the server can do itself is done at once, the rest is taken to the robot, and
-/// the operator is answered when the robot has answered.
-class Desk {
+/// Serves operators: what the server can do itself is done at once, the rest is taken to the robot, and the operator
+/// is answered when the robot has answered.
+class OperatorRequests {
  public:
-  Desk(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher)
+  OperatorRequests(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher)
       : context_(context),
         fleet_(fleet),
         dispatcher_(dispatcher),
@@ -29,16 +29,16 @@ class Desk {
         jobs_(context, editor_),
         commands_(context) {}
 
-  /// `who`: the client's name.
+  /// Does the request once; `who` is the client's name.
   void on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
   void on_reply(const msg::AgentReply& reply, Now now);
   /// Tells a robot again what it should know: a paused goal's robot stands, that of another goal drives.
   void on_state(const Robot& robot, Now now);
   void on_silence(const RobotId& robot, SteadyTime now);
-  /// Two live agents share the robot's id.
+  /// Stops a robot whose id two live agents share.
   void on_twins(const RobotId& robot, Now now);
   void joined(const Batch& batch, Now now);
-  /// The batch will never join.
+  /// Notes that the batch will never join.
   void refused(const Batch& batch, const Error& why);
 
   void tick(Now now);
@@ -46,15 +46,15 @@ class Desk {
 
  private:
   using Key = RequestLedger::Key;
-  /// A request that waits for one or more robots.
+  /// Holds a request that waits for one or more robots.
   struct Waiting {
     std::set<std::uint64_t> commands;
     std::string message;  ///< so far
     bool failed = false;
   };
 
-  /// Robots that were told together to stop or to go on, and what each has said.
-  struct Called {
+  /// Holds robots that were told together to stop or to go on, and what each has said.
+  struct GroupCommand {
     struct Robot {
       RobotId id;
       std::string goal;                      ///< what became of its goal
@@ -71,15 +71,15 @@ class Desk {
   void answer(const Key& key, msg::Outcome outcome, const std::string& message);
   void command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
 
-  // Standing and going on (stopping.cpp).
+  // These stop robots and let them go on (stopping.cpp).
   void stop_or_resume(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
-  Called::Robot call(const Key& key, const Robot& robot, const msg::OperatorRequest& request, const std::string& who,
-                     Now now);
-  void called_answered(const Key& key, std::uint64_t command, const msg::AgentReply& reply, SteadyTime now);
-  void called_fell_silent(const Key& key, std::uint64_t command, SteadyTime now);
+  GroupCommand::Robot command_in_group(const Key& key, const Robot& robot, const msg::OperatorRequest& request,
+                                       const std::string& who, Now now);
+  void group_answered(const Key& key, std::uint64_t command, const msg::AgentReply& reply, SteadyTime now);
+  void group_fell_silent(const Key& key, std::uint64_t command, SteadyTime now);
   void answer_overdue(SteadyTime now);
-  void answer_called(const Key& key, SteadyTime now);
-  std::string line_of(const Called& called, const Called::Robot& robot, SteadyTime now) const;
+  void answer_group(const Key& key, SteadyTime now);
+  std::string line_of(const GroupCommand& group, const GroupCommand::Robot& robot, SteadyTime now) const;
   std::string reach_of(const RobotId& robot) const;
 
   void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -90,12 +90,11 @@ class Desk {
   Result<const Robot*> reachable(const std::string& name) const;
   std::string label_moves(const std::string& label, const PlaceId& place) const;
   Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
-  Result<std::string> stop_or_resume_goal(bool stops, const RobotId& robot, const std::string& who, Now now);
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
   void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
 
-  struct LabelToBe {
+  struct PendingLabel {
     Key key;
     std::string label;
     std::string who;
@@ -109,11 +108,11 @@ class Desk {
   Commands commands_;
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;
-  std::map<Key, Called> called_;
-  std::map<std::uint64_t, Key> asked_for_;         ///< by command
-  std::map<Key, std::string> asked_by_;            ///< names, of those that wait for a kept place
-  std::map<RobotId, std::string> unstored_stops_;  ///< who asked; the goal is still to be paused
-  std::map<PlaceId, LabelToBe> labels_to_be_;      ///< places that were kept and have not come yet
+  std::map<Key, GroupCommand> group_commands_;
+  std::map<std::uint64_t, Key> asked_for_;          ///< by command
+  std::map<Key, std::string> asked_by_;             ///< names, of those that wait for a kept place
+  std::map<RobotId, std::string> unstored_stops_;   ///< who asked; the goal is still to be paused
+  std::map<PlaceId, PendingLabel> pending_labels_;  ///< places that were kept and have not come yet
 };
 
 }  // namespace weft::server

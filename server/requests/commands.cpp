@@ -1,4 +1,4 @@
-#include "server/desk/commands.hpp"
+#include "server/requests/commands.hpp"
 
 #include <algorithm>
 #include <utility>
