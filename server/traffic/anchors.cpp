@@ -13,7 +13,7 @@ constexpr std::size_t kMostPassed = 8192;
 
 }  // namespace
 
-std::vector<Anchor> anchors_of(const Ground& ground, const PlaceId& gone) {
+std::vector<Anchor> anchors_of(const TrafficMap& map, const PlaceId& gone) {
   std::vector<Anchor> anchors;
   std::map<PlaceId, double> known = {{gone, 0.0}};
   std::map<std::tuple<double, PlaceId>, Metric2> open = {{{0.0, gone}, Metric2{}}};
@@ -22,13 +22,13 @@ std::vector<Anchor> anchors_of(const Ground& ground, const PlaceId& gone) {
     const Metric2 gone_from_place = open.begin()->second;
     open.erase(open.begin());
     if (uncertainty > known.at(place)) continue;
-    if (ground.is_in(place)) {
+    if (map.is_in(place)) {
       anchors.push_back({.place = place, .place_from_it = std::get<Metric2>(inverse(gone_from_place))});
       continue;
     }
-    ground.for_each_edge(place, [&, from = place, before = uncertainty](const Edge& edge) {
+    map.for_each_edge(place, [&, from = place, before = uncertainty](const Edge& edge) {
       const PlaceId next = other_end(edge, from);
-      if (!ground.has(next)) return;
+      if (!map.has(next)) return;
       const double with_edge = before + uncertainty_of(edge);
       const auto [at, is_new] = known.try_emplace(next, with_edge);
       if (!is_new && at->second <= with_edge) return;

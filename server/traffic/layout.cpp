@@ -10,14 +10,14 @@ bool same_edges(const Edge& a, const Edge& b) {
   return a.id == b.id && identical(a.a_from_b, b.a_from_b);
 }
 
-/// Whether the same places hang together in the same way; what is known of each place aside.
+/// Returns whether the same places hang together in the same way; what is known of each place aside.
 bool are_alike(const Experience& a, const Experience& b) {
   const auto same_place = [](const Place& one, const Place& other) { return one.id == other.id; };
   return std::ranges::equal(a.places, b.places, same_place) && std::ranges::equal(a.chain, b.chain, same_edges) &&
          std::ranges::equal(a.stitches, b.stitches, same_edges);
 }
 
-/// Those that are not alike in both.
+/// Returns those that are not alike in both.
 std::set<ExperienceId> changed(const Snapshot& before, const Snapshot& now) {
   std::set<ExperienceId> ids;
   for (const auto& [id, experience] : before.experiences()) {
@@ -163,7 +163,7 @@ double Layout::distance_m(const Spot& a, const Spot& b) {
   return (a.part_from_place.translation() - b.part_from_place.translation()).norm();
 }
 
-/// Two ancestors of one depth have their jumps at one depth, too.
+/// Relies on two ancestors of one depth having their jumps at one depth, too.
 Layout::Index Layout::common(Index a, Index b) const {
   if (places_[a].depth < places_[b].depth) std::swap(a, b);
   const Index depth = places_[b].depth;

@@ -14,7 +14,7 @@
 
 namespace weft::server {
 
-/// Where a place lies in the frame of its part of the network. Valid until the layout changes.
+/// Tells where a place lies in the frame of its part of the network. Valid until the layout changes.
 struct Spot {
   std::uint32_t at = 0;  ///< the laid place that it is, or hangs on
   std::uint32_t part = 0;
@@ -24,44 +24,44 @@ struct Spot {
   double bend = 0.0;
 };
 
-/// Where all places are: each part of the network that hangs together is laid out along the tree of least uncertain
-/// relations from one of its places. How two places lie is known by the branches below the place where these part:
-/// what comes before moves both alike. Kept up with the network in bounded pieces of work; what is asked meanwhile is
-/// answered by what was laid out before.
+/// Keeps where all places are: each part of the network that hangs together is laid out along the tree of least
+/// uncertain relations from one of its places. How two places lie is known by the branches below the place where
+/// these part: what comes before moves both alike.
 class Layout {
  public:
-  /// `least_gain`: the share of its uncertainty that a laid place has to lose to be hung on another one.
+  /// Makes an empty layout. `least_gain`: the share of its uncertainty that a laid place has to lose to be hung on
+  /// another one.
   explicit Layout(double least_gain = 0.05) : keep_share_(1.0 - least_gain) {}
 
   using Network = std::shared_ptr<const Snapshot>;
-  /// Nothing is laid out any more; all of it is to be. Parts begin at `roots`, where they are named.
+  /// Begins anew: nothing is laid out any more, and all of it is to be. Parts begin at `roots`, where they are named.
   void lay(Network network, std::vector<PlaceId> roots = {});
-  /// The same at once, of no more than so many places around one: those that are less uncertain from there.
+  /// Lays out at once no more than so many places around one: those that are less uncertain from there.
   void lay_around(const Network& network, const PlaceId& root, std::size_t most);
-  /// The batch has joined the network.
+  /// Takes in a batch that has joined the network.
   void joined(Network network, const Batch& batch);
-  /// Something left the network or came back: the parts that had or have it are laid out anew.
+  /// Takes in an edit: something left the network or came back, and the parts that had or have it are laid out anew.
   void edited(Network network, const Snapshot& before);
 
-  /// One piece of work, of about as many places. True when something was laid out that can be asked for.
+  /// Does one piece of work, of about as many places. Returns true when something was laid out that can be asked for.
   bool work(std::size_t places);
   bool has_work() const { return network_ != nullptr; }
 
-  /// None: the network does not have the place, or its part is not laid out yet.
+  /// Returns where the place lies. None: the network does not have it, or its part is not laid out yet.
   std::optional<Spot> spot(const PlaceId& place) const;
-  /// The same number for all places of a part; none as of `spot`.
+  /// Returns the same number for all places of a part; none as of `spot`.
   std::optional<std::uint32_t> part_of(const PlaceId& place) const;
-  /// Of something that hangs on a laid place, `place_from_it` away.
+  /// Returns where something lies that hangs on a laid place, `place_from_it` away.
   Spot hung(const Spot& place, const Metric2& place_from_it) const;
-  /// The least distance within three standard deviations. The spots are of one part.
+  /// Returns the least distance within three standard deviations. The spots are of one part.
   double clearance_m(const Spot& a, const Spot& b) const { return least_m(a, b, common(a.at, b.at)); }
-  /// The mean distance.
+  /// Returns the mean distance.
   static double distance_m(const Spot& a, const Spot& b);
-  /// Whether they may be as near as `reach_m` or nearer; the same as by `clearance_m`, and cheaper.
+  /// Returns whether they may be as near as `reach_m` or nearer; the same as by `clearance_m`, and cheaper.
   bool are_near(const Spot& a, const Spot& b, double reach_m) const;
 
   std::uint64_t laid() const { return laid_; }  ///< places that can be asked for
-  /// Places of a part that cannot be asked for yet.
+  /// Holds places of a part that cannot be asked for yet.
   std::uint64_t under_way() const { return is_new_ ? size_of(part_) : 0; }
   std::vector<PlaceId> roots() const;
 
@@ -83,7 +83,7 @@ class Layout {
     std::uint64_t places = 0;
     bool is_ready = false;
   };
-  /// A way to hang a place on another.
+  /// Holds a way to hang a place on another.
   struct Way {
     double uncertainty = 0.0;
     Index place = kNone;

@@ -4,11 +4,11 @@
 #include "core/network/search.hpp"
 #include "server/traffic/layout.hpp"
 
-/// How a layout is made and kept up: Dijkstra's search from the root of a part, or from where something was added.
+/// Makes a layout and keeps it up: Dijkstra's search from the root of a part, or from where something was added.
 namespace weft::server {
 namespace {
 
-/// What has been laid out is passed over this much faster than something is laid out.
+/// States how much faster what has been laid out is passed over than something is laid out.
 constexpr std::size_t kPassedAtOnce = 16;
 
 }  // namespace
@@ -19,7 +19,7 @@ bool Layout::work(std::size_t places) {
   return has_news;
 }
 
-/// True when it ended what can be asked for now.
+/// Does a piece. Returns true when it ended what can be asked for now.
 bool Layout::piece(std::size_t& places) {
   if (part_ == kNone) {
     if (!begin_branches() && !begin_part(places)) network_.reset();
@@ -53,8 +53,8 @@ Layout::Index Layout::larger(Index a, Index b) const {
   return std::min(a, b);
 }
 
-/// Over edges that were added since: one part at a time, and of two that they join the larger one takes the other
-/// over.
+/// Joins parts over edges that were added since: one part at a time, and of two that they join the larger one takes
+/// the other over.
 bool Layout::begin_branches() {
   const auto part_at = [this](const PlaceId& place) {
     const Index index = find(place);
@@ -113,7 +113,7 @@ void Layout::push(Index on, Index place, double uncertainty) {
   std::push_heap(heap_.begin(), heap_.end());
 }
 
-/// Both ways; what gains nothing is left where it is.
+/// Offers both ways of the edge; what gains nothing is left where it is.
 void Layout::push_edge(const Seed& seed) {
   for (const auto& [from, to] : {seed, Seed{seed.second, seed.first}}) {
     const Index on = find(from);
@@ -125,7 +125,7 @@ void Layout::push_edge(const Seed& seed) {
   }
 }
 
-/// As the place lies when it hangs on another by their least uncertain edge; none: no edge joins them.
+/// Returns how the place lies when it hangs on another by their least uncertain edge; none: no edge joins them.
 std::optional<Layout::Laid> Layout::laid_on(Index index, Index on_index) const {
   const PlaceId& on = ids_[on_index];
   const Edge* least = nullptr;
@@ -153,7 +153,7 @@ std::optional<Layout::Laid> Layout::laid_on(Index index, Index on_index) const {
   return laid;
 }
 
-/// A place whose parent was hung anew is hung anew with it.
+/// Hangs a place anew with its parent that was hung anew.
 void Layout::hang(const Way& way) {
   if (way.place == part_ || !is_of_part(way.on)) return;
   const Laid before = now(way.place);

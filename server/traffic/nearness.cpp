@@ -20,8 +20,8 @@ double clearance_m(const Relation& relation) {
   return std::max(0.0, distance_m(relation) - kSigmas * sigma_m);
 }
 
-/// The way between two places that lie side by side leads along one run to a stitch and back along the other: it is
-/// looked this much further than what counts as near.
+/// Returns how far to search, which is further than what counts as near: the way between two places that lie side by
+/// side leads along one run to a stitch and back along the other.
 double search_radius_m(double radius_m) {
   return 2 * radius_m + 1.0;
 }
@@ -32,7 +32,7 @@ bool holds(const std::vector<PlaceId>& sorted, const PlaceId& place) {
 
 }  // namespace
 
-Nearness::Found Nearness::search(const Ground& ground, const PlaceId& centre) const {
+Nearness::Found Nearness::search(const TrafficMap& map, const PlaceId& centre) const {
   struct Open {
     PlaceId place;
     Relation centre_from_place;
@@ -44,7 +44,7 @@ Nearness::Found Nearness::search(const Ground& ground, const PlaceId& centre) co
   while (!open.empty() && seen.size() < kMostPlaces) {
     const Open here = open.front();
     open.pop_front();
-    ground.for_each_edge(here.place, [&](const Edge& edge) {
+    map.for_each_edge(here.place, [&](const Edge& edge) {
       const PlaceId next = other_end(edge, here.place);
       if (!seen.insert(next).second) return;
       const Relation edge_relation = relation_from(edge, here.place);
@@ -59,12 +59,12 @@ Nearness::Found Nearness::search(const Ground& ground, const PlaceId& centre) co
   return found;
 }
 
-const std::vector<Near>& Nearness::around(const Ground& ground, const PlaceId& place) {
+const std::vector<Near>& Nearness::around(const TrafficMap& map, const PlaceId& place) {
   const auto known = found_.find(place);
   if (known != found_.end()) return known->second.near;
   static const std::vector<Near> nothing;
-  if (!ground.has(place)) return nothing;
-  return found_.emplace(place, search(ground, place)).first->second.near;
+  if (!map.has(place)) return nothing;
+  return found_.emplace(place, search(map, place)).first->second.near;
 }
 
 void Nearness::joined(const Batch& batch) {
@@ -79,7 +79,7 @@ void Nearness::joined(const Batch& batch) {
   });
 }
 
-void Nearness::look_at_least(double radius_m) {
+void Nearness::grow_radius(double radius_m) {
   if (radius_m <= radius_m_) return;
   radius_m_ = radius_m;
   found_.clear();

@@ -6,9 +6,10 @@
 namespace weft::server {
 namespace {
 
-/// An uncertain heading moves what lies this far behind it.
+/// States how far behind a place an uncertain heading is reckoned to move things.
 constexpr double kHeadingLever_m = 10.0;
-/// Of two chains that are equally certain the shorter one is taken, and of two equally long ones that of fewer edges.
+/// Breaks ties between chains: of two that are equally certain the shorter one is taken, and of two equally long ones
+/// that of fewer edges.
 constexpr double kLeastUncertainty = 1e-9;
 
 Metric2 bent(const AlongPath& path) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kHop_m = 0.5;  ///< between two places of a run of which nothing is known
 constexpr std::uint32_t kLastHops = 10;
 
-/// The longest of the last hops before the run's end.
+/// Returns the longest of the last hops before the run's end.
 double hop_m(const Experience& run, std::uint32_t newest) {
   double longest = 0.0;
   for (std::uint32_t back = 1; back <= std::min(kLastHops, newest); ++back) {

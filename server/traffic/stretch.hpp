@@ -8,19 +8,19 @@
 
 namespace weft::server {
 
-/// A place that a robot may touch, and how far from it any part of the robot may be.
+/// Names a place that a robot may touch, and how far from it any part of the robot may be.
 struct Touched {
   PlaceId place;
   double reach_m = 0.0;
 };
 
-/// Between two places a robot is nearer to one of them than half their distance; no less than this is reckoned
-/// with, for paths that are not quite followed.
+/// Bounds from below how far from its nearest place a robot is reckoned to be, for paths that are not quite followed.
+/// Between two places it is nearer to one of them than half their distance.
 inline constexpr double kLeastSlack_m = 0.25;
-/// Kept free between two robots besides what is uncertain.
+/// Is kept free between two robots besides what is uncertain.
 inline constexpr double kMargin_m = 0.1;
 
-/// What lies in route.places[from .. to] for a robot of that footprint.
+/// Returns what lies in route.places[from .. to] for a robot of that footprint.
 std::vector<Touched> touched_by(const Route& route, std::uint32_t from, std::uint32_t to, double footprint_m);
 inline std::vector<Touched> touched_by(const storage::PutOccupancy& held, double footprint_m) {
   return touched_by(held.held, held.from, held.to, footprint_m);

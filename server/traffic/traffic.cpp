@@ -6,11 +6,12 @@
 namespace weft::server {
 namespace {
 
-/// Until a robot has described itself. Larger than usual robots, so that a restart gives nothing away.
+/// Is reckoned with until a robot has described itself. Larger than usual robots, so that a restart gives nothing
+/// away.
 constexpr double kUnknownFootprint_m = 0.6;
-/// A standing robot whose nearest place changes within this is still at the place it was at.
+/// Bounds the move of a nearest place within which a standing robot is still at the place it was at.
 constexpr double kSameStand_m = 0.2;
-/// Left free before whoever is in the way: it may have to go back to a place behind it to set off, and two robots
+/// Is left free before a robot in the way: it may have to go back to a place behind it to set off, and two robots
 /// must not each wait for the other's first step.
 constexpr double kRoomToSetOff_m = 0.5;
 
@@ -29,7 +30,7 @@ storage::PutOccupancy nothing_held(const RobotId& robot) {
   return occupancy;
 }
 
-/// `place` is where it stands; further off it than the usual slack only if it says so.
+/// Returns what a standing robot touches: around its place, further off than the usual slack only if it says so.
 Touched standing(const msg::RobotState& state, double footprint_m) {
   return {.place = state.place, .reach_m = footprint_m + std::max(kLeastSlack_m, distance_m(state.place_from_robot))};
 }
@@ -41,21 +42,21 @@ Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stor
       proximity_(2 * (kUnknownFootprint_m + 2 * kLeastSlack_m) + kMargin_m),
       next_piece_(now.steady) {
   for (auto& entry : stored) holder(entry.first).occupancy = std::move(entry.second);
-  recall_pasts(now);
+  load_history(now);
   proximity_.layout().lay(context_.snapshots.shared_current());
   lay_out_at_once();
 }
 
-/// Of stretches that were given out before an edit of the map, and held when the server ended.
-void Traffic::recall_pasts(Now now) {
+/// Loads the maps of stretches that were given out before an edit of the map, and held when the server ended.
+void Traffic::load_history(Now now) {
   for (const auto& [robot, holder] : holders_) {
     const Route& held = holder.occupancy.held;
     const bool is_known = std::all_of(held.places.begin(), held.places.end(),
-                                      [this](const PlaceId& place) { return ground().has(place); });
+                                      [this](const PlaceId& place) { return map().has(place); });
     if (is_known) continue;
     Result<Snapshot> then = context_.store.snapshot_at(held.made_of, context_.snapshots.current());
     if (then) {
-      pasts_.push_back(std::make_shared<const Snapshot>(*std::move(then)));
+      history_.push_back(std::make_shared<const Snapshot>(*std::move(then)));
       continue;
     }
     context_.writer.note({.at = {},
@@ -83,9 +84,9 @@ bool Traffic::holds_what_is_out() const {
                      [this](const PlaceId& place) { return context_.snapshots.current().place(place) == nullptr; });
 }
 
-void Traffic::drop_pasts() {
-  if (pasts_.empty() || holds_what_is_out()) return;
-  pasts_.clear();
+void Traffic::drop_history() {
+  if (history_.empty() || holds_what_is_out()) return;
+  history_.clear();
   proximity_.forget();
 }
 
@@ -109,7 +110,7 @@ void Traffic::set_footprint(const RobotId& robot, double radius_m) {
   Holder& known = holder(robot);
   if (known.footprint_m == radius_m) return;
   known.footprint_m = radius_m;
-  proximity_.look_at_least(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
+  proximity_.grow_radius(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
   ++version_;
 }
 
@@ -117,20 +118,19 @@ std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
   std::vector<Other> others;
   for (const auto& [other, holder] : holders_) {
     if (other == robot) continue;
-    others.push_back({other, proximity_.look(ground(), touched(holder))});
+    others.push_back({other, proximity_.locate(map(), touched(holder))});
   }
   return others;
 }
 
-std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const Looked& here) {
-  const auto found = std::find_if(others.begin(), others.end(), [&](const Other& other) {
-    return proximity_.overlap(ground(), here, other.touched);
-  });
+std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const LocatedPlace& here) {
+  const auto found = std::find_if(others.begin(), others.end(),
+                                  [&](const Other& other) { return proximity_.overlap(map(), here, other.touched); });
   if (found == others.end()) return std::nullopt;
   return found->robot;
 }
 
-/// Its own place, where a route begins, is the robot's in any case.
+/// Leaves room to set off before the robot in the way. The place where a route begins is the robot's in any case.
 void Traffic::leave_room(const Route& route, std::uint32_t from, Way& way) {
   double room_m = 0.0;
   while (way.through && room_m<kRoomToSetOff_m&& * way.through> 0) {
@@ -139,9 +139,9 @@ void Traffic::leave_room(const Route& route, std::uint32_t from, Way& way) {
   }
 }
 
-/// What keeps the robot where it is wherever it is going.
+/// Returns what keeps the robot where it is wherever it is going.
 Traffic::Way Traffic::held_back(const RobotId& robot, const std::vector<Other>& others) {
-  const auto is_laid = [](const Looked& place) { return place.is_laid; };
+  const auto is_laid = [](const LocatedPlace& place) { return place.is_laid; };
   const bool are_laid = std::all_of(others.begin(), others.end(), [&](const Other& other) {
     return std::all_of(other.touched.places.begin(), other.touched.places.end(), is_laid);
   });
@@ -157,7 +157,7 @@ Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
   Way way = held_back(route.robot, others);
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
   for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
-    const Looked here = proximity_.look(ground(), wanted[i]);
+    const LocatedPlace here = proximity_.locate(map(), wanted[i]);
     way.blocked_by = holder_near(others, here);
     if (way.blocked_by) way.end = Way::End::held;
     if (!here.is_laid) way.end = Way::End::not_laid;
@@ -185,7 +185,7 @@ void Traffic::committed(const std::vector<storage::PutOccupancy>& occupancies) {
     known.is_stored = true;
     if (occupancy.held.id) known.cleared_at.reset();
   }
-  drop_pasts();
+  drop_history();
 }
 
 void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t from) {
@@ -196,7 +196,7 @@ void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t fr
   held.from = std::min(from, held.to);
   known.is_stored = false;
   ++version_;
-  drop_pasts();
+  drop_history();
 }
 
 bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) {
@@ -205,14 +205,15 @@ bool Traffic::is_there_still(const Holder& known, const msg::RobotState& state) 
   const PlaceId at = held.held.places[held.from];
   if (at == state.place) return true;
   // Between two places, or two runs over one floor, the nearest one flickers.
-  const std::optional<double> farthest_m = proximity_.farthest_m(ground(), at, state.place);
+  const std::optional<double> farthest_m = proximity_.farthest_m(map(), at, state.place);
   return farthest_m && *farthest_m + distance_m(state.place_from_robot) <= kSameStand_m;
 }
 
-/// A robot that is led along a new run is ahead of what the map has of it; nobody is released to where it may be.
+/// Follows a robot that is led along a new run, ahead of what the map has of it; nobody is released to where it may
+/// be.
 void Traffic::follow_lead(Holder& known, const msg::RobotState& state) {
   std::optional<Touched> led_on;
-  if (!ground().is_in(state.place)) {
+  if (!map().is_in(state.place)) {
     const storage::PutOccupancy& held = known.occupancy;
     const PlaceId before = held.held.places.empty() ? PlaceId{} : held.held.places[held.to];
     led_on = touched_beyond(context_.snapshots.current(), state.place, before, known.footprint_m);
@@ -245,7 +246,7 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
 
 void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState& state, Now now) {
   const Touched here = standing(state, known.footprint_m);
-  const std::optional<RobotId> other = holder_near(others_of(robot), proximity_.look(ground(), here));
+  const std::optional<RobotId> other = holder_near(others_of(robot), proximity_.locate(map(), here));
   if (!other || !known.intruding || known.intruding->place != here.place) {
     // Stored also where somebody else holds that: nobody is released towards it, after a restart neither.
     const Revision revision = context_.snapshots.current().revision();
@@ -254,7 +255,7 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
   }
   if (!other) {
     known.intruding.reset();
-    drop_pasts();
+    drop_history();
     return;
   }
   if (!known.intruding) {
@@ -304,7 +305,7 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
   known.led_on.reset();
   known.cleared_at = at;
   ++version_;
-  drop_pasts();
+  drop_history();
   return "nothing is held for it any more, from " + to_string(at) + " on";
 }
 
@@ -313,7 +314,7 @@ Result<std::string> Traffic::clear_route(const RobotId& robot, const std::option
   Holder& known = holder(robot);
   const storage::PutOccupancy& held = known.occupancy;
   if (held.held.places.empty()) return std::string("it held nothing");
-  const PlaceId stands_at = at && ground().is_in(*at) ? *at : held.held.places[held.from];
+  const PlaceId stands_at = at && map().is_in(*at) ? *at : held.held.places[held.from];
   const std::string stays = to_string(stands_at) +
                             ", where it stands, stays held until it reports from elsewhere, or is silent and is "
                             "cleared again";
@@ -333,7 +334,7 @@ Result<std::string> Traffic::clear_route(const RobotId& robot, const std::option
   known.occupancy = std::move(next);
   known.is_stored = true;
   ++version_;
-  drop_pasts();
+  drop_history();
   return "its route is free; " + stays;
 }
 

@@ -14,14 +14,14 @@
 
 namespace weft::server {
 
-/// Who may touch what. A robot holds a stretch of the network: of its route what is released and not yet freed, else
-/// the place where it stands. What two robots hold never overlaps. A stretch is given up by its holder's report or by
-/// an operator, never because time has passed. A robot that never knew where it is holds nothing.
+/// Decides who may touch what. A robot holds a stretch of the network: of its route what is released and not yet
+/// freed, else the place where it stands. What two robots hold never overlaps. A stretch is given up by its holder's
+/// report or by an operator, never because time has passed. A robot that never knew where it is holds nothing.
 class Traffic {
  public:
   Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored, Now now);
 
-  /// How far a route can be released for its robot.
+  /// Tells how far a route can be released for its robot.
   struct Way {
     enum class End : std::uint8_t {
       free,         ///< nothing is in the way
@@ -36,37 +36,38 @@ class Traffic {
   };
   Way way(const Route& route, std::uint32_t from);
 
-  /// What has to be committed with a release: the new stretch, and what others have given up meanwhile. Nothing
-  /// changes here until `committed`.
+  /// Returns what has to be committed with a release: the new stretch, and what others have given up meanwhile.
+  /// Nothing changes here until `committed`.
   std::vector<storage::PutOccupancy> claim(const Route& route, std::uint32_t from, std::uint32_t through) const;
   void committed(const std::vector<storage::PutOccupancy>& occupancies);
 
-  /// The holder's report: nothing before `from` is touched any more.
+  /// Takes the holder's report that nothing before `from` is touched any more.
   void freed(const RobotId& robot, const RouteId& route, std::uint32_t from);
-  /// The holder's report: it stands there, and follows no route (any more).
+  /// Takes the holder's report that it stands there, and follows no route (any more).
   void stands(const msg::RobotState& state, Now now);
-  /// An operator vouches that the robot is not there. It holds nothing until it reports another place.
+  /// Takes an operator's word that the robot is not there. It holds nothing until it reports another place.
   Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
-  /// An operator has the robot let go of its route. It holds where it stands: `at`, or else the first place it held.
+  /// Takes the route from the robot, as an operator asked. It holds where it stands: `at`, or else the first place it
+  /// held.
   Result<std::string> clear_route(const RobotId& robot, const std::optional<PlaceId>& at, const std::string& who,
                                   Now now);
 
   void set_footprint(const RobotId& robot, double radius_m);
   void joined(const Batch& batch);
-  /// The map was edited. What is held stays held, on the ground that it was given on.
+  /// Takes in an edit of the map. What is held stays held, on the map on which it was given.
   void edited(const Snapshot& before);
-  /// One bounded piece of laying out the map, if there is any to do.
+  /// Does one bounded piece of laying out the map, if there is any to do.
   void tick(Now now);
   std::optional<SteadyTime> next() const;
   bool is_laying_out() const { return proximity_.layout().has_work(); }
-  /// The robots that hold something, by the part of the map in which they are; those of which that is not known yet
-  /// are in none.
+  /// Returns the robots that hold something, by the part of the map in which they are; those of which that is not
+  /// known yet are in none.
   std::vector<std::vector<RobotId>> by_part();
-  /// Whether somebody holds a place that is out of the map.
+  /// Returns whether somebody holds a place that is out of the map.
   bool holds_what_is_out() const;
   std::set<PlaceId> held_places() const;
 
-  /// None: it holds nothing.
+  /// Returns what the robot holds; null: nothing.
   const storage::PutOccupancy* held(const RobotId& robot) const;
   bool holds_route(const RobotId& robot, const RouteId& route) const;
   /// Counts up whenever somebody gave something up or the network changed: waiting routes are to be looked at again.
@@ -85,7 +86,7 @@ class Traffic {
 
   struct Other {
     RobotId robot;
-    LookedAll touched;
+    LocatedPlaces touched;
   };
 
   Way held_back(const RobotId& robot, const std::vector<Other>& others);
@@ -93,11 +94,11 @@ class Traffic {
   static void leave_room(const Route& route, std::uint32_t from, Way& way);
   Holder& holder(const RobotId& robot);
   std::vector<Touched> touched(const Holder& holder) const;
-  Ground ground() const { return {context_.snapshots.current(), pasts_}; }
-  void recall_pasts(Now now);
-  void drop_pasts();
+  TrafficMap map() const { return {context_.snapshots.current(), history_}; }
+  void load_history(Now now);
+  void drop_history();
   std::vector<Other> others_of(const RobotId& robot);
-  std::optional<RobotId> holder_near(const std::vector<Other>& others, const Looked& here);
+  std::optional<RobotId> holder_near(const std::vector<Other>& others, const LocatedPlace& here);
   std::optional<RobotId> other_that_drives(const RobotId& robot) const;
   void tell_of_layout(Now now);
   void follow_lead(Holder& holder, const msg::RobotState& state);
@@ -108,7 +109,7 @@ class Traffic {
   Context& context_;
   Proximity proximity_;
   std::map<RobotId, Holder> holders_;
-  Ground::Pasts pasts_;  ///< that have what is held and out of the map; usually none
+  TrafficMap::History history_;  ///< that have what is held and out of the map; usually none
   std::uint64_t version_ = 1;
   SteadyTime next_piece_;             ///< of laying out the map
   std::uint64_t laid_told_ = 0;       ///< places, when that was told last

@@ -4,20 +4,20 @@
 
 #include "server/traffic/traffic.hpp"
 
-/// How traffic has the map laid out, and what it knows from that of the whole fleet.
+/// Has the map laid out for traffic, and says what is known from that of the whole fleet.
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-/// At the start and after an edit: nobody has to wait for a small map.
+/// Bounds what is laid out at once, at the start and after an edit: nobody has to wait for a small map.
 constexpr std::size_t kPlacesAtOnce = 2000;
-/// Between two messages: about 1 ms on a large map.
+/// Bounds a piece of work between two messages: about 1 ms on a large map.
 constexpr std::size_t kPlacesOfPiece = 250;
 constexpr Duration kBetweenPieces = 2ms;
-/// What takes longer than a moment is told, and how far it is.
+/// Bounds the time after which it is told that a layout takes longer, and how far it is.
 constexpr std::uint64_t kWorthTelling = 20'000;
 constexpr std::uint64_t kTimesTold = 5;
-/// A robot is on its way as long as it may drive further than this beyond its own size.
+/// Bounds how far beyond its own size a robot may drive and not count as on its way.
 constexpr double kStandsWithin_m = 1.0;
 
 double length_m(const storage::PutOccupancy& held) {
@@ -34,7 +34,7 @@ void Traffic::lay_out_at_once() {
 }
 
 void Traffic::edited(const Snapshot& before) {
-  if (holds_what_is_out()) pasts_.push_back(std::make_shared<const Snapshot>(before));
+  if (holds_what_is_out()) history_.push_back(std::make_shared<const Snapshot>(before));
   proximity_.edited(context_.snapshots.shared_current(), before);
   lay_out_at_once();
 }
@@ -85,7 +85,7 @@ std::vector<std::vector<RobotId>> Traffic::by_part() {
   for (const auto& [robot, holder] : holders_) {
     const storage::PutOccupancy& held = holder.occupancy;
     if (held.held.places.empty()) continue;
-    const std::optional<std::uint32_t> part = proximity_.part_of(ground(), held.held.places[held.from]);
+    const std::optional<std::uint32_t> part = proximity_.part_of(map(), held.held.places[held.from]);
     if (part) robots[*part].push_back(robot);
   }
   std::vector<std::vector<RobotId>> parts;

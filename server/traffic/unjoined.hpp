@@ -8,14 +8,14 @@
 
 namespace weft::server {
 
-/// Says when robots are in parts of the map that nothing joins: traffic cannot keep these apart.
+/// Warns when robots are in parts of the map that nothing joins: traffic cannot keep these apart.
 class UnjoinedWatch {
  public:
   UnjoinedWatch(Context& context, const Fleet& fleet, Traffic& traffic)
       : context_(context), fleet_(fleet), traffic_(traffic) {}
 
   void tick(Now now);
-  /// Which robots, and what to do; empty: all robots are in one part.
+  /// Returns which robots, and what to do; empty: all robots are in one part.
   const std::string& warning() const { return warning_; }
 
  private:

@@ -13,10 +13,10 @@ constexpr double kReach_m = 0.28 + kLeastSlack_m;  // of a robot between two pla
 constexpr double kTouch_m = 0.56;
 constexpr double kPi = std::numbers::pi;
 
-bool meet(Proximity& proximity, const Ground& ground, const PlaceId& a, const PlaceId& b) {
+bool meet(Proximity& proximity, const TrafficMap& map, const PlaceId& a, const PlaceId& b) {
   const std::vector<Touched> of_a = {{.place = a, .reach_m = kReach_m}};
   const std::vector<Touched> of_b = {{.place = b, .reach_m = kReach_m}};
-  return proximity.overlap(ground, of_a, of_b);
+  return proximity.overlap(map, of_a, of_b);
 }
 
 struct Seen {
@@ -194,12 +194,12 @@ TEST(Proximity, WhatWasTakenOutStaysNearWhatItWasNear) {
   Removal removal;
   removal.places.push_back({ExperienceId{second}, 0, site.places(second) - 1});
   const Snapshot after = without(before, removal);
-  const Ground::Pasts pasts = {shared(before)};
-  const Ground ground(after, pasts);
+  const TrafficMap::History history = {shared(before)};
+  const TrafficMap map(after, history);
   proximity.edited(shared(after), before);
   proximity.layout().work(100'000);
-  EXPECT_TRUE(meet(proximity, ground, held, wanted));
-  EXPECT_FALSE(meet(proximity, ground, held, SurveyedSite::place(first, 40)));
+  EXPECT_TRUE(meet(proximity, map, held, wanted));
+  EXPECT_FALSE(meet(proximity, map, held, SurveyedSite::place(first, 40)));
 }
 
 TEST(Proximity, PartsThatNothingJoinsKnowNothingOfEachOther) {

@@ -7,21 +7,21 @@
 
 namespace weft::server {
 
-/// A second opinion on two places that may be near by the layout of their part: laid out from where one of them is,
-/// the ways between the two are no longer than they have to be. In a large site of many lanes the tree of a whole
+/// Gives a second opinion on two places that may be near by the layout of their part: laid out from where one of them
+/// is, the ways between the two are no longer than they have to be. In a large site of many lanes the tree of a whole
 /// part has its branches part far from neighbours. Some thousand places are laid out for each stretch that is asked
 /// about.
-class Surroundings {
+class LocalLayouts {
  public:
-  /// Whether they are surely farther apart than that; no, when nothing is known of it.
+  /// Returns whether they are surely farther apart than that; no, when nothing is known of it.
   bool are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m);
-  /// The batch has joined the network: where it adds relations the ways may be others.
+  /// Takes in a batch that has joined the network: where it adds relations the ways may be others.
   void joined(const Batch& batch);
-  /// The network was edited.
+  /// Forgets everything: the network was edited.
   void forget() { around_.clear(); }
 
  private:
-  /// Some consecutive places of an experience.
+  /// Names some consecutive places of an experience.
   using Block = std::pair<ExperienceId, std::uint32_t>;
   struct Around {
     Layout layout;

@@ -1,4 +1,4 @@
-#include "server/traffic/surroundings.hpp"
+#include "server/traffic/local_layouts.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -9,13 +9,14 @@ namespace {
 constexpr std::uint32_t kPlacesOfBlock = 32;
 constexpr std::size_t kPlacesAround = 3000;
 constexpr std::size_t kMostBlocks = 64;
-/// What is too far away is not looked for anew with each batch.
+/// Bounds how many revisions a layout may be old that does not have the other place: one that is too far away is not
+/// looked for anew with each batch.
 constexpr std::uint64_t kRevisionsKept = 200;
 
 }  // namespace
 
-/// Made anew when the network has grown since by what is asked about.
-const Layout& Surroundings::around(const Snapshot& network, const PlaceId& place, const PlaceId& other) {
+/// Returns the layout around the place, made anew when the network has grown since by what is asked about.
+const Layout& LocalLayouts::around(const Snapshot& network, const PlaceId& place, const PlaceId& other) {
   const Block block{place.experience, place.index / kPlacesOfBlock};
   const auto known = around_.find(block);
   if (known != around_.end()) {
@@ -28,12 +29,12 @@ const Layout& Surroundings::around(const Snapshot& network, const PlaceId& place
   if (around_.size() >= kMostBlocks) around_.clear();
   Around& made = around_[block];
   made.of = network.revision();
-  // Looked at now alone: it does not outlive the call.
+  // LocatedPlace at now alone: it does not outlive the call.
   made.layout.lay_around(Layout::Network(Layout::Network(), &network), place, kPlacesAround);
   return made.layout;
 }
 
-void Surroundings::joined(const Batch& batch) {
+void LocalLayouts::joined(const Batch& batch) {
   std::erase_if(around_, [&](const auto& entry) {
     const Layout& layout = entry.second.layout;
     return std::any_of(batch.edges.begin(), batch.edges.end(), [&](const Edge& edge) {
@@ -42,7 +43,7 @@ void Surroundings::joined(const Batch& batch) {
   });
 }
 
-bool Surroundings::are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m) {
+bool LocalLayouts::are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m) {
   const Layout& layout = around(network, b, a);
   const std::optional<Spot> of_a = layout.spot(a);
   const std::optional<Spot> of_b = layout.spot(b);
