@@ -29,7 +29,8 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenHellos = 5s;
 constexpr std::size_t kMostClients = 1024;
 
-/// Wires the parts: who hears which message, and who has to know when something changed. Decides nothing itself.
+/// Wires the parts: passes each message to those that hear it, and tells those that have to know when something
+/// changed. Decides nothing itself.
 class FleetMapServer final : public Service {
  public:
   FleetMapServer(const ServiceConfig& config, storage::MapStore& store, storage::Stored stored, Random random,
@@ -145,7 +146,7 @@ class FleetMapServer final : public Service {
     out_.send(std::move(hello));
   }
 
-  /// The next hello shows the asker that this server lives and hears it.
+  /// Notes a challenge: the next hello shows the asker that this server lives and hears it.
   void note_challenge(std::uint64_t challenge) {
     if (challenge == 0 || std::find(answers_to_.begin(), answers_to_.end(), challenge) != answers_to_.end()) return;
     if (answers_to_.size() == msg::kAnswers) answers_to_.pop_front();
@@ -161,7 +162,7 @@ class FleetMapServer final : public Service {
     for (const auto& [batch, why] : intake_.take_refused()) requests_.refused(batch, why);
   }
 
-  /// True when the message comes from somebody who may speak.
+  /// Returns true when the sender of the message may speak.
   bool admit(const msg::Header& from, bool says_it_is_a_robot, Now now) {
     if (fleet_.is_refused(from.sender)) {
       ++counters_["message from a peer without a common protocol version"];
@@ -179,14 +180,14 @@ class FleetMapServer final : public Service {
     return *verdict == Verdict::first || *verdict == Verdict::fresh || *verdict == Verdict::current;
   }
 
-  /// A request can come before its client's hello.
+  /// Returns the asker's name; a request can come before its client's hello.
   std::string who_asks(const msg::OperatorRequest& request) const {
     if (!request.who.empty()) return as_utf8(request.who, kLongestName);
     const auto known = clients_.find(request.header.sender);
     return known == clients_.end() ? to_string(request.header.sender) : as_utf8(known->second, kLongestName);
   }
 
-  /// Who hands in what no robot of the fleet has seen; empty: a robot.
+  /// Returns the client that hands in what no robot of the fleet has seen; empty: a robot does.
   std::string importer(const msg::Header& from) const {
     const auto known = clients_.find(from.sender);
     return known == clients_.end() ? std::string() : as_utf8(known->second, kLongestName);
@@ -257,7 +258,7 @@ class FleetMapServer final : public Service {
   void receive(const msg::Query& query, Now now) {
     if (admit(query.header, false, now)) answers_.on_query(query, now.steady);
   }
-  /// Everything else is what servers say.
+  /// Counts everything else, which only servers say.
   template <class M>
   void receive(const M& /*message*/, Now /*now*/) {
     ++counters_["message that only a server sends"];

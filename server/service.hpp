@@ -21,22 +21,23 @@ class Service {
  public:
   virtual ~Service() = default;
   virtual std::vector<msg::Message> handle(const msg::Message& message, Now now) = 0;
-  /// Retries, repeats, silence; to be called when `next_tick` has come, harmless earlier.
+  /// Does what is due: retries, repeats, silence. To be called when `next_tick` has come, harmless earlier.
   virtual std::vector<msg::Message> tick(Now now) = 0;
   virtual std::optional<SteadyTime> next_tick() const = 0;
-  /// The process was away for so long until now and could hear nobody. To be said before what has come in meanwhile
-  /// is handled, and that before the next tick: nobody is blamed for silence in that time.
+  /// Notes that the process was away for so long until now and could hear nobody. To be called before what has come
+  /// in meanwhile is handled, and that before the next tick: nobody is blamed for silence in that time.
   virtual void was_away(Duration away, Now now) = 0;
-  /// Refusals seen by the wire, to be shown in `map info`.
+  /// Counts refusals seen by the wire, to be shown in `map info`.
   virtual void count(const std::string& what, std::uint64_t times) = 0;
 
-  /// What a message took on the wire: what each robot's window and contents cost is shown.
+  /// Notes what a message took on the wire: what each robot's window and contents cost is shown.
   virtual void sent(const msg::Message& message, std::size_t bytes) = 0;
 
-  /// Another server has taken over the store: this one has nothing to say any more, and its process ends.
+  /// Returns why the process has to end: another server has taken over the store, or the map that is served is not
+  /// the stored one.
   virtual std::optional<Error> broken() const = 0;
 
-  /// For invariants and records, never for deciding elsewhere.
+  /// Returns the served map, for invariants and records, never for deciding elsewhere.
   virtual const Snapshot& snapshot() const = 0;
   virtual std::vector<Goal> goals() const = 0;
 };

@@ -7,13 +7,13 @@
 
 namespace weft::server {
 
-/// The rule for robots in parts of the map that nothing joins: they do not see one another.
+/// States the rule for robots in parts of the map that nothing joins: they do not see one another.
 enum class Unjoined : std::uint8_t {
   warn,       ///< an event and `weft doctor` say so
   one_drives  ///< and no more than one robot is on its way at a time
 };
 
-/// The settings of one server, checked by `start`.
+/// Holds the settings of one server, checked by `start`.
 struct ServiceConfig {
   PeerId self;
   std::uint64_t incarnation = 0;

@@ -5,7 +5,7 @@
 
 namespace weft::server {
 
-/// Refusals and the like, by name; shown in `map info`.
+/// Counts refusals and the like, by name; shown in `map info`.
 using Counters = std::map<std::string, std::uint64_t>;
 
 }  // namespace weft::server

@@ -19,7 +19,7 @@ class MapWriter {
  public:
   using Served = std::shared_ptr<const Snapshot>;
 
-  /// `stored`: the map as the store has it.
+  /// Begins with `stored`, the map as the store has it.
   MapWriter(storage::MapStore& store, Snapshot stored, Outbox& out, Counters& counters)
       : store_(store), out_(out), counters_(counters), snapshots_(std::move(stored)) {}
 
@@ -32,13 +32,14 @@ class MapWriter {
   /// Commits one event of its own. It is told even when the store cannot take it, and counted then.
   void note(msg::Event event, Now now);
 
-  /// The served map, and those of the latest revisions.
+  /// Returns the served map, and those of the latest revisions.
   const Snapshots& snapshots() const { return snapshots_; }
-  /// Why the store takes nothing at the moment, since its last commit; none when it works.
+  /// Returns why the store takes nothing at the moment, since its last commit; none when it works.
   const std::optional<Error>& stopped() const { return stopped_; }
-  /// Why this server has to end: the store is another server's, or what is served is not what is stored any more.
+  /// Returns why this server has to end: the store is another server's, or what is served is not what is stored any
+  /// more.
   const std::optional<Error>& broken() const { return broken_; }
-  /// The revision that is stored and cannot be served; none: there is none.
+  /// Returns the revision that is stored and cannot be served; none: there is none.
   const std::optional<Revision>& unserved() const { return unserved_; }
 
  private:

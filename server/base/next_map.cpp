@@ -18,7 +18,7 @@ constexpr bool kChangesMap =
     std::is_same_v<Change, storage::SealExperience> || std::is_same_v<Change, storage::TakeOut> ||
     std::is_same_v<Change, storage::BringBack> || std::is_same_v<Change, storage::RollBack>;
 
-/// One change, upon the map in memory; none where places come back that only the store has.
+/// Makes one change upon the map in memory; none where places come back that only the store has.
 struct Applied {
   const Snapshot& map;
 

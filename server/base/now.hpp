@@ -3,7 +3,7 @@
 
 namespace weft::server {
 
-/// Both clocks at one moment: `steady` decides, `wall` is written down.
+/// Holds both clocks at one moment: `steady` decides, `wall` is written down.
 struct Now {
   SteadyTime steady{};
   WallTime wall{};

@@ -7,8 +7,8 @@
 
 namespace weft::server {
 
-/// What the server has to say, in order. Every message but a hello gets its header here, at the moment it is said:
-/// the sequence counts up in the order of sending.
+/// Collects what the server has to say, in order. Every message but a hello gets its header here, at the moment it is
+/// said: the sequence counts up in the order of sending.
 class Outbox {
  public:
   Outbox(PeerId self, std::uint64_t incarnation, Epoch epoch)

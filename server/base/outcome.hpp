@@ -4,7 +4,7 @@
 
 namespace weft::server {
 
-/// Whether it is the asker's to mend, or ours: a store that takes nothing has failed.
+/// Returns refused for an error that the asker can mend, failed for ours: a store that takes nothing has failed.
 inline msg::Outcome outcome_of(const Error& error) {
   switch (error.code) {
     case ErrorCode::invalid:

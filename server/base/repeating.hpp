@@ -7,14 +7,14 @@
 
 namespace weft::server {
 
-/// What is not answered is said again: after this, then after twice as long each time, up to the last.
+/// Repeats of what is not answered come after the first wait, then after twice as long each time, up to the last.
 inline constexpr Duration kFirstRepeat = std::chrono::milliseconds(500);
 inline constexpr Duration kLastRepeat = std::chrono::seconds(4);
 inline Duration next_wait(Duration wait) {
   return wait == Duration{} ? kFirstRepeat : std::min(wait * 2, kLastRepeat);
 }
 
-/// Peers whose wishes are remembered; more are not listened to.
+/// Bounds the peers whose wishes are remembered; more are not listened to.
 inline constexpr std::size_t kMostPeers = 1024;
 
 }  // namespace weft::server

@@ -9,7 +9,8 @@
 
 namespace weft::server {
 
-/// Which requests were answered how, so that a repeat is done once and answered alike. Remembers the latest 4096.
+/// Remembers which requests were answered how, so that a repeat is done once and answered alike. Keeps the latest
+/// 4096.
 class RequestLedger {
  public:
   using Key = std::pair<PeerId, std::uint64_t>;  ///< who asked, and the number that it gave

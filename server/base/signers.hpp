@@ -11,9 +11,9 @@
 
 namespace weft::server {
 
-/// How contents of one method and format are signed; none when a content cannot be read or gives no signature.
+/// Signs contents of one method and format; none when a content cannot be read or gives no signature.
 using Signer = std::function<std::optional<agents::Signature>(ByteView content)>;
-/// By method and content format. Which there are is chosen where the server is put together.
+/// Maps method and content format to their signer. The set is chosen where the server is put together.
 using Signers = std::map<std::pair<std::string, std::uint32_t>, Signer>;
 
 }  // namespace weft::server

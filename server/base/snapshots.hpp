@@ -11,7 +11,7 @@ namespace weft::server {
 /// writer owns the one that is served; everybody else reads it.
 class Snapshots {
  public:
-  /// `kept`: how many revisions can still be the base of a patch.
+  /// Begins with `first`. `kept`: how many revisions can still be the base of a patch.
   explicit Snapshots(Snapshot first, std::size_t kept = 256) : kept_(kept) { push(std::move(first)); }
 
   const Snapshot& current() const { return *ring_.back(); }

@@ -10,18 +10,18 @@
 
 namespace weft::server {
 
-/// Changes the map as operators ask. Each edit is one revision that can be undone; who drives on what is edited is
-/// looked after (dispatcher/reroute.cpp, traffic).
+/// Changes the map as operators ask. Each edit is one revision that can be undone; robots that drive on what is
+/// edited are looked after (dispatcher/reroute.cpp, traffic).
 class Editor {
  public:
   Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)
       : context_(context), traffic_(traffic), dispatcher_(dispatcher) {}
 
-  /// rollback, undo, quarantine and apart.
+  /// Does a rollback, an undo, a quarantine, an apart, or removes or renames a label.
   msg::OperatorReply on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
-  /// Durable, and served, when it returns.
+  /// Makes the edit. It is durable, and served, when this returns.
   msg::OperatorReply commit(const Edit& edit, const std::string& who, Now now);
-  /// Places that robots hold, and that routes under way and their goals need.
+  /// Returns the places that robots hold, and that routes under way and their goals need.
   std::set<PlaceId> in_use() const;
   bool holds_what_is_out() const { return traffic_.holds_what_is_out(); }
 

@@ -54,7 +54,7 @@ PlaceId place_of(const std::string& label, const Snapshot& snapshot) {
   return found == snapshot.labels().end() ? PlaceId{} : found->second;
 }
 
-/// What the revision set the label to, if it still means that.
+/// Turns round what the revision set the label to, if it still means that.
 void undo_label(const std::string& label, const Snapshot& now, const Snapshot& then, const Snapshot& before,
                 Edit& edit) {
   const PlaceId is = place_of(label, now);
@@ -62,13 +62,13 @@ void undo_label(const std::string& label, const Snapshot& now, const Snapshot& t
   if (place_of(label, then) == is && was != is) edit.labels[label] = was;
 }
 
-/// What the revision vouched for, or did no longer, if that is still so.
+/// Turns round what the revision vouched for, or did no longer, if that is still so.
 void undo_apart(const Apart& apart, const Snapshot& now, const Snapshot& then, const Snapshot& before, Edit& edit) {
   const auto holds = [&](const Snapshot& at) { return std::ranges::binary_search(at.aparts(), apart); };
   if (holds(then) == holds(now) && holds(before) != holds(now)) edit.aparts[apart] = holds(before);
 }
 
-/// What the revision made of places, as far as they are still known so.
+/// Turns round what the revision made of places, as far as they are still known so.
 void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, const Snapshot& before, Edit& edit) {
   for (const Place& place : learned) {
     const Place* const is = now.place(place.id);

@@ -11,7 +11,7 @@
 
 namespace weft::server {
 
-/// What an operator's edit would do to the map as it is.
+/// Holds what an operator's edit would do to the map as it is.
 struct Edit {
   Removal out;
   Removal back;
@@ -26,26 +26,27 @@ struct Edit {
   }
 };
 
-/// For people: "12 places and 3 stitches leave the map".
+/// Says it for people: "12 places and 3 stitches leave the map".
 std::string to_text(const Edit& edit);
 
-/// The experiences of that name: one, or all that one import made of its file. Else the one whose hex id begins so,
-/// with four digits or more. not_found; refused: several taught ones have the name, or ids begin so, with their ids.
+/// Returns the experiences of that name: one, or all that one import made of its file. Else the one whose hex id
+/// begins so, with four digits or more. not_found; refused: several taught ones have the name, or ids begin so, with
+/// their ids.
 Result<std::vector<ExperienceId>> experiences_of(const Snapshot& snapshot, const std::string& name);
-/// The same, of what is to be one. refused: several.
+/// Returns the one experience of that name. refused: several.
 Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name);
 
 // Each is not_found when nothing of it is left to do, and says so.
 
-/// The places and stitches named, or a whole experience by its name.
+/// Takes out the places and stitches named, or a whole experience by its name.
 Result<Edit> taking_out(const Snapshot& snapshot, const msg::OperatorRequest& request);
-/// The two stretches named are different floors. invalid: not two, or stretches that cannot be; conflict: they are so
-/// already.
+/// Vouches that the two stretches named are different floors. invalid: not two, or stretches that cannot be;
+/// conflict: they are so already.
 Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest& request);
 Result<Edit> removing_label(const Snapshot& snapshot, const std::string& label);
-/// conflict: the new one is a label already.
+/// Renames a label. conflict: the new one is a label already.
 Result<Edit> renaming_label(const Snapshot& snapshot, const std::string& label, const std::string& new_label);
-/// What a revision changed, the other way round. refused: a rollback that is not the newest revision.
+/// Turns round what a revision changed. refused: a rollback that is not the newest revision.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);
 

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
 
-/// As people write it: 5, not 5.000000.
+/// Returns a number as people write it: 5, not 5.000000.
 std::string seconds_in_words(double duration_s) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g s", duration_s);

@@ -14,7 +14,7 @@
 
 namespace weft::server {
 
-/// One robot as the server knows it.
+/// Holds one robot as the server knows it.
 struct Robot {
   RobotId id;
   std::string name;      ///< a label; from the store until the robot says it
@@ -32,30 +32,30 @@ struct Robot {
   std::uint64_t content_bytes = 0;  ///< the same
 };
 
-/// Why a robot cannot be given anything to do now; empty when it can be talked to.
+/// Returns why a robot cannot be given anything to do now; empty when it can be talked to.
 std::string unreachable_reason(const Robot& robot);
 
-/// Who is there: hellos, descriptions, states, silence, clocks. Decides nothing about goals.
+/// Keeps the robots that are there: hellos, descriptions, states, silence, clocks. Decides nothing about goals.
 class Fleet {
  public:
   Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now);
 
-  /// False: the peer speaks no common protocol version and is not listened to.
+  /// Takes a hello. Returns false when the peer speaks no common protocol version and is not listened to.
   bool on_hello(const msg::Hello& hello, Now now);
   void on_description(const msg::RobotDescription& description, Now now);
-  /// The robot, when this state is news; null when it is an old one that came late.
+  /// Takes a state. Returns the robot when it is news; null when it is an old one that came late.
   const Robot* on_state(const msg::RobotState& state, Now now);
   void on_clock_reply(const msg::ClockReply& reply, Now now);
 
-  /// Before anything else is done with a peer's message. none: it is not known to be a robot, and this message is
-  /// not one that only robots send.
+  /// Judges a peer's message before anything else is done with it. none: the peer is not known to be a robot, and
+  /// this message is not one that only robots send.
   std::optional<Incarnations::Verdict> hear(const msg::Header& from, bool says_it_is_a_robot, Now now);
   bool is_refused(const PeerId& peer) const { return refused_.contains(peer); }
 
   void sent_window(const PeerId& to, std::size_t bytes);
   void sent_content(const PeerId& to, std::size_t bytes);
 
-  /// Silence, ended twins, clock probes. Returns robots that fell silent just now.
+  /// Looks after silence, ended twins and clock probes. Returns robots that fell silent just now.
   std::vector<RobotId> tick(Now now);
   /// Leaves out of every robot's silence what the server itself was away.
   void excuse(Duration away, SteadyTime now);
@@ -63,21 +63,21 @@ class Fleet {
 
   const std::map<RobotId, Robot>& robots() const { return robots_; }
   const Robot* find(const RobotId& id) const;
-  /// The robot's name, or its id when it has none.
+  /// Returns the robot's name, or its id when it has none.
   std::string name_of(const RobotId& id) const;
-  /// By name or by 32 hex digits. Of several of one name the one that is heard is meant. not_found: lists who there
-  /// is. refused: two of the name are heard, or several and none is; gives their ids.
+  /// Finds a robot by name or by 32 hex digits. Of several of one name the one that is heard is meant. not_found:
+  /// lists the robots that are there. refused: two of the name are heard, or several and none is; gives their ids.
   Result<RobotId> by_name(const std::string& text) const;
 
-  /// The robot is gone: it is listed no more and its name is free, until it is heard again. It must be silent and
+  /// Forgets the robot: it is listed no more and its name is free, until it is heard again. It must be silent and
   /// hold nothing.
   Result<void> forget(const RobotId& id, const std::string& who, Now now);
-  /// Until its agent says what it is called. refused: it is heard, or another one has the name.
+  /// Renames the robot until its agent says what it is called. refused: it is heard, or another one has the name.
   Result<void> rename(const RobotId& id, const std::string& name, const std::string& who, Now now);
 
  private:
   Robot& entry(const RobotId& id, Now now);
-  /// Names, in order, for people.
+  /// Lists names, in order, for people.
   std::string listed() const;
   void named(Robot& robot, const std::string& name, Now now);
   void changed(const Robot& robot, const msg::RobotState& next, Now now);

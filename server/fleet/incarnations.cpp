@@ -7,7 +7,7 @@ namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-/// A message can be this long on its way; one that comes later was sent by somebody alive.
+/// Bounds how long a message is on its way; one that comes later was sent by somebody alive.
 constexpr Duration kLongestWay = 3s;
 constexpr int kStrikes = 2;
 constexpr std::size_t kRemembered = 4;

@@ -20,9 +20,9 @@ class Incarnations {
 
   Verdict hear(std::uint64_t incarnation, SteadyTime now);
   bool twins() const { return twins_; }
-  /// Ends the twins' state once only one of them was heard within `quiet`. True if it ended now.
+  /// Ends the twins' state once only one of them was heard within `quiet`. Returns true if it ended now.
   bool settle(SteadyTime now, Duration quiet);
-  /// Nobody could be heard for so long until now: it counts for no one's silence.
+  /// Leaves a time in which nobody could be heard out of everybody's silence.
   void excuse(Duration away, SteadyTime now);
   std::uint64_t current() const { return current_; }
 

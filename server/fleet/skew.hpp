@@ -8,15 +8,15 @@
 
 namespace weft::server {
 
-/// How far a peer's wall clock is ahead of ours: offset of RFC 5905 section 8, taken from the probe with the shortest
-/// round trip among the last eight. For people; no decision uses it.
+/// Measures how far a peer's wall clock is ahead of ours: offset of RFC 5905 section 8, taken from the probe with the
+/// shortest round trip among the last eight. For people; no decision uses it.
 class ClockSkew {
  public:
-  /// A probe goes out now.
+  /// Notes that a probe goes out now.
   void sent(std::uint64_t probe, SteadyTime now);
-  /// Late and unknown replies are ignored.
+  /// Takes a reply; late and unknown ones are ignored.
   void answered(const msg::ClockReply& reply, Now now);
-  /// Seconds, positive when the peer's clock is ahead.
+  /// Returns seconds, positive when the peer's clock is ahead.
   std::optional<double> seconds_ahead() const;
 
  private:

@@ -160,7 +160,7 @@ Error Jobs::unverified(const Error& error) const {
   return {error.code, running_->written + ", but nobody has seen whether it restores: " + error.message};
 }
 
-/// The copy has just ended, so the map that is served is the map of its revision.
+/// Begins to verify the copy that has just ended, so the map that is served is the map of its revision.
 msg::OperatorReply Jobs::verify(const storage::JobProgress& copied, msg::OperatorReply reply) {
   running_->written = copied.summary;
   auto job = context_.maintenance.verify(running_->request.work.file, context_.snapshots.current());

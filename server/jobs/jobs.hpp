@@ -13,9 +13,9 @@
 
 namespace weft::server {
 
-/// Long work on the map, one at a time, piece by piece between messages: check, snapshot (verified or not), stats,
-/// compact, prune, replace. Who asked hears how it goes twice a second. It goes on when nobody listens any more, and
-/// its end is an event.
+/// Does long work on the map, one at a time, piece by piece between messages: check, snapshot (verified or not),
+/// stats, compact, prune, replace. The asker hears how it goes twice a second. It goes on when nobody listens any
+/// more, and its end is an event.
 class Jobs {
  public:
   using Key = RequestLedger::Key;
@@ -23,12 +23,12 @@ class Jobs {
 
   Jobs(Context& context, Editor& editor) : context_(context), editor_(editor) {}
 
-  /// None: it has begun. Otherwise the answer: why not.
+  /// Begins a job and returns none; otherwise returns the answer that says why not.
   std::optional<msg::OperatorReply> begin(const Key& key, const msg::OperatorRequest& request, const std::string& who,
                                           Now now);
-  /// One piece. Replies are under_way, but the last.
+  /// Does one piece. Replies are under_way, but the last.
   Replies tick(Now now);
-  /// At once, while there is work.
+  /// Returns when the next piece is due: at once, while there is work.
   std::optional<SteadyTime> next() const { return running_ ? std::optional(running_->work_at) : std::nullopt; }
 
  private:

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kUsage = 2;
 
-/// As given on the command line; none: not given.
+/// Holds settings as given on the command line; none: not given.
 struct Flags {
   std::string config;
   std::optional<std::string> store, name, dds, listen, unjoined;
@@ -53,7 +53,7 @@ std::string toml_value(const T& value) {
   return text.str();
 }
 
-/// The file's settings as TOML text, the flags' put over them: bounds are stated once, for both.
+/// Returns the file's settings as TOML text, the flags' put over them: bounds are stated once, for both.
 Result<std::string> merged(const Flags& flags) {
   if (flags.config.empty()) return std::string();
   std::ifstream in(flags.config, std::ios::binary);
@@ -82,7 +82,7 @@ Options read(const config::Table& table) {
   return options;
 }
 
-/// What the flags say wins, setting by setting.
+/// Puts the flags over the file, setting by setting.
 void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.store) options.store = given.store;
   if (flags.name) options.name = given.name;

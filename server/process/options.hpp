@@ -10,7 +10,7 @@
 
 namespace weft::server {
 
-/// All settings of the process. A flag wins over the file, the file over the default.
+/// Holds all settings of the process. A flag wins over the file, the file over the default.
 struct Options {
   std::string store;
   std::string name;
@@ -23,7 +23,7 @@ struct Options {
   std::vector<config::Setting> effective;  ///< for the log
 };
 
-/// The command line asked for something to be printed, or was wrong: what to print, and the exit code.
+/// Tells that the command line asked for something to be printed, or was wrong: what to print, and the exit code.
 struct Leave {
   int exit_code = 0;
   std::string text;

@@ -4,8 +4,8 @@
 
 namespace weft::server {
 
-/// The process's life after its options: opens store and bus, serves until SIGINT or SIGTERM. An error is the reason
-/// for which it could not start or had to end.
+/// Runs the process after its options are read: opens store and bus, serves until SIGINT or SIGTERM. An error is the
+/// reason for which it could not start or had to end.
 Result<void> run(const Options& options);
 
 }  // namespace weft::server

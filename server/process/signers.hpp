@@ -3,7 +3,7 @@
 
 namespace weft::server {
 
-/// Every method whose contents this server can sign; chosen here and nowhere else.
+/// Returns the signers of every method whose contents this server can sign; chosen here and nowhere else.
 Signers all_signers();
 
 }  // namespace weft::server

@@ -27,7 +27,7 @@ bool Recognition::can_sign(const std::string& method) const {
   return found != signers.end() && found->first.first == method;
 }
 
-/// What has changed since it was looked at last: experiences that grew, went, or came back.
+/// Looks for what has changed since it was looked at last: experiences that grew, went, or came back.
 void Recognition::look_for_work() {
   const Snapshot& snapshot = context_.snapshots.current();
   if (context_.config.signers.empty() || looked_at_ == snapshot.revision()) return;
@@ -96,7 +96,7 @@ bool Recognition::sign(const Place& place) {
   return is_signed;
 }
 
-/// For `map info`.
+/// Shows the counts in `map info`.
 void Recognition::show() {
   std::uint64_t is_signed = 0;
   std::uint64_t bytes = 0;

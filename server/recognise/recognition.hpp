@@ -22,13 +22,13 @@ class Recognition {
   explicit Recognition(Context& context) : context_(context) {}
 
   void on_question(const msg::Recognise& asked, SteadyTime now);
-  /// One bounded piece of work of each kind, if it is due.
+  /// Does one bounded piece of work of each kind, if it is due.
   void tick(Now now);
   std::optional<SteadyTime> next() const;
 
  private:
   using Key = std::pair<std::string, std::uint32_t>;  ///< method and content format
-  /// How far an experience has been signed.
+  /// Holds how far an experience has been signed.
   struct Progress {
     std::shared_ptr<const Experience> experience;  ///< as it was looked at last
     std::uint32_t walked = 0;                      ///< of its places, from the first on
@@ -44,7 +44,7 @@ class Recognition {
   void note_experience(const std::shared_ptr<const Experience>& experience);
   bool can_sign(const std::string& method) const;
   void sign_piece();
-  /// Whether it has a signature now.
+  /// Returns whether it has a signature now.
   bool sign(const Place& place);
   void search_piece();
   void answer(const msg::Recognise& asked, msg::Recognised answer);

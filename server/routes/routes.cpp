@@ -25,7 +25,7 @@ bool is_outgrown(const routing::Preparation& preparation) {
   return preparation.of.place_count() > kOutgrown * std::max<std::uint64_t>(1, preparation.base.size());
 }
 
-/// No method's name has a line break.
+/// Joins method names by line breaks, which no method's name has.
 std::string key_of(const std::set<std::string>& methods) {
   std::string key;
   for (const std::string& method : methods) key += (key.empty() ? "" : "\n") + method;
@@ -98,7 +98,8 @@ std::optional<routing::Builder> Routes::from_store(const std::set<std::string>& 
   return std::nullopt;
 }
 
-/// What is stored is read once. A preparation that the network has outgrown is made anew beside it.
+/// Returns the next work. What is stored is read once; a preparation that the network has outgrown is made anew
+/// beside it.
 routing::Builder Routes::next_work(const std::set<std::string>& methods, Prepared& prepared) {
   const Snapshot& snapshot = context_.snapshots.current();
   prepared.is_anew = !prepared.ready || is_outgrown(*prepared.ready);
@@ -127,7 +128,8 @@ void Routes::work(const std::set<std::string>& methods, Prepared& prepared, Now 
   prepared.next_piece = now.steady + kBetweenUpdates;
 }
 
-/// Writing that of a million places takes a good part of a second: while nobody teaches, unless that is never.
+/// Returns when a preparation is to be stored: while nobody teaches, unless that is never, as writing that of a
+/// million places takes a good part of a second.
 std::optional<SteadyTime> Routes::storing_due(const Prepared& prepared) const {
   if (!prepared.ready || prepared.under_way || prepared.stored == prepared.ready->of.revision()) return std::nullopt;
   const bool is_first = prepared.stored == Revision{};

@@ -17,22 +17,23 @@ class Routes {
  public:
   explicit Routes(Context& context) : context_(context) {}
 
-  /// A robot drives with these methods. Beyond the most sets that are prepared (docs/decisions/042) it is counted.
+  /// Prepares for a robot that drives with these methods. Beyond the most sets that are prepared (docs/decisions/042)
+  /// it is counted.
   void want(const std::set<std::string>& methods);
 
-  /// As `weft::shortest_path`, of equally long routes any one. Where there is no way the words are those of an
-  /// earlier look at the same goal, when that was not long ago: they cost a search of everything.
+  /// Finds a route as `weft::shortest_path`, of equally long ones any. Where there is no way the words are those of
+  /// an earlier look at the same goal, when that was not long ago: they cost a search of everything.
   Result<Path> find(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now);
 
-  /// One bounded piece of work, if there is any.
+  /// Does one bounded piece of work, if there is any.
   void tick(Now now);
   std::optional<SteadyTime> next() const;
 
-  /// Whether routes are found over a preparation.
+  /// Returns whether routes are found over a preparation.
   bool is_prepared(const std::set<std::string>& methods) const;
 
  private:
-  /// The network made ready for one set of methods, and what is under way to make it so.
+  /// Holds the network made ready for one set of methods, and what is under way to make it so.
   struct Prepared {
     std::optional<routing::Preparation> ready;
     std::optional<routing::Builder> under_way;
@@ -55,7 +56,7 @@ class Routes {
   void work(const std::set<std::string>& methods, Prepared& prepared, Now now);
   void store(const std::set<std::string>& methods, Prepared& prepared, Now now);
   std::optional<SteadyTime> storing_due(const Prepared& prepared) const;
-  /// When the next piece of work, or storing, is due; none: nothing is to be done.
+  /// Returns when the next piece of work, or storing, is due; none: nothing is to be done.
   std::optional<SteadyTime> due(const Prepared& prepared) const;
   Error no_way(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now);
 

@@ -163,7 +163,7 @@ double Layout::distance_m(const Spot& a, const Spot& b) {
   return (a.part_from_place.translation() - b.part_from_place.translation()).norm();
 }
 
-/// Relies on two ancestors of one depth having their jumps at one depth, too.
+/// Returns the nearest common ancestor. Two ancestors of one depth have their jumps at one depth, too.
 Layout::Index Layout::common(Index a, Index b) const {
   if (places_[a].depth < places_[b].depth) std::swap(a, b);
   const Index depth = places_[b].depth;

@@ -153,7 +153,7 @@ std::optional<Layout::Laid> Layout::laid_on(Index index, Index on_index) const {
   return laid;
 }
 
-/// Hangs a place anew with its parent that was hung anew.
+/// Hangs a place on another. A place whose parent was hung anew is hung anew with it.
 void Layout::hang(const Way& way) {
   if (way.place == part_ || !is_of_part(way.on)) return;
   const Laid before = now(way.place);

@@ -14,7 +14,7 @@ constexpr std::size_t kPlacesAtOnce = 2000;
 /// Bounds a piece of work between two messages: about 1 ms on a large map.
 constexpr std::size_t kPlacesOfPiece = 250;
 constexpr Duration kBetweenPieces = 2ms;
-/// Bounds the time after which it is told that a layout takes longer, and how far it is.
+/// A layout of so many places takes longer than a moment: it is told, and so often how far it is.
 constexpr std::uint64_t kWorthTelling = 20'000;
 constexpr std::uint64_t kTimesTold = 5;
 /// Bounds how far beyond its own size a robot may drive and not count as on its way.
