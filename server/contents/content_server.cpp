@@ -42,7 +42,7 @@ std::optional<std::uint64_t> ContentServer::size_of(const ContentHash& hash) {
 
 void ContentServer::on_request(const msg::ContentRequest& request, SteadyTime now) {
   if (recipients_.size() >= kMostPeers && !recipients_.contains(request.header.sender)) {
-    ++context_.counters["contents: too many peers"];
+    ++context_.counters["library: too many askers"];
     return;
   }
   const auto [at, is_new] = recipients_.try_emplace(request.header.sender);
@@ -54,7 +54,7 @@ void ContentServer::on_request(const msg::ContentRequest& request, SteadyTime no
   for (const msg::ContentRequest::Item& item : request.items) {
     const std::optional<std::uint64_t> size = size_of(item.hash);
     if (!size) {
-      ++context_.counters["contents: content that nobody handed in"];
+      ++context_.counters["library: content that nobody handed in"];
       continue;
     }
     if (item.offset >= *size || recipient.wanted.size() >= kMostWanted) continue;
@@ -72,9 +72,9 @@ std::shared_ptr<const storage::StoredContent> ContentServer::fetch(const Content
   if (open_ != nullptr && open_hash_ == hash) return open_;
   Result<storage::StoredContent> content = context_.store.stored_content(hash);
   if (!content) {
-    ++context_.counters["contents: content cannot be read"];
+    ++context_.counters["library: content cannot be read"];
     context_.writer.note({.at = {},
-                          .kind = "contents.damaged",
+                          .kind = "library.content_damaged",
                           .robot = {},
                           .goal = {},
                           .cause = content.error().message,

@@ -19,7 +19,7 @@ constexpr Duration kBetweenPatches = 500ms;
 void WindowPublisher::on_request(const msg::WindowRequest& request, SteadyTime now) {
   const PeerId peer = request.header.sender;
   if (subscribers_.size() >= kMostPeers && !subscribers_.contains(peer)) {
-    ++context_.counters["windows: too many subscribers"];
+    ++context_.counters["keeper: too many askers"];
     return;
   }
   Subscriber& subscriber = subscribers_[peer];

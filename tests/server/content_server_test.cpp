@@ -99,7 +99,7 @@ TEST_F(Contents, UnknownContentIsCounted) {
   hash.bytes[0] = 3;
   ask({{hash, 0}});
   EXPECT_THAT(site.heard<msg::Chunk>(), IsEmpty());
-  EXPECT_EQ(site.counted("contents: content that nobody handed in"), 1U);
+  EXPECT_EQ(site.counted("library: content that nobody handed in"), 1U);
 }
 
 }  // namespace
