@@ -46,7 +46,7 @@ TEST_F(StudyOfDisturbances, StopsWhenAskedAndLeavesNoTruthBehind) {
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::stopped);
-  EXPECT_NE(progress.str().find("36 rows to measure, 0 of them"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("40 rows to measure, 0 of them"), std::string::npos) << progress.str();
   EXPECT_TRUE(std::filesystem::is_empty(options.out));
 }
 
@@ -62,7 +62,7 @@ TEST_F(StudyOfDisturbances, RowsThatAreThereAreNotMeasuredAgain) {
   const Result<Ended> ended = run();
   ASSERT_TRUE(ended.has_value()) << ended.error().message;
   EXPECT_EQ(*ended, Ended::complete);
-  EXPECT_NE(progress.str().find("36 of them are there already"), std::string::npos) << progress.str();
+  EXPECT_NE(progress.str().find("40 of them are there already"), std::string::npos) << progress.str();
   EXPECT_NE(out.str().find("| without noise "), std::string::npos);
   EXPECT_GT(std::filesystem::file_size(options.out / "disturbances.png"), 10'000U);
   EXPECT_GT(std::filesystem::file_size(options.out / "disturbances.csv"), 1'000U);

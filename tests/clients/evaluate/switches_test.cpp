@@ -91,7 +91,9 @@ TEST(Switches, HarderOnesComeOnTopOfAllAndAlone) {
     EXPECT_EQ(on(with.disturbances).size(), kFields.size());
     EXPECT_TRUE(on(only.disturbances).empty());
     for (std::size_t other = 0; other < kHarder.size(); ++other) {
-      if (other != i) EXPECT_EQ(only.disturbances.*kHarder.at(other), 0.0);
+      if (other != i) {
+        EXPECT_EQ(only.disturbances.*kHarder.at(other), 0.0);
+      }
     }
   }
 }
@@ -100,7 +102,8 @@ TEST(Switches, AreChosenByTheNameOfARowOrOfADisturbance) {
   const auto all = variants_of({});
   const auto names = [&](const std::vector<std::string>& only) {
     std::vector<std::string> chosen;
-    for (const Variant& variant : *named(all, only)) chosen.push_back(name_of(variant));
+    const auto found = named(all, only);
+    for (const Variant& variant : *found) chosen.push_back(name_of(variant));
     return chosen;
   };
   EXPECT_EQ(names({}).size(), all.size());

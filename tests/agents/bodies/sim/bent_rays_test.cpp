@@ -35,7 +35,8 @@ Bytes seen_from(const Site& site, const CameraModel& model, const Pose3& site_fr
 
 TEST(UnevenFloor, IsMetOnTheLineOfSight) {
   const Relief relief(0.01, 1);
-  Pose3 site_from_camera = lift({3.0, 2.0, 0.3}) * given_camera_from(CameraSetup{}, "r1", 0).robot_from_camera;
+  Pose3 site_from_camera =
+      lift({3.0, 2.0, 0.3}) * given_camera_from(CameraSetup{}, no_disturbances(), "r1", 0).robot_from_camera;
   const Eigen::Vector3d eye = site_from_camera.translation;
   for (double ahead = 0.3; ahead < 2.5; ahead += 0.1) {
     const Eigen::Vector2d on_plane = eye.head<2>() + ahead * Eigen::Vector2d(0.8, 0.6);
@@ -48,7 +49,7 @@ TEST(UnevenFloor, IsMetOnTheLineOfSight) {
 
 TEST(UnevenFloor, ShowsMarksWhereTheirHeightPutsThem) {
   const Site site = flawless_site(0.01);
-  const CameraModel model = given_camera_from(site.camera, "r1", 0);
+  const CameraModel model = given_camera_from(site.camera, site.disturbances, "r1", 0);
   const Relief relief = *relief_of(site);
   const Pose3 site_from_camera = stance_on(relief, site.base, {3.137, 2.071, 0.7}) * model.robot_from_camera;
   const Bytes image = seen_from(site, model, site_from_camera, std::make_shared<DottedFloor>());
@@ -70,7 +71,7 @@ TEST(UnevenFloor, ShowsMarksWhereTheirHeightPutsThem) {
 
 TEST(UnevenFloor, LiesUnderTheBodyThatSeesIt) {
   const Site site = flawless_site(0.004);
-  const CameraModel model = given_camera_from(site.camera, "r1", 0);
+  const CameraModel model = given_camera_from(site.camera, site.disturbances, "r1", 0);
   const auto floor = make_site_floor(site, std::nullopt, {});
   ASSERT_TRUE(floor);
   const Pose3 stands = stance_on(*relief_of(site), site.base, site.robots[0].site_from_robot);

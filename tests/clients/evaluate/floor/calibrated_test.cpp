@@ -12,10 +12,10 @@
 namespace weft::evaluate::floor {
 namespace {
 
-Stage stage_with_a_wrong_lens() {
+Stage stage_with_a_wrong_mount() {
   Stage stage;
   stage.site.robots.push_back({"r1", {2.0, 2.0, 0.0}, 5});
-  stage.site.disturbances.focal_error = 0.02;
+  stage.site.disturbances.mount_error_m = 0.03;
   stage.line = {{2.0, 2.0}, {6.0, 2.0}, {6.0, 7.0}};
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
   stage.scratch = std::filesystem::path(testing::TempDir()) / ("weft-" + test + ".truth");  // tests run side by side
@@ -24,7 +24,7 @@ Stage stage_with_a_wrong_lens() {
 }
 
 TEST(FloorCalibrated, FindsTheSpeedAndLeavesNoTruthBehind) {
-  const Stage here = stage_with_a_wrong_lens();
+  const Stage here = stage_with_a_wrong_mount();
   const auto scenario = Scenario::make(here, "polished-concrete", 2);
   ASSERT_TRUE(scenario) << scenario.error().message;
   const auto camera = calibrated(scenario->for_calibration(), scenario->calibration_line());
@@ -48,7 +48,7 @@ TEST(FloorCalibrated, FindsTheSpeedAndLeavesNoTruthBehind) {
 }
 
 TEST(FloorCalibrated, StopsWhenAskedAndLeavesNoTruthBehind) {
-  const Stage here = stage_with_a_wrong_lens();
+  const Stage here = stage_with_a_wrong_mount();
   const auto scenario = Scenario::make(here, "polished-concrete", 2);
   Drive drive = scenario->for_calibration();
   int samples = 0;
