@@ -19,7 +19,7 @@ bool Layout::work(std::size_t places) {
   return has_news;
 }
 
-/// Does a piece. Returns true when it ended what can be asked for now.
+/// Does one bounded piece. Returns true when everything that can be asked for now is done.
 bool Layout::piece(std::size_t& places) {
   if (part_ == kNone) {
     if (!begin_branches() && !begin_part(places)) network_.reset();

@@ -8,7 +8,7 @@
 
 namespace weft::agents::sim {
 
-/// Where a line of sight meets an uneven floor.
+/// Holds the point where a line of sight meets an uneven floor.
 struct FloorMet {
   Eigen::Vector2d at;                  ///< site frame
   float bend_x = 0.0F, bend_y = 0.0F;  ///< how the ray that meets the plane straight below there differs, normalised
@@ -23,7 +23,8 @@ class BentRays {
   /// A node every `cell` pixels; `columns` x `rows` of them, row-major.
   BentRays(int cell, int columns, int rows);
   void set(std::size_t node, const FloorMet& met);
-  /// Of the pixels from (u, v) on, as many as there are rays; u is a multiple of the cell, and so is their number.
+  /// Bends the rays of the pixels from (u, v) on, as many as there are; u is a multiple of the cell, and so is their
+  /// number.
   void bend(int u, int v, std::span<const float> ray_x, std::span<const float> ray_y);
   const float* x() const { return x_.data(); }
   const float* y() const { return y_.data(); }

@@ -195,7 +195,7 @@ void Camera::fetch_floor() {
   }
 }
 
-/// Of each image row; of one, when all are taken at once.
+/// Returns one for each image row; one alone when all are taken at once.
 std::vector<Camera::FloorFromSubsamples> Camera::floor_from_rows(const FloorShot& shot, TileKey origin) const {
   std::vector<FloorFromSubsamples> all(shot.rows.empty() ? 1 : shot.rows.size());
   for (std::size_t row = 0; row < all.size(); ++row) {

@@ -30,7 +30,7 @@ struct FloorShot {
   double gain = 1.0;
   std::uint64_t noise_seed = 0;
   double time_s = 0.0;  ///< of the body
-  /// Where the camera is while one row of the image is taken.
+  /// Says where the camera is while one row of the image is taken.
   struct Row {
     std::array<Pose3, kSubsamples> site_from_camera;
     Pose3 site_from_camera_mid;

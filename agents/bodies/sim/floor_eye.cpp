@@ -48,7 +48,7 @@ class FloorEye final : public Eye {
   }
 
  private:
-  /// Where the camera is for a row that is taken so much later than the image's middle.
+  /// Returns where the camera is for a row that is taken so much later than the image's middle.
   FloorShot::Row row_at(const Moment& moment, double later_s) const {
     FloorShot::Row row;
     for (std::size_t k = 0; k < kSubsamples; ++k) {

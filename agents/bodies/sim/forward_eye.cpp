@@ -69,7 +69,7 @@ class ForwardEye final : public Eye {
   bool expose(const Exposure& exposure) override { return exposure_.tell(exposure); }
 
  private:
-  /// Where the camera is for rows that are taken so much later than the image's middle.
+  /// Returns where the camera is for rows that are taken so much later than the image's middle.
   std::array<Pose3, kHallSamples> poses_at(const Moment& moment, double later_s) const {
     std::array<Pose3, kHallSamples> poses;
     for (std::size_t k = 0; k < kHallSamples; ++k)

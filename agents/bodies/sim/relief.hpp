@@ -27,7 +27,7 @@ class Relief {
   PerWave per_x_{}, per_y_{}, begins_{}, height_{};
 };
 
-/// Of the site's floor; none: it is a plane.
+/// Returns the relief of the site's floor; none: it is a plane.
 std::optional<Relief> relief_of(const Site& site);
 
 }  // namespace weft::agents::sim

@@ -186,7 +186,7 @@ Moment SimBody::moment_now() {
   // Standing still nothing shakes; from a slow walk on everything does.
   const double shaking = std::min(1.0, (std::abs(moving.linear_m_s) + 0.3 * std::abs(moving.angular_rad_s)) / 0.2);
   Moment moment;
-  // What is stamped now has been taken this much earlier.
+  // An image that is stamped now was taken this much earlier.
   const double offset_s = site_.disturbances.time_offset_s;
   const auto robot_at = [this, moving](double from_now_s) {
     return base_.site_from_robot() *

@@ -5,8 +5,9 @@
 
 namespace weft::agents::sim {
 
-/// Where a body is that stands on an uneven floor over this pose of the plane: as high and as tilted as the plane
-/// that fits best to the floor under its wheels (`track_m` apart) and under its ends (`radius_m` before and behind).
+/// Returns the pose of a body that stands on an uneven floor over this pose of the plane: as high and as tilted as
+/// the plane that fits best to the floor under its wheels (`track_m` apart) and under its ends (`radius_m` before and
+/// behind).
 Pose3 stance_on(const Relief& relief, const BaseSetup& base, const Pose2& site_from_robot);
 
 }  // namespace weft::agents::sim

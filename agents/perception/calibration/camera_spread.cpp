@@ -55,7 +55,7 @@ Eigen::Matrix<double, 2, 6> by_pose(const CameraModel& camera, const Pose3& pose
   return jacobian;
 }
 
-/// What the coefficients' covariance leaves open of the image's corner, in pixels.
+/// Returns the sigma, in pixels, that the coefficients' covariance leaves to the image's corner.
 double corner_sigma_px(const CameraModel& camera, const Eigen::Matrix4d& of_coefficients) {
   const Eigen::Vector2d corner = image_corner(camera);
   Eigen::Matrix<double, 2, 4> by_coefficients;

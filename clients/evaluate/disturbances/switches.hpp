@@ -25,8 +25,8 @@ std::vector<std::string> disturbance_names();
 /// size of their own here, which their names say: the site with it as well, and with it alone.
 std::vector<Variant> variants_of(const agents::sim::Disturbances& site);
 
-/// Those of these names, in the order of `all`; a disturbance's name means all that are about it. No names: all.
-/// invalid: says which name is none, and what there is.
+/// Returns those of these names, in the order of `all`; a disturbance's name means all that are about it. No names:
+/// all. invalid: says which name is none, and what there is.
 Result<std::vector<Variant>> named(const std::vector<Variant>& all, const std::vector<std::string>& names);
 
 }  // namespace weft::evaluate

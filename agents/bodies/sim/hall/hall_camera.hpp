@@ -17,7 +17,7 @@ inline constexpr int kHallBand = 4;  ///< rows of an image that are taken togeth
 /// One image's circumstances.
 struct HallShot {
   std::array<Pose3, kHallSamples> site_from_camera;  ///< in the middle of each quarter of the exposure
-  /// Of a rolling shutter: likewise for each kHallBand rows; empty: all rows are taken at once.
+  /// Holds, of a rolling shutter, the same for each kHallBand rows; empty: all rows are taken at once.
   std::vector<std::array<Pose3, kHallSamples>> bands;
   double time_s = 0.0;      ///< of the body: what moves is there then
   double gain = 1.0;        ///< grey levels for what is 1 when the sensor is exposed as sites are lit for
