@@ -165,6 +165,17 @@ concept Remembers = ChartsItself<M> &&
   { m.begin(chart, seed, before) } -> std::same_as<typename M::Belief>;
 };
 
+/// A method whose contents look alike in more places than one: what a view is related to anywhere is believed when
+/// no place elsewhere in the window is nearly as much like it.
+template <class M>
+concept Doubts = Method<M> &&
+    requires(const M& m, const typename M::Content& place, const typename M::Content& seen) {
+  /// likeness: the more the more alike; 0: not at all.
+  { m.likeness(place, seen) } -> std::same_as<double>;
+  /// most_of_rival: how much like it a place elsewhere may be, by the likeness of the place itself.
+  { m.most_of_rival(1.0) } -> std::same_as<double>;
+};
+
 /// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {

@@ -127,6 +127,11 @@ void Belief::forget() {
   agreed_ = 0;
 }
 
+void Belief::withdraw() {
+  proposed_.reset();
+  agreed_ = 0;
+}
+
 OrRefusal<Fix> Belief::correct(const Fix& fix, const Relation& predicted, const Window& window) {
   const double sigmas = disagreement(config_, predicted, fix.place_from_robot);
   if (sigmas > config_.gate_sigmas) {

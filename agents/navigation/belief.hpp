@@ -44,6 +44,8 @@ class Belief {
   /// A fix of a robot that knows nothing: believed once `unseeded_fixes` in a row agree with one another under the
   /// odometry between them. Refused until then: "unconfirmed".
   OrRefusal<Fix> propose(const Fix& fix, const Window& window, std::uint32_t needed);
+  /// Forgets what was proposed and is not believed.
+  void withdraw();
   /// The last fix proposed and not believed, moved along with the robot.
   const std::optional<Fix>& proposed() const { return proposed_; }
 

@@ -45,6 +45,7 @@ void each_locate(Config& locate, const In& in) {
   in("seed_hops", locate.seed_hops, Low::closed, 0, 1000);
   in("seek_tries", locate.seek_tries, Low::closed, 1, 1000);
   in("seek_signs", locate.seek_signs, Low::closed, 1, 10000);
+  in("rival_m", locate.rival_m, Low::open, 0, 10);
   in("decoded_contents", locate.decoded_contents, Low::closed, 16, 100000);
 }
 

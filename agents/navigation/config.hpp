@@ -26,18 +26,20 @@ struct BeliefConfig {
 };
 
 struct LocateConfig {
-  double every_m = 0.1;                  ///< localise after this travel; (0, 2]
-  double every_rad = 0.15;               ///< or this turn; (0, 1.5]
-  std::uint32_t standing_samples = 10;   ///< or after this many samples; [1, 1000]
-  std::uint32_t tries = 3;               ///< candidates related an attempt; [1, 50]
-  double reach_m = 1.0;                  ///< candidates predicted farther away (norm) are left alone; (0, 10]
-  double reach_share = 0.3;              ///< added to the reach for each metre travelled blind; [0, 2]
-  double route_preference = 0.6;         ///< factor on the predicted norm of places on the route; (0, 1]
-  std::uint32_t near_hops = 6;           ///< depth of the search after a recent fix; [1, 100]
-  std::uint32_t most_hops = 25;          ///< d_max: the depth grows to this while blind; [1, 1000]
-  std::uint32_t seed_hops = 20;          ///< sigma: chain around a seed that is tried; [0, 1000]
-  std::uint32_t seek_tries = 12;         ///< places related per sample while seeking; [1, 1000]
-  std::uint32_t seek_signs = 64;         ///< contents read for their signature per sample while seeking; [1, 10000]
+  double every_m = 0.1;                 ///< localise after this travel; (0, 2]
+  double every_rad = 0.15;              ///< or this turn; (0, 1.5]
+  std::uint32_t standing_samples = 10;  ///< or after this many samples; [1, 1000]
+  std::uint32_t tries = 3;              ///< candidates related an attempt; [1, 50]
+  double reach_m = 1.0;                 ///< candidates predicted farther away (norm) are left alone; (0, 10]
+  double reach_share = 0.3;             ///< added to the reach for each metre travelled blind; [0, 2]
+  double route_preference = 0.6;        ///< factor on the predicted norm of places on the route; (0, 1]
+  std::uint32_t near_hops = 6;          ///< depth of the search after a recent fix; [1, 100]
+  std::uint32_t most_hops = 25;         ///< d_max: the depth grows to this while blind; [1, 1000]
+  std::uint32_t seed_hops = 20;         ///< sigma: chain around a seed that is tried; [0, 1000]
+  std::uint32_t seek_tries = 12;        ///< places related per sample while seeking; [1, 1000]
+  std::uint32_t seek_signs = 64;        ///< contents read for their signature per sample while seeking; [1, 10000]
+  double rival_m = 5.0;  ///< along the way from where an unseeded robot seems to stand; what is nearer may look like
+                         ///< it, but not more; (0, 10]
   std::uint32_t decoded_contents = 512;  ///< kept in memory; [16, 100000]
 };
 

@@ -12,8 +12,9 @@
 #include "agents/navigation/charted.hpp"
 #include "agents/navigation/curiosity.hpp"
 #include "agents/navigation/decoded_contents.hpp"
-#include "agents/navigation/localised_around.hpp"
+#include "agents/navigation/rivals.hpp"
 #include "agents/navigation/seek.hpp"
+#include "agents/navigation/settled.hpp"
 
 namespace weft::agents {
 
@@ -29,7 +30,7 @@ class Localiser {
   };
 
   Localiser(const M& method, const NavigationConfig& config)
-      : method_(&method), config_(config), belief_(config.belief), charted_(method) {}
+      : method_(&method), config_(config), belief_(config.belief), charted_(method), doubt_(method) {}
 
   const std::optional<Estimate>& estimate() const { return belief_.estimate(); }
   bool seeking() const { return seek_.active(); }
@@ -50,11 +51,14 @@ class Localiser {
     belief_.forget();
     charted_.forget();
     curiosity_.forget();
+    doubt_.close();
     seek_.start(seed);
   }
   /// Looks everywhere, nearest to what was believed last first.
   void seek_again() {
     curiosity_.forget();
+    doubt_.close();
+    if constexpr (Doubts<M>) belief_.withdraw();  // nothing that was not weighed is confirmed
     seek_.start(std::nullopt);
   }
 
@@ -190,6 +194,7 @@ class Localiser {
     std::uint32_t tries = config_.locate.seek_tries;
     if (belief_.proposed()) {
       if (waits_for_neighbours(map, bytes)) return;
+      if (is_in_doubt(map, bytes, decoded, tries, outcome)) return;
       if (confirm(seen, map, bytes, decoded, tries, outcome)) return;
     }
     const OrRefusal<void> prepared = seek_.prepare(config_, map, estimate());
@@ -291,31 +296,58 @@ class Localiser {
       return false;
     }
     const bool looked_everywhere = !seek_.seeded();
-    const std::uint32_t needed = looked_everywhere ? config_.belief.unseeded_fixes : 1;
+    const std::uint32_t least = Doubts<M> ? 2 : 1;  // the second one after the first has been weighed
+    const std::uint32_t needed = looked_everywhere ? std::max(least, config_.belief.unseeded_fixes) : 1;
     suspected_samples_ = 0;
-    if (take(belief_.propose(*fix, map, needed), outcome) && looked_everywhere)
-      settle(seen, map, bytes, decoded, outcome);
+    const Belief before = belief_;
+    if (const OrRefusal<Fix> believed = belief_.propose(*fix, map, needed); !believed) {
+      outcome.refusals.push_back(believed.error());
+      if constexpr (Doubts<M>) {
+        if (looked_everywhere) doubt_.begin(config_, map, id, seen, seek_.left_out());
+      }
+      return true;
+    }
+    outcome.fix = *fix;
+    if (!looked_everywhere || settles(seen, map, bytes, decoded, outcome)) {
+      charted_.believed(*estimate());
+      seek_.end();
+    } else {
+      belief_ = before;
+      outcome.fix.reset();
+    }
     return true;
   }
 
-  /// Two contents that look alike anywhere say little of how far along a path it is: the places around say more, now
-  /// and not only on the way. What they say far from what was found is left alone.
-  void settle(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
-              Outcome& outcome) {
-    if constexpr (ChartsItself<M>) {
-      constexpr double most_sigmas = 3.0;
-      const OrRefusal<Fix> fix = localised_around(*method_, map, bytes, decoded, *estimate(), seen);
-      if (!fix) return;
-      const auto found_from_fix =
-          between(config_.belief, map, estimate()->place, fix->place, config_.locate.most_hops);
-      if (!found_from_fix) return;
-      const Relation found_from_robot = compose(*found_from_fix, fix->place_from_robot);
-      const double apart_m = distance_m(compose(inverse(estimate()->place_from_robot), found_from_robot));
-      if (apart_m > most_sigmas * spread_of(estimate()->place_from_robot).metres) return;
-      belief_.set(*fix);
-      charted_.believed(*estimate());
-      outcome.fix = *fix;
+  /// Where a robot seems to stand may not be the only place that looks so: the view that told so is held against all
+  /// others first. True when this sample is done.
+  bool is_in_doubt(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, std::uint32_t& tries,
+                   Outcome& outcome) {
+    if constexpr (Doubts<M>) {
+      if (!doubt_.is_open()) return false;
+      const OrRefusal<void> only = doubt_.look(map, bytes, decoded, tries);
+      if (only) return false;
+      outcome.refusals.push_back(only.error());
+      if (!doubt_.is_open()) belief_.withdraw();
+      return true;
     }
+    return false;
+  }
+
+  /// What was found stays as it is where the places around do not tell more, unless the method doubts. False: it is
+  /// not to be believed.
+  bool settles(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
+               Outcome& outcome) {
+    if constexpr (ChartsItself<M>) {
+      const OrRefusal<Fix> fix = settled(*method_, config_, map, bytes, decoded, *estimate(), seen);
+      if (fix) {
+        belief_.set(*fix);
+        outcome.fix = *fix;
+      } else if (Doubts<M>) {
+        outcome.refusals.push_back(fix.error());
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Around a seed, a method that localises in its own way does so where two contents alone tell too little.
@@ -385,6 +417,7 @@ class Localiser {
   Curiosity curiosity_;
   std::uint32_t suspected_samples_ = 0;  // since the last fix that waits for another
   Charted<M> charted_;
+  typename RivalsOrNone<M>::Type doubt_;  // open while a fix that waits for another one is weighed
   double since_m_ = 0.0;
   double since_rad_ = 0.0;
   std::uint32_t since_samples_ = 0;

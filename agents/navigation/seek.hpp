@@ -18,6 +18,7 @@ class Seek {
   void end() { active_ = false; }
   /// Its places are not tried, until the next start.
   void leave_out(const ExperienceId& run) { left_out_ = run; }
+  const std::optional<ExperienceId>& left_out() const { return left_out_; }
   bool leaves_out(const PlaceId& place) const { return left_out_ == place.experience; }
   bool active() const { return active_; }
   bool seeded() const { return seed_.has_value(); }

@@ -105,6 +105,11 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
     const double bound = config_.anywhere_nearing + (nearing ? 2.0 * std::sqrt(nearing->variance) : 0.0);
     if (nearing && std::abs(nearing->share) > bound)
       return tl::unexpected(Refusal{"further_off", nearing->share, bound});
+    const double standing =
+        nearing ? count_standing(*nearing, a.features, b.features, vote->agreeing, a.focal_px, config_.standing_px)
+                : 0.0;
+    if (standing < config_.anywhere_standing)
+      return tl::unexpected(Refusal{"another_scene", standing, static_cast<double>(config_.anywhere_standing)});
   }
   AlongPath a_from_b{0.0, config_.unknown_along_sigma_m * config_.unknown_along_sigma_m};
   if (guess) {
@@ -117,6 +122,20 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
   a_from_b.heading_variance_rad2 = config_.vote_sigma_rad * config_.vote_sigma_rad * (1.0 + 20.0 / vote->votes);
   return Related{a_from_b, vote->votes, static_cast<double>(vote->votes) / std::max(1U, vote->matches),
                  vote->runner_up};
+}
+
+double Bearing::most_of_rival(double likeness) const {
+  return std::min(config_.anywhere_rival * likeness, static_cast<double>(config_.anywhere_rival_standing));
+}
+
+double Bearing::likeness(const Content& a, const Content& b) const {
+  if (a.description != b.description) return 0.0;
+  const double rise_px = frequent_rise(a.features, b.features, config_.width_px, config_.vote);
+  const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote, rise_px);
+  if (!vote) return 0.0;
+  const auto nearing = nearing_of(a.features, b.features, vote->agreeing, a.focal_px);
+  if (!nearing) return 0.0;
+  return count_standing(*nearing, a.features, b.features, vote->agreeing, a.focal_px, config_.standing_px);
 }
 
 }  // namespace weft::agents

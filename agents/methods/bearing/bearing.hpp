@@ -64,8 +64,12 @@ class Bearing {
 
   /// AlongPath: the heading as most of what both see says, the distance as the guess has it (0 without), with its
   /// uncertainty. Without a guess more is asked. Refusals: few_features, no_majority, ambiguous, further_off,
-  /// described_otherwise.
+  /// another_scene, described_otherwise.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  /// How many features stand in both as in views of one scene (BearingConfig::standing_px); 0: they tell no heading.
+  double likeness(const Content& a, const Content& b) const;
+  double most_of_rival(double likeness) const;
 
   /// The velocity profile (III-B).
   static Twist driven(const Content& content) { return content.driving; }

@@ -98,6 +98,26 @@ TEST_F(BearingTest, ADistanceIsOnlyThatOfTheGuess) {
   EXPECT_GE(along(free->a_from_b).distance_variance_m2, 0.2);
 }
 
+TEST_F(BearingTest, AnAisleOfTheSameRacksWithOtherLoadsIsAnotherScene) {
+  agents::sim::Site site = test::aisle_site();
+  for (agents::sim::Box& box : site.boxes) box.name += " of the next aisle";
+  test::Lookout next(site);
+  BearingConfig config;
+  config.anywhere_standing = 0;
+  const Bearing by_vote_alone = *Bearing::make(config, next.camera());
+  int taken = 0;
+  for (double x = 5.0; x < 12.0; x += 0.7) {
+    for (double other = 5.0; other < 12.0; other += 0.7) {
+      const BearingContent known = at(x);
+      const BearingContent elsewhere = seen(method_, next, {other, 6.0, 0.0});
+      taken += by_vote_alone.relate(known, elsewhere, std::nullopt) ? 1 : 0;
+      EXPECT_FALSE(method_.relate(known, elsewhere, std::nullopt)) << x << " for " << other;
+      EXPECT_LT(method_.likeness(known, elsewhere), 0.7 * method_.likeness(known, at(x, 6.05))) << x;
+    }
+  }
+  EXPECT_GT(taken, 0) << "otherwise this shows nothing";
+}
+
 TEST_F(BearingTest, LookingBackIsRefused) {
   const auto related = method_.relate(at(6.0), at(10.0, 6.0, M_PI), std::nullopt);
   ASSERT_FALSE(related);
