@@ -58,6 +58,35 @@ CLI::App* describe(CLI::App& app, BearingWords& words) {
   return sub;
 }
 
+CLI::App* describe(CLI::App& app, BearingRelocaliseWords& words) {
+  CLI::App* const sub = app.add_subcommand(
+      "bearing-relocalise",
+      "Whether a robot that knows nothing of where it is takes a place for another one (method bearing): aisles that "
+      "look alike are taught, and another robot is put down among them on another day, in other light, and led until "
+      "it believes to know where it is; also in aisles that hold the same, or that were not taught. Ends with 1 when "
+      "one was wrong, or too few found themselves.\n"
+      "Writes relocalise.csv, relocalise.json and bearing-relocalise.png (docs/bearing-study.md). Ctrl-C stops it; "
+      "the "
+      "same command goes on where it stopped.");
+  words.seeds = "1..4";
+  BearingRelocaliseOptions& options = words.study;
+  options.site = "deploy/sites/bearing/yard.toml";
+  options.out = "out/bearing-relocalise";
+  const auto option = flags_of(sub);
+  option("--seeds", words.seeds, "A..B",
+         "Seeds A to B, or one: each is other loads, another hand, calibration, light and noise [1..4]");
+  option("--kind", options.kind, "NAME", "Only this kind of aisles; a wrong name lists them [all]");
+  option("--trials", options.trials, "N", "How many, of each kind, light and seed [11]")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}).description(""));
+  sub->add_flag("--quick", words.is_quick, "Seed 1, 2 trials each: says within three minutes that it works");
+  option("--site", options.site, "FILE",
+         "Site file: the robot (its first one), its camera, how large the disturbances are "
+         "[deploy/sites/bearing/yard.toml]");
+  option("--out", options.out, "DIR",
+         "Folder for the results; trials that it holds already are kept [out/bearing-relocalise]");
+  return sub;
+}
+
 CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds) {
   CLI::App* const sub = app.add_subcommand(
       "learning",

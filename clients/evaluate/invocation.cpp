@@ -62,6 +62,14 @@ Parsed parsed_bearing(const CLI::App& app, BearingWords words) {
   return with_seeds(app, std::move(words.study), words.seeds);
 }
 
+Parsed parsed_bearing_relocalise(const CLI::App& app, BearingRelocaliseWords words) {
+  const CLI::App* const sub = app.get_subcommand("bearing-relocalise");
+  constexpr std::size_t kQuickTrials = 2;
+  if (words.is_quick && sub->get_option("--seeds")->count() == 0) words.seeds = "1";
+  if (words.is_quick && sub->get_option("--trials")->count() == 0) words.study.trials = kQuickTrials;
+  return with_seeds(app, std::move(words.study), words.seeds);
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -92,6 +100,7 @@ Parsed parse(int argc, const char* const* argv) {
   ForetoldOptions foretold;
   OdometryOptions odometry;
   BearingWords bearing;
+  BearingRelocaliseWords look_alikes;
   LearningOptions learning;
   std::string learning_seeds;
   HeadingOptions heading;
@@ -106,6 +115,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const foretold_sub = describe(app, foretold, foretold_seeds);
   const CLI::App* const odometry_sub = describe(app, odometry, odometry_seeds);
   const CLI::App* const bearing_sub = describe(app, bearing);
+  const CLI::App* const look_alikes_sub = describe(app, look_alikes);
   const CLI::App* const learning_sub = describe(app, learning, learning_seeds);
   const CLI::App* const heading_sub = describe(app, heading);
   describe(app, generate);
@@ -120,6 +130,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (disturbances_sub->parsed()) return with_seeds(app, disturbances, disturbances_seeds);
   if (odometry_sub->parsed()) return with_seeds(app, odometry, odometry_seeds);
   if (bearing_sub->parsed()) return parsed_bearing(app, bearing);
+  if (look_alikes_sub->parsed()) return parsed_bearing_relocalise(app, look_alikes);
   if (learning_sub->parsed()) return with_seeds(app, learning, learning_seeds);
   if (heading_sub->parsed()) return heading;
   if (floor_sub->parsed()) return parsed_floor(app, floor);

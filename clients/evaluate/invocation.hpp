@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "clients/evaluate/bearing/learning.hpp"
+#include "clients/evaluate/bearing/relocalise/led_study.hpp"
 #include "clients/evaluate/bearing/study.hpp"
 #include "clients/evaluate/disturbances/study.hpp"
 #include "clients/evaluate/floor/attempts/attempts_study.hpp"
@@ -31,8 +32,8 @@ struct GenerateOptions {
 };
 
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
-                            ReplayOptions, OdometryOptions, BearingOptions, LearningOptions, HeadingOptions,
-                            GenerateOptions, NotRun>;
+                            ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
+                            HeadingOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// "A..B", or one number. invalid: says what is wrong.

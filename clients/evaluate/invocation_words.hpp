@@ -33,6 +33,12 @@ struct BearingWords {
   bool is_quick = false;
 };
 
+struct BearingRelocaliseWords {
+  BearingRelocaliseOptions study;
+  std::string seeds;
+  bool is_quick = false;
+};
+
 /// Each adds its subcommand; flags write into what is given.
 CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, FloorWords& words);
@@ -41,6 +47,7 @@ CLI::App* describe(CLI::App& app, RelocaliseOptions& options, std::string& seeds
 CLI::App* describe(CLI::App& app, ForetoldOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, OdometryOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, BearingWords& words);
+CLI::App* describe(CLI::App& app, BearingRelocaliseWords& words);
 CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, HeadingOptions& options);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);

@@ -102,6 +102,11 @@ int run(const evaluate::BearingOptions& options) {
   return finish(evaluate::bearing::study_bearing(options, around), options.out);
 }
 
+int run(const evaluate::BearingRelocaliseOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::bearing::study_look_alikes(options, around), options.out);
+}
+
 int run(const evaluate::LearningOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::bearing::study_learning(options, around),

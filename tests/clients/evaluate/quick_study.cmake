@@ -1,7 +1,7 @@
-# Runs PROGRAM STUDY --quick into the empty folder OUT; fails unless it ends with 0 and leaves STUDY.json.
+# Runs PROGRAM STUDY --quick into the empty folder OUT; fails unless it ends with 0 and leaves the file LEAVES there.
 file(REMOVE_RECURSE ${OUT})
 execute_process(COMMAND ${PROGRAM} ${STUDY} --quick --out ${OUT} RESULT_VARIABLE ended OUTPUT_VARIABLE said ERROR_VARIABLE told)
-if(NOT ended EQUAL 0 OR NOT EXISTS ${OUT}/${STUDY}.json)
+if(NOT ended EQUAL 0 OR NOT EXISTS ${OUT}/${LEAVES})
   message(FATAL_ERROR "it ended with ${ended}:\n${said}${told}")
 endif()
 file(REMOVE_RECURSE ${OUT})

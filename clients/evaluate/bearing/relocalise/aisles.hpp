@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "agents/bodies/body.hpp"
+#include "agents/bodies/sim/site.hpp"
+#include "core/random.hpp"
+
+namespace weft::evaluate::bearing {
+
+/// What the racks of a hall's aisles hold. Their steel, their spacing and the lamps are the same in every aisle.
+enum class Loads : std::uint8_t {
+  other,     ///< each rack its own
+  one_side,  ///< what a robot has on its right is the same in every aisle
+  same       ///< every aisle holds the same
+};
+
+/// A hall of aisles that look alike, one beside the other along x.
+struct Aisles {
+  static constexpr std::size_t kCount = 4;
+  agents::sim::Site site;  ///< its robot stands where the first aisle's line begins
+
+  std::size_t left_out = 0;  ///< the aisle that nobody teaches
+  std::vector<std::size_t> taught() const;
+  /// What robots are led along while it is taught: from before the racks nearly to their end.
+  std::vector<agents::SitePoint> line(std::size_t aisle) const;
+};
+
+/// Camera, base, hand and disturbances of `like`; walls, floor and loads by the seed.
+Aisles aisles_like(const agents::sim::Site& like, Loads loads, std::uint64_t seed);
+
+/// How far a robot is led until it is to know where it is.
+inline constexpr double kLedM = 2.0;
+
+/// Where a robot is put down, and along what it is led.
+struct PutDown {
+  Pose2 site_from_robot;
+  std::vector<agents::SitePoint> way;
+};
+/// On the aisle's line, a little beside it and a little askew.
+PutDown on_the_line(std::size_t aisle, Random& random);
+/// In any aisle or before or behind them, at any heading, and led on either way.
+PutDown anywhere(Random& random);
+
+}  // namespace weft::evaluate::bearing

@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "clients/evaluate/bearing/relocalise/kinds.hpp"
+#include "clients/evaluate/bearing/relocalise/led_rows.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::bearing {
+
+/// What came of a kind's trials in a light.
+struct LedGroup {
+  const LookAlikes* kind = nullptr;
+  std::string light;
+  std::size_t seeds = 0;
+  std::size_t right = 0;
+  std::size_t wrong = 0;
+  std::size_t refused = 0;
+  double after_m = 0.0;  ///< led, the median of those that found themselves
+  bool met = false;      ///< none wrong, and the share that is promised found itself; or not judged
+
+  std::size_t trials() const { return right + wrong + refused; }
+};
+/// In the order of look_alikes() and other_lights(); those of which there are trials.
+std::vector<LedGroup> judge(const LedRows& rows);
+
+/// A row a group, and one of all that are judged together; then a row for the pairs of each kind of loads.
+std::string tables_of(const LedRows& rows);
+
+/// DIR/bearing-relocalise.png: how many found themselves within so many metres, and where robots were wrong.
+Result<void> draw_led(const LedRows& rows, const std::string& about, const std::filesystem::path& folder);
+
+}  // namespace weft::evaluate::bearing
