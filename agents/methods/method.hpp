@@ -168,7 +168,7 @@ concept Remembers = ChartsItself<M> &&
 /// A method whose contents look alike in more places than one: what a view is related to anywhere is believed when
 /// no place elsewhere in the window is nearly as much like it.
 template <class M>
-concept Doubts = Method<M> &&
+concept ComparesRivals = Method<M> &&
     requires(const M& m, const typename M::Content& place, const typename M::Content& seen) {
   /// likeness: the more the more alike; 0: not at all.
   { m.likeness(place, seen) } -> std::same_as<double>;

@@ -58,7 +58,7 @@ class Localiser {
   void seek_again() {
     curiosity_.forget();
     doubt_.close();
-    if constexpr (Doubts<M>) belief_.withdraw();  // nothing that was not weighed is confirmed
+    if constexpr (ComparesRivals<M>) belief_.withdraw();  // nothing that was not weighed is confirmed
     seek_.start(std::nullopt);
   }
 
@@ -296,13 +296,13 @@ class Localiser {
       return false;
     }
     const bool looked_everywhere = !seek_.seeded();
-    const std::uint32_t least = Doubts<M> ? 2 : 1;  // the second one after the first has been weighed
+    const std::uint32_t least = ComparesRivals<M> ? 2 : 1;  // the second one after the first has been weighed
     const std::uint32_t needed = looked_everywhere ? std::max(least, config_.belief.unseeded_fixes) : 1;
     suspected_samples_ = 0;
     const Belief before = belief_;
     if (const OrRefusal<Fix> believed = belief_.propose(*fix, map, needed); !believed) {
       outcome.refusals.push_back(believed.error());
-      if constexpr (Doubts<M>) {
+      if constexpr (ComparesRivals<M>) {
         if (looked_everywhere) doubt_.begin(config_, map, id, seen, seek_.left_out());
       }
       return true;
@@ -322,7 +322,7 @@ class Localiser {
   /// others first. True when this sample is done.
   bool is_in_doubt(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, std::uint32_t& tries,
                    Outcome& outcome) {
-    if constexpr (Doubts<M>) {
+    if constexpr (ComparesRivals<M>) {
       if (!doubt_.is_open()) return false;
       const OrRefusal<void> only = doubt_.look(map, bytes, decoded, tries);
       if (only) return false;
@@ -342,7 +342,7 @@ class Localiser {
       if (fix) {
         belief_.set(*fix);
         outcome.fix = *fix;
-      } else if (Doubts<M>) {
+      } else if (ComparesRivals<M>) {
         outcome.refusals.push_back(fix.error());
         return false;
       }

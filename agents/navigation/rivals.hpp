@@ -12,7 +12,7 @@ namespace weft::agents {
 /// Holds the view by which a robot seems to stand somewhere against every place of the window, some of them at a
 /// time: one elsewhere may be as much like it. Places along the same way look alike where things are far off; of them
 /// none may be more like it.
-template <Doubts M>
+template <ComparesRivals M>
 class Rivals {
  public:
   using Content = typename M::Content;
@@ -97,7 +97,7 @@ template <class M>
 struct RivalsOrNone {
   using Type = NoRivals;
 };
-template <Doubts M>
+template <ComparesRivals M>
 struct RivalsOrNone<M> {
   using Type = Rivals<M>;
 };

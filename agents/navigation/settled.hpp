@@ -21,7 +21,7 @@ OrRefusal<Fix> settled(const M& method, const NavigationConfig& config, const Wi
   const double apart_m = distance_m(compose(inverse(found.place_from_robot), found_from_robot));
   const double bound_m = most_sigmas * spread_of(found.place_from_robot).metres;
   if (apart_m > bound_m) return tl::unexpected(Refusal{"settles_elsewhere", apart_m, bound_m});
-  if constexpr (Doubts<M>) {
+  if constexpr (ComparesRivals<M>) {
     const auto there = decoded.find(*map.place(fix->place), bytes);
     if (!there) return tl::unexpected(there.error());
     if (const auto shown = method.relate(**there, seen, std::nullopt); !shown) return tl::unexpected(shown.error());

@@ -113,14 +113,4 @@ std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const st
   return nearing;
 }
 
-std::uint32_t count_standing(const Nearing& nearing, const std::vector<UprightFeature>& a,
-                             const std::vector<UprightFeature>& b, const std::vector<Match>& same, double focal_px,
-                             double within_px) {
-  Fit fit;
-  fit.pitch_and_share = {nearing.pitch, nearing.share};
-  const std::vector<Row> rows = rows_of(a, b, same, focal_px);
-  return static_cast<std::uint32_t>(std::count_if(
-      rows.begin(), rows.end(), [&](const Row& row) { return std::abs(left_of(row, fit)) * focal_px <= within_px; }));
-}
-
 }  // namespace weft::agents

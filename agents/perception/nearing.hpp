@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,11 +25,5 @@ struct Nearing {
 /// one height.
 std::optional<Nearing> nearing_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                                   const std::vector<Match>& same, double focal_px);
-
-/// How many of these features stand, in height, within so many pixels of where `nearing` says: of two views of one
-/// scene most, of scenes that only look alike those that do so by chance.
-std::uint32_t count_standing(const Nearing& nearing, const std::vector<UprightFeature>& a,
-                             const std::vector<UprightFeature>& b, const std::vector<Match>& same, double focal_px,
-                             double within_px);
 
 }  // namespace weft::agents

@@ -8,6 +8,7 @@
 #include "agents/perception/exposure.hpp"
 #include "agents/perception/nearing.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/scene_inliers.hpp"
 
 namespace weft::agents {
 namespace {
@@ -105,11 +106,9 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
     const double bound = config_.anywhere_nearing + (nearing ? 2.0 * std::sqrt(nearing->variance) : 0.0);
     if (nearing && std::abs(nearing->share) > bound)
       return tl::unexpected(Refusal{"further_off", nearing->share, bound});
-    const double standing =
-        nearing ? count_standing(*nearing, a.features, b.features, vote->agreeing, a.focal_px, config_.standing_px)
-                : 0.0;
-    if (standing < config_.anywhere_standing)
-      return tl::unexpected(Refusal{"another_scene", standing, static_cast<double>(config_.anywhere_standing)});
+    const double inliers = scene_inliers(a.features, b.features, vote->agreeing, a.focal_px, config_.inlier_px);
+    if (inliers < config_.anywhere_inliers)
+      return tl::unexpected(Refusal{"another_scene", inliers, static_cast<double>(config_.anywhere_inliers)});
   }
   AlongPath a_from_b{0.0, config_.unknown_along_sigma_m * config_.unknown_along_sigma_m};
   if (guess) {
@@ -125,7 +124,7 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
 }
 
 double Bearing::most_of_rival(double likeness) const {
-  return std::min(config_.anywhere_rival * likeness, static_cast<double>(config_.anywhere_rival_standing));
+  return std::min(config_.anywhere_rival * likeness, static_cast<double>(config_.anywhere_rival_inliers));
 }
 
 double Bearing::likeness(const Content& a, const Content& b) const {
@@ -133,9 +132,7 @@ double Bearing::likeness(const Content& a, const Content& b) const {
   const double rise_px = frequent_rise(a.features, b.features, config_.width_px, config_.vote);
   const auto vote = vote_heading(a.features, b.features, config_.width_px, config_.vote, rise_px);
   if (!vote) return 0.0;
-  const auto nearing = nearing_of(a.features, b.features, vote->agreeing, a.focal_px);
-  if (!nearing) return 0.0;
-  return count_standing(*nearing, a.features, b.features, vote->agreeing, a.focal_px, config_.standing_px);
+  return scene_inliers(a.features, b.features, vote->agreeing, a.focal_px, config_.inlier_px);
 }
 
 }  // namespace weft::agents

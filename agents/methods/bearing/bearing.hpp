@@ -67,7 +67,7 @@ class Bearing {
   /// another_scene, described_otherwise.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
-  /// How many features stand in both as in views of one scene (BearingConfig::standing_px); 0: they tell no heading.
+  /// How many features stand in both as in views of one scene (BearingConfig::inlier_px); 0: they tell no heading.
   double likeness(const Content& a, const Content& b) const;
   double most_of_rival(double likeness) const;
 

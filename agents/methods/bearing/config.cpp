@@ -37,10 +37,10 @@ void each_setting(Config& config, Visit&& visit) {
   visit("anywhere_above_chance", config.anywhere_above_chance, 0, 50);
   visit("anywhere_runner_up", config.anywhere_runner_up, 0, 1);
   visit("anywhere_nearing", config.anywhere_nearing, 0.01, 2);
-  visit("anywhere_standing", config.anywhere_standing, 0, 1000);
-  visit("standing_px", config.standing_px, 0.1, 20);
+  visit("anywhere_inliers", config.anywhere_inliers, 0, 1000);
+  visit("inlier_px", config.inlier_px, 0.1, 20);
   visit("anywhere_rival", config.anywhere_rival, 0, 1);
-  visit("anywhere_rival_standing", config.anywhere_rival_standing, 0, 1000);
+  visit("anywhere_rival_inliers", config.anywhere_rival_inliers, 0, 1000);
   visit("unknown_along_sigma_m", config.unknown_along_sigma_m, 0.05, 10);
   visit("learn_along_m", config.learn.along_m, 0.01, 0.5);
   visit("learn_along_sigma_m", config.learn.along_sigma_m, 0.005, 1);

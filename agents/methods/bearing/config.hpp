@@ -59,12 +59,12 @@ struct BearingConfig {
   double anywhere_runner_up = 0.5;     ///< [0, 1] most of the next peak, over the winner's
   double anywhere_nearing = 0.12;      ///< [0.01, 2] share of their distance by which things may be nearer or further
                                        ///< off: down an aisle a place looks like one that is metres on
-  int anywhere_standing = 30;          ///< [0, 1000] features that stand in both views as in one scene (nearing.hpp);
-                                       ///< of aisles that are alike but for their loads up to 24 do so
-  double standing_px = 1.0;            ///< [0.1, 20] so exactly
+  int anywhere_inliers = 36;           ///< [0, 1000] features at heights that one scene allows (scene_inliers.hpp);
+                                       ///< other aisles with the same loads on one side show up to 35
+  double inlier_px = 1.0;              ///< [0.1, 20] within so much
   double anywhere_rival = 0.6;         ///< [0, 1] most such features in a place elsewhere, over those of the place
-  int anywhere_rival_standing = 18;  ///< [0, 1000] and most of them at all: aisles that hold the same are told apart
-                                     ///< by chance alone
+  int anywhere_rival_inliers = 18;  ///< [0, 1000] and most of them at all: aisles that hold the same are told apart
+                                    ///< by chance alone
   double unknown_along_sigma_m = 0.5;  ///< [0.05, 10] of a relation that tells the heading alone
 
   BearingLearnConfig learn;  ///< keys begin with learn_

@@ -15,7 +15,7 @@ class Doubting : public MarksMethod {
   double likeness(const Content& place, const Content&) const { return static_cast<double>(place.sightings.size()); }
   double most_of_rival(double likeness) const { return 0.7 * likeness; }
 };
-static_assert(Doubts<Doubting> && !Doubts<MarksMethod>);
+static_assert(ComparesRivals<Doubting> && !ComparesRivals<MarksMethod>);
 
 class RivalsTest : public testing::Test, public Contents {
  protected:

@@ -89,20 +89,6 @@ TEST(Nearing, IsAsSureAsItIsRight) {
   EXPECT_LT(std::sqrt(squares / kViews), 1.5);
 }
 
-TEST(Nearing, OfOneSceneMostFeaturesStandAsItSays) {
-  const auto standing = [](const Views& some) {
-    const auto nearing = nearing_of(some.a, some.b, some.same, kFocalPx);
-    EXPECT_TRUE(nearing);
-    return nearing ? count_standing(*nearing, some.a, some.b, some.same, kFocalPx, 1.0) : 0;
-  };
-  const Views one = views({0.2, 0.1, 0.1, 0.02}, 0.0, 8);
-  EXPECT_GT(standing(one), 55U) << "of 80, with a noise of 0.6 px";
-  Views other = one;  // matched by look alone
-  Random random(9);
-  for (UprightFeature& feature : other.b) feature.pixel.y() += static_cast<float>(random.uniform(-25.0, 25.0));
-  EXPECT_LT(standing(other), 12U);
-}
-
 TEST(Nearing, NothingIsSaidOfTooLittle) {
   Views some = views({0.1}, 0.0, 6);
   some.same.resize(5);

@@ -15,8 +15,6 @@ const AlongPath& along(const Relation& relation) {
   return std::get<AlongPath>(relation);
 }
 
-const Relation kAboutHere = AlongPath{0.0, 0.04, 0.0, 0.09};  // without it more is asked than a turned view shows
-
 class BearingTest : public testing::Test {
  protected:
   static BearingContent seen(const Bearing& method, test::Lookout& lookout, const Pose2& from) {
@@ -35,7 +33,7 @@ class BearingTest : public testing::Test {
 TEST_F(BearingTest, TellsByHowMuchTheRobotIsTurned) {
   const BearingContent taught = at(6.0);
   for (const double turned : {-0.2, -0.05, 0.0, 0.1, 0.25}) {
-    const auto related = method_.relate(taught, at(6.0, 6.0, turned), kAboutHere);
+    const auto related = method_.relate(taught, at(6.0, 6.0, turned), std::nullopt);
     ASSERT_TRUE(related) << turned << " " << related.error().reason;
     EXPECT_NEAR(along(related->a_from_b).heading_shift_rad, turned, 0.02);
   }
@@ -48,7 +46,7 @@ TEST_F(BearingTest, TellsTheHeadingOfARobotWhoseCameraLooksFurtherDown) {
   test::Lookout low(site);
   const Bearing other = *Bearing::make({}, low.camera());
   for (const double turned : {-0.1, 0.0, 0.15}) {
-    const auto related = other.relate(taught, seen(other, low, {6.0, 6.0, turned}), kAboutHere);
+    const auto related = other.relate(taught, seen(other, low, {6.0, 6.0, turned}), std::nullopt);
     ASSERT_TRUE(related) << turned << " " << related.error().reason;
     EXPECT_NEAR(along(related->a_from_b).heading_shift_rad, turned, 0.02);
   }
@@ -80,7 +78,8 @@ TEST_F(BearingTest, WishesNoExposureWithoutKnowingWhatItWas) {
 
 TEST_F(BearingTest, ANearbyViewStillTellsItsHeading) {
   const BearingContent taught = at(6.0);
-  const auto related = method_.relate(taught, at(6.2, 6.3, 0.0), std::nullopt);
+  const Relation about_here = AlongPath{0.0, 0.04, 0.0, 0.09};  // without it more has to agree
+  const auto related = method_.relate(taught, at(6.2, 6.3, 0.0), about_here);
   ASSERT_TRUE(related) << related.error().reason;
   // Beside the path what was straight ahead lies to the right: it steers back.
   EXPECT_GT(along(related->a_from_b).heading_shift_rad, 0.0);
@@ -103,12 +102,13 @@ TEST_F(BearingTest, ADistanceIsOnlyThatOfTheGuess) {
 TEST_F(BearingTest, AnAisleOfTheSameRacksWithOtherLoadsIsAnotherScene) {
   agents::sim::Site site = test::aisle_site();
   for (agents::sim::Box& box : site.boxes) box.name += " of the next aisle";
+  site.floor.seed += 1;
   test::Lookout next(site);
   int turned_by_vote = 0;
-  for (double x = 5.0; x < 12.0; x += 1.0) {
+  for (double x = 5.0; x < 10.0; x += 1.0) {  // further on both see the same wall
     const BearingContent known = at(x);
     const double right = method_.likeness(known, at(x, 6.05));
-    for (double other = 5.0; other < 12.0; other += 1.0) {
+    for (double other = 5.0; other < 10.0; other += 1.0) {
       const BearingContent elsewhere = seen(method_, next, {other, 6.0, 0.0});
       if (vote_heading(known.features, elsewhere.features, 320.0, {})) ++turned_by_vote;
       EXPECT_FALSE(method_.relate(known, elsewhere, std::nullopt)) << x << " for " << other;
