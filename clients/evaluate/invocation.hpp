@@ -15,7 +15,7 @@
 #include "clients/evaluate/floor/study.hpp"
 #include "clients/evaluate/heading/heading_study.hpp"
 #include "clients/evaluate/odometry/study.hpp"
-#include "core/network/site_generator.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {

@@ -3,7 +3,7 @@
 
 #include "core/network/prune.hpp"
 #include "core/network/search.hpp"
-#include "core/network/site_generator.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "tests/support/network_maker.hpp"
 
 namespace weft {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/network/site_generator.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "storage/network_builder.hpp"
 
 namespace weft::support {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <ostream>
 
-#include "core/network/site_generator.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "core/result.hpp"
 #include "storage/map_store.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/network/site_generator.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 
 #include <algorithm>
 #include <array>
