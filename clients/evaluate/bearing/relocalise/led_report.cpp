@@ -54,7 +54,7 @@ Chart found_chart(const LedRows& rows, const std::string& light) {
   std::size_t ink = 0;
   for (const LookAlikes& kind : look_alikes()) {
     const std::vector<Led> trials = trials_of(rows, kind.name, light);
-    if (trials.empty()) continue;
+    if (trials.empty() || kind.where == LookAlikes::Where::not_taught) continue;  // there no answer is right
     std::vector<double> metres;
     for (const Led& led : trials)
       if (led.found_m && is_right(led)) metres.push_back(*led.found_m);
@@ -64,7 +64,8 @@ Chart found_chart(const LedRows& rows, const std::string& light) {
       return static_cast<double>(some) / static_cast<double>(trials.size());
     };
     for (std::size_t i = 0; i < metres.size(); ++i) curve.dots.push_back({metres[i], share(i + 1)});
-    curve.dots.push_back({kLedM, share(metres.size())});
+    const double end_m = metres.empty() ? kLedM : std::max(kLedM, metres.back());
+    curve.dots.push_back({end_m, share(metres.size())});
     chart.curves.push_back(std::move(curve));
   }
   return chart;
