@@ -23,8 +23,7 @@ double speed(const Motion& motion) {
 AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   frame_ = sample.frame;
   speed_m_s_ = speed(sample.motion);
-  const View* const view = sample.view.has_value() ? &*sample.view : nullptr;
-  Navigated navigated = navigator_->step(view, sample.frame, sample.time, sample.motion, sample.hand, map_view());
+  Navigated navigated = navigator_->step(sample, map_view());
   lost_ = navigated.lost;
   stands_for_ = navigated.reason;
   command_ = navigated.command;
@@ -47,7 +46,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
       note_lift(navigated.fix->place.experience, *lift);
     }
   }
-  if (view != nullptr) try_keep_alone(now);
+  if (!sample.views.empty()) try_keep_alone(now);
   follow_search(navigated.fix.has_value(), now);
   note_following(navigated, now);
   recentre(now);

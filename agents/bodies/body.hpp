@@ -1,11 +1,9 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "agents/perception/camera_model.hpp"
-#include "agents/perception/motion.hpp"
-#include "agents/perception/view.hpp"
+#include "agents/perception/rig.hpp"
+#include "agents/perception/sample.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -14,16 +12,6 @@ struct SitePoint {
   double x = 0.0;
   double y = 0.0;
   bool operator==(const SitePoint&) const = default;
-};
-
-/// One tick of a body's sensors.
-struct Sample {
-  std::uint64_t frame = 0;
-  SensorTime time{};
-  std::optional<View> view;  ///< none: the frame was dropped
-  Motion motion;             ///< since the last sample
-  bool hand = false;         ///< someone else drives (teaching): `motion.command` is his
-  bool hand_done = false;    ///< the hand has reached the end of what it was asked to drive
 };
 
 /// What an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until then.
@@ -37,17 +25,17 @@ class Body {
   /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.
   virtual Result<void> drive_by_hand(const std::vector<SitePoint>& along) = 0;
   virtual void stop_hand() = 0;
-  /// The next images of that camera (`View::camera`) are to be taken so, as near to it as the camera can; it does as
-  /// it likes again when it has not been told for two seconds of the body's time. refused: this body, or this camera,
-  /// cannot be told; not_found: there is no such camera.
-  virtual Result<void> expose(const std::string& camera, const Exposure& exposure);
-  /// As given to the agent; a simulated body's true one differs.
-  virtual std::vector<CameraModel> cameras() const = 0;
+  /// Takes the next images of that sensor so, as near to it as the sensor can; it does as it likes again when it has
+  /// not been told for two seconds of the body's time. refused: this body, or this sensor, cannot be told; not_found:
+  /// there is no such sensor.
+  virtual Result<void> expose(const std::string& sensor, const Exposure& exposure);
+  /// Returns what it looks with, as given to the agent; a simulated body's true rig differs.
+  virtual Rig rig() const = 0;
   virtual std::string kind() const = 0;
 };
 
-inline Result<void> Body::expose(const std::string& camera, const Exposure&) {
-  return fail(ErrorCode::refused, "body " + kind() + " cannot be told how its camera " + camera + " exposes");
+inline Result<void> Body::expose(const std::string& sensor, const Exposure&) {
+  return fail(ErrorCode::refused, "body " + kind() + " cannot be told how its sensor " + sensor + " exposes");
 }
 
 }  // namespace weft::agents

@@ -11,7 +11,7 @@ Step AlongErrors::improved(const Step& step) const {
   Step better = step;
   AlongPath moved = *told;
   const double ahead = step.common(0, 0);
-  const double turned = step.common(2, 1);
+  const double turned = step.common(kYaw, 1);
   moved.distance_m += ahead * distance_.value;
   moved.heading_shift_rad = wrap_angle(moved.heading_shift_rad + turned * turn_.value);
   moved.distance_variance_m2 = std::max(0.0, moved.distance_variance_m2 - ahead * ahead * (1.0 - distance_.variance));
@@ -37,7 +37,7 @@ void AlongErrors::learn(const AlongPath& predicted, const AlongPath& measured, C
   distance_.learn(measured.distance_m - predicted.distance_m, predicted.distance_variance_m2,
                   measured.distance_variance_m2, common(0, 0));
   turn_.learn(wrap_angle(measured.heading_shift_rad - predicted.heading_shift_rad), predicted.heading_variance_rad2,
-              measured.heading_variance_rad2, common(2, 1));
+              measured.heading_variance_rad2, common(kYaw, 1));
 }
 
 }  // namespace weft::agents

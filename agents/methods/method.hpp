@@ -25,9 +25,14 @@
 namespace weft::agents {
 
 /// What errors that all steps of a drive have in common (a calibration's) do to a relation, one column each: xi of
-/// (x, y, heading) in a_from_b * exp2(xi) for one sigma, m and rad. Columns are independent of one another; those
-/// that a method does not use are zero.
-using CommonErrors = Eigen::Matrix<double, 3, 11>;
+/// (x, y, z, roll, pitch, yaw) in a_from_b * exp3(xi) for one sigma, m and rad. Columns are independent of one
+/// another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
+using CommonErrors = Eigen::Matrix<double, 6, 11>;
+/// The same of x, y and heading alone.
+using PlanarErrors = Eigen::Matrix<double, 3, 11>;
+inline constexpr Eigen::Index kYaw = 5;  ///< row of CommonErrors
+CommonErrors in_space(const PlanarErrors& errors);
+PlanarErrors in_plane(const CommonErrors& errors);
 
 /// The motion between two consecutive samples.
 struct Step {
@@ -83,6 +88,12 @@ struct ChartPlace {
   std::uint32_t depth = 0;
   Relation centre_from_place;
   std::shared_ptr<const Content> content;
+};
+
+/// How much of the map around the robot a chart is made of.
+struct ChartSize {
+  std::uint32_t hops = 12;
+  std::uint32_t places = 200;
 };
 
 /// What `locate` answers.
@@ -151,6 +162,7 @@ template <class M>
 concept ChartsItself = Method<M> &&
     requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& around, const typename M::Chart& chart,
              typename M::Belief belief, const Step& step, const typename M::Content& seen, const Estimate& seed) {
+  { M::chart_size } -> std::convertible_to<ChartSize>;
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;

@@ -1,10 +1,10 @@
 #include "agents/navigation/belief.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "agents/methods/advance.hpp"
+#include "core/network/difference.hpp"
 #include "core/network/search.hpp"
 
 namespace weft::agents {
@@ -65,11 +65,9 @@ Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad) 
 }
 
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured) {
-  const Eigen::Vector3d apart = log2(planar(predicted).inverse() * planar(measured));
-  Eigen::Matrix3d covariance = planar_covariance(predicted) + planar_covariance(measured);
-  const double floor_m2 = config.gate_floor_m * config.gate_floor_m;
-  covariance.diagonal() += Eigen::Vector3d(floor_m2, floor_m2, config.gate_floor_rad * config.gate_floor_rad);
-  return std::sqrt(std::max(0.0, apart.dot(covariance.ldlt().solve(apart))));
+  if (!config.in_plane) return sigmas_apart(predicted, measured, config.gate_floor_m, config.gate_floor_rad);
+  const auto flat = [](const Relation& relation) { return Metric2{planar(relation), planar_covariance(relation)}; };
+  return sigmas_apart(flat(predicted), flat(measured), config.gate_floor_m, config.gate_floor_rad);
 }
 
 Relation fuse(const Relation& predicted, const Relation& measured) {

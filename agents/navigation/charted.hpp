@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -47,14 +48,14 @@ class Charted<M> {
     inside_.clear();
     std::vector<ChartPlace<Content>> charted;
     for (const Reached& reached : made_of_.places) {
-      if (reached.depth <= chart_hops / 2) inside_.insert(reached.id);
+      if (reached.depth <= M::chart_size.hops / 2) inside_.insert(reached.id);
       if (reached.id.experience == without) continue;
       const Place& place = *map.place(reached.id);
       const auto content = decoded.find(place, bytes);
       if (!content && !bytes.find(place.content.hash)) made_of_.missing.push_back(place.content.hash);
       charted.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
     }
-    chart_ = method_->chart(charted);
+    chart_ = std::make_shared<const typename M::Chart>(method_->chart(charted));
     belief_ = begun(estimate);
     is_placed_ = true;
     since_.reset();
@@ -69,8 +70,6 @@ class Charted<M> {
   }
 
  private:
-  static constexpr std::uint32_t chart_hops = 12;
-  static constexpr std::uint32_t chart_places = 200;
   /// What a chart is made of. Not known by the window's revision: it changes far from here, and moves within one.
   struct Made {
     std::vector<Reached> places;
@@ -84,7 +83,7 @@ class Charted<M> {
     }
   };
   static std::vector<Reached> around(const Window& map, const PlaceId& centre) {
-    return breadth_first(map, centre, chart_hops, chart_places);
+    return breadth_first(map, centre, M::chart_size.hops, M::chart_size.places);
   }
 
   Belief begun(const Estimate& estimate) const {
@@ -95,7 +94,7 @@ class Charted<M> {
   }
 
   const M* method_;
-  std::optional<typename M::Chart> chart_;
+  std::shared_ptr<const typename M::Chart> chart_;  // in use until another one is made
   std::optional<Belief> belief_;
   bool is_placed_ = false;  // belief_ is of where the robot is, in chart_
   Made made_of_;

@@ -29,6 +29,7 @@ void each_belief(Config& belief, const In& in) {
   in("unseeded_fixes", belief.unseeded_fixes, Low::closed, 1, 10);
   in("overrule_fixes", belief.overrule_fixes, Low::closed, 2, 20);
   in("fuse", belief.fuse, Low::closed, 0, 1);
+  in("in_plane", belief.in_plane, Low::closed, 0, 1);
 }
 
 template <class Config, class In>
@@ -46,7 +47,7 @@ void each_locate(Config& locate, const In& in) {
   in("seek_tries", locate.seek_tries, Low::closed, 1, 1000);
   in("seek_signs", locate.seek_signs, Low::closed, 1, 10000);
   in("rival_m", locate.rival_m, Low::open, 0, 10);
-  in("decoded_contents", locate.decoded_contents, Low::closed, 16, 100000);
+  in("decoded_mb", locate.decoded_mb, Low::closed, 1, 65536);
 }
 
 template <class Config, class In>

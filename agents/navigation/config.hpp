@@ -15,6 +15,7 @@ struct TeachConfig {
 };
 
 struct BeliefConfig {
+  bool in_plane = false;             ///< fixes are gated by their planar readings alone, whatever else they say
   double map_sigma_m = 0.005;        ///< sigma added for an edge between two places; [0, 0.2]
   double map_sigma_rad = 0.005;      ///< [0, 0.2]
   double gate_sigmas = 4.0;          ///< a fix this far from what was predicted is refused (Mahalanobis); (0, 10]
@@ -40,7 +41,7 @@ struct LocateConfig {
   std::uint32_t seek_signs = 64;        ///< contents read for their signature per sample while seeking; [1, 10000]
   double rival_m = 5.0;  ///< along the way from where an unseeded robot seems to stand; what is nearer may look like
                          ///< it, but not more; (0, 10]
-  std::uint32_t decoded_contents = 512;  ///< kept in memory; [16, 100000]
+  std::uint32_t decoded_mb = 256;  ///< of contents, as they are encoded, kept decoded; [1, 65536]
 };
 
 struct StitchConfig {

@@ -11,15 +11,15 @@
 
 namespace weft::agents {
 
-/// Contents in the method's own form, the least recently used forgotten first. Signatures, which are small, are kept
-/// for longer.
+/// Contents in the method's own form, so many bytes of them at most as they are encoded, the least recently used
+/// forgotten first; the newest stays, however large. Signatures, which are small, are kept for longer.
 template <Method M>
 class DecodedContents {
  public:
   using Content = typename M::Content;
   using Pointer = std::shared_ptr<const Content>;
 
-  DecodedContents(const M& method, std::size_t most) : method_(&method), most_(most) {}
+  DecodedContents(const M& method, std::uint64_t most_bytes) : method_(&method), most_bytes_(most_bytes) {}
 
   /// Refused: "content_missing" (its bytes have not arrived), "other_method", "content_damaged".
   OrRefusal<Pointer> find(const Place& place, const Contents& bytes) {
@@ -37,16 +37,18 @@ class DecodedContents {
     Result<Content> decoded = method_->decode(*found);
     if (!decoded) return tl::unexpected(Refusal{"content_damaged"});
     Pointer content = std::make_shared<const Content>(std::move(*decoded));
-    keep(place.content.hash, content);
+    keep(place.content.hash, content, found->size());
     return content;
   }
 
-  void keep(const ContentHash& hash, Pointer content) {
+  void keep(const ContentHash& hash, Pointer content, std::uint64_t size) {
     const auto known = by_hash_.find(hash);
     if (known != by_hash_.end()) return;
-    used_.push_front({hash, std::move(content)});
+    used_.push_front({hash, std::move(content), size});
     by_hash_[hash] = used_.begin();
-    if (used_.size() > most_) {
+    bytes_ += size;
+    while (bytes_ > most_bytes_ && used_.size() > 1) {
+      bytes_ -= used_.back().size;
       by_hash_.erase(used_.back().hash);
       used_.pop_back();
     }
@@ -70,10 +72,12 @@ class DecodedContents {
   struct Entry {
     ContentHash hash;
     Pointer content;
+    std::uint64_t size = 0;
   };
   const M* method_;
-  std::size_t most_;
-  std::list<Entry> used_;  // most recently used first
+  std::uint64_t most_bytes_;
+  std::uint64_t bytes_ = 0;  // of used_
+  std::list<Entry> used_;    // most recently used first
   std::map<ContentHash, typename std::list<Entry>::iterator> by_hash_;
   std::map<ContentHash, std::optional<Signature>> signatures_;
 };

@@ -10,6 +10,7 @@
 #include "agents/navigation/map_view.hpp"
 #include "agents/navigation/taught_way.hpp"
 #include "agents/perception/mount.hpp"
+#include "agents/perception/sample.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
 
@@ -33,9 +34,9 @@ struct Lesson {
 /// `stopped` may go on by itself; `failed` has given up on this route.
 enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
-/// How the next images of a camera (`View::camera`) are to be exposed.
+/// How the next images of a sensor (`View::sensor`) are to be exposed.
 struct ExposureWish {
-  std::string camera;
+  std::string sensor;
   Exposure exposure;
 };
 
@@ -86,9 +87,8 @@ class Navigator {
   /// What edges may need for it to drive them: its methods, and the changes from one to the other.
   virtual std::vector<std::string> drives() const { return {std::string(method())}; }
 
-  /// One sample of the body. `hand`: someone else drives.
-  virtual Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
-                         const MapView& map) = 0;
+  /// Takes one sample of the body.
+  virtual Navigated step(const Sample& sample, const MapView& map) = 0;
 
   /// From now on places are kept, the first at the next view.
   virtual void begin_teach(const TeachStart& start) = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,10 +23,12 @@ namespace weft::agents {
 template <Method M>
 class NavigatorOf final : public Navigator {
  public:
-  NavigatorOf(M method, const NavigationConfig& config)
+  /// Looks through the sensor of that id; "": whichever the body has.
+  NavigatorOf(M method, const NavigationConfig& config, std::string sensor)
       : method_(std::move(method)),
         config_(config),
-        decoded_(method_, config.locate.decoded_contents),
+        sensor_(std::move(sensor)),
+        decoded_(method_, std::uint64_t{config.locate.decoded_mb} << 20U),
         localiser_(method_, config),
         stitcher_(method_, config),
         follower_(config),
@@ -37,21 +40,22 @@ class NavigatorOf final : public Navigator {
   std::string_view method() const override { return M::name; }
   std::optional<Estimate> estimate() const override { return localiser_.estimate(); }
 
-  Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
-                 const MapView& map) override {
+  Navigated step(const Sample& sample, const MapView& map) override {
+    const View* const view = sample.of(sensor_);
+    const Motion& motion = sample.motion;
     const Step step = method_.observe(odometry_, view, motion);
     if (view != nullptr) views_not_followed_ = step.seen ? 0 : views_not_followed_ + 1;
     measure_speed(step, motion);
     localiser_.advance(step);
     lessons_.advance(step);
-    latest_ = Latest{view != nullptr ? std::optional(*view) : std::nullopt, frame, time, std::nullopt};
+    latest_ = Latest{view != nullptr ? std::optional(*view) : std::nullopt, sample.frame, sample.time, std::nullopt};
 
     Navigated navigated;
     if (!step.seen) navigated.refusals.push_back({step.blind_reason});
     if constexpr (Exposes<M>) {
       if (view != nullptr)
         if (const std::optional<Exposure> wish = method_.expose(std::as_const(odometry_), *view))
-          navigated.exposes = ExposureWish{view->camera, *wish};
+          navigated.exposes = ExposureWish{view->sensor, *wish};
     }
     own_.update(map.window, map.generation, !teacher_);
     if (teacher_) {
@@ -68,12 +72,12 @@ class NavigatorOf final : public Navigator {
     if (trials_ && !latest_->content) trials_->work(motion.elapsed);
     navigated.lost = lost();
     if (navigated.lost && !localiser_.seeking()) localiser_.seek_again();
-    if (hand || teacher_) {
+    if (sample.hand || teacher_) {
       navigated.reason = "hand";
     } else {
       drive(map, motion, navigated);
     }
-    if (config_.learn.enabled) learn(hand, map, navigated);
+    if (config_.learn.enabled) learn(sample.hand, map, navigated);
     return navigated;
   }
 
@@ -270,7 +274,7 @@ class NavigatorOf final : public Navigator {
 
   Kept keep_here(const Pointer& content) {
     Kept kept = teacher_->keep(method_.encode(*content), latest_->frame, latest_->time);
-    decoded_.keep(kept.place.content.hash, content);
+    decoded_.keep(kept.place.content.hash, content, kept.content.size());
     own_.add(kept.place, kept.edges);
     localiser_.set(Fix{kept.place.id, Metric2{}, {}});
     trials_->kept(kept.place.id, content);
@@ -417,6 +421,7 @@ class NavigatorOf final : public Navigator {
 
   const M method_;
   const NavigationConfig config_;
+  const std::string sensor_;
   typename M::Odometry odometry_{};
   DecodedContents<M> decoded_;
   Localiser<M> localiser_;
@@ -433,10 +438,11 @@ class NavigatorOf final : public Navigator {
   double speed_m_s_ = 0.0;
 };
 
-/// The caller has checked `config` (check(config) is empty).
+/// Returns a navigator that looks through the sensor of that id; "": through whichever the body has. The caller has
+/// checked `config` (check(config) is empty).
 template <Method M>
-std::unique_ptr<Navigator> make_navigator(M method, const NavigationConfig& config) {
-  return std::make_unique<NavigatorOf<M>>(std::move(method), config);
+std::unique_ptr<Navigator> make_navigator(M method, const NavigationConfig& config, std::string sensor = {}) {
+  return std::make_unique<NavigatorOf<M>>(std::move(method), config, std::move(sensor));
 }
 
 }  // namespace weft::agents

@@ -11,10 +11,10 @@
 namespace weft::agents {
 
 struct Part {
-  std::string camera;
+  std::string sensor;
   std::unique_ptr<Navigator> navigator;
   Motion since = {};           ///< its last step
-  Duration rolls_unseen = {};  ///< without a view of its camera, since the robot began to roll
+  Duration rolls_unseen = {};  ///< without a view of its sensor, since the robot began to roll
   Navigated last = {};         ///< what its last step led to
   Duration since_hint = {};    ///< since it was told where it is
   ExperienceId teaches = {};   ///< none: is not being taught

@@ -14,7 +14,7 @@ class Several final : public Navigator {
  public:
   Several(std::vector<Looking> all, const NavigationConfig& config) : config_(config), joins_(config.stitch) {
     for (Looking& one : all)
-      parts_.push_back({.camera = std::move(one.camera), .navigator = std::move(one.navigator)});
+      parts_.push_back({.sensor = std::move(one.sensor), .navigator = std::move(one.navigator)});
   }
 
   std::string_view method() const override { return active().navigator->method(); }
@@ -30,14 +30,15 @@ class Several final : public Navigator {
     return all;
   }
 
-  Navigated step(const View* view, std::uint64_t frame, SensorTime time, const Motion& motion, bool hand,
-                 const MapView& map) override {
-    for (Part& part : parts_) part.moves(motion);
+  Navigated step(const Sample& sample, const MapView& map) override {
+    for (Part& part : parts_) part.moves(sample.motion);
     Navigated all;
     for (Part& part : parts_) {
-      const bool sees = view != nullptr && view->calibration == part.camera;
-      if (!sees && !part.is_due_blind()) continue;
-      part.last = part.navigator->step(sees ? view : nullptr, frame, time, part.take_motion(sees), hand, map);
+      const View* const view = sample.of(part.sensor);
+      if (view == nullptr && !part.is_due_blind()) continue;
+      Sample own{sample.frame, sample.time, {}, part.take_motion(view != nullptr), sample.hand, sample.hand_done};
+      if (view != nullptr) own.views.push_back(*view);
+      part.last = part.navigator->step(own, map);
       if (part.last.fix) all.fix = part.last.fix;
       if (part.last.exposes) all.exposes = part.last.exposes;
       all.refusals.insert(all.refusals.end(), part.last.refusals.begin(), part.last.refusals.end());
@@ -47,7 +48,7 @@ class Several final : public Navigator {
     }
     if (!is_taught()) {
       tell_who_does_not_know(parts_, active_, config_, map.window);
-      choose(map.window, hand);
+      choose(map.window, sample.hand);
     }
     const Navigated& drives = active().last;
     all.command = drives.command;

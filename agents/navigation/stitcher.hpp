@@ -162,7 +162,7 @@ class Stitcher {
       return found;
     }
     const auto there_from_place = between(config_.belief, map, candidate.place, fix->place, config_.locate.most_hops);
-    const Spread spread = spread_of(candidate.place_from_robot);
+    const Difference spread = spread_of(candidate.place_from_robot);
     const std::optional<Refusal> refusal =
         there_from_place
             ? agreement(candidate.place_from_robot, compose(*there_from_place, fix->place_from_robot),
@@ -179,12 +179,12 @@ class Stitcher {
 
   OrRefusal<Related> verified(const Window& map, const Content& other, const Content& content,
                               const Candidate& candidate, const PlaceId& kept, std::optional<Pending>& pending) {
-    const Spread spread = spread_of(candidate.place_from_robot);
+    const Difference spread = spread_of(candidate.place_from_robot);
     const bool trusted = spread.metres <= config_.stitch.trusted_sigma_m;
     const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
     OrRefusal<Related> related = method_->relate(other, content, guess);
     if (!related) return related;
-    const auto agrees = [&](const Relation& predicted, const Spread& allowance) {
+    const auto agrees = [&](const Relation& predicted, const Difference& allowance) {
       return agreement(predicted, related->a_from_b, config_.stitch.agree_m + allowance.metres,
                        config_.stitch.agree_rad + allowance.radians);
     };

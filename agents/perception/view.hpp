@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/bytes.hpp"
-#include "core/geometry/pose2.hpp"
 #include "core/time.hpp"
 
 namespace weft::agents {
@@ -19,6 +18,17 @@ struct Image {
   std::shared_ptr<const Bytes> pixels;
 };
 
+/// Two images of one moment and one exposure; never two views.
+struct StereoPair {
+  Image left;
+  Image right;
+};
+
+/// What a sensor of a test tells: bytes that only the test's own method reads.
+struct Payload {
+  std::shared_ptr<const Bytes> bytes;
+};
+
 /// How a camera takes an image: its grey levels are in proportion to both. Motion blurs by the first, noise grows
 /// with the second.
 struct Exposure {
@@ -28,22 +38,13 @@ struct Exposure {
   double light_s() const { return time_s * gain; }  ///< as long as that without amplifying
 };
 
-/// For the test-only method `marks`: numbered marks as a noisy sensor saw them.
-struct Marks {
-  struct Sighting {
-    std::uint64_t mark = 0;
-    Pose2 robot_from_mark;
-  };
-  std::vector<Sighting> sightings;
-};
-
-/// One sensor sample of a body.
+/// One sample of one sensor of a body.
 struct View {
   std::uint64_t frame = 0;
   SensorTime time{};
-  std::string camera;
-  std::string calibration;  ///< id of the calibration that belongs to this camera
-  std::variant<Image, Marks> data;
+  std::string sensor;       ///< its id in the body's rig
+  std::string calibration;  ///< id of the calibration that belongs to this sensor
+  std::variant<Image, StereoPair, Payload> data;
   std::optional<Exposure> exposure = {};  ///< none: the body does not know
 };
 

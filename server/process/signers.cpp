@@ -1,21 +1,15 @@
 #include "server/process/signers.hpp"
 
-#include "agents/methods/floor/content.hpp"
-#include "agents/methods/floor/sign.hpp"
+#include "agents/methods/all.hpp"
 
 namespace weft::server {
-namespace {
-
-std::optional<agents::Signature> sign_floor(ByteView bytes) {
-  const Result<agents::FloorContent> content = agents::decode_floor_content(bytes);
-  if (!content) return std::nullopt;
-  return agents::sign_floor_content(*content);
-}
-
-}  // namespace
 
 Signers all_signers() {
-  return {{{"floor", agents::floor_content_format}, sign_floor}};
+  Signers signers;
+  agents::AllMethods::for_each([&]<class M>() {
+    if constexpr (agents::SignsBytes<M>) signers[{std::string(M::name), M::content_format}] = M::sign_bytes;
+  });
+  return signers;
 }
 
 }  // namespace weft::server

@@ -3,7 +3,7 @@
 
 namespace weft::server {
 
-/// Returns the signers of every method whose contents this server can sign; chosen here and nowhere else.
+/// Returns the signers of every method of agents/methods/all.hpp whose contents can be signed without a camera.
 Signers all_signers();
 
 }  // namespace weft::server

@@ -99,5 +99,28 @@ class Docs(unittest.TestCase):
             self.assertTrue(text.startswith('README.md:2: '), text)
 
 
+class MethodNames(unittest.TestCase):
+    METHODS = {'agents/methods/floor/floor.hpp': 'class Floor {};\n', 'agents/methods/recognition/index.hpp': ''}
+
+    def check(self, files):
+        for folder in ('core', 'server', 'agents/navigation', 'agents/agent'):
+            files = {f'{folder}/empty.hpp': '', **files}
+        return run('check_method_names.py', {**self.METHODS, **files}, '')
+
+    def test_what_is_no_method_passes(self):
+        text = 'double floor_m = std::floor(x);  // "floor" in a comment\nwrite("a floor of its own");\n'
+        self.assertEqual(self.check({'server/a.cpp': text}), (0, ''))
+
+    def test_a_name_a_class_or_a_folder_of_a_method_is_named(self):
+        for text in ('if (method == "floor") {}', 'choice("method", {"floor,bearing"});', 'Floor::make(x);',
+                     '#include "agents/methods/floor/content.hpp"', 'std::variant<Floor> any;'):
+            code, said = self.check({'agents/navigation/n.cpp': text + '\n'})
+            self.assertEqual(code, 1, text)
+            self.assertIn('agents/navigation/n.cpp:1: ', said)
+
+    def test_the_tool_of_one_method_may_name_it(self):
+        self.assertEqual(self.check({'agents/agent/process/calibrate/m.cpp': 'Floor::make(x);\n'}), (0, ''))
+
+
 if __name__ == '__main__':
     unittest.main()

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "agents/methods/marks/marks.hpp"
 #include "agents/navigation/navigator_of.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::simulation {
 namespace {

@@ -58,7 +58,7 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   // Lamps fail, mostly for longer than a robot may drive blind.
   const bool may_darken = !hand && !resting && time_ >= dark_until_;
   if (may_darken && random_.chance(kDarkens)) dark_until_ = time_ + from_seconds(random_.uniform(2.0, 30.0));
-  if (!random_.chance(0.005) && time_ >= dark_until_) sample.view = look();
+  if (!random_.chance(0.005) && time_ >= dark_until_) sample.views.push_back(look());
   truth_.emplace(frame_, site_from_robot());
   if (truth_.size() > kTruthFrames) truth_.erase(truth_.begin());
   return sample;

@@ -25,7 +25,7 @@ class MarksBody : public agents::Body {
     hand_done_ = false;
     hand_turns_to_.reset();
   }
-  std::vector<agents::CameraModel> cameras() const override { return {}; }
+  agents::Rig rig() const override { return {}; }
   std::string kind() const override { return "marks"; }
 
   /// For the invariants alone.

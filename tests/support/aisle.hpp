@@ -16,7 +16,7 @@ inline agents::sim::Site aisle_site() {
   for (const double y : {3.5, 8.5}) site.boxes.push_back({Box::Kind::rack, "rack", {12.0, y, 0.0}, 16.2, 1.0, 4.5});
   for (const double x : {4.0, 12.0, 20.0}) site.lamps.push_back({x, 6.0, 6.0, 1.0});
   RobotStart robot{"r1", {4.0, 6.0, 0.0}, 1};
-  robot.camera = RobotStart::Camera::forward;
+  robot.looks = {agents::Gaze::ahead};
   site.forward_camera.exposes_itself = false;  // nothing to wait for
   site.robots.push_back(robot);
   return site;
@@ -33,10 +33,10 @@ class Lookout {
     config.day = day;
     body_ = *agents::sim::make_sim_body(config);
   }
-  agents::CameraModel camera() const { return body_->cameras().front(); }
+  agents::CameraModel camera() const { return body_->rig().camera(); }
   agents::View from(const Pose2& site_from_robot) {
     body_->put(site_from_robot, {});
-    return *body_->step({})->view;
+    return body_->step({})->views.front();
   }
 
  private:

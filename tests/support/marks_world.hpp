@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "agents/perception/motion.hpp"
-#include "agents/perception/view.hpp"
+#include "agents/perception/sample.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/random.hpp"
+#include "tests/support/marks.hpp"
 #include "tests/support/unicycle.hpp"
 
 namespace weft::test {
@@ -94,30 +95,24 @@ struct MarksRobotConfig {
 /// A unicycle on a floor of marks: one view, one step of the wheels a sample.
 class MarksRobot {
  public:
-  struct Sample {
-    agents::View view;
-    agents::Motion motion;
-    bool dropped = false;
-  };
-
   MarksRobot(const MarksWorld& world, const MarksRobotConfig& config, const Pose2& start, std::uint64_t seed)
       : world_(&world), config_(config), base_(config.base, start), random_(seed) {}
 
-  Sample step(const agents::Twist& command) {
+  agents::Sample step(const agents::Twist& command) {
     base_.drive(command, config_.elapsed_s);
     ++frame_;
-    Sample sample;
+    agents::Sample sample;
     sample.motion.elapsed = from_seconds(config_.elapsed_s);
     sample.motion.command = command;
     const Pose2& moved = base_.last_step();
     const double distance = std::copysign(std::hypot(moved.x, moved.y), moved.x);
     sample.motion.wheels =
         agents::WheelStep{distance * config_.wheel_scale, moved.heading + distance * config_.wheel_heading_rad_per_m};
-    sample.view.frame = frame_;
-    sample.view.time = SensorTime{} + from_seconds(config_.elapsed_s * static_cast<double>(frame_));
-    sample.view.camera = "marks";
-    sample.view.data = world_->see(base_.world_from_robot(), random_);
-    sample.dropped = config_.dropped_share > 0.0 && random_.chance(config_.dropped_share);
+    sample.frame = frame_;
+    sample.time = SensorTime{} + from_seconds(config_.elapsed_s * static_cast<double>(frame_));
+    const agents::Marks seen = world_->see(base_.world_from_robot(), random_);
+    const bool is_dropped = config_.dropped_share > 0.0 && random_.chance(config_.dropped_share);
+    if (!is_dropped) sample.views.push_back({frame_, sample.time, "marks", "marks", seen});
     return sample;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,11 +29,15 @@ class NavigatedRobot {
 
   /// One sample: the body moves by the last command, then the navigator sees.
   agents::Navigated step(const agents::MapView& map, bool hand = false) {
-    MarksRobot::Sample sample = body_.step(command_);
-    if (dark) sample.view.data = agents::Marks{};
-    if (elsewhere) sample.view.data = body_.look_from(*elsewhere);
-    agents::Navigated navigated = navigator_->step(sample.dropped || blind ? nullptr : &sample.view,
-                                                   sample.view.frame, sample.view.time, sample.motion, hand, map);
+    agents::Sample sample = body_.step(command_);
+    sample.hand = hand;
+    if (blind) sample.views.clear();
+    for (agents::View& view : sample.views) {
+      if (dark) view.data = agents::Marks{};
+      if (elsewhere) view.data = body_.look_from(*elsewhere);
+    }
+    if (looks) looks(sample, world_from_robot());
+    agents::Navigated navigated = navigator_->step(sample, map);
     if (!hand) command_ = navigated.command;
     for (const agents::Refusal& refusal : navigated.refusals) ++refusals[std::string(refusal.reason)];
     return navigated;
@@ -94,6 +99,8 @@ class NavigatedRobot {
   bool blind = false;              ///< its frames are dropped
   bool dark = false;               ///< they show nothing
   std::optional<Pose2> elsewhere;  ///< they show what is seen from there
+  /// What other sensors see instead or as well; none: it sees marks.
+  std::function<void(agents::Sample&, const Pose2& world_from_robot)> looks;
   std::map<std::string, int> refusals;
 
  private:

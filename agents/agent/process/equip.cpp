@@ -1,16 +1,12 @@
 #include "agents/agent/process/equip.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <utility>
-#include <variant>
 
 #include "agents/bodies/replay/replay_body.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
-#include "agents/methods/bearing/bearing.hpp"
-#include "agents/methods/floor/floor.hpp"
+#include "agents/methods/all.hpp"
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator_of.hpp"
 #include "agents/navigation/several.hpp"
@@ -18,53 +14,33 @@
 namespace weft::agents {
 namespace {
 
-/// Every method that an agent can run; chosen here and nowhere else.
-using AnyMethod = std::variant<Floor, Bearing>;
-
-template <class M, class Config>
-Result<AnyMethod> made(const Config& config, const CameraModel& camera) {
-  Result<M> method = M::make(config, camera);
-  if (!method) return fail(method.error());
-  return AnyMethod(std::move(*method));
+Result<std::unique_ptr<Navigator>> make_one(const Options& options, const Equipped& equipped, bool is_alone) {
+  Result<std::unique_ptr<Navigator>> made = fail(ErrorCode::invalid, "there is no method " + equipped.method);
+  AllMethods::for_each([&]<class M>() {
+    if (equipped.method != M::name) return;
+    const Configured<M>& settings = std::get<Configured<M>>(options.settings);
+    if (const std::vector<Error> wrong = check(settings.navigation); !wrong.empty()) {
+      made = fail(wrong.front());
+      return;
+    }
+    Result<M> method = M::make(settings.config, equipped.rig);
+    if (!method) {
+      made = fail(method.error());
+      return;
+    }
+    const std::string sensor = is_alone ? std::string() : equipped.rig.sensors.front().id;
+    made = agents::make_navigator(std::move(*method), settings.navigation, sensor);
+  });
+  return made;
 }
 
-Result<AnyMethod> make_method(const Options& options, const Equipped& equipped) {
-  if (equipped.method == Bearing::name) return made<Bearing>(options.bearing, equipped.camera);
-  return made<Floor>(options.floor, equipped.camera);
-}
-
-Result<std::unique_ptr<Navigator>> make_one(const Options& options, const Equipped& equipped) {
-  Result<AnyMethod> method = make_method(options, equipped);
-  if (!method) return fail(method.error());
-  return std::visit(
-      [&](auto&& chosen) -> Result<std::unique_ptr<Navigator>> {
-        return agents::make_navigator(std::forward<decltype(chosen)>(chosen), options.navigation);
-      },
-      std::move(*method));
-}
-
-std::vector<std::string> methods_of(const Options& options) {
-  std::vector<std::string> methods;
-  std::istringstream text(options.method);
-  for (std::string method; std::getline(text, method, ',');) methods.push_back(method);
-  return methods;
-}
-
-bool looks_down(const CameraModel& camera) {
-  constexpr double steep = 0.34;  // 20 degrees below level
-  return (camera.robot_from_camera.rotation * Eigen::Vector3d::UnitZ()).z() < -steep;
-}
-
-/// A body with one camera has no choice.
-Result<CameraModel> camera_for(const std::string& method, const std::vector<CameraModel>& cameras) {
-  if (cameras.empty()) return fail(ErrorCode::invalid, "the body has no camera");
-  const bool down = method == Floor::name;
-  const auto found = std::find_if(cameras.begin(), cameras.end(),
-                                  [down](const CameraModel& camera) { return looks_down(camera) == down; });
-  if (found != cameras.end()) return *found;
-  if (cameras.size() == 1) return cameras.front();
-  return fail(ErrorCode::invalid, "no camera of the body looks " + std::string(down ? "down" : "ahead") +
-                                      ", as method " + method + " needs it");
+/// Returns what a method needs; it is one of AllMethods.
+SensorNeed need_of(const std::string& method) {
+  SensorNeed need;
+  AllMethods::for_each([&]<class M>() {
+    if (method == M::name) need = M::needs;
+  });
+  return need;
 }
 
 Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::function<void(const std::string&)>& warn) {
@@ -133,38 +109,35 @@ Result<CameraModel> calibrated(const Options& options, CameraModel told,
 
 }  // namespace
 
-Result<std::vector<Equipped>> make_cameras(const Options& options, const Body& body,
-                                           const std::function<void(const std::string&)>& warn) {
+Result<std::vector<Equipped>> equip(const Options& options, const Body& body,
+                                    const std::function<void(const std::string&)>& warn) {
   std::vector<Equipped> all;
-  for (const std::string& method : methods_of(options)) {
-    const Result<CameraModel> told = camera_for(method, body.cameras());
-    if (!told) return fail(told.error());
-    const bool is_taken =
-        std::any_of(all.begin(), all.end(), [&](const Equipped& other) { return other.camera.id == told->id; });
-    if (is_taken) {
-      return fail(ErrorCode::invalid, "method " + options.method + ": the body has one camera, " + told->id +
-                                          "; each method needs one of its own");
-    }
-    Equipped equipped{method, *told};
+  std::vector<std::string> taken;
+  for (const std::string& method : options.methods) {
+    Result<Rig> rig = choose(body.rig(), need_of(method), method, taken);
+    if (!rig) return fail(rig.error());
+    for (const Sensor& sensor : rig->sensors) taken.push_back(sensor.id);
     if (all.empty()) {
-      const Result<CameraModel> camera = calibrated(options, *told, warn);
+      const Result<CameraModel> camera = calibrated(options, rig->camera(), warn);
       if (!camera) return fail(camera.error());
-      equipped.camera = *camera;
+      rig->sensors.front().camera = *camera;
     }
-    all.push_back(std::move(equipped));
+    all.push_back({method, std::move(*rig)});
   }
   return all;
 }
 
-Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const std::vector<Equipped>& equipped) {
+Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const std::vector<Equipped>& equipped,
+                                                  const Rig& rig) {
   if (const std::vector<Error> wrong = check(options.navigation); !wrong.empty()) return fail(wrong.front());
+  // Samples of a body with more sensors are not all of this one's: what it did not see has moved it all the same.
+  const bool is_alone = equipped.size() == 1 && rig.sensors.size() == 1;
   std::vector<Looking> all;
   for (const Equipped& one : equipped) {
-    Result<std::unique_ptr<Navigator>> navigator = make_one(options, one);
-    if (!navigator) return navigator;
-    all.push_back({one.camera.id, std::move(*navigator)});
+    Result<std::unique_ptr<Navigator>> navigator = make_one(options, one, is_alone);
+    if (!navigator || is_alone) return navigator;
+    all.push_back({one.rig.sensors.front().id, std::move(*navigator)});
   }
-  if (all.size() == 1) return std::move(all.front().navigator);
   return make_several(std::move(all), options.navigation);
 }
 

@@ -142,7 +142,7 @@ void Loop::perform(AgentOutput output) {
 }
 
 void Loop::expose(const ExposureWish& wish) {
-  const Result<void> exposed = parts_.body.expose(wish.camera, wish.exposure);
+  const Result<void> exposed = parts_.body.expose(wish.sensor, wish.exposure);
   if (exposed || std::exchange(has_refused_exposure_, true)) return;
   parts_.log.info("exposure: {}", exposed.error().message);
 }

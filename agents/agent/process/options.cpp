@@ -1,10 +1,12 @@
 #include "agents/agent/process/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -28,8 +30,7 @@ constexpr std::array kFlags = {
     Flag{"name", Kind::text,
          "The robot's name: letters and digits of any script, '_', '.', '-', at most 64 bytes. Required"},
     Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
-    Flag{"method", Kind::text,
-         "How it navigates: floor (a camera looks down), bearing (ahead), or floor,bearing with both [floor]"},
+    Flag{"method", Kind::text, "How it navigates; several, with commas between, each with a sensor of its own"},
     Flag{"body", Kind::text, "sim | replay [sim]"},
     Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
     Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
@@ -62,6 +63,29 @@ std::string quoted(const std::string& text) {
     out += c;
   }
   return out + "\"";
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text + at);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  return parts;
+}
+
+std::string method_names() {
+  std::string all;
+  for (const std::string_view name : AllMethods::names) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
+/// Returns each method with what it looks through, for the help.
+std::string methods_help() {
+  std::string all;
+  AllMethods::for_each([&]<class M>() {
+    all += (all.empty() ? ": " : ", ") + std::string(M::name) + " (" + to_string(M::needs.kind) + " that looks " +
+           to_string(M::needs.gaze) + ")";
+  });
+  return all + " [" + std::string(AllMethods::names.front()) + "]";
 }
 
 /// A flag's values as a line of TOML, so that its bounds are stated once, for flag and file.
@@ -115,6 +139,21 @@ class Sources {
     std::string value = text(key, "");
     return value.empty() ? std::nullopt : std::optional(std::move(value));
   }
+  /// Names of methods with commas between, each once.
+  std::vector<std::string> methods() const {
+    return pick("method", [](const config::Table& table) {
+      std::vector<std::string> methods =
+          split(table.text("method", std::string(AllMethods::names.front()), 256), ',');
+      std::set<std::string_view> once;
+      for (const std::string& name : methods) {
+        const bool is_known =
+            std::find(AllMethods::names.begin(), AllMethods::names.end(), name) != AllMethods::names.end();
+        if (!is_known) table.refuse("method", "there is no method \"" + name + "\"; there are " + method_names());
+        if (!once.insert(name).second) table.refuse("method", "\"" + name + "\" is named twice");
+      }
+      return methods;
+    });
+  }
   const config::Table& file() const { return file_; }
 
   std::vector<config::Setting> effective() const {
@@ -137,7 +176,7 @@ Options read(const Sources& from) {
   Options options;
   options.name = from.text("name", "");
   options.state = from.text("state", "");
-  options.method = from.choice("method", "floor", {"floor", "bearing", "floor,bearing"});
+  options.methods = from.methods();
   options.body = from.choice("body", "sim", {"sim", "replay"});
   options.servers = from.texts("server", {"127.0.0.1"});
   const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";
@@ -161,11 +200,11 @@ Options read(const Sources& from) {
   options.content_cache_mb = from.integer<std::uint64_t>("content_cache_mb", 256, 1, 65'536);
   options.bytes_per_second =
       from.integer<std::uint64_t>("bytes_per_second", 4LL << 20U, msg::kChunkBytes, 1LL << 34U);
-  options.floor = read_floor_config(from.file().table("floor"));
-  options.bearing = read_bearing_config(from.file().table("bearing"));
   NavigationConfig navigation;
   navigation.follow.footprint_radius_m = options.footprint_radius_m;
   options.navigation = read_navigation_config(from.file().table("navigation"), navigation);
+  AllMethods::for_each(
+      [&]<class M>() { std::get<Configured<M>>(options.settings) = read_configured<M>(from.file(), navigation); });
   options.effective = from.effective();
   return options;
 }
@@ -198,7 +237,9 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
   std::map<std::string, std::vector<std::string>> given;
   for (const Flag& flag : kFlags) {
-    CLI::Option* const option = app.add_option(flag_of(flag.key), given[flag.key], flag.help);
+    const bool is_method = std::string_view(flag.key) == "method";
+    const std::string help = flag.help + (is_method ? methods_help() : std::string());
+    CLI::Option* const option = app.add_option(flag_of(flag.key), given[flag.key], help);
     option->expected(1)->take_last();
     if (flag.kind == Kind::list) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, 16);
     if (flag.kind == Kind::number) option->check(CLI::Number);

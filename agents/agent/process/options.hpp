@@ -5,9 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "agents/methods/bearing/config.hpp"
-#include "agents/methods/floor/config.hpp"
-#include "agents/navigation/config.hpp"
+#include "agents/agent/process/method_settings.hpp"
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
@@ -17,8 +15,8 @@ namespace weft::agents {
 /// All settings of the process. A flag wins over the file, the file over the default.
 struct Options {
   std::string name;
-  std::string state;   ///< directory
-  std::string method;  ///< or two, with a comma between: each has a camera of its own
+  std::string state;                 ///< directory
+  std::vector<std::string> methods;  ///< one or more, each with sensors of its own; the first is taught first
   std::string body;
 
   std::vector<std::string> servers;
@@ -44,9 +42,8 @@ struct Options {
   std::uint32_t window_cap = 2000;
   std::uint64_t content_cache_mb = 256;
   std::uint64_t bytes_per_second = 0;
-  FloorConfig floor;                       ///< the file's table [floor]
-  BearingConfig bearing;                   ///< the file's table [bearing]
-  NavigationConfig navigation;             ///< the file's table [navigation]
+  MethodSettings settings;                 ///< of every method, used or not
+  NavigationConfig navigation;             ///< of all methods together: the file's table [navigation]
   std::vector<config::Setting> effective;  ///< for the log
 };
 

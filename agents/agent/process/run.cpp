@@ -59,10 +59,10 @@ AgentConfig config_of(const Options& options, const RobotId& self, const Body& b
   config.can_be_taught_along = config.body == "sim";
   for (const Equipped& one : equipped) {
     const bool has_file = config.cameras.empty() && options.calibration.has_value();
-    config.cameras.push_back({.id = one.camera.id,
-                              .width = static_cast<std::uint32_t>(one.camera.width),
-                              .height = static_cast<std::uint32_t>(one.camera.height),
-                              .calibration = has_file ? *options.calibration : one.camera.id});
+    config.cameras.push_back({.id = one.rig.camera().id,
+                              .width = static_cast<std::uint32_t>(one.rig.camera().width),
+                              .height = static_cast<std::uint32_t>(one.rig.camera().height),
+                              .calibration = has_file ? *options.calibration : one.rig.camera().id});
   }
   config.footprint_radius_m = options.footprint_radius_m;
   config.window_hops = options.window_hops;
@@ -104,9 +104,9 @@ Result<void> run(const Options& options) {
   const auto warn = [&log](const std::string& text) { log.warn("{}", text); };
   Result<std::unique_ptr<Body>> body = make_body(options, warn);
   if (!body) return fail(body.error());
-  const Result<std::vector<Equipped>> equipped = make_cameras(options, **body, warn);
+  const Result<std::vector<Equipped>> equipped = equip(options, **body, warn);
   if (!equipped) return fail(equipped.error());
-  Result<std::unique_ptr<Navigator>> navigator = make_navigator(options, *equipped);
+  Result<std::unique_ptr<Navigator>> navigator = make_navigator(options, *equipped, (*body)->rig());
   if (!navigator) return fail(navigator.error());
   Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
   if (!opened) return fail(opened.error());
@@ -120,8 +120,10 @@ Result<void> run(const Options& options) {
   Result<std::unique_ptr<Agent>> agent = start(config, std::move(*navigator), **spool, random_from_machine(), now);
   if (!agent) return fail(agent.error());
   log_settings(log, options);  // not before everything is there: what goes wrong until then is one line
+  std::string methods;
+  for (const std::string& method : options.methods) methods += (methods.empty() ? "" : ",") + method;
   log.info("ready: {} {}, {}, body {}, method {}", options.name, to_string(*self), config.vendor, config.body,
-           options.method);
+           methods);
   Loop loop({.agent = **agent,
              .body = **body,
              .link = link,

@@ -26,7 +26,7 @@ class ReplayBody final : public Body {
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
   void stop_hand() override {}
-  std::vector<CameraModel> cameras() const override { return {camera_}; }
+  Rig rig() const override { return {{{config_.camera, SensorKind::camera, camera_}}}; }
   std::string kind() const override { return "replay"; }
 
  private:
@@ -84,10 +84,10 @@ Result<Sample> ReplayBody::step(const Twist& /*command*/) {
     View view;
     view.frame = sample.frame;
     view.time = sample.time;
-    view.camera = config_.camera;
+    view.sensor = config_.camera;
     view.calibration = camera_.id;
     view.data = std::move(*image);
-    sample.view = std::move(view);
+    sample.views.push_back(std::move(view));
   } else {
     ++dropped_;
   }

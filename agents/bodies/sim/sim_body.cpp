@@ -62,10 +62,10 @@ class SimBody final : public SimulatedBody {
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
   void stop_hand() override;
-  Result<void> expose(const std::string& camera, const Exposure& exposure) override;
+  Result<void> expose(const std::string& sensor, const Exposure& exposure) override;
   void put(const Pose2& site_from_robot, const Twist& moving) override;
   Pose2 site_from_robot() const override { return base_.site_from_robot(); }
-  std::vector<CameraModel> cameras() const override;
+  Rig rig() const override;
   std::string kind() const override { return "sim"; }
 
  private:
@@ -113,12 +113,14 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
   const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
-  using Camera = RobotStart::Camera;
-  if (start.camera != Camera::forward) {
+  const auto looks = [&start](Gaze gaze) {
+    return std::find(start.looks.begin(), start.looks.end(), gaze) != start.looks.end();
+  };
+  if (looks(Gaze::down)) {
     const CameraSetup& camera = site_.camera;
     eyes_.push_back({make_floor_eye(site_, owner, floor, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
-  if (start.camera != Camera::floor) {
+  if (looks(Gaze::ahead)) {
     const ForwardCameraSetup& camera = site_.forward_camera;
     eyes_.push_back({make_forward_eye(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
@@ -126,10 +128,11 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
   if (eyes_.size() > 1) eyes_.back().last_s = -apart * eyes_.back().period_s(false);
 }
 
-std::vector<CameraModel> SimBody::cameras() const {
-  std::vector<CameraModel> all;
-  for (const Looking& looking : eyes_) all.push_back(looking.eye->given());
-  return all;
+Rig SimBody::rig() const {
+  Rig rig;
+  for (const Looking& looking : eyes_)
+    rig.sensors.push_back({looking.eye->name(), SensorKind::camera, looking.eye->given()});
+  return rig;
 }
 
 Random SimBody::light_now() const {
@@ -161,12 +164,12 @@ void SimBody::stop_hand() {
   hand_done_ = false;
 }
 
-Result<void> SimBody::expose(const std::string& camera, const Exposure& exposure) {
+Result<void> SimBody::expose(const std::string& sensor, const Exposure& exposure) {
   const auto looks =
-      std::find_if(eyes_.begin(), eyes_.end(), [&](const Looking& looking) { return looking.eye->name() == camera; });
-  if (looks == eyes_.end()) return fail(ErrorCode::not_found, "there is no camera " + camera);
+      std::find_if(eyes_.begin(), eyes_.end(), [&](const Looking& looking) { return looking.eye->name() == sensor; });
+  if (looks == eyes_.end()) return fail(ErrorCode::not_found, "there is no sensor " + sensor);
   if (!looks->eye->expose(exposure))
-    return fail(ErrorCode::refused, "camera " + camera + " exposes as it is built to");
+    return fail(ErrorCode::refused, "sensor " + sensor + " exposes as it is built to");
   return {};
 }
 
@@ -219,7 +222,7 @@ View SimBody::view_now(Eye& eye, SensorTime time) {
   View view;
   view.frame = frame_;
   view.time = time;
-  view.camera = eye.name();
+  view.sensor = eye.name();
   view.calibration = eye.given().id;
   view.data = eye.look(moment_now());
   view.exposure = eye.exposed();
@@ -256,7 +259,7 @@ Result<Sample> SimBody::step(const Twist& command) {
   sample.hand_done = hand_done_;
   const bool dropped = timing_.chance(site_.disturbances.dropped_frames);
   if (!dropped) {
-    sample.view = view_now(*looks.eye, sample.time);
+    sample.views.push_back(view_now(*looks.eye, sample.time));
   }
   if (sample.hand && hand_done_) {
     next_run();

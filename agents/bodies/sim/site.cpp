@@ -117,6 +117,21 @@ void add_names_and_lamps(const Table& root, Site& site) {
   }
 }
 
+/// Returns where a robot's cameras look, each way once.
+std::vector<Gaze> looks_in(const Table& table) {
+  std::vector<Gaze> looks;
+  for (const std::string& word : table.texts("looks", std::vector<std::string>{to_string(Gaze::down)}, 1, 2)) {
+    const bool is_known = word == to_string(Gaze::down) || word == to_string(Gaze::ahead);
+    if (!is_known) table.refuse("looks", "a camera looks \"down\" or \"ahead\", not \"" + word + "\"");
+    const Gaze gaze = word == to_string(Gaze::ahead) ? Gaze::ahead : Gaze::down;
+    if (std::find(looks.begin(), looks.end(), gaze) != looks.end()) {
+      table.refuse("looks", "two cameras look " + word + "; give each way once");
+    }
+    looks.push_back(gaze);
+  }
+  return looks;
+}
+
 void add_robots(const Table& root, Site& site) {
   std::set<std::string> names;
   for (const Table& table : root.tables("robot", 1, 1000)) {
@@ -124,10 +139,7 @@ void add_robots(const Table& root, Site& site) {
     robot.name = table.text("name", required, 64);
     robot.site_from_robot = pose_in(table);
     robot.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 0, INT64_MAX));
-    const std::string camera = table.choice("camera", "floor", {"floor", "forward", "both"});
-    robot.camera = camera == "both"      ? RobotStart::Camera::both
-                   : camera == "forward" ? RobotStart::Camera::forward
-                                         : RobotStart::Camera::floor;
+    robot.looks = looks_in(table);
     if (robot.name.find_first_of("\"\\\n\r\t") != std::string::npos) {
       table.refuse("name", "must not hold quotes, backslashes or control characters");
     }

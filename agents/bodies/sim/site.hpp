@@ -37,11 +37,10 @@ struct Lamp {
 };
 
 struct RobotStart {
-  enum class Camera : std::uint8_t { floor, forward, both };
   std::string name;
   Pose2 site_from_robot;
-  std::uint64_t seed = 0;  ///< added to the run's seed: other wheels, another calibration
-  Camera camera = Camera::floor;
+  std::uint64_t seed = 0;                  ///< added to the run's seed: other wheels, another calibration
+  std::vector<Gaze> looks = {Gaze::down};  ///< a camera each
 };
 
 struct FloorSetup {

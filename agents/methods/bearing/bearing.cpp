@@ -50,14 +50,14 @@ Step Bearing::observe(Odometry& odometry, const View* view, const Motion& motion
   if (elapsed_s > 0.0) odometry.driving = {distance / elapsed_s, turn / elapsed_s};
   Step step;
   step.common(0, 0) = distance * (wheels ? config_.wheel_distance_share : config_.command_distance_share);
-  step.common(2, 1) = distance * (wheels ? config_.wheel_turn_rad_m : config_.command_turn_rad_m);
+  step.common(kYaw, 1) = distance * (wheels ? config_.wheel_turn_rad_m : config_.command_turn_rad_m);
   const double way = std::abs(distance);
   const double turned = std::abs(turn);
   constexpr double turns_m = 0.2;  // a radian slips as much as this way
   const double slips = way + turns_m * turned;
   step.previous_from_current =
       AlongPath{distance, step.common(0, 0) * step.common(0, 0) + config_.slip_m * config_.slip_m * slips, turn,
-                step.common(2, 1) * step.common(2, 1) + config_.slip_rad * config_.slip_rad * slips};
+                step.common(kYaw, 1) * step.common(kYaw, 1) + config_.slip_rad * config_.slip_rad * slips};
   step.blind_reason = view == nullptr ? std::string_view("no_view") : what_is_wrong(*view, camera_);
   step.seen = step.blind_reason.empty();
   return step;

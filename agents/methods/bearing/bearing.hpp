@@ -9,7 +9,7 @@
 #include "agents/methods/bearing/content.hpp"
 #include "agents/methods/bearing/other_cameras.hpp"
 #include "agents/methods/method.hpp"
-#include "agents/perception/camera_model.hpp"
+#include "agents/perception/rig.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -49,6 +49,11 @@ class Bearing {
 
   /// invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
   static Result<Bearing> make(const BearingConfig& config, const CameraModel& camera);
+  static Result<Bearing> make(const BearingConfig& config, const Rig& rig) { return make(config, rig.camera()); }
+  using Config = BearingConfig;
+  static constexpr ChartSize chart_size = {12, 200};
+  static constexpr SensorNeed needs = {SensorKind::camera, Gaze::ahead, 1};
+  static BearingConfig read_config(const config::Table& table) { return read_bearing_config(table); }
 
   /// AlongPath, by the wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;

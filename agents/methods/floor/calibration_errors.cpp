@@ -147,11 +147,11 @@ CalibrationErrors::CalibrationErrors(const FloorConfig& config, const CameraMode
   }
 }
 
-CommonErrors CalibrationErrors::of(const Pose2& moved, const Eigen::Matrix2d& tilt_covariance) const {
+PlanarErrors CalibrationErrors::of(const Pose2& moved, const Eigen::Matrix2d& tilt_covariance) const {
   const Eigen::Vector3d xi = log2(moved);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> tilt(tilt_covariance);
   const Eigen::Matrix<double, kMotions, 2> by_tilt = by_tilt_ * tilt.operatorSqrt();
-  CommonErrors errors;
+  PlanarErrors errors;
   errors.leftCols<kMotions>().setZero();
   errors.rightCols<2>().setZero();
   for (int axis = 0; axis < 3; ++axis) {

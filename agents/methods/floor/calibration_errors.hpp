@@ -18,7 +18,7 @@ class CalibrationErrors {
   CalibrationErrors(const FloorConfig& config, const CameraModel& camera);
 
   /// Returns what a step's relation has wrong by the calibration, and by what is not yet known of the mount's tilt.
-  CommonErrors of(const Pose2& moved, const Eigen::Matrix2d& tilt_covariance) const;
+  PlanarErrors of(const Pose2& moved, const Eigen::Matrix2d& tilt_covariance) const;
 
  private:
   static constexpr int kMotions = 9;

@@ -14,6 +14,7 @@
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
+#include "agents/perception/rig.hpp"
 #include "agents/perception/rocking.hpp"
 #include "core/result.hpp"
 
@@ -64,11 +65,20 @@ class Floor {
     std::optional<Rocking> rocking;           ///< none before the first view
     std::optional<MountWatch> mount;          ///< what all of them said; none: there was none yet
   };
+  using Config = FloorConfig;
+  static constexpr SensorNeed needs = {SensorKind::camera, Gaze::down, 1};
+  static FloorConfig read_config(const config::Table& table) { return read_floor_config(table); }
+  /// What `sign` gives, of a content's bytes; none: they are no content, or give no signature.
+  static std::optional<Signature> sign_bytes(ByteView bytes) {
+    const Result<FloorContent> content = decode_floor_content(bytes);
+    return content ? sign_floor_content(*content) : std::nullopt;
+  }
   using Content = FloorContent;
 
   /// Makes a method of settings and a camera; what the camera's calibration states of itself goes into settings that
   /// are left as they are (`informed`). invalid: a setting or the calibration breaks its bound; every one is named.
   static Result<Floor> make(const FloorConfig& config, const CameraModel& camera);
+  static Result<Floor> make(const FloorConfig& config, const Rig& rig) { return make(config, rig.camera()); }
 
   /// Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast, few_tracks,
   /// homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.

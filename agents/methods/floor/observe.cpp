@@ -162,7 +162,7 @@ void retain(Followed& followed, const Keep& keep) {
 /// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
 /// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top what all steps have in
 /// common (docs/decisions/024-odometry-candidates.md).
-Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const CommonErrors& common,
+Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const PlanarErrors& common,
                                 Floor::Odometry& s) {
   // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
   const double alike = 0.24 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
@@ -279,8 +279,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
   if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
   const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
-  const CommonErrors common = calibration_errors_.of(seen, s.mount->tilt().found);
-  Step step{Metric2{seen, step_covariance(fit, seen, common, s)}, true, {}, common};
+  const PlanarErrors common = calibration_errors_.of(seen, s.mount->tilt().found);
+  Step step{Metric2{seen, step_covariance(fit, seen, common, s)}, true, {}, in_space(common)};
   s.keyframe_from_robot = fit.state.a_from_b;
   s.sway = fit.state.sway_b;
   s.sway_covariance = fit.covariance.bottomRightCorner<3, 3>();

@@ -65,21 +65,19 @@ Route Course::loops(std::size_t count) const {
 }
 
 void expose(Body& body, const Navigated& navigated) {
-  if (navigated.exposes) static_cast<void>(body.expose(navigated.exposes->camera, navigated.exposes->exposure));
+  if (navigated.exposes) static_cast<void>(body.expose(navigated.exposes->sensor, navigated.exposes->exposure));
 }
 
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
-  auto navigator = make_navigator((*body)->cameras().front(), Parts::all);
+  auto navigator = make_navigator((*body)->rig().camera(), Parts::all);
   if (!navigator) return fail(navigator.error());
   Course course;
   const auto step = [&]() -> Result<std::pair<Navigated, bool>> {
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return fail(sample.error());
-    const View* const view = sample->view ? &*sample->view : nullptr;
-    Navigated now =
-        (*navigator)->step(view, sample->frame, sample->time, sample->motion, sample->hand, course.map.view());
+    Navigated now = (*navigator)->step(*sample, course.map.view());
     expose(**body, now);
     return std::pair(std::move(now), sample->hand_done);
   };

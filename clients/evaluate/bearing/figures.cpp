@@ -48,7 +48,7 @@ Chart loops_chart(const Trial& trial, const Rows& rows, Seeds seeds) {
 
 /// One picture of charts; none of no charts.
 Result<void> draw(const std::string& title, const std::string& about, const std::vector<Chart>& charts,
-                  const std::filesystem::path& file, std::vector<std::string>& drawn, const ChartSize& size = {}) {
+                  const std::filesystem::path& file, std::vector<std::string>& drawn, const charts::ChartSize& size = {}) {
   if (charts.empty()) return {};
   constexpr std::size_t columns = 3;
   const Result<void> written = draw_charts(title, about, charts, std::min(columns, charts.size()), file, size);
@@ -77,7 +77,7 @@ Result<std::vector<std::string>> draw_figures(const AllShown& shown, const Rows&
     }
   }
   const std::string of_first = "method bearing, seed " + std::to_string(seeds.first);
-  const ChartSize map{520.0, 420.0};
+  const charts::ChartSize map{520.0, 420.0};
   std::vector<std::string> drawn;
   if (const auto done = draw("Taught and repeated", of_first, paths, folder / "paths.png", drawn, map); !done)
     return fail(done.error());

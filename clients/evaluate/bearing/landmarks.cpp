@@ -47,7 +47,7 @@ Result<double> landmark_distance_m(const sim::Site& site, const Course& course) 
   config.robot = site.robots.front().name;
   const auto body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  const CameraModel camera = (*body)->cameras().front();
+  const CameraModel camera = (*body)->rig().camera();
   const sim::QuadScene scene(sim::interior_of(site));
   std::vector<double> distances;
   for (const Pose2& site_from_place : course.site_from_place)

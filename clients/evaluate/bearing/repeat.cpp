@@ -29,9 +29,7 @@ class Repeating {
     const Pose2 before = body_->site_from_robot();
     const Result<Sample> sample = body_->step(command_);
     if (!sample) return fail(sample.error());
-    const View* const view = sample->view ? &*sample->view : nullptr;
-    Navigated now =
-        navigator_->step(view, sample->frame, sample->time, sample->motion, sample->hand, course_.map.view());
+    Navigated now = navigator_->step(*sample, course_.map.view());
     command_ = now.command;
     expose(*body_, now);
     now_s_ = seconds(sample->time.time_since_epoch());
@@ -121,7 +119,7 @@ Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course,
                                        std::size_t loops, Parts parts) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
-  auto navigator = make_navigator((*body)->cameras().front(), parts);
+  auto navigator = make_navigator((*body)->rig().camera(), parts);
   if (!navigator) return fail(navigator.error());
   (*body)->put(course.site_from_place[start.place] * start.place_from_robot, {});
   Repeating robot(course, std::move(*body), std::move(*navigator));

@@ -64,7 +64,7 @@ Result<sim::SimBodyConfig> fresh(const LeadTask& task, const std::string& robot,
 Result<std::optional<Run>> lead(const LeadTask& task, const sim::SimBodyConfig& config, double keep_every_m) {
   Result<std::unique_ptr<Body>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  Result<Floor> floor = Floor::make(FloorConfig{}, (*body)->cameras().front());
+  Result<Floor> floor = Floor::make(FloorConfig{}, (*body)->rig().camera());
   if (!floor) return fail(floor.error());
   if (const Result<void> begun = (*body)->drive_by_hand(task.line); !begun) return fail(begun.error());
   Run run{std::move(*floor), {}, {}};
@@ -75,13 +75,13 @@ Result<std::optional<Run>> lead(const LeadTask& task, const sim::SimBodyConfig& 
     if (task.asked_to_stop()) return std::optional<Run>();
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return fail(sample.error());
-    const Step step = run.floor.observe(odometry, sample->view ? &*sample->view : nullptr, sample->motion);
+    const Step step = run.floor.observe(odometry, sample->of({}), sample->motion);
     const Pose2 moved = planar(step.previous_from_current);
     start_from_robot = start_from_robot * moved;
     since_kept += std::hypot(moved.x, moved.y);
     run.frames.push_back({{}, 0.0, start_from_robot, seconds(sample->time.time_since_epoch()), step.seen});
-    if (sample->view && since_kept >= keep_every_m) {
-      auto content = run.floor.extract(odometry, *sample->view);
+    if (!sample->views.empty() && since_kept >= keep_every_m) {
+      auto content = run.floor.extract(odometry, *sample->of({}));
       run.kept.push_back({run.frames.size() - 1, content ? std::optional(std::move(*content)) : std::nullopt});
       since_kept = 0.0;
     }

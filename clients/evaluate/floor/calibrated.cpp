@@ -42,7 +42,7 @@ Result<bool> play(const Drive& drive, const std::vector<SitePoint>& line, const 
     if (drive.asked_to_stop()) return false;
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return fail(sample.error());
-    take(sample->view ? &*sample->view : nullptr, sample->motion);
+    take(sample->of({}), sample->motion);
     done = sample->hand_done;
   }
   return true;
@@ -84,7 +84,7 @@ Result<std::optional<agents::CameraModel>> calibrated(const Drive& drive, const 
     is_stopped = !*played;
     return is_stopped ? Result<void>(fail(ErrorCode::refused, "stopped")) : Result<void>();
   };
-  const Result<MountDrive> found = calibrate_mount((*body)->cameras().front(), again, config);
+  const Result<MountDrive> found = calibrate_mount((*body)->rig().camera(), again, config);
   if (is_stopped) return std::optional<agents::CameraModel>();
   if (!found) return fail(found.error());
   return std::optional(found->camera);

@@ -25,7 +25,7 @@ Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config,
 }
 
 Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<agents::CameraModel>& camera) {
-  Result<Floor> floor = Floor::make({}, camera.value_or(body->cameras().front()));
+  Result<Floor> floor = Floor::make({}, camera.value_or(body->rig().camera()));
   if (!floor) return fail(floor.error());
   DrivenRobot robot;
   robot.body_ = std::move(body);
@@ -40,13 +40,13 @@ DrivenRobot::~DrivenRobot() {
 }
 
 Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
-  const Result<Sample> sample = body_->step(command_);
+  Result<Sample> sample = body_->step(command_);
   if (!sample) return fail(sample.error());
   Stepped stepped;
-  stepped.has_view = sample->view && !left_out_.contains(sample->frame);
+  if (left_out_.contains(sample->frame)) sample->views.clear();
+  stepped.has_view = !sample->views.empty();
   stepped.hand_done = sample->hand_done;
-  stepped.navigated = navigator_->step(stepped.has_view ? &*sample->view : nullptr, sample->frame, sample->time,
-                                       sample->motion, sample->hand, map);
+  stepped.navigated = navigator_->step(*sample, map);
   command_ = stepped.navigated.command;
   start_from_robot_ = start_from_robot_ * planar(seen_->step.previous_from_current);
   Moment moment;

@@ -38,7 +38,7 @@ Result<bool> look_around(const Drive& drive, const std::vector<SitePoint>& line,
   std::filesystem::remove(truth_file, ignored);
   const Result<std::unique_ptr<Body>> body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
-  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->cameras().front());
+  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->rig().camera());
   if (!method) return fail(method.error());
   glances.method = std::move(*method);
   if (const Result<void> led = (*body)->drive_by_hand(line); !led) return fail(led.error());
@@ -47,7 +47,7 @@ Result<bool> look_around(const Drive& drive, const std::vector<SitePoint>& line,
     if (drive.asked_to_stop()) return false;
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return fail(sample.error());
-    const View* const view = sample->view ? &*sample->view : nullptr;
+    const View* const view = sample->of({});
     glances.method->observe(odometry, view, sample->motion);
     if (view != nullptr && sample->frame % every == 0)
       glances.by_frame.emplace(sample->frame, Glance{glances.method->extract(odometry, *view), {}});

@@ -17,7 +17,7 @@ void Observer::take(const Sample& sample) {
   }
   if (samples_++ % every_ != 0) return;
   const double began_s = cpu_s_();
-  const Step step = observe_(sample.view ? &*sample.view : nullptr, since_);
+  const Step step = observe_(sample.of({}), since_);
   spent_s_ += cpu_s_() - began_s;
   ++views_;
   since_ = {};

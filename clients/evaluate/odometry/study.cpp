@@ -89,7 +89,7 @@ Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const agents:
       for (const std::string& name : front_ends()) observers.push_back(candidate(name, every, calibrated, cpu_s));
       continue;
     }
-    Result<Observer> given = product(kAsGiven, every, (*body)->cameras().front(), cpu_s);
+    Result<Observer> given = product(kAsGiven, every, (*body)->rig().camera(), cpu_s);
     if (!given) return fail(given.error());
     observers.push_back(std::move(*given));
   }

@@ -101,7 +101,7 @@ TEST_F(KeepAlone, ALaterViewMayDo) {
 }
 
 TEST_F(KeepAlone, WithoutAnyImageTheReasonSaysSo) {
-  rig.sample.view.reset();
+  rig.sample.views.clear();
   stands(0.2);
   can_be_joined();
   rig.tell(rig.command(Kind::keep_place, 1));

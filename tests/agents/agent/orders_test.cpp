@@ -28,7 +28,7 @@ TEST(Orders, AWishForAnExposureGoesToTheBodyOnce) {
   rig.script->answer.exposes = ExposureWish{"forward", {0.004, 2.0}};
   const AgentOutput stepped = rig.agent->step(rig.sample, rig.now);
   ASSERT_TRUE(stepped.exposes.has_value());
-  EXPECT_EQ(stepped.exposes->camera, "forward");
+  EXPECT_EQ(stepped.exposes->sensor, "forward");
   EXPECT_EQ(stepped.exposes->exposure.gain, 2.0);
   EXPECT_FALSE(rig.agent->tick(rig.now).exposes.has_value());
   rig.script->answer.exposes.reset();

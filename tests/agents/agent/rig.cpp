@@ -18,10 +18,10 @@ class ScriptedNavigator final : public Navigator {
   std::string_view method() const override { return "marks"; }
   std::vector<std::string> teaches() const override { return script_->teaches; }
 
-  Navigated step(const View* view, std::uint64_t frame, SensorTime, const Motion&, bool, const MapView&) override {
+  Navigated step(const Sample& sample, const MapView&) override {
     Navigated answer = script_->answer;
-    sees_ = view != nullptr;
-    frame_ = frame;
+    sees_ = !sample.views.empty();
+    frame_ = sample.frame;
     if (sees_ && (script_->keep_wanted || (script_->teaching && script_->keep_each_step))) answer.kept = keep_all();
     return answer;
   }
@@ -292,7 +292,7 @@ Rig::Rig()
   config.name = "r1";
   config.body = "sim";
   config.can_be_taught_along = true;
-  sample.view = View{};
+  sample.views = {View{}};
   boot();
 }
 
@@ -352,7 +352,7 @@ void Rig::run(Duration duration) {
     if (body && now >= next_frame) {
       next_frame += kFrame;
       sample.frame = ++frame;
-      if (sample.view.has_value()) sample.view->frame = frame;
+      if (!sample.views.empty()) sample.views.front().frame = frame;
       sample.motion.elapsed = kFrame;
       sample.motion.command = seen.command;
       take(agent->step(sample, now));

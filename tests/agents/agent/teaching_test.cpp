@@ -131,7 +131,7 @@ TEST(Teaching, LabelHereKeepsAPlaceAndAnswersOnceItIsOnDisk) {
 
 TEST(Teaching, LabelHereWithNothingToSeeIsRefused) {
   Rig rig;
-  rig.sample.view.reset();
+  rig.sample.views.clear();
   rig.run(4s);
   rig.tell(rig.command(Kind::teach_start, 1));
   rig.tell(rig.command(Kind::keep_place, 2));
@@ -156,12 +156,12 @@ TEST(Teaching, StopTakesTheLastViewAndSeals) {
 TEST(Teaching, StopWaitsForTheViewOfTheLastPlace) {
   Rig rig;
   begin_sparingly(rig);
-  const std::optional<View> view = std::exchange(rig.sample.view, std::nullopt);
+  const std::vector<View> views = std::exchange(rig.sample.views, {});
   rig.run(200ms);
   rig.tell(rig.command(Kind::teach_stop, 2));
   rig.run(500ms);
   EXPECT_TRUE(rig.script->teaching) << "nothing was seen since";
-  rig.sample.view = view;
+  rig.sample.views = views;
   rig.run(3s);
   EXPECT_EQ(rig.script->index, 1U);
   EXPECT_EQ(rig.server.sealed.size(), 1U);
@@ -246,7 +246,7 @@ TEST(Teaching, AnotherLineOfTheSameRunMovesTheHandOn) {
 
 TEST(Teaching, NothingTaughtLeavesNoTrace) {
   Rig rig;
-  rig.sample.view.reset();
+  rig.sample.views.clear();
   rig.run(4s);
   rig.tell(rig.command(Kind::teach_start, 1));
   rig.run(1s);

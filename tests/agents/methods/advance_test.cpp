@@ -18,8 +18,8 @@ Step step_of(const Pose2& moved) {
   Step step;
   step.seen = true;
   const Eigen::Vector3d xi = log2(moved);
-  step.common.col(0) = kScale * Eigen::Vector3d(xi.x(), xi.y(), 0.0);
-  Metric2 relation{moved, step.common * step.common.transpose()};
+  step.common.col(0).head<2>() = kScale * xi.head<2>();
+  Metric2 relation{moved, in_plane(step.common) * in_plane(step.common).transpose()};
   relation.covariance.diagonal() += Eigen::Vector3d(kNoiseM * kNoiseM, kNoiseM * kNoiseM, 1e-8);
   step.previous_from_current = relation;
   return step;
@@ -80,6 +80,28 @@ TEST(Advance, EveryKindOfRelationStaysValid) {
     EXPECT_TRUE(check(a_from_robot)) << start.index();
     EXPECT_EQ(a_from_robot.index(), start.index());
   }
+}
+
+/// Up a ramp a scale is wrong along the ramp, in z as well.
+TEST(Advance, InSpaceWhatStepsHaveInCommonGrowsInAllSixDimensions) {
+  constexpr double kSteep = 0.1;  // rad
+  Step step;
+  step.seen = true;
+  step.common(0, 0) = kScale * 0.1;
+  Matrix6d covariance = 1e-10 * Matrix6d::Identity();
+  covariance(0, 0) += step.common(0, 0) * step.common(0, 0);
+  step.previous_from_current = Metric3{lift({0.1, 0.0, 0.0}), covariance};
+  const Pose3 ramp{Eigen::Quaterniond(Eigen::AngleAxisd(-kSteep, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero()};
+  Relation start_from_robot = Metric3{ramp, {}};
+  CommonErrors common = CommonErrors::Zero();
+  for (int i = 0; i < 100; ++i) start_from_robot = advanced(start_from_robot, step, common);
+  const auto& up = std::get<Metric3>(start_from_robot);
+  EXPECT_NEAR(up.a_from_b.translation.z(), 10.0 * std::sin(kSteep), 1e-9);
+  EXPECT_NEAR(common(0, 0), kScale * 10.0, 1e-9);
+  EXPECT_NEAR(std::sqrt(up.covariance.matrix()(0, 0)), kScale * 10.0, 1e-4) << "along the robot's own axis";
+  EXPECT_TRUE(check(start_from_robot));
+  const Metric3 measured{up.a_from_b, 0.25 * up.covariance.matrix()};
+  EXPECT_NEAR(corrected(common, up, measured)(0, 0), 0.25 * kScale * 10.0, 1e-4);
 }
 
 TEST(Joined, TwoStepsAreOne) {

@@ -19,7 +19,7 @@ Step told() {
   step.seen = true;
   constexpr double metres = 0.05;
   step.common(0, 0) = kShare * metres;
-  step.common(2, 1) = kTurnRadM * metres;
+  step.common(kYaw, 1) = kTurnRadM * metres;
   step.previous_from_current = AlongPath{metres, std::pow(kShare * metres, 2) + 4e-4 * metres, 0.0,
                                          std::pow(kTurnRadM * metres, 2) + 9e-4 * metres};
   return step;
@@ -84,7 +84,7 @@ TEST(AlongErrors, OnAStraightWithoutFixesItThenErrsLess) {
 TEST(AlongErrors, WrongFixesDoNotMakeWheelsWhatNoneAre) {
   AlongErrors errors;
   CommonErrors common = CommonErrors::Zero();
-  common(0, 0) = common(2, 1) = 0.1;
+  common(0, 0) = common(kYaw, 1) = 0.1;
   errors.learn({0.0, 0.01, 0.0, 0.01}, {1e3, 1e-4, 3.0, 1e-4}, common);
   EXPECT_LE(errors.distance_error(), 5.0);
   EXPECT_LE(errors.turn_error(), 5.0);

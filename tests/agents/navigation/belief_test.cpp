@@ -90,6 +90,32 @@ TEST(Disagreement, IsMeasuredInSigmasAndNeverWithoutAFloor) {
   EXPECT_GT(disagreement(config, metric({0, 0, 0}, 0.01, 0.01), metric({0.3, 0, 0}, 0.01, 0.01)), 5.0);
 }
 
+TEST(Disagreement, OfTwoPosesInSpaceIsInSpace) {
+  BeliefConfig config;
+  const auto at = [](const Vector6d& xi) { return Metric3{exp3(xi), 1e-6 * Matrix6d::Identity()}; };
+  const Metric3 here = at(Vector6d::Zero());
+  for (const Eigen::Index axis : {2, 3, 4}) {  // z, roll, pitch
+    Vector6d off = Vector6d::Zero();
+    off[axis] = 0.5;
+    config.in_plane = false;
+    EXPECT_GT(disagreement(config, here, at(off)), config.gate_sigmas) << axis;
+    config.in_plane = true;
+    EXPECT_LT(disagreement(config, here, at(off)), config.gate_sigmas)
+        << axis << ": a robot of the plane asked for it";
+  }
+}
+
+TEST(Belief, AFixInSpaceThatIsWrongInHeightAloneIsRefused) {
+  Belief belief{BeliefConfig{}};
+  const Metric3 here{Pose3{}, 1e-6 * Matrix6d::Identity()};
+  belief.set(Fix{kHere, here, {}});
+  Metric3 above = here;
+  above.a_from_b.translation.z() = 0.4;
+  const auto refused = belief.correct(Fix{kHere, above, {}}, here, Window{});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().reason, "disagrees_with_prediction");
+}
+
 TEST(Belief, MovesWithOdometryAndCountsWhatItDroveBlind) {
   Belief belief{BeliefConfig{}};
   belief.set(fix_at(kHere, {0, 0, 0}));

@@ -66,7 +66,7 @@ TEST(Charted, IsMadeAnewWhenTheWindowHasMovedWithinOneRevision) {
   std::vector<std::vector<PlaceId>> charts;
   const Noting method(charts);
   Charted<Noting> charted(method);
-  DecodedContents<Noting> decoded(method, 10);
+  DecodedContents<Noting> decoded(method, 1U << 20U);
   const Estimate here{at(2), Metric2{}, 0.0};
   charted.prepare(window_from(0), NoneArrived{}, decoded, here);
   charted.prepare(window_from(0), NoneArrived{}, decoded, here);
@@ -80,7 +80,7 @@ TEST(Charted, IsMadeAnewWhenARelationHasChanged) {
   std::vector<std::vector<PlaceId>> charts;
   const Noting method(charts);
   Charted<Noting> charted(method);
-  DecodedContents<Noting> decoded(method, 10);
+  DecodedContents<Noting> decoded(method, 1U << 20U);
   const Estimate here{at(1), Metric2{}, 0.0};
   Window window = window_from(0);
   charted.prepare(window, NoneArrived{}, decoded, here);
@@ -97,7 +97,7 @@ TEST(Charted, ForgetsWhereTheRobotIsAndNotWhatElseTheMethodKnows) {
   int gone_on = 0;
   const Remembering method(charts, gone_on);
   Charted<Remembering> charted(method);
-  DecodedContents<Remembering> decoded(method, 10);
+  DecodedContents<Remembering> decoded(method, 1U << 20U);
   charted.prepare(window_from(0), NoneArrived{}, decoded, {at(2), Metric2{}, 0.0});
   EXPECT_EQ(gone_on, 0);
   charted.forget();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/network/codec.hpp"
 #include "tests/agents/navigation/learning_marks.hpp"
 
@@ -30,7 +32,7 @@ Place of_format(std::uint32_t format) {
 
 template <class M>
 bool is_read(const M& method, std::uint32_t format, const Bytes& bytes) {
-  DecodedContents<M> decoded(method, 16);
+  DecodedContents<M> decoded(method, 1U << 20U);
   return bool(decoded.find(of_format(format), OneContent(bytes)));
 }
 
@@ -44,7 +46,7 @@ TEST(DecodedContents, OlderFormatsAreTheMethodsOwnBusiness) {
 
 TEST(DecodedContents, ANewerOneIsNotEvenAskedFor) {
   const MarksMethod method;
-  DecodedContents<MarksMethod> decoded(method, 16);
+  DecodedContents<MarksMethod> decoded(method, 1U << 20U);
   const auto newer = decoded.find(of_format(2), OneContent(method.encode({})));
   ASSERT_FALSE(newer);
   EXPECT_EQ(newer.error().reason, "other_method");
@@ -53,10 +55,39 @@ TEST(DecodedContents, ANewerOneIsNotEvenAskedFor) {
 
 TEST(DecodedContents, WhatTheMethodRefusesIsDamaged) {
   const MarksMethod method;
-  DecodedContents<MarksMethod> decoded(method, 16);
+  DecodedContents<MarksMethod> decoded(method, 1U << 20U);
   const auto other = decoded.find(of_format(1), OneContent({1, 2, 3}));
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().reason, "content_damaged");
+}
+
+TEST(DecodedContents, SoManyBytesAreKeptTheLeastRecentlyUsedGoFirst) {
+  class Counting final : public Contents {
+   public:
+    std::shared_ptr<const Bytes> find(const ContentHash& hash) const override {
+      ++asked[hash.bytes[0]];
+      return std::make_shared<const Bytes>(MarksMethod{}.encode({std::vector<Marks::Sighting>(1)}));
+    }
+    mutable std::map<int, int> asked;
+  };
+  const MarksMethod method;
+  constexpr std::uint64_t kOne = 40;  // bytes of a content with one sighting
+  DecodedContents<MarksMethod> decoded(method, 2 * kOne);
+  const Counting contents;
+  const auto place = [](std::uint8_t number) {
+    Place one = of_format(1);
+    one.content.hash.bytes[0] = number;
+    return one;
+  };
+  for (const std::uint8_t number : std::initializer_list<std::uint8_t>{1, 2, 1, 3, 1, 2})
+    ASSERT_TRUE(decoded.find(place(number), contents));
+  EXPECT_EQ(contents.asked.at(1), 1) << "it was used in between";
+  EXPECT_EQ(contents.asked.at(2), 2) << "3 took its room";
+  EXPECT_EQ(contents.asked.at(3), 1);
+  DecodedContents<MarksMethod> little(method, kOne / 2);
+  ASSERT_TRUE(little.find(place(9), contents));
+  ASSERT_TRUE(little.find(place(9), contents));
+  EXPECT_EQ(contents.asked.at(9), 1) << "one stays, however large";
 }
 
 }  // namespace

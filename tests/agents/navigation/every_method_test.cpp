@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
-#include "agents/methods/marks/marks.hpp"
 #include "agents/navigation/navigator_of.hpp"
 #include "tests/agents/methods/tiny/along_path.hpp"
 #include "tests/agents/methods/tiny/grid_filter.hpp"
+#include "tests/agents/methods/tiny/ramp_stereo.hpp"
 #include "tests/agents/methods/tiny/two_place_pnp.hpp"
+#include "tests/support/marks.hpp"
 #include "tests/support/navigated_robot.hpp"
 
 namespace weft::agents {
@@ -50,6 +52,25 @@ struct Asked<tiny::AlongThePath> {
   static Bounds bounds() { return {0.15, 0.2, 0.02, 0.12, 0.15, 0.12, 0.2}; }
 };
 
+/// Pixels of a small image, and the plan of a slope.
+template <>
+struct Asked<tiny::RampStereo> {
+  static Bounds bounds() {
+    Bounds bounds;
+    bounds.fix_m = 0.05;
+    bounds.odometry_m = 0.03;
+    bounds.lateral_m = 0.07;
+    bounds.goal_m = 0.07;
+    bounds.stitch_m = 0.06;
+    return bounds;
+  }
+};
+
+/// Gives each view of marks as a stereo pair on the ramp has it.
+void look_in_stereo(Sample& sample, const Pose2& world_from_robot) {
+  for (View& view : sample.views) view.data = tiny::StereoUp::look(*marks_of(view), world_from_robot);
+}
+
 template <class M>
 class EveryMethod : public testing::Test {
  protected:
@@ -59,7 +80,9 @@ class EveryMethod : public testing::Test {
   NavigatedRobot robot_at(const Pose2& start, std::uint64_t seed) {
     MarksRobotConfig config;
     config.base = {0.1, 1, 0.02, 0.02, 0.01};
-    return NavigatedRobot(world, config, start, seed, make_navigator(M{}, NavigationConfig{}));
+    NavigatedRobot robot(world, config, start, seed, make_navigator(M{}, NavigationConfig{}));
+    if constexpr (std::is_same_v<M, tiny::RampStereo>) robot.looks = look_in_stereo;
+    return robot;
   }
   Course course() const { return std::move(Course({5, 5, 0}).straight(3.0).turn(1.0, M_PI / 2).straight(2.5)); }
   void teach_first() {
@@ -112,7 +135,8 @@ class EveryMethod : public testing::Test {
   Truth truth;
 };
 
-using Methods = testing::Types<MarksMethod, tiny::GridFilter, tiny::TwoPlacePnp, tiny::AlongThePath>;
+using Methods =
+    testing::Types<MarksMethod, tiny::GridFilter, tiny::TwoPlacePnp, tiny::AlongThePath, tiny::RampStereo>;
 TYPED_TEST_SUITE(EveryMethod, Methods);
 
 TYPED_TEST(EveryMethod, TeachesAChainOfPlaces) {
@@ -210,6 +234,48 @@ TYPED_TEST(EveryMethod, SaysLostWhereItHasNotBeen) {
   EXPECT_EQ(last.following, Following::stopped);
   EXPECT_TRUE(last.lost);
   EXPECT_LT(test::distance(before, robot.world_from_robot()), 0.01);
+}
+
+using OnARamp = EveryMethod<tiny::RampStereo>;
+
+TEST_F(OnARamp, PlacesClimb) {
+  teach_first();
+  Relation first_from_here = Metric3{};
+  double steepest_rad = 0.0;
+  for (const Edge& edge : server.snapshot().experience(first)->chain) {
+    first_from_here = compose(first_from_here, edge.a_from_b);
+    const Eigen::Vector3d ahead = std::get<Metric3>(first_from_here).a_from_b.rotation * Eigen::Vector3d::UnitX();
+    steepest_rad = std::max(steepest_rad, std::asin(ahead.z()));
+  }
+  const double rises_m = tiny::Ramp::z(course().poses.back().x) - tiny::Ramp::z(course().poses.front().x);
+  EXPECT_GT(rises_m, 0.25);
+  EXPECT_NEAR(std::get<Metric3>(first_from_here).a_from_b.translation.z(), rises_m, 0.06);
+  EXPECT_NEAR(steepest_rad, std::atan(tiny::Ramp::slope(7.5)), 0.04);
+}
+
+TEST_F(OnARamp, AViewFromAboveItIsRefusedByItsHeightAlone) {
+  teach_first();
+  NavigatedRobot robot = robot_at(truth.at({first, 9}), 2);
+  robot.navigator().seek(PlaceId{first, 9});
+  run(robot, server, 10);
+  ASSERT_TRUE(robot.navigator().estimate());
+  robot.refusals.clear();
+  robot.looks = [](Sample& sample, const Pose2& plan) {  // as if the robot stood on a box: all is nearer by 0.5 m
+    for (View& view : sample.views) {
+      std::vector<std::pair<std::uint64_t, Eigen::Vector3d>> marks;
+      const Pose3 robot_from_world = tiny::Ramp::world_from_robot(plan).inverse();
+      const Marks seen = *marks_of(view);
+      for (const Marks::Sighting& one : seen.sightings) {
+        const Eigen::Vector2d on_plan = plan * one.robot_from_mark.translation();
+        marks.emplace_back(one.mark, robot_from_world * tiny::Ramp::world_from_mark(one.mark, on_plan) -
+                                         Eigen::Vector3d(0.0, 0.0, 0.5));
+      }
+      view.data =
+          StereoPair{tiny::StereoUp::draw(marks, 0.0), tiny::StereoUp::draw(marks, tiny::StereoUp::baseline_m)};
+    }
+  };
+  run(robot, server, 12);
+  EXPECT_GT(robot.refusals["disagrees_with_prediction"], 0);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include "agents/methods/bearing/bearing.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/marks/marks.hpp"
 #include "agents/navigation/navigator_of.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents {
 namespace {
@@ -27,16 +27,17 @@ class NothingHeld final : public Contents {
 };
 
 template <class M>
-Navigated seen(const View* view) {
+Navigated seen(const std::vector<View>& views) {
   const auto navigator = make_navigator(M(), {});
   const Window window;
   const NothingHeld contents;
-  return navigator->step(view, 1, SensorTime{100ms}, {100ms, {}, std::nullopt}, true, {window, contents});
+  const Sample sample{1, SensorTime{100ms}, views, {100ms, {}, std::nullopt}, true, false};
+  return navigator->step(sample, {window, contents});
 }
 
 View exposed_view() {
   View view;
-  view.camera = "forward";
+  view.sensor = "forward";
   view.data = Marks{};
   view.exposure = Exposure{0.004, 1.5};
   return view;
@@ -44,19 +45,19 @@ View exposed_view() {
 
 TEST(Exposing, AWishGoesOnWithTheCameraThatItIsFor) {
   const View view = exposed_view();
-  const Navigated navigated = seen<Brighter>(&view);
+  const Navigated navigated = seen<Brighter>({view});
   ASSERT_TRUE(navigated.exposes) << "while a hand drives, too";
-  EXPECT_EQ(navigated.exposes->camera, "forward");
+  EXPECT_EQ(navigated.exposes->sensor, "forward");
   EXPECT_EQ(navigated.exposes->exposure.time_s, 0.008);
   EXPECT_EQ(navigated.exposes->exposure.gain, 1.5);
 }
 
 TEST(Exposing, WithoutAnImageOrAWishNothingIsSaid) {
-  EXPECT_FALSE(seen<Brighter>(nullptr).exposes);
+  EXPECT_FALSE(seen<Brighter>({}).exposes);
   View view = exposed_view();
-  EXPECT_FALSE(seen<MarksMethod>(&view).exposes);
+  EXPECT_FALSE(seen<MarksMethod>({view}).exposes);
   view.exposure.reset();
-  EXPECT_FALSE(seen<Brighter>(&view).exposes);
+  EXPECT_FALSE(seen<Brighter>({view}).exposes);
 }
 
 }  // namespace

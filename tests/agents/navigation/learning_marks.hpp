@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents {
 

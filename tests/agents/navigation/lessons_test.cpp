@@ -59,7 +59,7 @@ class LessonsOf : public testing::Test, protected Contents {
   static constexpr std::uint32_t kMemory = 16;
   LearningMarks method_{2};
   Lessons<LearningMarks> lessons_{method_, {.enabled = true, .places = kMemory, .sure_m = 0.6}};
-  DecodedContents<LearningMarks> decoded_{method_, 64};
+  DecodedContents<LearningMarks> decoded_{method_, 1U << 20U};
   Window window_;
   std::map<ContentHash, std::shared_ptr<const Bytes>> contents_;
 };

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "agents/methods/marks/marks.hpp"
 #include "agents/navigation/navigator_of.hpp"
+#include "tests/support/marks.hpp"
 #include "tests/support/navigated_robot.hpp"
 
 namespace weft::agents {

@@ -24,7 +24,8 @@ class ForeseeingMarks : public MarksMethod {
     asked_->foreseen.push_back(passing);
     View other = view;
     Marks seen;
-    for (const Marks::Sighting& mark : std::get<Marks>(view.data).sightings) {
+    const Marks all = *marks_of(view);
+    for (const Marks::Sighting& mark : all.sightings) {
       const bool is_dark = passing.prospect == Prospect::half_light && mark.mark % 2 == 0;
       if (is_dark || passing.prospect == Prospect::worn) continue;
       seen.sightings.push_back({mark.mark, passing.robot_from_other.inverse() * mark.robot_from_mark});

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents {
 namespace {
@@ -57,7 +57,7 @@ class RivalsTest : public testing::Test, public Contents {
   Doubting method_;
   Window window_;
   std::map<ContentHash, std::shared_ptr<const Bytes>> arrived_, coming_;
-  DecodedContents<Doubting> decoded_{method_, 100};
+  DecodedContents<Doubting> decoded_{method_, 1U << 20U};
   Rivals<Doubting> rivals_{method_};
 };
 

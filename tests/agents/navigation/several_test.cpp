@@ -31,9 +31,9 @@ class Part final : public Navigator {
  public:
   Part(std::string_view method, Told& told) : method_(method), told_(told) {}
   std::string_view method() const override { return method_; }
-  Navigated step(const View* view, std::uint64_t, SensorTime, const Motion& motion, bool, const MapView&) override {
-    told_.motions.push_back(motion);
-    if (view == nullptr) ++told_.blind;
+  Navigated step(const Sample& sample, const MapView&) override {
+    told_.motions.push_back(sample.motion);
+    if (sample.views.empty()) ++told_.blind;
     return told_.answer;
   }
   void begin_teach(const TeachStart& start) override { told_.taught.push_back(start); }
@@ -92,11 +92,12 @@ class SeveralNavigators : public testing::Test {
     place.method = method;
     window.places.emplace(id, place);
   }
-  Navigated see(const std::string& camera, Duration elapsed = 50ms, const Twist& command = {0.5, 0.0}) {
-    View view;
-    view.calibration = camera;
-    return robot->step(camera.empty() ? nullptr : &view, ++frame, {}, {elapsed, command, std::nullopt}, false,
-                       {window, contents});
+  Navigated see(const std::string& sensor, Duration elapsed = 50ms, const Twist& command = {0.5, 0.0}) {
+    Sample sample;
+    sample.frame = ++frame;
+    sample.motion = {elapsed, command, std::nullopt};
+    if (!sensor.empty()) sample.views.push_back({frame, {}, sensor, {}, {}});
+    return robot->step(sample, {window, contents});
   }
 
   Told floor, ahead;
@@ -132,9 +133,9 @@ TEST_F(SeveralNavigators, AWishForAnExposureIsOfTheCameraThatSees) {
   floor.answer.exposes = ExposureWish{"floor", {0.002, 1.0}};
   ahead.answer.exposes = ExposureWish{"forward", {0.01, 2.0}};
   ASSERT_TRUE(see("down").exposes);
-  EXPECT_EQ(see("down").exposes->camera, "floor");
+  EXPECT_EQ(see("down").exposes->sensor, "floor");
   ASSERT_TRUE(see("ahead").exposes) << "who does not drive wishes, too";
-  EXPECT_EQ(see("ahead").exposes->camera, "forward");
+  EXPECT_EQ(see("ahead").exposes->sensor, "forward");
   EXPECT_EQ(see("ahead").exposes->exposure.gain, 2.0);
   ahead.answer.exposes.reset();
   EXPECT_FALSE(see("ahead").exposes);

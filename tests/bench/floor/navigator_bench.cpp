@@ -57,7 +57,7 @@ class Repeating {
     const auto teacher = make_navigator(method_, NavigationConfig{});
     teacher->begin_teach({kRun, kTeacher});
     for (const View& view : taught)
-      take(teacher->step(&view, view.frame, time_of(view), motion_, true, map_.view()).kept);
+      take(teacher->step({view.frame, time_of(view), {view}, motion_, true, false}, map_.view()).kept);
     take(teacher->end_teach(map_.view()));
     views_ = rendered(1);
     restart();
@@ -66,7 +66,7 @@ class Repeating {
   /// -> whether it found where it is by this view.
   bool step() {
     const View& view = views_[at_++];
-    return navigator_->step(&view, view.frame, time_of(view), motion_, false, map_.view()).fix.has_value();
+    return navigator_->step({view.frame, time_of(view), {view}, motion_, false, false}, map_.view()).fix.has_value();
   }
   bool is_over() const { return at_ == views_.size(); }
   void restart() {

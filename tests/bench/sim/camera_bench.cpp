@@ -85,7 +85,7 @@ void forward_camera(benchmark::State& state) {
   camera.focal_px *= static_cast<double>(state.range(0)) / camera.width;
   camera.width = static_cast<int>(state.range(0));
   camera.height = 3 * camera.width / 4;
-  config.site.robots.front().camera = RobotStart::Camera::forward;
+  config.site.robots.front().looks = {Gaze::ahead};
   config.robot = "r1";
   drive(state, config);
 }

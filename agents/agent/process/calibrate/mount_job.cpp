@@ -32,7 +32,7 @@ Result<std::vector<SitePoint>> read_line(const std::string& file) {
 Options options_of(const MountJob& job) {
   Options options;
   options.name = job.robot;
-  options.method = Floor::name;
+  options.methods = {std::string(Floor::name)};
   options.body = job.site.empty() ? "replay" : "sim";
   options.site = job.site;
   options.seed = job.seed;
@@ -47,8 +47,8 @@ Options options_of(const MountJob& job) {
 
 using Warn = std::function<void(const std::string&)>;
 
-/// One time through the drive, whatever it is of, as one camera sees it.
-Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const std::string& camera,
+/// Goes once through the drive, whatever it is of, as one sensor sees it.
+Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const std::string& sensor,
                   const Warn& warn, const std::function<void(const View*, const Motion&)>& take) {
   Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
   if (!body) return fail(body.error());
@@ -60,8 +60,8 @@ Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const
     const Result<Sample> sample = (*body)->step({});
     if (!sample) return {};  // the recording is over; images that could not be read were warned of, and are blind
     since = joined(since, sample->motion);
-    const bool is_its = !sample->view.has_value() || sample->view->calibration == camera;
-    if (is_its) take(sample->view.has_value() ? &*sample->view : nullptr, std::exchange(since, Motion{}));
+    const View* const view = sample->of(sensor);
+    if (view != nullptr || sample->views.empty()) take(view, std::exchange(since, Motion{}));
     if (sample->hand_done) return {};
   }
 }
@@ -136,9 +136,9 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   };
   const Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
   if (!body) return fail(body.error());
-  const Result<std::vector<Equipped>> equipped = make_cameras(options_of(job), **body, warn);
+  const Result<std::vector<Equipped>> equipped = equip(options_of(job), **body, warn);
   if (!equipped) return fail(equipped.error());
-  const CameraModel& given = equipped->front().camera;
+  const CameraModel& given = equipped->front().rig.camera();
 
   MountDriveConfig config;
   config.prior.focal_share = given.sigma.focal_share.value_or(config.prior.focal_share);
@@ -151,13 +151,14 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   const PlayDrive again = [&](const std::function<void(const View*, const Motion&)>& take) -> Result<void> {
     ++pass;
     std::size_t images = 0;
-    Result<void> played = play(job, line, given.id, warn, [&](const View* view, const Motion& motion) {
-      take(view, motion);
-      ++images;
-      if (output.now_s() - said_s < kBetweenLines) return;
-      said_s = output.now_s();
-      output.err << "time " << pass << " of 3 through the drive, " << images << " images" << std::endl;
-    });
+    Result<void> played =
+        play(job, line, equipped->front().rig.sensors.front().id, warn, [&](const View* view, const Motion& motion) {
+          take(view, motion);
+          ++images;
+          if (output.now_s() - said_s < kBetweenLines) return;
+          said_s = output.now_s();
+          output.err << "time " << pass << " of 3 through the drive, " << images << " images" << std::endl;
+        });
     warned = true;
     return played;
   };

@@ -25,8 +25,7 @@ Result<bool> teach_run(const Drive& drive, sim::SimulatedBody& body, Navigator& 
   const auto step = [&]() -> Result<Navigated> {
     const Result<Sample> sample = body.step({});
     if (!sample) return fail(sample.error());
-    Navigated now = navigator.step(sample->view ? &*sample->view : nullptr, sample->frame, sample->time,
-                                   sample->motion, sample->hand, taught.map.view());
+    Navigated now = navigator.step(*sample, taught.map.view());
     expose(body, now);
     hand_done = sample->hand_done;
     return now;
@@ -80,7 +79,7 @@ Result<std::optional<TaughtAisles>> teach(const Drive& drive, const Aisles& aisl
   TaughtAisles taught;
   for (const std::size_t aisle : aisles.taught()) {
     // A robot that is switched on in each aisle: it does not know where it is until it finds out.
-    auto navigator = make_navigator((*body)->cameras().front(), Parts::all);
+    auto navigator = make_navigator((*body)->rig().camera(), Parts::all);
     if (!navigator) return fail(navigator.error());
     const Result<bool> done =
         teach_run(drive, **body, **navigator, ExperienceId{aisle + 1}, aisles.line(aisle), taught);
@@ -100,7 +99,7 @@ Result<std::optional<Led>> Leading::lead(const PutDown& put_down, const TaughtAi
   Led led;
   led.site_from_robot = put_down.site_from_robot;
   body_->put(put_down.site_from_robot, {});
-  auto navigator = make_navigator(body_->cameras().front(), Parts::all);
+  auto navigator = make_navigator(body_->rig().camera(), Parts::all);
   if (!navigator) return fail(navigator.error());
   (*navigator)->seek(std::nullopt);
   std::map<std::string, std::size_t> refusals;
@@ -115,9 +114,7 @@ Result<std::optional<Led>> Leading::lead(const PutDown& put_down, const TaughtAi
     const Pose2 before = body_->site_from_robot();
     const Result<Sample> sample = body_->step({});
     if (!sample) return fail(sample.error());
-    const Navigated now = (*navigator)
-                              ->step(sample->view ? &*sample->view : nullptr, sample->frame, sample->time,
-                                     sample->motion, sample->hand, taught.map.view());
+    const Navigated now = (*navigator)->step(*sample, taught.map.view());
     expose(*body_, now);
     led_m += (before.inverse() * body_->site_from_robot()).translation().norm();
     for (const Refusal& refusal : now.refusals) ++refusals[std::string(refusal.reason)];

@@ -38,9 +38,9 @@ Result<Site> site_from(const std::filesystem::path& file, std::string& text) {
   text = *read;
   Result<Site> site = agents::sim::parse_site(text, file.string());
   if (!site) return site;
-  if (site->robots.empty() || site->robots.front().camera != agents::sim::RobotStart::Camera::forward)
+  if (site->robots.empty() || site->robots.front().looks != std::vector<agents::Gaze>{agents::Gaze::ahead})
     return fail(ErrorCode::invalid,
-                file.string() + ": its first [[robot]] does not look ahead (camera = \"forward\")");
+                file.string() + ": its first [[robot]] does not look ahead alone (looks = [\"ahead\"])");
   return site;
 }
 
@@ -109,7 +109,7 @@ Result<void> hold_hall(const Trying& trying, const Hall& hall, Loads loads, std:
   constexpr std::size_t kPairs = 60;
   const auto body = agents::sim::make_sim_body(drive_in(hall.aisles.site, seed, 0, trying).body);
   if (!body) return fail(body.error());
-  const Result<Pairs> pairs = hold_pairs((*body)->cameras().front(), hall.taught, kPairs, seed);
+  const Result<Pairs> pairs = hold_pairs((*body)->rig().camera(), hall.taught, kPairs, seed);
   if (!pairs) return fail(pairs.error());
   trying.rows.pairs[{name_of(loads), seed}] = *pairs;
   return {};

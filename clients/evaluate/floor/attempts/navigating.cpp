@@ -55,7 +55,10 @@ Pose2 worse_of(const Fix& fix, const Pose2& truth) {
 }  // namespace
 
 Navigating::Navigating(const Floor& method, const Taught& taught, const KnownPlaces& places)
-    : method_(method), taught_(taught), places_(places), decoded_(method_, config_.locate.decoded_contents) {}
+    : method_(method),
+      taught_(taught),
+      places_(places),
+      decoded_(method_, std::uint64_t{config_.locate.decoded_mb} << 20U) {}
 
 void Navigating::navigate(const Passage& passage, bool is_other_floor, Random& random, Tally& tally) {
   seek(passage, is_other_floor, tally);

@@ -30,7 +30,7 @@ Result<Passages> Passages::make(sim::SimBodyConfig config) {
   config.site.camera.fps = kFps;
   Result<std::unique_ptr<sim::SimulatedBody>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->cameras().front());
+  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->rig().camera());
   if (!method) return fail(method.error());
   return Passages(std::move(*body), std::move(*method));
 }
@@ -44,7 +44,7 @@ Result<Passage> Passages::pass(const Pose2& site_from_robot, const Twist& moving
   for (int i = 0; i < kLooks; ++i) {
     const Result<Sample> sample = body_->step(moving);
     if (!sample) return fail(sample.error());
-    const View* const view = sample->view ? &*sample->view : nullptr;
+    const View* const view = sample->of({});
     Look look;
     look.step = method_.observe(odometry, view, sample->motion);
     look.site_from_robot = body_->site_from_robot();

@@ -53,7 +53,7 @@ Result<Pushed> Pushed::make(const Drive& drive) {
   config.truth_path.reset();
   Result<std::unique_ptr<sim::SimulatedBody>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->cameras().front());
+  Result<Floor> method = Floor::make(FloorConfig{}, (*body)->rig().camera());
   if (!method) return fail(method.error());
   return Pushed(std::move(*body), std::move(*method), drive.asked_to_stop);
 }
@@ -90,8 +90,7 @@ Result<std::optional<Trial>> Pushed::push(const Push& push, const Taught& taught
     if (asked_to_stop_()) return std::optional<Trial>();
     const Result<Sample> sample = body_->step({});
     if (!sample) return fail(sample.error());
-    const Navigated now = navigator->step(sample->view ? &*sample->view : nullptr, sample->frame, sample->time,
-                                          sample->motion, sample->hand, taught.map.view());
+    const Navigated now = navigator->step(*sample, taught.map.view());
     const Pose2 truth = body_->site_from_robot();
     pushed_m += (before.inverse() * truth).translation().norm();
     before = truth;

@@ -31,7 +31,7 @@ class Aisle : public testing::Test {
     std::ofstream(site) << "[floor]\nx_min = 0.0\ny_min = 0.0\nx_max = 10.0\ny_max = 6.0\n"
                            "[camera]\nwidth_px = 376\nheight_px = 240\nfocal_px = 230\n"
                            "[[robot]]\nname = \"r1\"\nx = 2.0\ny = 3.0\n";
-    SimulatedRobot robot(site, "r1", "floor", map);
+    SimulatedRobot robot(site, "r1", {"floor"}, map);
     robot.be_taught(10, there_and_back(), truth);
   }
 

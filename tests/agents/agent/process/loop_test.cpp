@@ -39,7 +39,7 @@ class Clockwork final : public Body {
     if (!can_be_told) return Body::expose(camera, exposure);
     return {};
   }
-  std::vector<CameraModel> cameras() const override { return {}; }
+  Rig rig() const override { return {}; }
   std::string kind() const override { return "clockwork"; }
 
   std::vector<Twist> commands;

@@ -41,7 +41,7 @@ TEST(AgentOptions, FlagsAndDefaults) {
   EXPECT_EQ(options->servers, (std::vector<std::string>{"a:3", "b"}));
   EXPECT_EQ(options->seed, 7U);
   EXPECT_EQ(options->pace, 0.0);
-  EXPECT_EQ(options->method, "floor");
+  EXPECT_EQ(options->methods, std::vector<std::string>{"floor"});
   EXPECT_FALSE(options->truth.has_value());
   EXPECT_EQ(options->listen, "127.0.0.1");
 }
@@ -55,7 +55,7 @@ TEST(AgentOptions, FlagWinsOverFile) {
   EXPECT_EQ(options->name, "r1");
   EXPECT_EQ(options->day, 4U);
   EXPECT_EQ(options->window_hops, 9U);
-  EXPECT_EQ(options->floor.corners, 99);
+  EXPECT_EQ(std::get<Configured<Floor>>(options->settings).config.corners, 99);
 }
 
 TEST(AgentOptions, FileSetsHowItNavigates) {
@@ -86,7 +86,9 @@ TEST(AgentOptions, MistakesAreUsageInOneLine) {
   expect_left(with({"--domain", "201"}), 2, "domain");
   expect_left(with({"--seed", "many"}), 2, "seed");
   expect_left(with({"--pace", "-1"}), 2, "pace");
-  expect_left(with({"--method", "marks"}), 2, "method");  // no body of a process sees marks
+  expect_left(with({"--method", "marks"}), 2, "there is no method \"marks\"; there are floor, bearing");
+  expect_left(with({"--method", "floor,floor"}), 2, "\"floor\" is named twice");
+  expect_left(with({"--method", "floor,"}), 2, "there is no method \"\"");
   expect_left({"--state", "s", "--site", "x"}, 2, "--name");
   expect_left({"--name", "r1", "--site", "x"}, 2, "--state");
   expect_left({"--name", "r1", "--state", "s"}, 2, "--site");

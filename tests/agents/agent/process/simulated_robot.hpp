@@ -16,18 +16,18 @@ namespace weft::agents::test {
 /// A robot of a simulated site with what its agent navigates by, and the map that all of them share.
 class SimulatedRobot {
  public:
-  SimulatedRobot(const std::string& site, const std::string& name, const std::string& method,
+  SimulatedRobot(const std::string& site, const std::string& name, const std::vector<std::string>& methods,
                  weft::test::LittleServer& map)
       : map_(map) {
     Options options;
     options.name = name;
-    options.method = method;
+    options.methods = methods;
     options.body = "sim";
     options.site = site;
     const auto warn = [](const std::string& text) { ADD_FAILURE() << text; };
     body_ = *make_body(options, warn);
     truth_ = dynamic_cast<sim::SimulatedBody*>(body_.get());
-    navigator_ = *make_navigator(options, *make_cameras(options, *body_, warn));
+    navigator_ = *make_navigator(options, *equip(options, *body_, warn), body_->rig());
     id_.bytes[0] = static_cast<std::uint8_t>(name.back());
   }
 
@@ -37,13 +37,12 @@ class SimulatedRobot {
 
   Navigated step() {
     const Sample sample = *body_->step(command_);
-    has_view_ = sample.view.has_value();
+    has_view_ = !sample.views.empty();
     hand_done_ = sample.hand_done;
-    Navigated now = navigator_->step(has_view_ ? &*sample.view : nullptr, sample.frame, sample.time, sample.motion,
-                                     sample.hand, map_.map());
+    Navigated now = navigator_->step(sample, map_.map());
     command_ = now.command;
     if (now.exposes) {
-      EXPECT_TRUE(body_->expose(now.exposes->camera, now.exposes->exposure));
+      EXPECT_TRUE(body_->expose(now.exposes->sensor, now.exposes->exposure));
     }
     elapsed_s_ = seconds(sample.motion.elapsed);
     return now;

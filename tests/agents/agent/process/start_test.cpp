@@ -13,7 +13,7 @@ Options options_in(const Folder& folder) {
   Options options;
   options.name = "r1";
   options.state = folder.file("state");
-  options.method = "floor";
+  options.methods = {"floor"};
   options.body = "sim";
   options.site = WEFT_SITE;
   options.servers = {"127.0.0.1"};
@@ -64,14 +64,14 @@ TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
   const auto warn = [&](const std::string& text) { warnings += text; };
   const auto body = make_body(options, warn);
   ASSERT_TRUE(body.has_value());
-  const CameraModel told = (*body)->cameras().front();
+  const CameraModel told = (*body)->rig().camera();
   CameraCalibration other = calibration_from(told);
   other.fx = 455.0;
   other.body_from_camera.reset();
   options.calibration = folder.write("cam.yaml", camera_file_text(other, {}) + "timeshift_cam_imu: 0\n");
-  const auto equipped = make_cameras(options, **body, warn);
+  const auto equipped = equip(options, **body, warn);
   ASSERT_TRUE(equipped.has_value()) << equipped.error().message;
-  const CameraModel& camera = equipped->front().camera;
+  const CameraModel& camera = equipped->front().rig.camera();
   EXPECT_EQ(camera.fx, 455.0);
   EXPECT_EQ(camera.robot_from_camera.translation, told.robot_from_camera.translation);  // the file has no mount
   EXPECT_NE(warnings.find("timeshift_cam_imu is not understood"), std::string::npos) << warnings;
@@ -83,24 +83,26 @@ TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
   const auto warn = [](const std::string& text) { ADD_FAILURE() << text; };
   options.site = std::string(WEFT_SITES) + "/two-cameras/hall.toml";
   options.name = "r3";
-  options.method = "floor,bearing";
+  options.methods = {"floor", "bearing"};
   const auto body = make_body(options, warn);
   ASSERT_TRUE(body) << body.error().message;
-  const auto both = make_cameras(options, **body, warn);
+  const auto both = equip(options, **body, warn);
   ASSERT_TRUE(both) << both.error().message;
   ASSERT_EQ(both->size(), 2U);
-  EXPECT_EQ((*both)[0].camera.id, (*body)->cameras()[0].id) << "the one that looks down";
-  EXPECT_EQ((*both)[1].camera.id, (*body)->cameras()[1].id);
-  const auto navigator = make_navigator(options, *both);
+  EXPECT_EQ((*both)[0].rig.camera().id, (*body)->rig().sensors[0].camera.id) << "the one that looks down";
+  EXPECT_EQ((*both)[1].rig.camera().id, (*body)->rig().sensors[1].camera.id);
+  const auto navigator = make_navigator(options, *both, (*body)->rig());
   ASSERT_TRUE(navigator);
   EXPECT_EQ((*navigator)->drives(), (std::vector<std::string>{"floor", "bearing", "bearing+floor"}));
 
-  options.method = "bearing";
-  EXPECT_EQ(make_cameras(options, **body, warn)->front().camera.id, (*body)->cameras()[1].id);
+  options.methods = {"bearing"};
+  EXPECT_EQ(equip(options, **body, warn)->front().rig.camera().id, (*body)->rig().sensors[1].camera.id);
 
-  options.method = "floor,bearing";
+  options.methods = {"floor", "bearing"};
   options.name = "r1";
-  expect_refused(options, "each method needs one of its own");
+  expect_refused(
+      options,
+      "method bearing needs a camera that looks ahead; the body has: floor (camera, down, used by another method)");
 }
 
 TEST(AgentStart, WrongCameraFilesAreNamed) {
@@ -160,7 +162,7 @@ TEST(AgentStart, MissingRecordingAndDamagedCalibrationAreNamed) {
 TEST(AgentStart, SettingsOfTheMethodAreChecked) {
   const Folder folder;
   Options options = options_in(folder);
-  options.floor.corners = 3;
+  std::get<Configured<Floor>>(options.settings).config.corners = 3;
   expect_refused(options, "corners");
 }
 

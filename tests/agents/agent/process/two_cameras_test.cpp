@@ -36,11 +36,11 @@ TEST_P(TwoCameras, HandOverWithoutStopping) {
   weft::test::LittleServer map;
   std::map<PlaceId, Pose2> truth;
   {
-    SimulatedRobot first(kHall, teachers.first, teachers.first_by, map);
+    SimulatedRobot first(kHall, teachers.first, {teachers.first_by}, map);
     first.be_taught(10, line_of("first.line"), truth);
-    SimulatedRobot second(kHall, teachers.second, teachers.second_by, map);
+    SimulatedRobot second(kHall, teachers.second, {teachers.second_by}, map);
     second.be_taught(20, line_of("second.line"), truth);
-    SimulatedRobot both(kHall, "r3", "floor,bearing", map);
+    SimulatedRobot both(kHall, "r3", {"floor", "bearing"}, map);
     both.look_around();
     both.be_taught(30, line_of("crossing.line"), truth);
   }
@@ -55,7 +55,7 @@ TEST_P(TwoCameras, HandOverWithoutStopping) {
   }
   EXPECT_GE(changes, 10);
 
-  SimulatedRobot stranger(kHall, "r4", "floor,bearing", map);
+  SimulatedRobot stranger(kHall, "r4", {"floor", "bearing"}, map);
   stranger.look_around();
   ASSERT_TRUE(stranger.navigator().estimate());
   const PlaceId from = stranger.navigator().estimate()->place;

@@ -45,7 +45,7 @@ TEST_F(Euroc, PlaysToItsEnd) {
   config.warn = [&](const std::string& text) { warnings += text; };
   auto body = make_replay_body(config);
   ASSERT_TRUE(body) << body.error().message;
-  EXPECT_NEAR((*body)->cameras()[0].fx, 458.654, 1e-9);
+  EXPECT_NEAR((*body)->rig().camera().fx, 458.654, 1e-9);
   int frames = 0;
   SensorTime first{};
   SensorTime last{};
@@ -55,7 +55,7 @@ TEST_F(Euroc, PlaysToItsEnd) {
       EXPECT_EQ(sample.error().code, ErrorCode::unavailable);
       break;
     }
-    EXPECT_TRUE(sample->view);
+    EXPECT_FALSE(sample->views.empty());
     first = frames++ == 0 ? sample->time : first;
     last = sample->time;
   }
@@ -74,8 +74,8 @@ TEST_F(Euroc, ADamagedImageIsDroppedAndNamed) {
   config.warn = [&](const std::string& text) { warnings += text; };
   auto body = make_replay_body(config);
   ASSERT_TRUE(body);
-  EXPECT_TRUE((*body)->step({})->view);
-  EXPECT_FALSE((*body)->step({})->view);
+  EXPECT_TRUE((*body)->step({})->views.size());
+  EXPECT_FALSE((*body)->step({})->views.size());
   EXPECT_THAT(warnings, testing::HasSubstr("1403636584813555456.png"));
 }
 

@@ -69,8 +69,8 @@ TEST_F(Recording, PlaysItsImagesAtTheirTimesAndEnds) {
     EXPECT_EQ(sample->motion.elapsed.count(), i == 0 ? 0 : 50000000);
     EXPECT_EQ(sample->motion.command, Twist{});
     EXPECT_FALSE(sample->motion.wheels);
-    ASSERT_TRUE(sample->view);
-    EXPECT_EQ(std::get<Image>(sample->view->data).pixels->at(0), 'a' + i);
+    ASSERT_FALSE(sample->views.empty());
+    EXPECT_EQ(std::get<Image>(sample->views.front().data).pixels->at(0), 'a' + i);
   }
   const auto over = (*body)->step({});
   ASSERT_FALSE(over);
@@ -79,24 +79,25 @@ TEST_F(Recording, PlaysItsImagesAtTheirTimesAndEnds) {
 }
 
 TEST_F(Recording, GivesItsSensorsCalibration) {
-  const auto cameras = (*open())->cameras();
-  ASSERT_EQ(cameras.size(), 1U);
-  EXPECT_EQ(cameras[0].width, 32);
-  EXPECT_EQ(cameras[0].fx, 20.5);
-  EXPECT_EQ(cameras[0].distortion[1], 0.07);
-  EXPECT_NEAR(cameras[0].robot_from_camera.translation.z(), 0.3, 1e-12);
-  EXPECT_NEAR((cameras[0].robot_from_camera.rotation * Eigen::Vector3d::UnitZ()).x(), 1.0, 1e-12);
+  const Rig rig = (*open())->rig();
+  ASSERT_EQ(rig.sensors.size(), 1U);
+  EXPECT_EQ(rig.sensors[0].id, "cam0");
+  EXPECT_EQ(rig.camera().width, 32);
+  EXPECT_EQ(rig.camera().fx, 20.5);
+  EXPECT_EQ(rig.camera().distortion[1], 0.07);
+  EXPECT_NEAR(rig.camera().robot_from_camera.translation.z(), 0.3, 1e-12);
+  EXPECT_NEAR((rig.camera().robot_from_camera.rotation * Eigen::Vector3d::UnitZ()).x(), 1.0, 1e-12);
 }
 
 TEST_F(Recording, ADamagedImageIsADroppedFrameAndNamed) {
   std::ofstream(camera() / "data" / "b.png") << "not a picture";
   auto body = open();
-  EXPECT_TRUE((*body)->step({})->view);
+  EXPECT_TRUE((*body)->step({})->views.size());
   const auto sample = (*body)->step({});
   ASSERT_TRUE(sample);
-  EXPECT_FALSE(sample->view);
+  EXPECT_TRUE(sample->views.empty());
   EXPECT_THAT(warnings_, HasSubstr("b.png"));
-  EXPECT_TRUE((*body)->step({})->view);
+  EXPECT_TRUE((*body)->step({})->views.size());
   const auto over = (*body)->step({});
   ASSERT_FALSE(over);
   EXPECT_EQ(over.error().code, ErrorCode::corrupt);
@@ -111,14 +112,14 @@ TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
   fs::resize_file(path, fs::file_size(path) / 2);
   auto body = open();
   (void)(*body)->step({});
-  EXPECT_FALSE((*body)->step({})->view);
+  EXPECT_FALSE((*body)->step({})->views.size());
   EXPECT_THAT(warnings_, HasSubstr("b.png"));
 }
 
 TEST_F(Recording, AnImageOfAnotherSizeIsADroppedFrame) {
   cv::imwrite((camera() / "data" / "a.png").string(), cv::Mat(10, 10, CV_8U, cv::Scalar(1)));
   auto body = open();
-  EXPECT_FALSE((*body)->step({})->view);
+  EXPECT_FALSE((*body)->step({})->views.size());
   EXPECT_THAT(warnings_, HasSubstr("10 x 10"));
 }
 

@@ -77,7 +77,7 @@ TEST(UnevenFloor, LiesUnderTheBodyThatSeesIt) {
   const Pose3 stands = stance_on(*relief_of(site), site.base, site.robots[0].site_from_robot);
   const auto sample = body_of(config_of(site))->step({});
   ASSERT_TRUE(sample);
-  const Bytes& seen = *std::get<Image>(sample->view->data).pixels;
+  const Bytes& seen = *std::get<Image>(sample->views.front().data).pixels;
   EXPECT_EQ(seen, seen_from(site, model, stands * model.robot_from_camera, *floor));
   const Pose3 on_plane = lift(site.robots[0].site_from_robot);
   EXPECT_NE(seen, seen_from(site, model, on_plane * model.robot_from_camera, *floor));
@@ -87,7 +87,7 @@ TEST(UnevenFloor, IsTheSameForEveryRobotAndDay) {
   Site site = flawless_site(0.004);
   site.robots[1].site_from_robot = site.robots[0].site_from_robot;
   const auto seen = [&](const std::string& robot, std::uint64_t day) {
-    return *std::get<Image>(body_of(config_of(site, robot, 1, day))->step({})->view->data).pixels;
+    return *std::get<Image>(body_of(config_of(site, robot, 1, day))->step({})->views.front().data).pixels;
   };
   const Bytes first = seen("r1", 0);
   EXPECT_EQ(first, seen("r1", 3));
@@ -98,8 +98,8 @@ TEST(UnevenFloor, IsTheSameForEveryRobotAndDay) {
 
 TEST(UnevenFloor, TiltsACameraThatLooksAhead) {
   Site site = flawless_site(0.0);
-  site.robots[0].camera = RobotStart::Camera::forward;
-  const auto seen = [&] { return *std::get<Image>(body_of(config_of(site))->step({})->view->data).pixels; };
+  site.robots[0].looks = {Gaze::ahead};
+  const auto seen = [&] { return *std::get<Image>(body_of(config_of(site))->step({})->views.front().data).pixels; };
   const Bytes level = seen();
   site.disturbances.unevenness_m = 0.01;
   EXPECT_NE(level, seen());

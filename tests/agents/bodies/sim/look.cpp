@@ -171,8 +171,8 @@ int look(const std::vector<std::string>& words, const Options& options) {
       return 1;
     }
     done = sample->hand_done;
-    if (sample->view && (sample->frame % static_cast<std::uint64_t>(options.every) == 1 || done)) {
-      const Image& image = std::get<Image>(sample->view->data);
+    if (!sample->views.empty() && (sample->frame % static_cast<std::uint64_t>(options.every) == 1 || done)) {
+      const Image& image = std::get<Image>(sample->views.front().data);
       char name[40];
       std::snprintf(name, sizeof name, "/frame-%04d.png", static_cast<int>(sample->frame));
       cv::imwrite(words[2] + name,

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 const Bytes& pixels_of(const Sample& sample) {
-  return *std::get<Image>(sample.view->data).pixels;
+  return *std::get<Image>(sample.views.front().data).pixels;
 }
 
 double mean_of(const Bytes& pixels) {
@@ -51,25 +51,27 @@ std::vector<Sample> run(Body& body, int steps, const Twist& command) {
 
 TEST(SimBody, TwoCamerasSeeInTurnEachAtItsOwnRate) {
   SimBodyConfig config = config_of(quick_site());
-  config.site.robots.front().camera = RobotStart::Camera::both;
+  config.site.robots.front().looks = {Gaze::down, Gaze::ahead};
   config.site.camera.fps = 30.0;
   config.site.forward_camera.fps = 10.0;
   config.site.forward_camera.width = 64;
   config.site.forward_camera.height = 64;
   config.site.disturbances.dropped_frames = 0.0;
   auto body = body_of(config);
-  const std::vector<CameraModel> cameras = body->cameras();
-  ASSERT_EQ(cameras.size(), 2U);
+  const Rig rig = body->rig();
+  ASSERT_EQ(rig.sensors.size(), 2U);
+  EXPECT_EQ(rig.sensors[0].gaze(), Gaze::down);
+  EXPECT_EQ(rig.sensors[1].gaze(), Gaze::ahead);
   std::map<std::string, int> images;
   double driven_s = 0.0;
   for (const Sample& sample : run(*body, 40, {0.3, 0.0})) {
-    ASSERT_TRUE(sample.view);
-    ++images[sample.view->calibration];
+    ASSERT_FALSE(sample.views.empty());
+    ++images[sample.views.front().sensor];
     EXPECT_GT(sample.motion.elapsed, Duration::zero());
     driven_s += seconds(sample.motion.elapsed);
   }
-  EXPECT_EQ(images.at(cameras[0].id), 30);
-  EXPECT_EQ(images.at(cameras[1].id), 10);
+  EXPECT_EQ(images.at(rig.sensors[0].id), 30);
+  EXPECT_EQ(images.at(rig.sensors[1].id), 10);
   EXPECT_NEAR(driven_s, 1.0, 0.05);
 }
 
@@ -89,8 +91,8 @@ TEST(SimBody, RepeatsBitForBit) {
     EXPECT_EQ(a.time, b.time);
     EXPECT_EQ(a.motion.command, b.motion.command);
     EXPECT_EQ(a.motion.wheels->distance_m, b.motion.wheels->distance_m);
-    ASSERT_EQ(a.view.has_value(), b.view.has_value());
-    if (a.view) {
+    ASSERT_EQ(a.views.size(), b.views.size());
+    if (!a.views.empty()) {
       EXPECT_EQ(pixels_of(a), pixels_of(b)) << "frame " << a.frame;
     }
   }
@@ -106,17 +108,17 @@ TEST(SimBody, AnotherSeedIsAnotherRun) {
 }
 
 TEST(SimBody, GivesTheNominalCalibration) {
-  const auto told = body_of(config_of(quick_site(), "r1", 7))->cameras();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].fx, 80.0);
-  EXPECT_EQ(told[0].id, "r1/floor/day0");
+  const auto told = body_of(config_of(quick_site(), "r1", 7))->rig();
+  ASSERT_EQ(told.sensors.size(), 1U);
+  EXPECT_EQ(told.camera().fx, 80.0);
+  EXPECT_EQ(told.camera().id, "r1/floor/day0");
 }
 
 TEST(SimBody, AnotherDayIsAnotherLightAndCalibration) {
   Site site = quick_site();
   const auto seen = [&](std::uint64_t day) {
     auto body = body_of(config_of(site, "r1", 1, day));
-    EXPECT_EQ(body->cameras()[0].id, "r1/floor/day" + std::to_string(day));
+    EXPECT_EQ(body->rig().camera().id, "r1/floor/day" + std::to_string(day));
     return run(*body, 1, {})[0];
   };
   EXPECT_NE(pixels_of(seen(0)), pixels_of(seen(1)));
@@ -184,7 +186,7 @@ TEST(SimBody, NumbersItsFramesAndDropsTheStatedShare) {
   std::uint64_t expected = 1;
   for (const Sample& sample : run(*body, 2000, {0.01, 0.2})) {
     EXPECT_EQ(sample.frame, expected++);
-    dropped += !sample.view;
+    dropped += sample.views.empty();
   }
   EXPECT_NEAR(dropped, 100, 30);
 }
@@ -233,7 +235,7 @@ TEST(SimBody, WithAnOffsetImagesAreTakenThatMuchBeforeTheirStamps) {
     EXPECT_LT(difference_of(pixels_of(early[i]), pixels_of(right[i + 2])), 0.02 * apart);
     // The wheels and all else keep their clock.
     EXPECT_EQ(late[i].time, right[i].time);
-    EXPECT_EQ(early[i].view->time, right[i].view->time);
+    EXPECT_EQ(early[i].views.front().time, right[i].views.front().time);
     EXPECT_EQ(late[i].motion.elapsed, right[i].motion.elapsed);
     EXPECT_EQ(late[i].motion.wheels->distance_m, right[i].motion.wheels->distance_m);
   }

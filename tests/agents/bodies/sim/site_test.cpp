@@ -348,7 +348,7 @@ TEST(DemoSite, RestingRobotsStandInNobodysWay) {
 
 TEST(Site, WhatTheForwardCameraSees) {
   const auto site = parse_site(std::string(kSmall) + R"(
-camera = "forward"
+looks = ["ahead"]
 [forward_camera]
 width_px = 640
 height_px = 480
@@ -371,7 +371,7 @@ ambient_percent = 3
 )",
                                "small.toml");
   ASSERT_TRUE(site) << site.error().message;
-  EXPECT_EQ(site->robots.front().camera, RobotStart::Camera::forward);
+  EXPECT_EQ(site->robots.front().looks, std::vector<Gaze>{Gaze::ahead});
   EXPECT_EQ(site->forward_camera.width, 640);
   EXPECT_EQ(site->forward_camera.headlight, 3.0);
   EXPECT_FALSE(site->forward_camera.exposes_itself);
@@ -394,7 +394,7 @@ TEST(Site, AWayThatIsNoneIsRefused) {
   EXPECT_THAT(refused("[[person]]\nway = [0.5, 0.5, 4.0, 1, 2]\n"), HasSubstr("an x and a y"));
   EXPECT_THAT(refused("[[person]]\nway = [1, 1, 1, 1]\n"), HasSubstr("less than 0.1 m apart"));
   EXPECT_THAT(refused("[forward_camera]\nwidth_px = 322\n"), HasSubstr("multiple of 4"));
-  EXPECT_THAT(refused("camera = \"rear\"\n"), HasSubstr("camera"));
+  EXPECT_THAT(refused("looks = [\"rear\"]\n"), HasSubstr("looks \"down\" or \"ahead\", not \"rear\""));
 }
 
 }  // namespace

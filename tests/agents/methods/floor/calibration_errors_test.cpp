@@ -19,7 +19,7 @@ FloorConfig exact() {
 
 Eigen::Vector3d sigmas(const FloorConfig& config, const Pose2& moved,
                        const Eigen::Matrix2d& tilt = Eigen::Matrix2d::Zero()) {
-  const CommonErrors errors = CalibrationErrors(config, test::paper_camera()).of(moved, tilt);
+  const PlanarErrors errors = CalibrationErrors(config, test::paper_camera()).of(moved, tilt);
   return errors.rowwise().norm();
 }
 

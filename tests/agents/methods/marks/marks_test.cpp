@@ -1,4 +1,4 @@
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,12 +113,12 @@ TEST(MarksMethod, ObserveFollowsTheRobotAndSaysWhenItWasBlind) {
   MarksRobot robot(world, MarksRobotConfig{}, {5, 5, 0}, 8);
   MarksMethod::Odometry odometry;
   const auto first = robot.step({});
-  EXPECT_FALSE(method.observe(odometry, &first.view, first.motion).seen);
+  EXPECT_FALSE(method.observe(odometry, first.of("marks"), first.motion).seen);
   Pose2 world_from_robot = robot.world_from_robot();
   int blind = 0;
   for (int i = 0; i < 100; ++i) {
     const auto sample = robot.step({0.4, 0.02});
-    const Step step = method.observe(odometry, i == 50 ? nullptr : &sample.view, sample.motion);
+    const Step step = method.observe(odometry, i == 50 ? nullptr : sample.of("marks"), sample.motion);
     EXPECT_TRUE(check(step.previous_from_current));
     EXPECT_EQ(step.blind_reason.empty(), step.seen);
     blind += step.seen ? 0 : 1;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents::tiny {
 

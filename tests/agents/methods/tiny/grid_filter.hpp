@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "agents/methods/marks/marks.hpp"
 #include "core/random.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents::tiny {
 
@@ -15,6 +15,7 @@ class GridFilter {
  public:
   static constexpr std::string_view name = "grid-filter";
   static constexpr std::uint32_t content_format = 1;
+  static constexpr ChartSize chart_size = {12, 200};
   using Content = MarksMethod::Content;
   using Odometry = MarksMethod::Odometry;
 

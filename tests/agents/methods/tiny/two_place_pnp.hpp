@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::agents::tiny {
 
@@ -17,6 +17,7 @@ class TwoPlacePnp {
  public:
   static constexpr std::string_view name = "two-place-pnp";
   static constexpr std::uint32_t content_format = 1;
+  static constexpr ChartSize chart_size = {12, 200};
   using Content = MarksMethod::Content;
   using Odometry = MarksMethod::Odometry;
   using Chart = std::vector<ChartPlace<Content>>;

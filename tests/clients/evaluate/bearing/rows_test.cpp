@@ -126,7 +126,7 @@ TEST(BearingTrials, EverySceneIsThere) {
   for (const Trial& trial : trials()) {
     const Result<Scene> scene = read_scene(std::filesystem::path(WEFT_SITES) / "bearing", trial.site, trial.line);
     ASSERT_TRUE(scene) << scene.error().message;
-    EXPECT_EQ(scene->site.robots.front().camera, agents::sim::RobotStart::Camera::forward);
+    EXPECT_EQ(scene->site.robots.front().looks, std::vector<agents::Gaze>{agents::Gaze::ahead});
   }
   EXPECT_EQ(read_scene(WEFT_SITES, "nowhere", "nowhere").error().code, ErrorCode::not_found);
 }

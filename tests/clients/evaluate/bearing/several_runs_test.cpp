@@ -22,7 +22,7 @@ class Robot {
     config.seed = seed;
     config.day = seed;
     body_ = *sim::make_sim_body(config);
-    navigator_ = *make_navigator(body_->cameras().front(), Parts::all);
+    navigator_ = *make_navigator(body_->rig().camera(), Parts::all);
   }
 
   sim::SimulatedBody& body() { return *body_; }
@@ -30,10 +30,9 @@ class Robot {
 
   Navigated step() {
     const Sample sample = *body_->step(command_);
-    has_view_ = sample.view.has_value();
+    has_view_ = !sample.views.empty();
     hand_done_ = sample.hand_done;
-    Navigated now = navigator_->step(has_view_ ? &*sample.view : nullptr, sample.frame, sample.time, sample.motion,
-                                     sample.hand, map_.view());
+    Navigated now = navigator_->step(sample, map_.view());
     command_ = now.command;
     expose(*body_, now);
     return now;

@@ -22,7 +22,7 @@ inline Result<void> record_drive(const agents::sim::SimBodyConfig& given, const 
   if (!body) return fail(body.error());
   if (auto begun = (*body)->drive_by_hand(line); !begun) return begun;
 
-  const agents::CameraModel model = (*body)->cameras().front();
+  const agents::CameraModel model = (*body)->rig().camera();
   std::ofstream sensor(camera / "sensor.yaml");
   sensor.precision(12);
   sensor << "camera_model: pinhole\nresolution: [" << model.width << ", " << model.height << "]\nintrinsics: ["
@@ -47,8 +47,8 @@ inline Result<void> record_drive(const agents::sim::SimBodyConfig& given, const 
     times[sample->frame] = seconds(sample->time.time_since_epoch());
     const std::string name = std::to_string(sample->frame) + ".png";
     list << sample->time.time_since_epoch().count() << "," << name << "\n";
-    if (!sample->view) continue;  // a dropped frame: listed, and missing
-    const auto& image = std::get<agents::Image>(sample->view->data);
+    if (sample->views.empty()) continue;  // a dropped frame: listed, and missing
+    const auto& image = std::get<agents::Image>(sample->views.front().data);
     cv::Mat grey(image.height, image.width, CV_8U);
     std::copy(image.pixels->begin(), image.pixels->end(), grey.begin<std::uint8_t>());
     cv::imwrite((camera / "data" / name).string(), grey, {cv::IMWRITE_PNG_COMPRESSION, 1});

@@ -13,13 +13,13 @@ namespace {
 
 Site forward_site() {
   Site site = empty_site();
-  site.robots.front().camera = RobotStart::Camera::forward;
+  site.robots.front().looks = {Gaze::ahead};
   site.boxes.push_back({Box::Kind::rack, "a rack", {12.0, 9.0, 0.0}, 10.8, 1.0, 4.5});
   return site;
 }
 
 const Image& image_of(const Sample& sample) {
-  return std::get<Image>(sample.view->data);
+  return std::get<Image>(sample.views.front().data);
 }
 
 double mean_of(const Image& image) {
@@ -31,7 +31,7 @@ Sample stepped(Body& body, int steps, const Twist& command = {}) {
   for (int i = 0; i < steps; ++i) {
     Result<Sample> sample = body.step(command);
     EXPECT_TRUE(sample);
-    if (sample->view) last = std::move(*sample);
+    if (!sample->views.empty()) last = std::move(*sample);
   }
   return *last;
 }
@@ -39,13 +39,13 @@ Sample stepped(Body& body, int steps, const Twist& command = {}) {
 TEST(ForwardEye, IsTheCameraOfRobotsThatLookAhead) {
   const auto body = body_of(config_of(forward_site()));
   const Sample sample = stepped(*body, 3);
-  EXPECT_EQ(sample.view->camera, "forward");
+  EXPECT_EQ(sample.views.front().sensor, "forward");
   EXPECT_EQ(image_of(sample).width, 320);
   EXPECT_EQ(image_of(sample).height, 240);
-  ASSERT_EQ(body->cameras().size(), 1U);
-  EXPECT_EQ(body->cameras().front().id, sample.view->calibration);
+  ASSERT_EQ(body->rig().sensors.size(), 1U);
+  EXPECT_EQ(body->rig().camera().id, sample.views.front().calibration);
   const auto down = body_of(config_of(forward_site(), "r2"));
-  EXPECT_EQ(stepped(*down, 3).view->camera, "floor");
+  EXPECT_EQ(stepped(*down, 3).views.front().sensor, "floor");
 }
 
 TEST(ForwardEye, SameSeedSameImagesAndAnotherDayOthers) {
@@ -73,13 +73,13 @@ TEST(ForwardEye, ExposesAsItIsToldAndSaysHow) {
   site.disturbances.exposure_s = 0.005;
   const auto body = body_of(config_of(site));
   const Sample own = stepped(*body, 30, {0.05, 0.0});
-  ASSERT_TRUE(own.view->exposure);
-  const Exposure third{own.view->exposure->light_s() / 3.0, 1.0};
+  ASSERT_TRUE(own.views.front().exposure);
+  const Exposure third{own.views.front().exposure->light_s() / 3.0, 1.0};
   ASSERT_TRUE(body->expose("forward", third));
   const Sample told = stepped(*body, 2, {0.05, 0.0});
-  ASSERT_TRUE(told.view->exposure);
-  EXPECT_NEAR(told.view->exposure->time_s, third.time_s, 1e-9);
-  EXPECT_EQ(told.view->exposure->gain, 1.0);
+  ASSERT_TRUE(told.views.front().exposure);
+  EXPECT_NEAR(told.views.front().exposure->time_s, third.time_s, 1e-9);
+  EXPECT_EQ(told.views.front().exposure->gain, 1.0);
   EXPECT_NEAR(mean_of(image_of(told)) / mean_of(image_of(own)), 1.0 / 3.0, 0.05);
 }
 
@@ -98,7 +98,7 @@ TEST(ForwardEye, ExposesItselfAgainWhenItIsNotToldForTwoSeconds) {
 
 TEST(ForwardEye, WhoCannotBeToldSaysSo) {
   Site site = forward_site();
-  site.robots.front().camera = RobotStart::Camera::both;
+  site.robots.front().looks = {Gaze::down, Gaze::ahead};
   const auto body = body_of(config_of(site));
   EXPECT_TRUE(body->expose("forward", {0.005, 1.0}));
   EXPECT_EQ(body->expose("floor", {0.005, 1.0}).error().code, ErrorCode::refused);

@@ -50,14 +50,14 @@ TEST(HallPhotographs, ChangeWhatARobotSees) {
   photograph(folder.path() / "load" / "a.png", 30);
   photograph(folder.path() / "wall" / "a.png", 30);
   SimBodyConfig config = config_of(empty_site());
-  config.site.robots.front().camera = RobotStart::Camera::forward;
+  config.site.robots.front().looks = {Gaze::ahead};
   config.site.disturbances.dropped_frames = 0.0;
   const auto drawn = body_of(config);
   config.hall_dir = folder.path().string();
   const auto photographed = body_of(config);
   const Sample before = *drawn->step({});
   const Sample after = *photographed->step({});
-  EXPECT_NE(*std::get<Image>(before.view->data).pixels, *std::get<Image>(after.view->data).pixels);
+  EXPECT_NE(*std::get<Image>(before.views.front().data).pixels, *std::get<Image>(after.views.front().data).pixels);
 }
 
 TEST(HallPhotographs, WhatIsWrongIsNamed) {

@@ -1,4 +1,4 @@
-#include "agents/methods/marks/marks.hpp"
+#include "tests/support/marks.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -94,7 +94,42 @@ std::uint64_t take(ByteView& bytes) {
 constexpr std::size_t bytes_a_sighting = 32;
 constexpr std::size_t most_sightings = 10'000;
 
+Bytes encoded(const std::vector<Marks::Sighting>& sightings) {
+  Bytes bytes;
+  bytes.reserve(8 + sightings.size() * bytes_a_sighting);
+  put(bytes, sightings.size());
+  for (const Marks::Sighting& seen : sightings) {
+    put(bytes, seen.mark);
+    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.x));
+    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.y));
+    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.heading));
+  }
+  return bytes;
+}
+
+Marks::Sighting take_sighting(ByteView& bytes) {
+  Marks::Sighting seen;
+  seen.mark = take(bytes);
+  seen.robot_from_mark.x = std::bit_cast<double>(take(bytes));
+  seen.robot_from_mark.y = std::bit_cast<double>(take(bytes));
+  seen.robot_from_mark.heading = std::bit_cast<double>(take(bytes));
+  return seen;
+}
+
 }  // namespace
+
+Marks::operator Payload() const {
+  return {std::make_shared<const Bytes>(encoded(sightings))};
+}
+
+std::optional<Marks> marks_of(const View& view) {
+  const Payload* const payload = std::get_if<Payload>(&view.data);
+  if (payload == nullptr || payload->bytes == nullptr) return std::nullopt;
+  ByteView bytes(*payload->bytes);
+  Marks marks;
+  for (std::uint64_t left = take(bytes); left > 0; --left) marks.sightings.push_back(take_sighting(bytes));
+  return marks;
+}
 
 std::vector<Error> check(const MarksConfig& config) {
   std::vector<Error> issues;
@@ -174,8 +209,8 @@ Step MarksMethod::observe(Odometry& odometry, const View* view, const Motion& mo
 }
 
 OrRefusal<MarksMethod::Content> MarksMethod::extract(const Odometry&, const View& view) const {
-  const Marks* const marks = std::get_if<Marks>(&view.data);
-  if (marks == nullptr) return tl::unexpected(Refusal{"not_marks"});
+  const std::optional<Marks> marks = marks_of(view);
+  if (!marks) return tl::unexpected(Refusal{"not_marks"});
   if (marks->sightings.empty()) return tl::unexpected(Refusal{"no_marks", 0.0, 1.0});
   Content content{marks->sightings};
   const auto by_mark = [](const Sighting& a, const Sighting& b) { return a.mark < b.mark; };
@@ -187,16 +222,7 @@ OrRefusal<MarksMethod::Content> MarksMethod::extract(const Odometry&, const View
 }
 
 Bytes MarksMethod::encode(const Content& content) const {
-  Bytes bytes;
-  bytes.reserve(8 + content.sightings.size() * bytes_a_sighting);
-  put(bytes, content.sightings.size());
-  for (const Sighting& seen : content.sightings) {
-    put(bytes, seen.mark);
-    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.x));
-    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.y));
-    put(bytes, std::bit_cast<std::uint64_t>(seen.robot_from_mark.heading));
-  }
-  return bytes;
+  return encoded(content.sightings);
 }
 
 Result<MarksMethod::Content> MarksMethod::decode(ByteView bytes) const {
@@ -208,11 +234,7 @@ Result<MarksMethod::Content> MarksMethod::decode(ByteView bytes) const {
   }
   Content content;
   for (std::uint64_t i = 0; i < count; ++i) {
-    Sighting seen;
-    seen.mark = take(bytes);
-    seen.robot_from_mark.x = std::bit_cast<double>(take(bytes));
-    seen.robot_from_mark.y = std::bit_cast<double>(take(bytes));
-    seen.robot_from_mark.heading = std::bit_cast<double>(take(bytes));
+    const Sighting seen = take_sighting(bytes);
     const bool in_order = content.sightings.empty() || content.sightings.back().mark < seen.mark;
     if (!in_order || !is_finite(seen.robot_from_mark)) {
       return fail(ErrorCode::corrupt, "marks content: sighting " + std::to_string(i) +

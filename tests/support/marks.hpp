@@ -9,6 +9,19 @@
 
 namespace weft::agents {
 
+/// Numbered marks as a noisy sensor saw them; in a view they are its payload.
+struct Marks {
+  struct Sighting {
+    std::uint64_t mark = 0;
+    Pose2 robot_from_mark;
+  };
+  std::vector<Sighting> sightings;
+
+  operator Payload() const;  // NOLINT(google-explicit-constructor): `view.data = marks`
+};
+/// Returns the marks of a view; none: it is of another sensor.
+std::optional<Marks> marks_of(const View& view);
+
 struct MarksConfig {
   double position_sigma_m = 0.005;  ///< of one sighting; (0, 0.2]
   double heading_sigma_rad = 0.01;  ///< of one sighting; (0, 0.5]
@@ -45,7 +58,8 @@ class MarksMethod {
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
   /// Refused: "no_marks", "not_marks" (another sensor's view).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
-  /// docs/formats/content-marks.md
+  /// Little-endian, nothing may follow: count of sightings (u64, at most 10000), then of each its mark (u64,
+  /// increasing) and x, y (m) and heading (rad) of robot_from_mark (f64, finite).
   Bytes encode(const Content& content) const;
   Result<Content> decode(ByteView bytes) const;
   /// Refused: "few_marks", "inconsistent_marks", "too_far_apart".
