@@ -375,7 +375,7 @@ msg::RouteOrder Rig::order(const Route& route) {
   return server.say(msg::RouteOrder{.header = {}, .to = {}, .route = ours});
 }
 
-ExperienceId Rig::lay_out(std::uint64_t experience, std::uint32_t places) {
+ExperienceId lay_out(FakeServer& server, std::uint64_t experience, std::uint32_t places) {
   Batch batch;
   batch.experience = ExperienceId{experience};
   batch.sequence = 1;

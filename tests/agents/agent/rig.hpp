@@ -81,6 +81,9 @@ class FakeServer {
   storage::ContentCoder coder_;
 };
 
+/// Puts an experience of `places` places one metre apart into the server's network, with contents.
+ExperienceId lay_out(FakeServer& server, std::uint64_t experience, std::uint32_t places);
+
 /// One agent, one server, a virtual clock, and a wire that loses and doubles what the test wants.
 class Rig {
  public:
@@ -108,8 +111,9 @@ class Rig {
   }
   msg::AgentCommand command(msg::AgentCommand::Kind kind, std::uint64_t number);
   msg::RouteOrder order(const Route& route);
-  /// Puts an experience of `places` places one metre apart into the server's network, with contents.
-  ExperienceId lay_out(std::uint64_t experience, std::uint32_t places);
+  ExperienceId lay_out(std::uint64_t experience, std::uint32_t places) {
+    return test::lay_out(server, experience, places);
+  }
 
   static constexpr Duration kFrame = std::chrono::milliseconds(100);
   RobotId robot;

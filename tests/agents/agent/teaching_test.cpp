@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "agents/agent/robot_agent.hpp"
+#include "agents/agent/missions/taught_run.hpp"
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
@@ -168,7 +168,7 @@ TEST(Teaching, StopWaitsForTheViewOfTheLastPlace) {
 }
 
 TEST(Teaching, WhoeverHasTaughtIsToldWhetherItIsJoined) {
-  Teaching run;
+  TaughtRun run;
   run.experience = ExperienceId{7};
   run.others = {ExperienceId{8}};
   const auto stitch = [](std::uint64_t a, std::uint64_t b) {

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "agents/perception/motion.hpp"
+
+namespace weft::agents {
+
+/// How the robot is: what the last sample showed of it, and what keeps it from driving.
+struct Condition {
+  std::uint64_t frame = 0;
+  double speed_m_s = 0.0;
+  Twist command;           ///< of the navigator
+  std::string stands_for;  ///< the navigator's reason
+  bool lost = false;
+  bool stopped = false;  ///< by an operator
+  std::string fault;     ///< of the body; empty: none
+
+  bool is_faulted() const { return !fault.empty(); }
+  /// Returns the navigator's command, or none for a robot that has to stand.
+  Twist allowed_command() const { return stopped || lost || is_faulted() ? Twist{} : command; }
+};
+
+}  // namespace weft::agents

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "agents/agent/missions/taught_run.hpp"
+#include "agents/agent/replies.hpp"
+#include "agents/agent/spooler.hpp"
+#include "core/time.hpp"
+
+namespace weft::agents {
+
+/// Answers the end of teaching when the server has acknowledged all of the run, so that whoever asked can go on with
+/// it; after 15 s it says that this is not yet so.
+class UploadConfirmation {
+ public:
+  void await(TaughtRun run, const CommandKey& asked_by, SteadyTime now);
+  /// Forgets the run without an answer.
+  void drop() { awaited_.reset(); }
+  void tick(const Spooler& spooler, Replies& replies, SteadyTime now);
+  /// The server has refused some of the experience, which may be the one that is waited for.
+  void refused(ExperienceId experience, const std::string& reason, Replies& replies);
+
+  bool is_awaiting() const { return awaited_.has_value(); }
+  std::optional<SteadyTime> next() const;
+  void was_away(Duration away);
+
+ private:
+  struct Awaited {
+    TaughtRun run;
+    CommandKey asked_by;
+    SteadyTime deadline{};
+  };
+  std::optional<Awaited> awaited_;
+};
+
+}  // namespace weft::agents

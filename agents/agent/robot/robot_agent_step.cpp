@@ -1,0 +1,73 @@
+#include <utility>
+
+#include "agents/agent/robot/robot_agent.hpp"
+
+/// The one file that steps the navigator.
+namespace weft::agents {
+namespace {
+
+double speed(const Motion& motion) {
+  const double elapsed = seconds(motion.elapsed);
+  if (motion.wheels.has_value() && elapsed > 0.0) return motion.wheels->distance_m / elapsed;
+  return motion.command.linear_m_s;
+}
+
+}  // namespace
+
+AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
+  Navigated navigated = navigator_->step(sample, map_.view());
+  condition_.frame = sample.frame;
+  condition_.speed_m_s = speed(sample.motion);
+  condition_.lost = navigated.lost;
+  condition_.stands_for = navigated.reason;
+  condition_.command = navigated.command;
+  outbox_.expose(navigated.exposes);
+  teach_.step(navigated.kept, sample.hand_done, now);
+  learn(std::move(navigated.lessons), sample.time);
+  count(navigated);
+  if (navigated.fix.has_value()) take_fix(*navigated.fix, now);
+  if (!sample.views.empty() && !teach_.is_active()) keep_place_.on_view(now);
+  recogniser_.want(navigator_->question(), now);
+  map_.follow_search(navigated.fix.has_value(), map_context(), now);
+  follow_.step(navigated, condition_.stopped, now);
+  move_window(now);
+  return finish(now);
+}
+
+void RobotAgent::learn(std::vector<Lesson> lessons, SensorTime seen_at) {
+  const PlaceLearning::Seen seen{.robot = config_.self, .frame = condition_.frame, .at = seen_at};
+  const std::size_t taken = learning_.take(std::move(lessons), map_.window(), seen);
+  if (taken > 0) seen_["navigation: places known better"] += taken;
+}
+
+void RobotAgent::count(const Navigated& navigated) {
+  for (const Refusal& refusal : navigated.refusals) ++seen_["navigation: " + std::string(refusal.reason)];
+  if (navigated.fix.has_value()) ++seen_["navigation: fixes"];
+}
+
+void RobotAgent::take_fix(const Fix& fix, SteadyTime now) {
+  outbox_.record({.frame = condition_.frame, .fix = fix});
+  const bool is_for_teaching = teach_.on_fix();
+  if (!is_for_teaching && localise_.on_fix(fix) && follow_.give_back_if_astray()) {
+    condition_.command = Twist{};
+    reporter_.hurry(now);
+  }
+  watch_lift(fix);
+}
+
+void RobotAgent::watch_lift(const Fix& fix) {
+  const std::optional<double> lift_m = fix.evidence.lift_m;
+  if (!lift_m.has_value()) return;
+  const bool was_well = lift_.notice().empty();
+  lift_.add(fix.place.experience, *lift_m);
+  if (was_well == lift_.notice().empty()) return;
+  outbox_.note(was_well ? lift_.notice() : "its camera stands as high as its places say again");
+}
+
+void RobotAgent::move_window(SteadyTime now) {
+  const std::optional<Estimate> estimate = navigator_->estimate();
+  if (!estimate.has_value()) return;
+  map_.recentre(spooler_.newest_durable(estimate->place.experience), map_context(), now);
+}
+
+}  // namespace weft::agents

@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+
+#include "agents/agent/replica.hpp"
+#include "agents/navigation/navigator.hpp"
+#include "core/time.hpp"
+
+namespace weft::agents {
+
+/// Moves the window along with the robot.
+class WindowFocus {
+ public:
+  /// Takes the believed place, at most once a second. Returns whether it is another one than before.
+  bool follow(const std::optional<Estimate>& estimate, SteadyTime now);
+  /// The believed place when it was last taken.
+  const PlaceId& place() const { return place_; }
+  /// Returns the place around which contents are wanted: the believed one if the window has it.
+  std::optional<PlaceId> in(const Replica& replica) const;
+
+  struct Situation {
+    std::uint32_t cap = 0;                ///< most places of the window
+    std::optional<ExperienceId> taught;   ///< being taught
+    std::optional<PlaceId> durable = {};  ///< the newest place of the believed place's experience that the server has
+  };
+  /// Returns the window that fits the believed place; none: the present one does. While teaching, any part of the
+  /// network may be met: all of it is asked for once, and kept as long as it fits.
+  std::optional<WindowDefinition> recentred(const Replica& replica, const Situation& situation);
+
+ private:
+  PlaceId place_;
+  SteadyTime taken_at_{};
+  ExperienceId whole_asked_for_;  ///< the run for which the whole network was asked for
+};
+
+}  // namespace weft::agents

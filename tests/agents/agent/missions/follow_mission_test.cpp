@@ -1,0 +1,165 @@
+#include "agents/agent/missions/follow_mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/agent/bench.hpp"
+
+namespace weft::agents::test {
+namespace {
+using namespace std::chrono_literals;
+using Took = FollowMission::Took;
+
+struct FollowBench : Bench {
+  FollowBench() : laid(lay_out(server, 70, 20)) { script->estimate = Estimate{{laid, 0}, Relation{}, 0.0}; }
+  /// The mission with a route that is followed.
+  void drive() {
+    fetch_map();
+    EXPECT_EQ(mission.take(a_route(laid, 10, 1), false, now), Took::route);
+    mission.tick(true, now);
+    EXPECT_EQ(script->followed.size(), 1U);
+  }
+  void see(Following following, std::string_view reason = {}) {
+    Navigated navigated;
+    navigated.following = following;
+    navigated.reason = reason;
+    mission.step(navigated, false, now);
+  }
+  msg::RoutePhase phase() const { return mission.task().phase(); }
+  ExperienceId laid;
+  FollowMission mission{{*navigator, map, outbox}};
+};
+
+TEST(FollowMission, NewRouteWaitsForTheMapOfItsBeginning) {
+  FollowBench bench;
+  EXPECT_EQ(bench.mission.take(a_route(bench.laid, 20, 1), false, bench.now), Took::route);
+  bench.mission.tick(true, bench.now);
+  EXPECT_TRUE(bench.script->followed.empty());
+  EXPECT_EQ(bench.mission.waits_for(), "waits for the map of its route");
+  EXPECT_EQ(bench.phase(), msg::RoutePhase::waiting);
+  bench.fetch_map();
+  bench.mission.tick(true, bench.now);
+  EXPECT_EQ(bench.script->followed.size(), 1U);
+  EXPECT_EQ(bench.mission.waits_for(), "");
+}
+
+TEST(FollowMission, AfterTwentySecondsTheMapThatIsThereHasToDo) {
+  FollowBench bench;
+  bench.mission.take(a_route(bench.laid, 20, 1), false, bench.now);
+  bench.mission.was_away(3s);
+  bench.mission.tick(true, bench.now + 22s);
+  EXPECT_TRUE(bench.script->followed.empty());
+  bench.mission.tick(true, bench.now + 23s);
+  EXPECT_EQ(bench.script->followed.size(), 1U);
+}
+
+TEST(FollowMission, RobotThatDoesNotKnowWhereItIsWaitsAsLongAsThatLasts) {
+  FollowBench bench;
+  bench.script->estimate.reset();
+  bench.fetch_map();
+  bench.mission.take(a_route(bench.laid, 20, 1), false, bench.now);
+  bench.mission.tick(true, bench.now + 1h);
+  EXPECT_TRUE(bench.script->followed.empty());
+  EXPECT_EQ(bench.mission.waits_for(), "does not know where it is: looks for itself");
+}
+
+TEST(FollowMission, ItsDeadlineCountsOnlyWhenItMayDrive) {
+  FollowBench bench;
+  bench.mission.take(a_route(bench.laid, 20, 1), false, bench.now);
+  std::ignore = bench.mission.due(bench.now);  // the report, whose repeat is due in 2 s
+  EXPECT_EQ(bench.mission.next(true), bench.now + 2s);
+  std::ignore = bench.mission.due(bench.now + 19s);
+  EXPECT_EQ(bench.mission.next(true), bench.now + 20s);
+  EXPECT_EQ(bench.mission.next(false), bench.now + 21s);
+  bench.mission.tick(false, bench.now + 1h);
+  EXPECT_TRUE(bench.script->followed.empty());
+}
+
+TEST(FollowMission, StopHoldsTheRouteUntilItMayDriveAgain) {
+  FollowBench bench;
+  bench.drive();
+  bench.mission.stop(bench.now);
+  EXPECT_EQ(bench.phase(), msg::RoutePhase::stopped);
+  bench.mission.tick(false, bench.now + 1s);
+  EXPECT_EQ(bench.script->followed.size(), 1U);
+  bench.mission.resume(bench.now + 1s);
+  bench.mission.tick(true, bench.now + 1s);
+  EXPECT_EQ(bench.script->followed.size(), 2U);
+}
+
+TEST(FollowMission, ReleaseIsFollowedAtOnceButNotByAStoppedRobot) {
+  FollowBench bench;
+  bench.fetch_map();
+  Route route = a_route(bench.laid, 10, 1);
+  route.released = 2;
+  bench.mission.take(route, false, bench.now);
+  bench.mission.tick(true, bench.now);
+  route.released = 3;
+  EXPECT_EQ(bench.mission.take(route, false, bench.now), Took::nothing) << "the places are the same";
+  EXPECT_EQ(bench.script->followed.back().released, 3U);
+  route.released = 4;
+  bench.mission.take(route, true, bench.now);
+  EXPECT_EQ(bench.script->followed.back().released, 3U);
+}
+
+TEST(FollowMission, EndStandsAndForgetsTheRoute) {
+  FollowBench bench;
+  bench.drive();
+  Route ended = a_route(bench.laid, 10, 1);
+  ended.ended = true;
+  const int stops = bench.script->stops;
+  EXPECT_EQ(bench.mission.take(ended, false, bench.now), Took::end);
+  EXPECT_EQ(bench.script->stops, stops + 1);
+  EXPECT_FALSE(bench.mission.has_route());
+}
+
+TEST(FollowMission, AstrayRouteIsGivenBackOnceItIsKnownToBeSo) {
+  FollowBench bench;
+  bench.drive();
+  EXPECT_FALSE(bench.mission.give_back_if_astray());
+  bench.see(Following::stopped, "off_route");
+  EXPECT_TRUE(bench.mission.strays());
+  EXPECT_TRUE(bench.mission.give_back_if_astray());
+  EXPECT_FALSE(bench.mission.has_route());
+  EXPECT_EQ(bench.take().notes.size(), 1U);
+  EXPECT_EQ(bench.mission.take(a_route(bench.laid, 10, 1), false, bench.now), Took::nothing)
+      << "what is released of that version is not taken up again";
+}
+
+TEST(FollowMission, LostRobotStandsAndHasNotArrived) {
+  FollowBench bench;
+  bench.drive();
+  Navigated lost;
+  lost.lost = true;
+  lost.following = Following::arrived;
+  lost.reason = "blind";
+  bench.mission.step(lost, false, bench.now);
+  EXPECT_EQ(bench.phase(), msg::RoutePhase::stopped);
+  EXPECT_TRUE(bench.mission.is_under_way());
+}
+
+TEST(FollowMission, ArrivalSaysWhereItStandsBesideTheGoal) {
+  FollowBench bench;
+  bench.drive();
+  bench.script->estimate = Estimate{{bench.laid, 8}, Relation{}, 0.0};
+  bench.see(Following::arrived);
+  EXPECT_FALSE(bench.mission.is_under_way());
+  const std::optional<msg::RouteProgress> report = bench.mission.due(bench.now + 1s);
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->phase, msg::RoutePhase::arrived);
+  EXPECT_NEAR(distance_m(report->goal_from_robot), 1.0, 1e-9) << "one place before the goal";
+}
+
+TEST(FollowMission, SearchForWhereItIsHoldsARouteThatIsUnderWay) {
+  FollowBench bench;
+  bench.mission.await_localisation(bench.now);
+  EXPECT_FALSE(bench.mission.next(true).has_value()) << "without a route there is nothing to hold";
+  bench.drive();
+  bench.mission.await_localisation(bench.now);
+  bench.see(Following::driving);
+  EXPECT_NE(bench.phase(), msg::RoutePhase::driving);
+  bench.mission.tick(true, bench.now);
+  EXPECT_EQ(bench.script->followed.size(), 2U);
+}
+
+}  // namespace
+}  // namespace weft::agents::test

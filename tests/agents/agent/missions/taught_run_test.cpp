@@ -1,0 +1,49 @@
+#include "agents/agent/missions/taught_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/names.hpp"
+#include "tests/agents/agent/rig.hpp"
+
+namespace weft::agents::test {
+namespace {
+
+TEST(TaughtRun, HasAnExperienceForEachMethod) {
+  ExperienceIds ids(Random(5));
+  const Result<TaughtRun> run = new_run("aisle", {"floor", "bearing", "marks"}, ids);
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->others.size(), 2U);
+  EXPECT_NE(run->experience, run->others[0]);
+  EXPECT_NE(run->others[0], run->others[1]);
+}
+
+TEST(TaughtRun, NameIsRefusedThatIsTooLongWithAMethodAdded) {
+  ExperienceIds ids(Random(5));
+  const std::string name(kLongestName - 5, 'a');
+  EXPECT_TRUE(new_run(name, {"bearing", "four"}, ids)) << "the first method's experience has the name itself";
+  const Result<TaughtRun> run = new_run(name, {"four", "bearing"}, ids);
+  ASSERT_FALSE(run);
+  EXPECT_NE(run.error().message.find("-bearing"), std::string::npos);
+}
+
+TEST(TaughtRun, OthersOfARunWithoutANameHaveNone) {
+  EXPECT_EQ(name_of_other("", "floor"), "");
+  EXPECT_EQ(name_of_other("aisle", "floor"), "aisle-floor");
+}
+
+TEST(TaughtRun, CountsAPlaceOnceHoweverManyEdgesJoinIt) {
+  TaughtRun run;
+  run.experience = ExperienceId{1};
+  EXPECT_EQ(summary(run).rfind("0 places, none joined", 0), 0U);
+  Kept kept;
+  kept.place.id = {run.experience, 0};
+  for (std::uint32_t index : {4U, 5U}) {
+    kept.edges.push_back(an_edge({ExperienceId{2}, index}, kept.place.id));
+    kept.edges.back().origin = Origin::stitch;
+  }
+  run.count(kept);
+  EXPECT_EQ(summary(run), "1 place, 1 joined to what was taught before, or to its own beginning");
+}
+
+}  // namespace
+}  // namespace weft::agents::test
