@@ -73,6 +73,40 @@ class Deciding(unittest.TestCase):
         self.assertEqual(run('lint_deciding.py', files, self.TABLE), (0, ''))
 
 
+class Sizes(unittest.TestCase):
+    TABLE = 'core: 2 12\n-core/edge\n'
+
+    def check(self, *lines):
+        return run('check_sizes.py', {'core/a.hpp': '\n'.join(lines) + '\n'}, self.TABLE)
+
+    def test_a_class_with_too_many_members_fails_and_is_named(self):
+        code, text = self.check('namespace n {', 'class A final : public B<int> {', ' public:', '  int f() const;', ' private:',
+                                '  int one_ = f(1, 2);', '  std::map<int, int> two_{{1, 2}};', '  B& three_;', '};', '}')
+        self.assertEqual(code, 1)
+        self.assertEqual(text, 'core/a.hpp:2: A has 3 data members, more than 2: give parts of it a class\n')
+
+    def test_each_name_of_a_declaration_counts(self):
+        self.assertEqual(self.check('struct A {', '  double x = 0.0, y{1, 2}, z;', '};')[0], 1)
+
+    def test_what_is_no_data_member_does_not_count(self):
+        for line in ('A(int a, int b) : one_(a), two_{b} {}', 'bool operator==(const A&) const = default;', 'enum class E { a, b, c };',
+                     'static constexpr int kMost = 3;', 'using Map = std::map<int, int>;', 'friend class B;', 'class Inner;', '// int three;',
+                     'struct Inner {', 'template <class T>\nvoid f(T t) { t = 1; }', 'std::vector<int> f() const { return {1, 2}; }'):
+            end = ' int a, b; };' if line.endswith('{') else ''
+            self.assertEqual(self.check('struct A {', line + end, 'int one_;', 'std::function<void(int, int)> two_;', '};'), (0, ''), line)
+
+    def test_members_within_functions_and_of_the_edge_do_not_count(self):
+        files = {'core/a.cpp': 'void f() {\n  int a;\n  int b;\n  int c;\n}\n', 'core/edge/b.hpp': 'struct B { int a, b, c; };\n'}
+        self.assertEqual(run('check_sizes.py', files, self.TABLE), (0, ''))
+
+    def test_a_file_with_too_many_lines_fails(self):
+        code, text = self.check(*['int f();'] * 13)
+        self.assertEqual((code, text), (1, 'core/a.hpp: 13 lines, more than 12: split what it does\n'))
+
+    def test_a_typing_error_in_the_table_is_no_free_pass(self):
+        self.assertNotEqual(run('check_sizes.py', {}, 'core: many 3\n')[0], 0)
+
+
 class Docs(unittest.TestCase):
     TREE = {'core/time.cpp': 'void wind_up(int) {}\nclass BigClock { void tick(); };\n', 'docs/other.md': ''}
 
