@@ -4,76 +4,57 @@
 #include <chrono>
 #include <utility>
 
+#include "agents/agent/missions/teach_command.hpp"
+
 namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kLastViewAtMost = 3s;
-
-std::vector<SitePoint> line_of(const msg::AgentCommand& command) {
-  std::vector<SitePoint> along;
-  along.reserve(command.along.size());
-  for (const msg::AgentCommand::Point& point : command.along) along.push_back({point.x, point.y});
-  return along;
-}
-
-Result<void> check_start(const msg::AgentCommand& command, const AgentConfig& config, bool has_route,
-                         bool is_stopped) {
-  if (has_route) {
-    return fail(ErrorCode::refused, config.name + " has a goal: cancel it, or wait until it is there");
-  }
-  if (!command.along.empty() && !config.can_be_taught_along) {
-    return fail(ErrorCode::refused,
-                "this body (" + config.body + ") has no hand that drives along a file: leave out --along");
-  }
-  if (is_stopped) return fail(ErrorCode::refused, config.name + " is stopped: resume it first");
-  return {};
-}
 }  // namespace
 
 bool TeachMission::start(const msg::AgentCommand& command, const CommandKey& key, const Condition& condition,
                          bool has_route, SteadyTime now) {
-  if (condition.is_faulted()) {
-    uses_.replies.refuse(key, uses_.config.name + " is out of order: " + condition.fault);
+  if (teaching_.has_value() && !condition.is_faulted()) {
+    go_on(command, key, condition);
     return false;
   }
-  if (teaching_.has_value()) {
-    go_on(command, key, condition.stopped);
-    return false;
-  }
-  const Result<void> allowed = check_start(command, uses_.config, has_route, condition.stopped);
-  if (!allowed) {
-    uses_.replies.refuse(key, allowed.error().message);
-    return false;
-  }
-  confirmation_.drop();
-  Result<TaughtRun> run = new_run(command.name, uses_.navigator.teaches(), uses_.ids);
+  Result<TaughtRun> run = run_for(command, condition, has_route);
   if (!run) {
     uses_.replies.refuse(key, run.error().message);
     return false;
   }
-  Teaching teaching;
-  teaching.run = std::move(*run);
-  teaching.started_by = key;
-  teaching.along = line_of(command);
-  teaching.preparation.emplace(command.seed, teaching.along, now);
-  teaching_ = std::move(teaching);
+  const RunRecorder::Uses recording{uses_.config.self, uses_.navigator, uses_.map, uses_.spooler};
+  const std::vector<SitePoint> along = line_of(command);
+  teaching_.emplace(Teaching{.recorder = RunRecorder(recording, std::move(*run)),
+                             .started_by = key,
+                             .along = along,
+                             .preparation = TeachPreparation(command.seed, along, now)});
   return true;
+}
+
+Result<TaughtRun> TeachMission::run_for(const msg::AgentCommand& command, const Condition& condition,
+                                        bool has_route) {
+  const Result<void> allowed = check_teach_start(command, uses_.config, condition, has_route);
+  if (!allowed) return fail(allowed.error());
+  confirmation_.drop();
+  return new_run(command.name, uses_.navigator.teaches(), uses_.ids);
 }
 
 /// Takes the same run asked for again: another line for the hand, or the repeat of a server that has forgotten that
 /// it asked.
-void TeachMission::go_on(const msg::AgentCommand& command, const CommandKey& key, bool is_stopped) {
-  const AgentConfig& config = uses_.config;
-  const bool same = !command.name.empty() && command.name == teaching_->run.name && teaching_->is_on() &&
-                    !teaching_->next_part.has_value();
+void TeachMission::go_on(const msg::AgentCommand& command, const CommandKey& key, const Condition& condition) {
+  const std::string& name = teaching_->recorder.run().name;
+  const bool same =
+      !command.name.empty() && command.name == name && teaching_->is_on() && !teaching_->next_part.has_value();
   if (!same) {
-    return uses_.replies.refuse(key, config.name + " is being taught '" + teaching_->run.name + "': stop that first");
+    return uses_.replies.refuse(key, uses_.config.name + " is being taught '" + name + "': stop that first");
   }
   std::vector<SitePoint> along = line_of(command);
   if (along.empty() || along == teaching_->along) return uses_.replies.give(key, done());
-  if (!config.can_be_taught_along) return uses_.replies.refuse(key, "this body (" + config.body + ") has no hand");
-  if (is_stopped) return uses_.replies.refuse(key, config.name + " is stopped: resume it first");
+  if (const Result<void> allowed = check_next_part(uses_.config, condition); !allowed) {
+    return uses_.replies.refuse(key, allowed.error().message);
+  }
   teaching_->along = std::move(along);
   teaching_->next_part = key;
   uses_.outbox.start_hand(teaching_->along);
@@ -146,20 +127,14 @@ void TeachMission::tick(SteadyTime now) {
 }
 
 void TeachMission::begin() {
-  const TaughtRun& run = teaching_->run;
   teaching_->preparation.reset();
-  uses_.navigator.begin_teach({.experience = run.experience, .robot = uses_.config.self, .others = run.others});
-  uses_.spooler.begin(run.experience, run.name);
-  const std::vector<std::string> methods = uses_.navigator.teaches();
-  for (std::size_t i = 0; i < run.others.size(); ++i) {
-    uses_.spooler.begin(run.others[i], name_of_other(run.name, methods[i + 1]));
-  }
+  teaching_->recorder.begin();
   uses_.replies.give(teaching_->started_by, done());
 }
 
 msg::AgentReply TeachMission::done() const {
   msg::AgentReply done = carried_out();
-  done.experience = teaching_->run.experience;
+  done.experience = teaching_->recorder.run().experience;
   return done;
 }
 
@@ -179,51 +154,38 @@ void TeachMission::keep(const std::vector<Kept>& kept, SteadyTime now) {
 }
 
 Result<void> TeachMission::try_keep(const std::vector<Kept>& kept, SteadyTime now) {
-  for (const Kept& one : kept) {
-    uses_.map.put(one.place.content.hash, one.content);
-    if (Result<void> added = uses_.spooler.add(one, now); !added) return added;
-    teaching_->run.count(one);
-  }
+  if (Result<void> recorded = teaching_->recorder.keep(kept, now); !recorded) return recorded;
   if (kept.empty() || requests_.empty()) return {};
-  if (Result<void> flushed = uses_.spooler.flush(now); !flushed) return flushed;
+  if (Result<void> flushed = teaching_->recorder.flush(now); !flushed) return flushed;
   requests_.answer(kept.back().place.id, uses_.replies);
   return {};
 }
 
 void TeachMission::end(SteadyTime now) {
-  uses_.navigator.leave_teach();
-  const Ending ending = *teaching_->ending;
-  const Result<void> sealed = uses_.spooler.seal("taught to its end", now);
+  const CommandKey asked_by = teaching_->ending->asked_by;
+  const Result<void> sealed = teaching_->recorder.seal(now);
   if (sealed) {
-    confirmation_.await(std::move(teaching_->run), ending.asked_by, now);
+    confirmation_.await(teaching_->recorder.run(), asked_by, now);
   } else {
     msg::AgentReply failed = done();
     failed.done = false;
     failed.reason = sealed.error().message;
     failure_ = "teaching ended: " + failed.reason;
-    uses_.navigator.forget_taught(uses_.map.window());
-    uses_.replies.give(ending.asked_by, std::move(failed));
+    uses_.replies.give(asked_by, std::move(failed));
   }
   teaching_.reset();
   requests_.refuse_all("teaching ended before a place was kept", uses_.replies);
 }
 
 void TeachMission::break_off(const std::string& reason, SteadyTime now) {
-  bool is_spooled = true;
-  for (const Kept& last : uses_.navigator.end_teach(uses_.map.view())) {
-    is_spooled = bool(uses_.spooler.add(last, now)) && is_spooled;
-  }
-  uses_.navigator.leave_teach();
-  // What has been taught until then stays, as far as the spool takes it.
-  is_spooled = bool(uses_.spooler.seal("teaching broke off", now)) && is_spooled;
-  if (!is_spooled) uses_.navigator.forget_taught(uses_.map.window());
+  teaching_->recorder.break_off(now);
   uses_.outbox.stop_hand();
   failure_ = reason;
   uses_.outbox.note(reason);
-  const Teaching ended = std::move(*std::exchange(teaching_, std::nullopt));
-  if (ended.preparation.has_value()) uses_.replies.refuse(ended.started_by, reason);
-  if (ended.ending.has_value()) uses_.replies.refuse(ended.ending->asked_by, reason);
-  if (ended.next_part.has_value()) uses_.replies.refuse(*ended.next_part, reason);
+  if (teaching_->preparation.has_value()) uses_.replies.refuse(teaching_->started_by, reason);
+  if (teaching_->ending.has_value()) uses_.replies.refuse(teaching_->ending->asked_by, reason);
+  if (teaching_->next_part.has_value()) uses_.replies.refuse(*teaching_->next_part, reason);
+  teaching_.reset();
   requests_.refuse_all(reason, uses_.replies);
 }
 
@@ -242,7 +204,7 @@ void TeachMission::refused(ExperienceId experience, const Spooler::Heard& heard,
 }
 
 std::optional<ExperienceId> TeachMission::experience() const {
-  return teaching_.has_value() ? std::optional(teaching_->run.experience) : std::nullopt;
+  return teaching_.has_value() ? std::optional(teaching_->recorder.run().experience) : std::nullopt;
 }
 
 std::string TeachMission::waits_for() const {

@@ -7,6 +7,7 @@
 #include "agents/agent/experience_ids.hpp"
 #include "agents/agent/map_window.hpp"
 #include "agents/agent/missions/place_requests.hpp"
+#include "agents/agent/missions/run_recorder.hpp"
 #include "agents/agent/missions/taught_run.hpp"
 #include "agents/agent/missions/teach_preparation.hpp"
 #include "agents/agent/missions/upload_confirmation.hpp"
@@ -79,17 +80,18 @@ class TeachMission {
     SteadyTime deadline{};  ///< for a view of each camera: the last places
   };
   struct Teaching {
-    TaughtRun run;
+    RunRecorder recorder;
     CommandKey started_by;
     std::vector<SitePoint> along;
     std::optional<TeachPreparation> preparation;  ///< until it begins
-    std::optional<CommandKey> next_part;          ///< waits for the hand to take up another line of the same run
+    std::optional<CommandKey> next_part = {};     ///< waits for the hand to take up another line of the same run
     bool hand_done = false;
-    std::optional<Ending> ending;
+    std::optional<Ending> ending = {};
 
     bool is_on() const { return !preparation.has_value() && !ending.has_value(); }
   };
-  void go_on(const msg::AgentCommand& command, const CommandKey& key, bool is_stopped);
+  Result<TaughtRun> run_for(const msg::AgentCommand& command, const Condition& condition, bool has_route);
+  void go_on(const msg::AgentCommand& command, const CommandKey& key, const Condition& condition);
   void begin();
   void end(SteadyTime now);
   void keep(const std::vector<Kept>& kept, SteadyTime now);

@@ -84,6 +84,8 @@ class RobotAgent final : public Agent {
   AgentOutput finish(SteadyTime now);
   bool may_drive() const { return !condition_.stopped && !condition_.is_faulted() && !teach_.is_active(); }
   MapContext map_context() { return {*navigator_, follow_.route(), teach_.experience()}; }
+
+  // What is said of oneself (robot_agent_state.cpp).
   Standing standing() const;
   msg::RobotState state() const;
 

@@ -1,0 +1,64 @@
+#include "agents/agent/robot/robot_agent.hpp"
+
+namespace weft::agents {
+namespace {
+
+void add_to(Counters& all, const Counters& more) {
+  for (const auto& [name, count] : more) all[name] += count;
+}
+
+}  // namespace
+
+Counters RobotAgent::counters() const {
+  Counters all = session_.counters();
+  add_to(all, map_.replica().counters());
+  add_to(all, map_.contents().counters());
+  add_to(all, seen_);
+  return all;
+}
+
+std::string RobotAgent::mount() const {
+  const std::optional<MountReport> report = navigator_->mount();
+  return report.has_value() ? words_of(*report, lift_.lift_m()) : std::string{};
+}
+
+Standing RobotAgent::standing() const {
+  return {.condition = condition_,
+          .task = follow_.task(),
+          .incompatible = session_.incompatible(),
+          .taught = teach_.is_active() ? std::optional(teach_.waits_for()) : std::nullopt,
+          .teaching_failure = teach_.failure(),
+          .searches = localise_.describe(),
+          .route_waits_for = follow_.waits_for(),
+          .notice = lift_.notice()};
+}
+
+msg::RobotState RobotAgent::state() const {
+  const Standing now = standing();
+  msg::RobotState state;
+  state.name = config_.name;
+  state.mode = mode_of(now);
+  if (const std::optional<Estimate> estimate = navigator_->estimate(); estimate.has_value()) {
+    state.localised = !condition_.lost;
+    state.place = estimate->place;
+    state.place_from_robot = estimate->place_from_robot;
+    state.blind_m = estimate->blind_m;
+  }
+  state.speed_m_s = condition_.speed_m_s;
+  state.frame = condition_.frame;
+  state.experience = teach_.experience().value_or(ExperienceId{});
+  if (const std::optional<Route>& route = follow_.route(); route.has_value()) {
+    state.goal = route->goal;
+    state.route = route->id;
+    state.route_version = route->version;
+  }
+  state.window_revision = map_.window().revision;
+  state.window_digest = map_.replica().digest();
+  state.contents_missing = map_.contents().missing();
+  state.memory_bytes = map_.contents().bytes();
+  state.memory_cap_bytes = config_.content_cache_bytes;
+  state.reason = reason_of(now);
+  return state;
+}
+
+}  // namespace weft::agents
