@@ -44,8 +44,8 @@ TEST(TeachMission, IsRefusedByWhatTheRobotIsUpToAndLeavesNothingBehind) {
   stopped.stopped = true;
   struct Row {
     Condition condition;
-    bool has_route;
-    const char* reason;
+    bool has_route = false;
+    const char* reason = nullptr;
   };
   for (const Row& row : {Row{faulted, true, "out of order: no base"}, Row{stopped, true, "has a goal"},
                          Row{stopped, false, "is stopped"}}) {
