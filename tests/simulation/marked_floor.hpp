@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "agents/perception/view.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/random.hpp"
+#include "tests/support/marks.hpp"
 
 namespace weft::simulation {
 

@@ -72,7 +72,7 @@ TEST_F(BearingTest, WishesNoExposureWithoutKnowingWhatItWas) {
   view.exposure.reset();
   EXPECT_FALSE(method_.expose({}, view));
   view.exposure = Exposure{0.01, 1.0};
-  view.data = Marks{};
+  view.data = Payload{};
   EXPECT_FALSE(method_.expose({}, view));
 }
 
@@ -168,7 +168,7 @@ TEST_F(BearingTest, MotionIsThatOfWheelsOrElseOfTheCommand) {
 
 TEST_F(BearingTest, ViewsThatAreNoneAreNamed) {
   View view = lookout_.from({6.0, 6.0, 0.0});
-  view.data = Marks{};
+  view.data = Payload{};
   EXPECT_EQ(method_.extract({}, view).error().reason, "not_an_image");
   view.data = Image{10, 10, std::make_shared<const Bytes>(100, 0)};
   EXPECT_EQ(method_.extract({}, view).error().reason, "wrong_size");

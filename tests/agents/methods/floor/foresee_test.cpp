@@ -61,7 +61,7 @@ TEST_F(FloorForesee, WorseProspectsLeaveLessToFind) {
 
 TEST_F(FloorForesee, RefusesWhatIsNoImageOfItsCamera) {
   View marks;
-  marks.data = Marks{};
+  marks.data = Payload{};
   ASSERT_FALSE(method.foresee(marks, {}));
   EXPECT_EQ(method.foresee(marks, {}).error().reason, "not_an_image");
   View small;

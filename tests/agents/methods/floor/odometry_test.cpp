@@ -158,7 +158,7 @@ TEST_F(FloorObserve, ACroppedImageIsTheWrongSize) {
   EXPECT_EQ(method_.observe(odometry_, &view, wheels(0.01)).blind_reason, "wrong_size");
   view.data = Image{};
   EXPECT_EQ(method_.observe(odometry_, &view, wheels(0.01)).blind_reason, "wrong_size");
-  view.data = Marks{};
+  view.data = Payload{};
   EXPECT_EQ(method_.observe(odometry_, &view, wheels(0.01)).blind_reason, "not_an_image");
   EXPECT_EQ(method_.extract(odometry_, view).error().reason, "not_an_image");
 }
