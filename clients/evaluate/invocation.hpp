@@ -13,9 +13,9 @@
 #include "clients/evaluate/floor/relocalise/relocalise_study.hpp"
 #include "clients/evaluate/floor/replay.hpp"
 #include "clients/evaluate/floor/study.hpp"
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "clients/evaluate/heading/heading_study.hpp"
 #include "clients/evaluate/odometry/study.hpp"
-#include "clients/evaluate/generate/site_generator.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "clients/evaluate/generate/site_generator.hpp"
 #include "core/network/prune.hpp"
 #include "core/network/search.hpp"
-#include "clients/evaluate/generate/site_generator.hpp"
 #include "tests/support/network_maker.hpp"
 
 namespace weft {

@@ -48,7 +48,8 @@ Chart loops_chart(const Trial& trial, const Rows& rows, Seeds seeds) {
 
 /// One picture of charts; none of no charts.
 Result<void> draw(const std::string& title, const std::string& about, const std::vector<Chart>& charts,
-                  const std::filesystem::path& file, std::vector<std::string>& drawn, const charts::ChartSize& size = {}) {
+                  const std::filesystem::path& file, std::vector<std::string>& drawn,
+                  const charts::ChartSize& size = {}) {
   if (charts.empty()) return {};
   constexpr std::size_t columns = 3;
   const Result<void> written = draw_charts(title, about, charts, std::min(columns, charts.size()), file, size);
