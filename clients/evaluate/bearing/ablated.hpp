@@ -16,6 +16,7 @@ class Ablated {
  public:
   static constexpr std::string_view name = agents::Bearing::name;
   static constexpr std::uint32_t content_format = agents::Bearing::content_format;
+  static constexpr agents::ChartSize chart_size = agents::Bearing::chart_size;
   using Content = agents::Bearing::Content;
   using Odometry = agents::Bearing::Odometry;
   using Chart = agents::Bearing::Chart;
@@ -135,5 +136,6 @@ class Ablated {
   agents::Bearing whole_;
   Parts parts_;
 };
+static_assert(agents::Remembers<Ablated> && agents::SteersItself<Ablated> && agents::Exposes<Ablated>);
 
 }  // namespace weft::evaluate::bearing

@@ -188,7 +188,7 @@ TEST(AgentLoop, ABodyThatCannotBeToldHowToExposeDrivesOnAndThatIsSaidOnce) {
   EXPECT_EQ(bench.agent.frames.size(), 6U);
   int times = 0;
   for (const std::string& line : said->last_formatted())
-    times += line.find("body clockwork cannot be told how its camera forward exposes") != std::string::npos ? 1 : 0;
+    times += line.find("body clockwork cannot be told how its sensor forward exposes") != std::string::npos ? 1 : 0;
   EXPECT_EQ(times, 1);
 }
 
