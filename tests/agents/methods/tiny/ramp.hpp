@@ -40,8 +40,8 @@ struct StereoUp {
   static Image draw(const std::vector<std::pair<std::uint64_t, Eigen::Vector3d>>& marks, double aside_m) {
     Bytes pixels(static_cast<std::size_t>(side_px) * side_px, 0);
     for (const auto& [mark, at] : marks) {
-      const double down = side_px / 2 + focal_px * at.x() / at.z();
-      const double right = side_px / 2 + focal_px * (at.y() - aside_m) / at.z();
+      const double down = 0.5 * side_px + focal_px * at.x() / at.z();
+      const double right = 0.5 * side_px + focal_px * (at.y() - aside_m) / at.z();
       if (down < 0.0 || down >= side_px || right < 0.0 || right + 4.0 >= side_px) continue;
       const auto row = static_cast<std::size_t>(down);
       const auto column = static_cast<std::size_t>(right);

@@ -130,8 +130,10 @@ class RampStereo {
       if (pixels[i] == 0) continue;
       const auto width = static_cast<std::size_t>(image.width);
       const std::uint64_t mark = std::uint64_t{255} * (pixels[i] - 1U) + pixels[i + 1] - 1U;
-      found[mark] = {static_cast<double>(i / width) + within(i + 2) - image.height / 2.0,
-                     static_cast<double>(i % width) + within(i + 3) - image.width / 2.0};
+      const std::size_t row = i / width;
+      const std::size_t column = i % width;
+      found[mark] = {static_cast<double>(row) + within(i + 2) - 0.5 * image.height,
+                     static_cast<double>(column) + within(i + 3) - 0.5 * image.width};
       i += 3;
     }
     return found;
