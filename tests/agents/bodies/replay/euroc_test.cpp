@@ -74,8 +74,8 @@ TEST_F(Euroc, ADamagedImageIsDroppedAndNamed) {
   config.warn = [&](const std::string& text) { warnings += text; };
   auto body = make_replay_body(config);
   ASSERT_TRUE(body);
-  EXPECT_TRUE((*body)->step({})->views.size());
-  EXPECT_FALSE((*body)->step({})->views.size());
+  EXPECT_FALSE((*body)->step({})->views.empty());
+  EXPECT_TRUE((*body)->step({})->views.empty());
   EXPECT_THAT(warnings, testing::HasSubstr("1403636584813555456.png"));
 }
 

@@ -92,12 +92,12 @@ TEST_F(Recording, GivesItsSensorsCalibration) {
 TEST_F(Recording, ADamagedImageIsADroppedFrameAndNamed) {
   std::ofstream(camera() / "data" / "b.png") << "not a picture";
   auto body = open();
-  EXPECT_TRUE((*body)->step({})->views.size());
+  EXPECT_FALSE((*body)->step({})->views.empty());
   const auto sample = (*body)->step({});
   ASSERT_TRUE(sample);
   EXPECT_TRUE(sample->views.empty());
   EXPECT_THAT(warnings_, HasSubstr("b.png"));
-  EXPECT_TRUE((*body)->step({})->views.size());
+  EXPECT_FALSE((*body)->step({})->views.empty());
   const auto over = (*body)->step({});
   ASSERT_FALSE(over);
   EXPECT_EQ(over.error().code, ErrorCode::corrupt);
@@ -112,14 +112,14 @@ TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
   fs::resize_file(path, fs::file_size(path) / 2);
   auto body = open();
   (void)(*body)->step({});
-  EXPECT_FALSE((*body)->step({})->views.size());
+  EXPECT_TRUE((*body)->step({})->views.empty());
   EXPECT_THAT(warnings_, HasSubstr("b.png"));
 }
 
 TEST_F(Recording, AnImageOfAnotherSizeIsADroppedFrame) {
   cv::imwrite((camera() / "data" / "a.png").string(), cv::Mat(10, 10, CV_8U, cv::Scalar(1)));
   auto body = open();
-  EXPECT_FALSE((*body)->step({})->views.size());
+  EXPECT_TRUE((*body)->step({})->views.empty());
   EXPECT_THAT(warnings_, HasSubstr("10 x 10"));
 }
 
