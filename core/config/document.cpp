@@ -24,7 +24,8 @@ std::string shorten(std::string text) {
 }  // namespace
 
 void Table::Document::refuse(std::size_t line, const std::string& text) {
-  if (readable) issues.push_back({line, text});
+  const auto same = [&](const Issue& issue) { return issue.line == line && issue.text == text; };
+  if (readable && std::none_of(issues.begin(), issues.end(), same)) issues.push_back({line, text});
 }
 
 void Table::Document::set(const std::string& path, std::string value, bool is_default) {

@@ -22,6 +22,7 @@ struct Table::Document {
   std::set<std::string> asked;
   std::vector<Setting> settings;
 
+  /// Notes what is wrong, once however often a table is read.
   void refuse(std::size_t line, const std::string& text);
   /// Notes that the key is known; a setting is listed once.
   void ask(const std::string& path) { asked.insert(path); }

@@ -99,7 +99,7 @@ class NavigatedRobot {
   bool blind = false;              ///< its frames are dropped
   bool dark = false;               ///< they show nothing
   std::optional<Pose2> elsewhere;  ///< they show what is seen from there
-  /// What other sensors see instead or as well; none: it sees marks.
+  /// Changes what a sample shows to what other sensors see; none: it sees marks.
   std::function<void(agents::Sample&, const Pose2& world_from_robot)> looks;
   std::map<std::string, int> refusals;
 

@@ -35,7 +35,7 @@ Box rack(std::string name, double y) {
   return {Box::Kind::rack, std::move(name), {kCrossM + 0.5 * kRackM, y, 0.0}, kRackM, kDeepM, kHighM};
 }
 
-/// What a rack holds follows from its name.
+/// Names a rack; what it holds follows from its name.
 std::string name_of_rack(const char* side, std::size_t aisle, bool is_alike) {
   return std::string(side) + (is_alike ? "" : " " + std::to_string(aisle));
 }

@@ -9,7 +9,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// What the racks of a hall's aisles hold. Their steel, their spacing and the lamps are the same in every aisle.
+/// Says which loads the racks of a hall's aisles hold. Their steel, their spacing and the lamps are the same in every aisle.
 enum class Loads : std::uint8_t {
   other,     ///< each rack its own
   one_side,  ///< what a robot has on its right is the same in every aisle
@@ -23,7 +23,7 @@ struct Aisles {
 
   std::size_t left_out = 0;  ///< the aisle that nobody teaches
   std::vector<std::size_t> taught() const;
-  /// What robots are led along while it is taught: from before the racks nearly to their end.
+  /// Returns the line that robots are led along while it is taught: from before the racks nearly to their end.
   std::vector<agents::SitePoint> line(std::size_t aisle) const;
 };
 
@@ -33,7 +33,7 @@ Aisles aisles_like(const agents::sim::Site& like, Loads loads, std::uint64_t see
 /// How far a robot is led until it is to know where it is.
 inline constexpr double kLedM = 2.0;
 
-/// Where a robot is put down, and along what it is led.
+/// Says where a robot is put down, and along what it is led.
 struct PutDown {
   Pose2 site_from_robot;
   std::vector<agents::SitePoint> way;

@@ -27,7 +27,7 @@ const std::vector<LookAlikes>& look_alikes();
 /// "other-loads", "one-side", "same-loads".
 const char* name_of(Loads loads);
 
-/// What the hall is like on the day when a robot is put down.
+/// Changes the hall to that of the day when a robot is put down.
 struct OtherLight {
   std::string name;
   std::function<void(agents::sim::Site&)> as;

@@ -11,7 +11,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// What robots were taught of a hall, with its truth: for judging, nobody else sees it.
+/// Holds what robots were taught of a hall, with its truth: for judging, nobody else sees it.
 struct TaughtAisles {
   TaughtMap map;
   std::map<PlaceId, Pose2> site_from_place;
@@ -20,7 +20,7 @@ struct TaughtAisles {
 /// One run for each aisle but the one that is left out, by one robot. None: stopped.
 Result<std::optional<TaughtAisles>> teach(const Drive& drive, const Aisles& aisles);
 
-/// What came of one robot that was put down and led.
+/// Records one robot that was put down and led.
 struct Led {
   Pose2 site_from_robot;          ///< where it was put down
   std::optional<double> found_m;  ///< led so far until it believed to know where it is; none: it never did

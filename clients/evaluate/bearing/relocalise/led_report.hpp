@@ -9,7 +9,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// What came of a kind's trials in a light.
+/// Sums up a kind's trials in a light.
 struct LedGroup {
   const LookAlikes* kind = nullptr;
   std::string light;

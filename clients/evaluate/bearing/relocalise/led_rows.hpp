@@ -21,7 +21,7 @@ struct LedKey {
     return std::tie(kind, light, seed) < std::tie(other.kind, other.light, other.seed);
   }
 };
-/// What was measured.
+/// Holds what was measured.
 struct LedRows {
   std::map<LedKey, std::vector<Led>> trials;                     ///< of each, in the order in which they were driven
   std::map<std::pair<std::string, std::uint64_t>, Pairs> pairs;  ///< of each hall, by what it holds and its seed

@@ -46,6 +46,29 @@ TEST(AgentOptions, FlagsAndDefaults) {
   EXPECT_EQ(options->listen, "127.0.0.1");
 }
 
+TEST(AgentOptions, AMethodsOwnNavigationWinsOverThatOfAll) {
+  const Folder folder;
+  const std::string file =
+      folder.write("a.toml", "[navigation.follow]\nspeed_m_s = 0.4\n[bearing.navigation.follow]\nspeed_m_s = 0.3\n");
+  const auto result = parsed(with({"--config", file}));
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(options->navigation.follow.speed_m_s, 0.4);
+  EXPECT_EQ(std::get<Configured<Floor>>(options->settings).navigation.follow.speed_m_s, 0.4);
+  EXPECT_EQ(std::get<Configured<Bearing>>(options->settings).navigation.follow.speed_m_s, 0.3);
+}
+
+TEST(AgentOptions, AWrongSettingOfAllMethodsIsNamedOnce) {
+  const Folder folder;
+  const std::string file = folder.write("a.toml", "[navigation.follow]\nspeed_m_s = 9\n");
+  const auto result = parsed(with({"--config", file}));
+  const auto* const left = std::get_if<Leave>(&result);
+  ASSERT_NE(left, nullptr);
+  const std::size_t first = left->text.find("speed_m_s = 9");
+  ASSERT_NE(first, std::string::npos) << left->text;
+  EXPECT_EQ(left->text.find("speed_m_s = 9", first + 1), std::string::npos) << left->text;
+}
+
 TEST(AgentOptions, FlagWinsOverFile) {
   const Folder folder;
   const std::string file = folder.write("a.toml", "name = \"r9\"\nday = 4\nwindow_hops = 9\n[floor]\ncorners = 99\n");

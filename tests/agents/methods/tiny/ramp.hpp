@@ -17,7 +17,7 @@ struct Ramp {
   static double share(double x) { return std::clamp((x - from_x) / (to_x - from_x), 0.0, 1.0); }
   static double z(double x) { return rise_m * share(x) * share(x) * (3.0 - 2.0 * share(x)); }
   static double slope(double x) { return rise_m * 6.0 * share(x) * (1.0 - share(x)) / (to_x - from_x); }
-  /// Where a robot stands whose pose on the plan is this.
+  /// Returns the pose in space of a robot whose pose on the plan is this.
   static Pose3 world_from_robot(const Pose2& plan) {
     const Eigen::Vector3d up = Eigen::Vector3d(-slope(plan.x), 0.0, 1.0).normalized();
     const Eigen::Vector3d heading(std::cos(plan.heading), std::sin(plan.heading), 0.0);
