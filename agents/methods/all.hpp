@@ -27,12 +27,6 @@ concept SignsBytes = requires(ByteView bytes) {
   { M::sign_bytes(bytes) } -> std::same_as<std::optional<Signature>>;
 };
 
-/// A method that wants other settings of navigation than most: TOML, as a table [navigation] has them.
-template <class M>
-concept HasNavigationDefaults = requires {
-  { M::navigation_defaults } -> std::convertible_to<std::string_view>;
-};
-
 template <Runnable... M>
 struct MethodList {
   static constexpr std::array<std::string_view, sizeof...(M)> names = {M::name...};
