@@ -15,7 +15,7 @@
 
 namespace weft::agents {
 
-/// What the choice of the window depends on, besides the map.
+/// Holds all that the choice of the window depends on, besides the map.
 struct MapContext {
   Navigator& navigator;
   const std::optional<Route>& route;

@@ -6,7 +6,7 @@
 
 namespace weft::agents {
 namespace {
-/// What one drive has learned is one revision, which can be undone as one; a long drive makes several.
+/// Makes one revision of all that one drive has learned, which can be undone as one; a long drive makes several.
 constexpr std::size_t kPlacesAtOnce = 500;
 }  // namespace
 

@@ -40,7 +40,7 @@ class Proposals {
   /// Returns `present` without what it has for the sake of the proposed places, except these places themselves.
   WindowDefinition usual(WindowDefinition present, const std::optional<Route>& route) const;
 
-  /// What the choice between the two kinds of window depends on.
+  /// Holds all that the choice between the two kinds of window depends on.
   struct Held {
     std::size_t places = 0;        ///< of the present window
     bool knows_something = false;  ///< where the robot is, or which run it is being taught

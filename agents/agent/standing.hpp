@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// What decides the robot's mode and the reason that it gives for it.
+/// Decides the robot's mode and the reason that it gives for it.
 struct Standing {
   const Condition& condition;
   const RouteTask& task;

@@ -26,7 +26,7 @@ class StateReporter {
   SteadyTime next() const;
 
  private:
-  /// What a change matters of.
+  /// Holds the fields of which a change matters.
   struct Shown {
     msg::RobotMode mode{};
     bool localised = false;

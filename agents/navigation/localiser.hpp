@@ -318,8 +318,8 @@ class Localiser {
     return true;
   }
 
-  /// Where a robot seems to stand may not be the only place that looks so: the view that told so is held against all
-  /// others first. True when this sample is done.
+  /// Holds the view by which a robot seems to stand somewhere against all other places first, as another one may look
+  /// the same. Returns whether this sample is done.
   bool is_in_doubt(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, std::uint32_t& tries,
                    Outcome& outcome) {
     if constexpr (ComparesRivals<M>) {
@@ -333,8 +333,8 @@ class Localiser {
     return false;
   }
 
-  /// What was found stays as it is where the places around do not tell more, unless the method doubts. False: it is
-  /// not to be believed.
+  /// Improves what was found by the places around. Where they do not tell more it stays as it is, or, of a method
+  /// that compares rivals, is not to be believed: returns false.
   bool settles(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
                Outcome& outcome) {
     if constexpr (ChartsItself<M>) {

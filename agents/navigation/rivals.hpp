@@ -87,7 +87,7 @@ class Rivals {
   std::uint32_t waited_ = 0;
 };
 
-/// For methods that never doubt.
+/// Stands in for methods that do not compare rivals.
 struct NoRivals {
   template <class M>
   explicit NoRivals(const M&) {}

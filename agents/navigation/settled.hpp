@@ -5,10 +5,10 @@
 
 namespace weft::agents {
 
-/// Where a robot stands that has found itself about `found`: two contents that look alike anywhere say little of how
-/// far along a path it is, the places around say more, now and not only on the way. A method that doubts has to find
-/// the view in the nearest place itself, too. Refused: as `locate` and `relate` do; "not_joined", "settles_elsewhere"
-/// (metres from what was found, and their bound).
+/// Returns where a robot stands that has found itself about `found`: two contents that look alike anywhere say little
+/// of how far along a path it is, the places around say more, now and not only on the way. A method that compares
+/// rivals has to find the view in the nearest place itself, too. Refused: as `locate` and `relate` do; "not_joined",
+/// "settles_elsewhere" (metres from what was found, and their bound).
 template <ChartsItself M>
 OrRefusal<Fix> settled(const M& method, const NavigationConfig& config, const Window& map, const Contents& bytes,
                        DecodedContents<M>& decoded, const Estimate& found, const typename M::Content& seen) {

@@ -32,7 +32,7 @@ struct Sensor {
   Gaze gaze() const { return gaze_of(camera); }
 };
 
-/// All that a body looks with.
+/// Holds all that a body looks with.
 struct Rig {
   std::vector<Sensor> sensors;
 
@@ -44,7 +44,7 @@ struct Rig {
 /// Returns a rig of one camera, whose id is also the sensor's.
 Rig rig_of(CameraModel camera);
 
-/// What a method looks through.
+/// States which sensors a method looks through.
 struct SensorNeed {
   SensorKind kind = SensorKind::camera;
   Gaze gaze = Gaze::down;

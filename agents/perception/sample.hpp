@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// One tick of a body: what has moved since the last one, and a view of each sensor that fired.
+/// Holds one tick of a body: what has moved since the last one, and a view of each sensor that fired.
 struct Sample {
   std::uint64_t frame = 0;
   SensorTime time{};

@@ -24,7 +24,7 @@ struct StereoPair {
   Image right;
 };
 
-/// What a sensor of a test tells: bytes that only the test's own method reads.
+/// Carries what a sensor of a test tells: bytes that only the test's own method reads.
 struct Payload {
   std::shared_ptr<const Bytes> bytes;
 };

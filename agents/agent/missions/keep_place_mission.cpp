@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kPlaceAtMost = 15s;
-/// As near as this, a label on an existing place means here.
+/// Bounds how far an existing place may be for a label on it to mean here.
 constexpr double kHereM = 0.05;
 constexpr double kHereRad = 3.0 * std::numbers::pi / 180.0;
 

@@ -24,7 +24,7 @@ class LocaliseMission {
 
   /// Looks around the seed, or without one in all of the map. Ends an earlier search; the caller asks for the map.
   void start(const CommandKey& asked_by, const std::optional<PlaceId>& seed, SteadyTime now);
-  /// What a search of its own accord begins with.
+  /// Holds all that a search of its own accord begins with.
   enum class Begun {
     nothing,  ///< none is due
     anew,     ///< it does not know where it is: the caller asks for the map

@@ -11,8 +11,8 @@
 
 namespace weft::agents {
 
-/// What comes between the command to teach and the first place: the map around the seed, the first fix there, and the
-/// hand's word whether it can drive what is asked of it. Each of the three only where there is a seed or a line.
+/// Prepares a run between the command to teach and the first place: the map around the seed, the first fix there, and
+/// the hand's word whether it can drive what is asked of it. Each of the three only where there is a seed or a line.
 class TeachPreparation {
  public:
   struct Uses {

@@ -77,7 +77,7 @@ class RobotAgent final : public Agent {
   void watch_lift(const Fix& fix);
   void move_window(SteadyTime now);
 
-  // What goes on without a message or a sample, and what goes out (robot_agent.cpp).
+  // Work without a message or a sample, and sending (robot_agent.cpp).
   void work(SteadyTime now);
   void search_if_due(SteadyTime now);
   void send_due(SteadyTime now);
@@ -85,7 +85,7 @@ class RobotAgent final : public Agent {
   bool may_drive() const { return !condition_.stopped && !condition_.is_faulted() && !teach_.is_active(); }
   MapContext map_context() { return {*navigator_, follow_.route(), teach_.experience()}; }
 
-  // What is said of oneself (robot_agent_state.cpp).
+  // Reports of its own state (robot_agent_state.cpp).
   Standing standing() const;
   msg::RobotState state() const;
 

@@ -68,7 +68,7 @@ class Floor {
   using Config = FloorConfig;
   static constexpr SensorNeed needs = {SensorKind::camera, Gaze::down, 1};
   static FloorConfig read_config(const config::Table& table) { return read_floor_config(table); }
-  /// What `sign` gives, of a content's bytes; none: they are no content, or give no signature.
+  /// Returns what `sign` gives, of a content's bytes; none: they are no content, or give no signature.
   static std::optional<Signature> sign_bytes(ByteView bytes) {
     const Result<FloorContent> content = decode_floor_content(bytes);
     return content ? sign_floor_content(*content) : std::nullopt;

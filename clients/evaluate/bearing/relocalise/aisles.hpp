@@ -9,7 +9,8 @@
 
 namespace weft::evaluate::bearing {
 
-/// Says which loads the racks of a hall's aisles hold. Their steel, their spacing and the lamps are the same in every aisle.
+/// Says which loads the racks of a hall's aisles hold. Their steel, their spacing and the lamps are the same in every
+/// aisle.
 enum class Loads : std::uint8_t {
   other,     ///< each rack its own
   one_side,  ///< what a robot has on its right is the same in every aisle
