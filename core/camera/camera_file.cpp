@@ -83,6 +83,10 @@ Result<CameraFile> read_chain(CameraKeys& keys, const std::string& which) {
   CameraKeys camera_keys(*node, keys.file());
   CameraFile out;
   out.camera = read_euroc(camera_keys, "distortion_coeffs");
+  if (const std::optional<YAML::Node> before = camera_keys.take("T_cn_cnm1")) {
+    const std::optional<Pose3> camera_from_previous = read_mount(camera_keys, *before, "T_cn_cnm1");
+    if (camera_from_previous) out.camera.previous_from_camera = camera_from_previous->inverse();
+  }
   keys.adopt(camera_keys);
   if (!keys.ok()) return fail(keys.error());
   out.not_understood = camera_keys.left_over();

@@ -46,6 +46,8 @@ struct CameraCalibration {
   std::array<double, 5> distortion{};     ///< in the lens model's order; what it does not have is 0
   std::array<double, 3> divisor{};        ///< k4 k5 k6 of a rational lens
   std::optional<Pose3> body_from_camera;  ///< none: the file does not say how the camera is mounted
+  /// Of Kalibr's chain: where it is beside the camera before it; none: it is the first, or the file does not say.
+  std::optional<Pose3> previous_from_camera = {};
   CalibrationSigma sigma;
 };
 

@@ -31,6 +31,16 @@ std::vector<double> read_matrix(CameraKeys& keys, const YAML::Node& node, std::s
                                 std::size_t columns, double most) {
   const std::string name(key);
   const std::size_t size = rows * columns;
+  if (node.IsSequence()) {  // rows, as Kalibr writes them
+    std::vector<double> values;
+    for (const YAML::Node& row : node) {
+      const std::vector<double> cells = keys.numbers(row, key, columns, columns, -most, most);
+      values.insert(values.end(), cells.begin(), cells.end());
+    }
+    if (node.size() != rows) keys.wrong(node, name + " must have " + std::to_string(rows) + " rows");
+    values.resize(size, 0.0);
+    return values;
+  }
   CameraKeys parts(node, keys.file());
   const std::optional<YAML::Node> data = parts.need("data");
   std::vector<double> values(size, 0.0);

@@ -25,7 +25,7 @@ void set_intrinsics(CameraKeys& keys, const YAML::Node& node, std::string_view k
 void read_lens(CameraKeys& keys, const std::string& model, const YAML::Node& coefficients, std::string_view key,
                CameraCalibration& camera);
 
-/// A matrix, row by row, as EuRoC and ROS write it: rows, cols, data.
+/// Takes a matrix, row by row: with rows, cols and data, as EuRoC and ROS write it, or as a list of rows (Kalibr).
 std::vector<double> read_matrix(CameraKeys& keys, const YAML::Node& node, std::string_view key, std::size_t rows,
                                 std::size_t columns, double most);
 

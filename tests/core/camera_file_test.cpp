@@ -41,6 +41,11 @@ cam1:
   - [0.0, 1.0, 0.0, 0.0]
   - [0.0, 0.0, 1.0, 0.0]
   - [0.0, 0.0, 0.0, 1.0]
+  T_cn_cnm1:
+  - [1.0, 0.0, 0.0, -0.11]
+  - [0.0, 1.0, 0.0, 0.0]
+  - [0.0, 0.0, 1.0, 0.0]
+  - [0.0, 0.0, 0.0, 1.0]
   camera_model: pinhole
   distortion_coeffs: [0.1, 0.01, 0.001, 0.0001]
   distortion_model: radtan
@@ -103,7 +108,14 @@ TEST(CameraFile, ACameraOfKalibrsChainIsRead) {
   ASSERT_TRUE(second);
   EXPECT_EQ(second->camera.width, 640);
   EXPECT_FALSE(second->camera.body_from_camera);  // an IMU's is not the robot's
-  EXPECT_THAT(second->not_understood, ElementsAre("chain.yaml:10: T_cam_imu", "chain.yaml:20: timeshift_cam_imu"));
+  EXPECT_THAT(second->not_understood, ElementsAre("chain.yaml:10: T_cam_imu", "chain.yaml:25: timeshift_cam_imu"));
+  EXPECT_FALSE(first->camera.previous_from_camera);
+  ASSERT_TRUE(second->camera.previous_from_camera);
+  EXPECT_NEAR(second->camera.previous_from_camera->translation.x(), 0.11, 1e-12) << "to the right of the first";
+  std::string short_of_a_row = kChain;
+  short_of_a_row.replace(short_of_a_row.find("  - [1.0, 0.0, 0.0, -0.11]\n"), 27, "");
+  EXPECT_THAT(parse_camera_file(short_of_a_row, "chain.yaml", "cam1").error().message,
+              HasSubstr("T_cn_cnm1 must have 4 rows"));
   EXPECT_THAT(parse_camera_file(kChain, "chain.yaml", "cam2").error().message, HasSubstr("it has cam0, cam1"));
 }
 
