@@ -77,7 +77,8 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
   config.camera = options.camera;
   config.warn = warn;
   if (options.calibration.has_value()) {
-    const Result<CameraFile> file = read_camera_file(*options.calibration, options.camera);
+    const std::string first = options.camera.substr(0, options.camera.find_first_of("+,"));
+    const Result<CameraFile> file = read_camera_file(*options.calibration, first);
     if (!file) return fail(file.error());
     config.robot_from_camera = file->camera.body_from_camera;
   }
@@ -87,24 +88,49 @@ Result<std::unique_ptr<Body>> make_body(const Options& options, const std::funct
 
 namespace {
 
-/// What is known of the camera that the body tells of.
-Result<CameraModel> calibrated(const Options& options, CameraModel told,
-                               const std::function<void(const std::string&)>& warn) {
-  if (options.mount.has_value()) told.robot_from_camera = *options.mount;
-  if (!options.calibration.has_value()) return told;
-  const std::string& name = *options.calibration;
-  const Result<CameraFile> file = read_camera_file(name, options.camera);
+/// Returns a camera of the calibration file of the options instead of `told`, which it has to fit. What else the
+/// file holds is warned of.
+Result<CameraCalibration> calibration_of(const Options& options, const std::string& name, const CameraModel& told,
+                                         const std::function<void(const std::string&)>& warn) {
+  const std::string& path = *options.calibration;
+  const Result<CameraFile> file = read_camera_file(path, name);
   if (!file) return fail(file.error());
   for (const std::string& part : file->not_understood) warn(part + " is not understood and not used");
-  if (file->camera.width != told.width || file->camera.height != told.height) {
-    const auto size = [](int width, int height) { return std::to_string(width) + " x " + std::to_string(height); };
-    return fail(ErrorCode::invalid, name + ": is of a camera with " + size(file->camera.width, file->camera.height) +
-                                        " pixels, the body's has " + size(told.width, told.height) +
-                                        "; calibrate at the size that is driven with");
+  if (file->camera.width == told.width && file->camera.height == told.height) return file->camera;
+  const auto size = [](int width, int height) { return std::to_string(width) + " x " + std::to_string(height); };
+  return fail(ErrorCode::invalid, path + ": is of a camera with " + size(file->camera.width, file->camera.height) +
+                                      " pixels, the body's has " + size(told.width, told.height) +
+                                      "; calibrate at the size that is driven with");
+}
+
+/// Returns what is known of the sensor that the body tells of. Of a stereo sensor the file holds both halves, by the
+/// names of --camera (cam0+cam1): the right one where its own mount says, or its place beside the one before it in a
+/// chain, or else where the body has it beside the left one.
+Result<Sensor> calibrated(const Options& options, Sensor told, const std::function<void(const std::string&)>& warn) {
+  const Pose3 left_from_right =
+      told.right ? told.camera.robot_from_camera.inverse() * told.right->robot_from_camera : Pose3{};
+  const std::size_t plus = told.right ? options.camera.find('+') : std::string::npos;
+  if (options.calibration) {
+    const Result<CameraCalibration> left = calibration_of(options, options.camera.substr(0, plus), told.camera, warn);
+    if (!left) return fail(left.error());
+    told.camera = camera_model_from(*left, told.camera.id, told.camera.robot_from_camera);
   }
-  CameraModel camera = camera_model_from(file->camera, told.id, told.robot_from_camera);
-  if (options.mount.has_value()) camera.robot_from_camera = *options.mount;
-  return camera;
+  if (options.mount) told.camera.robot_from_camera = *options.mount;
+  if (!told.right) return told;
+  Pose3 beside = left_from_right;
+  if (options.calibration && plus != std::string::npos) {
+    const Result<CameraCalibration> right =
+        calibration_of(options, options.camera.substr(plus + 1), *told.right, warn);
+    if (!right) return fail(right.error());
+    told.right = camera_model_from(*right, told.right->id, {});
+    if (right->previous_from_camera) beside = *right->previous_from_camera;
+    if (right->body_from_camera && !options.mount) {
+      told.right->robot_from_camera = *right->body_from_camera;
+      return told;
+    }
+  }
+  told.right->robot_from_camera = told.camera.robot_from_camera * beside;
+  return told;
 }
 
 }  // namespace
@@ -118,9 +144,9 @@ Result<std::vector<Equipped>> equip(const Options& options, const Body& body,
     if (!rig) return fail(rig.error());
     for (const Sensor& sensor : rig->sensors) taken.push_back(sensor.id);
     if (all.empty()) {
-      const Result<CameraModel> camera = calibrated(options, rig->camera(), warn);
-      if (!camera) return fail(camera.error());
-      rig->sensors.front().camera = *camera;
+      Result<Sensor> sensor = calibrated(options, rig->sensors.front(), warn);
+      if (!sensor) return fail(sensor.error());
+      rig->sensors.front() = std::move(*sensor);
     }
     all.push_back({method, std::move(*rig)});
   }

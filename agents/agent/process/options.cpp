@@ -43,7 +43,9 @@ constexpr std::array kFlags = {
     Flag{"hall", Kind::text, "sim: folder of photographs of what stands in the hall, for cameras that look ahead"},
     Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended"},
     Flag{"recording", Kind::text, "replay: folder in EuRoC layout"},
-    Flag{"camera", Kind::text, "Which camera of a recording, or of a --calibration that has several [cam0]"},
+    Flag{"camera", Kind::text,
+         "Which camera of a recording, or of a --calibration that has several: cam0; of a recording also several, "
+         "cam0,cam1, or a stereo pair, cam0+cam1 [cam0]"},
     Flag{"calibration", Kind::text,
          "Camera file, as `weft calibrate` writes it, EuRoC's, Kalibr's or ROS's; replaces the body's"},
     Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},

@@ -1,12 +1,14 @@
 #include "agents/bodies/replay/replay_body.hpp"
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
+#include <utility>
 
+#include "agents/bodies/replay/recorded_sensors.hpp"
 #include "agents/bodies/replay/recording.hpp"
+#include "agents/bodies/replay/text_file.hpp"
 
 namespace weft::agents::replay {
 namespace {
@@ -15,50 +17,51 @@ namespace fs = std::filesystem;
 
 class ReplayBody final : public Body {
  public:
-  ReplayBody(const ReplayBodyConfig& config, fs::path images_dir, std::vector<RecordedImage> images,
-             std::vector<RecordedWheels> wheels, CameraModel camera)
-      : config_(config),
-        images_dir_(std::move(images_dir)),
-        images_(std::move(images)),
-        wheels_(std::move(wheels)),
-        camera_(std::move(camera)) {}
+  ReplayBody(const ReplayBodyConfig& config, std::vector<RecordedSensor> sensors, std::vector<RecordedWheels> wheels)
+      : config_(config), sensors_(std::move(sensors)), wheels_(std::move(wheels)), next_(sensors_.size(), 0) {}
 
   Result<Sample> step(const Twist& command) override;
   Result<void> drive_by_hand(const std::vector<SitePoint>& along) override;
   void stop_hand() override {}
-  Rig rig() const override { return {{{config_.camera, SensorKind::camera, camera_}}}; }
+  Rig rig() const override {
+    Rig rig;
+    for (const RecordedSensor& one : sensors_) rig.sensors.push_back(one.sensor);
+    return rig;
+  }
   std::string kind() const override { return "replay"; }
 
  private:
-  /// Nothing when the file is missing, damaged or of another size.
-  std::optional<Image> read(const fs::path& path) const;
+  /// Returns the time of the next image; none: the recording is over.
+  std::optional<SensorTime> next_time() const;
+  Error over() const;
+  /// Returns what the sensor saw then; none, with a warning: a file is missing, damaged or of another size.
+  std::optional<View> look(const Sensor& sensor, const Shot& shot) const;
+  std::optional<Image> read(const std::string& path, const CameraModel& camera) const;
 
   ReplayBodyConfig config_;
-  fs::path images_dir_;
-  std::vector<RecordedImage> images_;
+  std::vector<RecordedSensor> sensors_;
   std::vector<RecordedWheels> wheels_;
-  CameraModel camera_;
-  std::size_t next_ = 0;
+  std::vector<std::size_t> next_;  // shot of each sensor
+  std::optional<SensorTime> last_;
+  std::uint64_t frame_ = 0;
   std::size_t dropped_ = 0;
 };
 
-std::optional<Image> ReplayBody::read(const fs::path& path) const {
+std::optional<Image> ReplayBody::read(const std::string& path, const CameraModel& camera) const {
   cv::Mat grey;
   std::string reason = "missing or damaged";
   try {
-    grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+    grey = cv::imread(path, cv::IMREAD_GRAYSCALE);
   } catch (const cv::Exception& error) {
     reason = error.err;
   }
-  if (!grey.empty() && (grey.cols != camera_.width || grey.rows != camera_.height)) {
-    reason = "is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) + " pixels, sensor.yaml says " +
-             std::to_string(camera_.width) + " x " + std::to_string(camera_.height);
+  if (!grey.empty() && (grey.cols != camera.width || grey.rows != camera.height)) {
+    reason = "is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
+             " pixels, its calibration says " + std::to_string(camera.width) + " x " + std::to_string(camera.height);
     grey.release();
   }
   if (grey.empty()) {
-    if (config_.warn) {
-      config_.warn(path.string() + ": " + reason + "; the frame is dropped");
-    }
+    if (config_.warn) config_.warn(path + ": " + reason + "; the frame is dropped");
     return std::nullopt;
   }
   auto pixels = std::make_shared<Bytes>();
@@ -66,30 +69,68 @@ std::optional<Image> ReplayBody::read(const fs::path& path) const {
   return Image{grey.cols, grey.rows, std::move(pixels)};
 }
 
-Result<Sample> ReplayBody::step(const Twist& /*command*/) {
-  if (next_ == images_.size()) {
-    const std::string over =
-        config_.folder + ": recording is over after " + std::to_string(images_.size()) + " images";
-    if (dropped_ == 0) return fail(ErrorCode::unavailable, over);
-    return fail(ErrorCode::corrupt, over + ", " + std::to_string(dropped_) +
-                                        " of them dropped as they could not be read or had the wrong size");
-  }
-  const RecordedImage& recorded = images_[next_];
-  Sample sample;
-  sample.time = recorded.time;
-  sample.motion.elapsed = next_ == 0 ? Duration{} : recorded.time - images_[next_ - 1].time;
-  if (next_ > 0) sample.motion.wheels = wheels_between(wheels_, images_[next_ - 1].time, recorded.time);
-  sample.frame = ++next_;
-  if (auto image = read(images_dir_ / recorded.file)) {
-    View view;
-    view.frame = sample.frame;
-    view.time = sample.time;
-    view.sensor = config_.camera;
-    view.calibration = camera_.id;
+std::optional<View> ReplayBody::look(const Sensor& sensor, const Shot& shot) const {
+  View view;
+  view.frame = frame_;
+  view.time = shot.time;
+  view.sensor = sensor.id;
+  view.calibration = sensor.camera.id;
+  if (sensor.kind == SensorKind::camera) {
+    std::optional<Image> image = read(shot.left, sensor.camera);
+    if (!image) return std::nullopt;
     view.data = std::move(*image);
-    sample.views.push_back(std::move(view));
-  } else {
-    ++dropped_;
+    return view;
+  }
+  if (shot.left.empty() || shot.right.empty()) {
+    if (config_.warn)
+      config_.warn(shot.left + shot.right + ": its other half of " + sensor.id +
+                   " was not recorded within a millisecond; the pair is dropped");
+    return std::nullopt;
+  }
+  std::optional<Image> left = read(shot.left, sensor.camera);
+  std::optional<Image> right = read(shot.right, *sensor.right);
+  if (!left || !right) return std::nullopt;
+  view.data = StereoPair{std::move(*left), std::move(*right)};
+  return view;
+}
+
+std::optional<SensorTime> ReplayBody::next_time() const {
+  std::optional<SensorTime> next;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    if (next_[i] == sensors_[i].shots.size()) continue;
+    const SensorTime time = sensors_[i].shots[next_[i]].time;
+    if (!next || time < *next) next = time;
+  }
+  return next;
+}
+
+Error ReplayBody::over() const {
+  std::size_t images = 0;
+  for (const RecordedSensor& one : sensors_) images += one.shots.size();
+  const std::string over = config_.folder + ": recording is over after " + std::to_string(images) + " images";
+  if (dropped_ == 0) return {ErrorCode::unavailable, over};
+  return {ErrorCode::corrupt, over + ", " + std::to_string(dropped_) +
+                                  " of them dropped as they could not be read or had the wrong size"};
+}
+
+Result<Sample> ReplayBody::step(const Twist& /*command*/) {
+  constexpr Duration together = std::chrono::milliseconds(1);
+  const std::optional<SensorTime> now = next_time();
+  if (!now) return tl::unexpected(over());
+  Sample sample;
+  sample.time = *now;
+  sample.frame = ++frame_;
+  sample.motion.elapsed = last_ ? *now - *last_ : Duration{};
+  if (last_) sample.motion.wheels = wheels_between(wheels_, *last_, *now);
+  last_ = now;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const std::vector<Shot>& shots = sensors_[i].shots;
+    if (next_[i] == shots.size() || shots[next_[i]].time > *now + together) continue;
+    if (std::optional<View> view = look(sensors_[i].sensor, shots[next_[i]++])) {
+      sample.views.push_back(std::move(*view));
+    } else {
+      ++dropped_;
+    }
   }
   return sample;
 }
@@ -98,31 +139,12 @@ Result<void> ReplayBody::drive_by_hand(const std::vector<SitePoint>& /*along*/) 
   return fail(ErrorCode::refused, "a recording cannot be driven; only simulated robots follow a line");
 }
 
-Result<std::string> read_text(const fs::path& path) {
-  const std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    return fail(ErrorCode::not_found,
-                path.string() + ": missing; a recording has mav0/CAMERA/data.csv, sensor.yaml and data/");
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config) {
-  const fs::path folder = fs::path(config.folder) / "mav0" / config.camera;
-  const fs::path list = folder / "data.csv";
-  const fs::path sensor = folder / "sensor.yaml";
-  const auto list_text = read_text(list);
-  if (!list_text) {
-    return fail(list_text.error());
-  }
-  auto images = parse_image_list(*list_text, list.string());
-  if (!images) {
-    return fail(images.error());
-  }
+  Result<std::vector<RecordedSensor>> sensors =
+      read_sensors({config.folder, config.camera, config.robot_from_camera, config.warn});
+  if (!sensors) return fail(sensors.error());
   std::vector<RecordedWheels> wheels;
   if (const fs::path file = fs::path(config.folder) / "mav0" / "wheels0" / "data.csv"; fs::exists(file)) {
     const auto text = read_text(file);
@@ -131,28 +153,7 @@ Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config) {
     if (!rows) return fail(rows.error());
     wheels = std::move(*rows);
   }
-  const auto sensor_text = read_text(sensor);
-  if (!sensor_text) {
-    return fail(sensor_text.error());
-  }
-  const auto described = parse_camera_file(*sensor_text, sensor.string(), config.camera);
-  if (!described) {
-    return fail(described.error());
-  }
-  if (config.warn) {
-    for (const std::string& part : described->not_understood) config.warn(part + " is not understood and not used");
-  }
-  CameraModel camera =
-      camera_model_from(described->camera, fs::path(config.folder).filename().string() + "/" + config.camera, {});
-  if (config.robot_from_camera) {
-    camera.robot_from_camera = *config.robot_from_camera;
-  } else if (!described->camera.body_from_camera) {
-    return fail(ErrorCode::invalid, sensor.string() +
-                                        ": T_BS, how the camera is mounted, is missing; add it, or give "
-                                        "a camera file that has it");
-  }
-  return std::unique_ptr<Body>(std::make_unique<ReplayBody>(config, folder / "data", std::move(*images),
-                                                            std::move(wheels), std::move(camera)));
+  return std::unique_ptr<Body>(std::make_unique<ReplayBody>(config, std::move(*sensors), std::move(wheels)));
 }
 
 }  // namespace weft::agents::replay

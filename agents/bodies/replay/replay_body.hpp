@@ -9,16 +9,17 @@
 namespace weft::agents::replay {
 
 struct ReplayBodyConfig {
-  std::string folder;  ///< EuRoC layout: mav0/CAMERA/data.csv, data/*.png, sensor.yaml (docs/formats/camera.md)
-  std::string camera = "cam0";                   ///< which of its cameras
-  std::optional<Pose3> robot_from_camera;        ///< the mount; without one the recording's own T_BS
+  std::string folder;           ///< EuRoC's layout or KITTI's (recorded_sensors.hpp)
+  std::string camera = "cam0";  ///< its sensors: "cam0", several with commas between, "cam0+cam1" for a stereo pair
+  std::optional<Pose3> robot_from_camera;        ///< the first one's mount; without it the recording's own T_BS
   std::function<void(const std::string&)> warn;  ///< optional; frames that were dropped, by file
 };
 
-/// A recording as a body: kind() is "replay". It has wheels where there is a mav0/wheels0/data.csv (rows
-/// "nanoseconds,metres,radians" since any beginning), and obeys no command; `step` brings the next image, a
-/// damaged one as a dropped frame with a warning, and after the last "recording is over" (unavailable).
-/// not_found: folder, data.csv or sensor.yaml missing; invalid: their text, by file and line.
+/// Returns a recording as a body: kind() is "replay". It has wheels where there is a mav0/wheels0/data.csv (rows
+/// "nanoseconds,metres,radians" since any beginning), and obeys no command. `step` brings the next images, those
+/// together that are within a millisecond; a damaged one, or half a pair, is a dropped frame with a warning; after
+/// the last "recording is over" (unavailable, or corrupt where something was dropped). not_found: folder or a file
+/// missing; invalid: their text, by file and line.
 Result<std::unique_ptr<Body>> make_replay_body(const ReplayBodyConfig& config);
 
 }  // namespace weft::agents::replay
