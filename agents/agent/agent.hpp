@@ -81,8 +81,8 @@ class Agent {
   virtual std::optional<Estimate> estimate() const = 0;
   /// Refused and ignored messages, the navigator's fixes and refusals, by name.
   virtual std::map<std::string, std::uint64_t> counters() const = 0;
-  /// What driving has shown of the camera's mount, in words; empty: nothing yet.
-  virtual std::string mount() const { return {}; }
+  /// Returns what driving has shown of the robot beside where it is (its camera's mount); empty: nothing yet.
+  virtual std::vector<Diagnostic> diagnostics() const { return {}; }
 };
 
 /// The spool is read and what is pending is sent again. invalid: a setting breaks its bound; errors of the spool are

@@ -10,19 +10,19 @@ namespace {
 constexpr std::size_t kPlacesAtOnce = 500;
 }  // namespace
 
-std::size_t PlaceLearning::take(std::vector<Lesson> lessons, const Window& window, const Seen& seen) {
+std::size_t PlaceLearning::take(std::vector<LearnedPlace> learned_places, const Window& window, const Seen& seen) {
   std::size_t taken = 0;
-  for (Lesson& lesson : lessons) {
-    const Place* const known = window.place(lesson.place);
-    if (known == nullptr || known->content.hash != lesson.made_of) continue;
+  for (LearnedPlace& learned_place : learned_places) {
+    const Place* const known = window.place(learned_place.place);
+    if (known == nullptr || known->content.hash != learned_place.made_of) continue;
     Place anew = *known;
     ++anew.entity_version;
-    anew.content_format = lesson.content_format;
-    anew.content = {hash_bytes(lesson.content), lesson.content.size()};
+    anew.content_format = learned_place.content_format;
+    anew.content = {hash_bytes(learned_place.content), learned_place.content.size()};
     anew.robot = seen.robot;
     anew.frame = seen.frame;
     anew.seen_at = seen.at;
-    learned_.insert_or_assign(lesson.place, Learned{std::move(anew), std::move(lesson.content)});
+    learned_.insert_or_assign(learned_place.place, Learned{std::move(anew), std::move(learned_place.content)});
     ++taken;
   }
   return taken;

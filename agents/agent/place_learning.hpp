@@ -21,9 +21,9 @@ class PlaceLearning {
     std::uint64_t frame = 0;
     SensorTime at{};
   };
-  /// Takes the lessons that were learned upon contents that the window still has; any other one is void. Returns how
-  /// many were taken.
-  std::size_t take(std::vector<Lesson> lessons, const Window& window, const Seen& seen);
+  /// Takes the learned_places that were learned upon contents that the window still has; any other one is void.
+  /// Returns how many were taken.
+  std::size_t take(std::vector<LearnedPlace> learned_places, const Window& window, const Seen& seen);
   /// Spools what has been learned when the robot does not drive, and on a long drive now and then. Returns a note for
   /// the log; empty: nothing was due.
   std::string hand_in(bool drives, Spooler& spooler, ExperienceIds& ids, SteadyTime now);

@@ -139,18 +139,18 @@ Result<void> Spooler::flush(SteadyTime now) {
 Result<void> Spooler::learned(std::vector<Place> places, std::vector<Bytes> contents, ExperienceId fresh,
                               SteadyTime now) {
   if (places.empty()) return {};
-  if (!lessons_.has_value()) {
-    lessons_ = Open{};
-    lessons_->batch.experience = fresh;
-    lessons_->batch.sequence = 1;
-    lessons_->batch.robot = self_;
-    lessons_->batch.name = "lessons";
-    lessons_->batch.method = places.front().method;
+  if (!learned_places_.has_value()) {
+    learned_places_ = Open{};
+    learned_places_->batch.experience = fresh;
+    learned_places_->batch.sequence = 1;
+    learned_places_->batch.robot = self_;
+    learned_places_->batch.name = "learned_places";
+    learned_places_->batch.method = places.front().method;
   }
-  lessons_->batch.learned = std::move(places);
-  lessons_->contents = std::move(contents);
-  const Result<void> flushed = flush(*lessons_, now);
-  if (!flushed) lessons_.reset();
+  learned_places_->batch.learned = std::move(places);
+  learned_places_->contents = std::move(contents);
+  const Result<void> flushed = flush(*learned_places_, now);
+  if (!flushed) learned_places_.reset();
   return flushed;
 }
 
@@ -205,10 +205,10 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   }
   drop(ack.experience, UINT64_MAX);
   unsealed_.erase(ack.experience);
-  heard.lessons = lessons_.has_value() && lessons_->batch.experience == ack.experience;
-  if (heard.lessons) {
-    std::ignore = spool_->acknowledged(ack.experience, lessons_->batch.sequence);
-    lessons_.reset();
+  heard.learned_places = learned_places_.has_value() && learned_places_->batch.experience == ack.experience;
+  if (heard.learned_places) {
+    std::ignore = spool_->acknowledged(ack.experience, learned_places_->batch.sequence);
+    learned_places_.reset();
   }
   heard.refused = open_.erase(ack.experience) > 0;
   heard.reason = "the server refused batch " + std::to_string(ack.refused_sequence) + ": " + ack.refusal;

@@ -47,9 +47,9 @@ class Spooler {
   Result<void> seal(const std::string& reason, SteadyTime now);
 
   struct Heard {
-    bool refused = false;  ///< of an experience being taught: teaching is over
-    bool lessons = false;  ///< what was refused is what was learned of places, no place
-    std::string reason;    ///< of any refusal
+    bool refused = false;         ///< of an experience being taught: teaching is over
+    bool learned_places = false;  ///< what was refused is what was learned of places, no place
+    std::string reason;           ///< of any refusal
     std::vector<AckRecord> acknowledged;
   };
   Heard on_ack(const msg::BatchAck& ack, SteadyTime now);
@@ -96,7 +96,7 @@ class Spooler {
   SpoolerConfig config_;
   RobotId self_;
   std::map<ExperienceId, Open> open_;
-  std::optional<Open> lessons_;  ///< the experience of what is learned
+  std::optional<Open> learned_places_;  ///< the experience of what is learned
   std::deque<Pending> pending_;
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;

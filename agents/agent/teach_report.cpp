@@ -5,16 +5,8 @@
 #include "agents/agent/replies.hpp"
 
 namespace weft::agents {
-namespace {
-
-double found(const TaughtStretch& row, Prospect prospect) {
-  return row.found[static_cast<std::size_t>(prospect)];
-}
-
-}  // namespace
-
 Result<msg::AgentReply> teach_report(const Navigator& navigator, const std::string& robot, const std::string& name) {
-  const Result<TaughtWay> way = navigator.taught_way();
+  const Result<TeachReport> way = navigator.teach_report();
   if (!way) return fail(way.error());
   if (!name.empty() && name != to_string(way->experience)) {
     return fail(ErrorCode::refused, robot + " reports on what it was taught last, experience " +
@@ -27,9 +19,7 @@ Result<msg::AgentReply> teach_report(const Navigator& navigator, const std::stri
                            .to_m = row.to_m,
                            .places = row.places,
                            .first = row.first,
-                           .as_is = found(row, Prospect::as_is),
-                           .half_light = found(row, Prospect::half_light),
-                           .worn = found(row, Prospect::worn),
+                           .found = std::move(row.found),
                            .sigma_m = row.sigma_m,
                            .reason = std::move(row.reason)});
   }

@@ -40,7 +40,7 @@ Tracked Tracker::track(const TrackerConfig& config, const Spline& robot_from_pat
   tracked.error = track_error(robot_from_path.at(now_at).pose, Pose2{});
   tracked.to_end_m = robot_from_path.length_m() - now_at;
 
-  const Pose2 soon = exp2({speed_m_s * config.lag_s, 0.0, last_angular_rad_s_ * config.lag_s});
+  const Pose2 soon = se2_exp({speed_m_s * config.lag_s, 0.0, last_angular_rad_s_ * config.lag_s});
   const double soon_at = robot_from_path.nearest(soon.translation(), -1.0, everywhere);
   const PathPoint there = robot_from_path.at(soon_at);
   const TrackError error = track_error(there.pose, soon);

@@ -14,7 +14,7 @@ Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::s
   const double sigma_m = distance_share * std::abs(distance_m);
   const double sigma_rad = heading_share * (std::abs(turn_rad) + std::abs(distance_m));
   Metric2 step;
-  step.a_from_b = exp2({distance_m, 0.0, turn_rad});
+  step.a_from_b = se2_exp({distance_m, 0.0, turn_rad});
   step.covariance.diagonal() << sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad;
   return {step, false, reason};
 }

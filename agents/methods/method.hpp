@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "agents/perception/motion.hpp"
 #include "agents/perception/view.hpp"
 #include "core/bytes.hpp"
+#include "core/diagnostic.hpp"
 #include "core/network/relation.hpp"
 #include "core/network/window.hpp"
 #include "core/result.hpp"
@@ -25,7 +27,7 @@
 namespace weft::agents {
 
 /// What errors that all steps of a drive have in common (a calibration's) do to a relation, one column each: xi of
-/// (x, y, z, roll, pitch, yaw) in a_from_b * exp3(xi) for one sigma, m and rad. Columns are independent of one
+/// (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent of one
 /// another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
 using CommonErrors = Eigen::Matrix<double, 6, 11>;
 /// The same of x, y and heading alone.
@@ -55,10 +57,24 @@ using OrRefusal = tl::expected<T, Refusal>;
 struct Related {
   Relation a_from_b;
   std::uint32_t inliers = 0;
-  double overlap = 0.0;   ///< share of b's view seen in a
-  double residual = 0.0;  ///< the method's distance (h_distance for floor); smaller is better
-  /// How much higher above its calibration b's camera stood than a's above its own, metres; none: not to be told.
-  std::optional<double> lift_m = {};
+  double overlap = 0.0;                      ///< share of b's view seen in a
+  double residual = 0.0;                     ///< the method's distance (h_distance for floor); smaller is better
+  std::vector<Diagnostic> diagnostics = {};  ///< what else the two contents show of the robot that saw b
+};
+
+/// A diagnostic of fixes that is worth a person's attention while it is beyond a bound, and how to say so.
+struct WatchedDiagnostic {
+  /// Where a notice begins and, lower, where it ends: no notice flickers.
+  struct Bounds {
+    double begins = 0.0;
+    double ends = 0.0;
+  };
+  std::string_view name;  ///< of Related::diagnostics
+  Bounds against_places;  ///< of its size, as fixes state it
+  Bounds against_itself;  ///< of its change on the places of one experience, where no other robot plays a part
+  /// Returns the notice: the value, what it is compared with ("its places say"), and what to look at.
+  std::string (*notice)(double value, std::string_view compared_with) = nullptr;
+  std::string_view well_again;  ///< said when the notice ends
 };
 
 using Signature = std::vector<float>;
@@ -126,15 +142,11 @@ struct Amendment {
   Relation a_from_b;
 };
 
-/// What may have become of a place when another robot comes by.
-enum class Prospect : std::uint8_t { as_is, half_light, worn };
-inline constexpr std::size_t prospects = 3;
-
 /// Another robot, on another day, beside where a view was taken.
-struct Passing {
-  Prospect prospect = Prospect::as_is;
-  Pose2 robot_from_other;  ///< a few centimetres and degrees: what lies further off was not in the view
-  std::uint64_t seed = 0;  ///< of its calibration's error, noise and what lies on the floor
+struct Revisit {
+  std::size_t condition = 0;  ///< one of M::conditions
+  Pose2 robot_from_other;     ///< a few centimetres and degrees: what lies further off was not in the view
+  std::uint64_t seed = 0;     ///< of its calibration's error, noise and what lies on the floor
 };
 
 /// M is a value: configuration and calibration, fixed after construction. Odometry is the state between samples.
@@ -156,8 +168,8 @@ concept Method = std::movable<M> &&
   { m.sign(content) } -> std::same_as<std::optional<Signature>>;
 };
 
-/// A method that localises in its own way (a mosaic, a filter, fixed points). The default is in
-/// agents/navigation/locate.hpp: a list of candidates, breadth-first + relate.
+/// A method that localises in its own way (a mosaic, a filter, fixed points). The default is
+/// agents/navigation/localiser.hpp: a list of candidates, breadth-first + relate.
 template <class M>
 concept ChartsItself = Method<M> &&
     requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& around, const typename M::Chart& chart,
@@ -188,7 +200,7 @@ concept ComparesRivals = Method<M> &&
   { m.most_of_rival(1.0) } -> std::same_as<double>;
 };
 
-/// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follow.hpp).
+/// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follower.hpp).
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;
@@ -230,11 +242,20 @@ constexpr std::uint32_t newest_format() {
 }
 
 /// A method that can say what another robot would have seen instead of a view, of the same camera and frame: with it
-/// teaching finds out whether a place will be found again before the robot leaves it. The others know only how they
-/// find it as it is.
+/// teaching finds out whether a place will be found again before the robot leaves it.
 template <class M>
-concept Foresees = Method<M> && requires(const M& m, const View& view, const Passing& passing) {
-  { m.foresee(view, passing) } -> std::same_as<OrRefusal<View>>;
+concept SimulatesRevisits = Method<M> && requires(const M& m, const View& view, const Revisit& revisit) {
+  /// conditions: names of what may have changed by then, the mildest first: "as_is", "half_light".
+  {std::span<const std::string_view>(M::conditions)};
+  { m.simulate_revisit(view, revisit) } -> std::same_as<OrRefusal<View>>;
+};
+
+/// A method that measures more of its robot than where it is.
+template <class M>
+concept Diagnoses = Method<M> && requires(const M& m, const typename M::Odometry& odometry) {
+  {std::span<const WatchedDiagnostic>(M::watched)};
+  /// diagnose: what the drive so far has shown; a diagnostic that is not known well enough is left out.
+  { m.diagnose(odometry) } -> std::same_as<std::vector<Diagnostic>>;
 };
 
 /// A method that improves its own unsealed experience at its end.

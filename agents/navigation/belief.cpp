@@ -17,18 +17,18 @@ Metric2 fuse_metric(const Metric2& predicted, const Metric2& measured) {
   const Eigen::Matrix3d innovation =
       predicted.covariance + measured.covariance + least_variance * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d gain = predicted.covariance * innovation.inverse();
-  const Eigen::Vector3d apart = log2(predicted.a_from_b.inverse() * measured.a_from_b);
+  const Eigen::Vector3d apart = se2_log(predicted.a_from_b.inverse() * measured.a_from_b);
   const Eigen::Matrix3d left = (Eigen::Matrix3d::Identity() - gain) * predicted.covariance;
-  return {predicted.a_from_b * exp2(gain * apart), 0.5 * (left + left.transpose())};
+  return {predicted.a_from_b * se2_exp(gain * apart), 0.5 * (left + left.transpose())};
 }
 
 Metric3 fuse_metric(const Metric3& predicted, const Metric3& measured) {
   const Matrix6d& before = predicted.covariance;
   const Matrix6d innovation = before + measured.covariance.matrix() + least_variance * Matrix6d::Identity();
   const Matrix6d gain = before * innovation.inverse();
-  const Vector6d apart = log3(predicted.a_from_b.inverse() * measured.a_from_b);
+  const Vector6d apart = se3_log(predicted.a_from_b.inverse() * measured.a_from_b);
   const Matrix6d left = (Matrix6d::Identity() - gain) * before;
-  return {predicted.a_from_b * exp3(gain * apart), 0.5 * (left + left.transpose())};
+  return {predicted.a_from_b * se3_exp(gain * apart), 0.5 * (left + left.transpose())};
 }
 
 AlongPath fuse_along(const AlongPath& predicted, const AlongPath& measured) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "agents/control/spline.hpp"
-#include "agents/navigation/caution.hpp"
+#include "agents/navigation/speed_limit.hpp"
 
 namespace weft::agents {
 
@@ -171,7 +171,7 @@ Follower::Drive Follower::look(const Seen& seen) {
   drive.along = Ahead{std::move(ahead.robot_from_path),
                       0.0,
                       ahead.reaches_end && ends_at_goal(*route_),
-                      careful_speed(config_.follow, *seen.estimate),
+                      speed_limit(config_.follow, *seen.estimate),
                       seen.speed_m_s,
                       !std::holds_alternative<AlongPath>(seen.estimate->place_from_robot),
                       seen.elapsed};

@@ -10,10 +10,10 @@
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/charted.hpp"
-#include "agents/navigation/curiosity.hpp"
 #include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/recognition_query.hpp"
+#include "agents/navigation/relocalisation_queue.hpp"
 #include "agents/navigation/rivals.hpp"
-#include "agents/navigation/seek.hpp"
 #include "agents/navigation/settled.hpp"
 
 namespace weft::agents {
@@ -39,7 +39,7 @@ class Localiser {
   void advance(const Step& step) {
     belief_.advance(step);
     charted_.advance(step);
-    curiosity_.advance(step);
+    query_.advance(step);
     if (belief_.proposed()) ++suspected_samples_;
     since_m_ += distance_m(step.previous_from_current);
     since_rad_ += std::abs(heading_rad(step.previous_from_current));
@@ -50,13 +50,13 @@ class Localiser {
   void seek(const std::optional<PlaceId>& seed) {
     belief_.forget();
     charted_.forget();
-    curiosity_.forget();
+    query_.forget();
     doubt_.close();
     seek_.start(seed);
   }
   /// Looks everywhere, nearest to what was believed last first.
   void seek_again() {
-    curiosity_.forget();
+    query_.forget();
     doubt_.close();
     if constexpr (ComparesRivals<M>) belief_.withdraw();  // nothing that was not weighed is confirmed
     seek_.start(std::nullopt);
@@ -71,9 +71,9 @@ class Localiser {
   void leave_out(const ExperienceId& run) { seek_.leave_out(run); }
 
   /// Which places look like what is seen? Null: nothing is to be asked.
-  const Question* question() const { return seek_.active() ? curiosity_.open() : nullptr; }
+  const Question* question() const { return seek_.active() ? query_.open() : nullptr; }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) {
-    if (curiosity_.answered(question, places.size())) seek_.proposed() = places;
+    if (query_.answered(question, places.size())) seek_.proposed() = places;
   }
   /// Of a fix that waits for a second one.
   std::optional<PlaceId> suspected() const {
@@ -199,7 +199,7 @@ class Localiser {
     }
     const OrRefusal<void> prepared = seek_.prepare(config_, map, estimate());
     if (!seek_.seeded() && !seek_.looks_near()) {
-      wonder(seen);
+      request_candidates(seen);
       if (try_proposed(seen, map, bytes, decoded, tries, outcome) || !seek_.proposed().empty()) return;
     }
     if (!prepared) {
@@ -215,14 +215,14 @@ class Localiser {
   }
 
   /// Keeps a question open while there is nothing proposed left to try for where the robot stands now.
-  void wonder(const Content& seen) {
-    if (curiosity_.is_stale()) seek_.proposed().clear();
+  void request_candidates(const Content& seen) {
+    if (query_.is_stale()) seek_.proposed().clear();
     const bool has_places = !seek_.proposed().empty();
-    if (curiosity_.is_due(has_places)) {
+    if (query_.is_due(has_places)) {
       if (std::optional<Signature> here = method_->sign(seen))
-        curiosity_.ask(*std::move(here), M::name, M::content_format);
-    } else if (!has_places && curiosity_.may_go_on()) {
-      curiosity_.ask_on();
+        query_.ask(*std::move(here), M::name, M::content_format);
+    } else if (!has_places && query_.may_go_on()) {
+      query_.ask_on();
     }
   }
 
@@ -251,7 +251,7 @@ class Localiser {
   /// little later. Until then the place itself would confirm what it said before.
   bool waits_for_neighbours(const Window& map, const Contents& bytes) const {
     constexpr std::uint32_t patience = 60;  // samples; some places have no neighbours
-    if (curiosity_.open() == nullptr && !curiosity_.may_go_on()) return false;
+    if (query_.open() == nullptr && !query_.may_go_on()) return false;
     if (suspected_samples_ > patience) return false;
     const PlaceId at = belief_.proposed()->place;
     bool has_neighbour = false;
@@ -413,8 +413,8 @@ class Localiser {
   const M* method_;
   NavigationConfig config_;
   Belief belief_;
-  Seek seek_;
-  Curiosity curiosity_;
+  RelocalisationQueue seek_;
+  RecognitionQuery query_;
   std::uint32_t suspected_samples_ = 0;  // since the last fix that waits for another
   Charted<M> charted_;
   typename RivalsOrNone<M>::Type doubt_;  // open while a fix that waits for another one is weighed

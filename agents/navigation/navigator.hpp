@@ -8,7 +8,7 @@
 
 #include "agents/methods/method.hpp"
 #include "agents/navigation/map_view.hpp"
-#include "agents/navigation/taught_way.hpp"
+#include "agents/navigation/teach_report.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/sample.hpp"
 #include "core/network/goal.hpp"
@@ -24,7 +24,7 @@ struct Kept {
 };
 
 /// A place that the robot has come by and knows better now.
-struct Lesson {
+struct LearnedPlace {
   PlaceId place;
   ContentHash made_of;  ///< the content that it was learned upon: another one there by now makes it void
   std::uint32_t content_format = 0;
@@ -44,7 +44,7 @@ struct ExposureWish {
 struct Navigated {
   Twist command;  ///< zero when a hand drives, when standing, and when lost
   std::vector<Kept> kept;
-  std::vector<Lesson> lessons;  ///< each is worth being shared
+  std::vector<LearnedPlace> learned_places;  ///< each is worth being shared
   std::optional<Fix> fix;
   std::vector<Refusal> refusals;  ///< of this sample
   Following following = Following::none;
@@ -136,13 +136,16 @@ class Navigator {
   virtual void propose(std::uint64_t /*question*/, const std::vector<PlaceId>& /*places*/) {}
   /// Where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
   virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
-  /// What driving has shown of the camera's mount; none: too little yet, or the method does not look.
-  virtual std::optional<MountReport> mount() const { return std::nullopt; }
+  /// Returns what the drive so far has shown of the robot beside where it is; what is not known well enough is left
+  /// out.
+  virtual std::vector<Diagnostic> diagnostics() const { return {}; }
+  /// Returns the diagnostics of its fixes that are to be watched.
+  virtual std::vector<WatchedDiagnostic> watched() const { return {}; }
 
   /// What has been taught since teaching began, or was taught last, and how it will be found again, as far as that
   /// has been tried: some samples after each place was kept. refused: nothing has been taught yet, or the method
   /// cannot say.
-  virtual Result<TaughtWay> taught_way() const = 0;
+  virtual Result<TeachReport> teach_report() const = 0;
 
   /// A new route or a new version of it; the robot never passes `route.released`. `from`: the index of a place that
   /// it is known to have passed.

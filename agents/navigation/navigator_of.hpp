@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "agents/navigation/coming_back.hpp"
+#include "agents/navigation/end_loop_closure.hpp"
 #include "agents/navigation/follower.hpp"
-#include "agents/navigation/lessons.hpp"
 #include "agents/navigation/localiser.hpp"
 #include "agents/navigation/navigator.hpp"
 #include "agents/navigation/own_map.hpp"
+#include "agents/navigation/place_learner.hpp"
 #include "agents/navigation/place_trials.hpp"
 #include "agents/navigation/stitcher.hpp"
 #include "agents/navigation/teacher.hpp"
@@ -32,7 +32,7 @@ class NavigatorOf final : public Navigator {
         localiser_(method_, config),
         stitcher_(method_, config),
         follower_(config),
-        lessons_(method_, config.learn),
+        learned_places_(method_, config.learn),
         own_(M::name) {}
   NavigatorOf(const NavigatorOf&) = delete;  // its parts point to method_
   NavigatorOf& operator=(const NavigatorOf&) = delete;
@@ -47,7 +47,7 @@ class NavigatorOf final : public Navigator {
     if (view != nullptr) views_not_followed_ = step.seen ? 0 : views_not_followed_ + 1;
     measure_speed(step, motion);
     localiser_.advance(step);
-    lessons_.advance(step);
+    learned_places_.advance(step);
     latest_ = Latest{view != nullptr ? std::optional(*view) : std::nullopt, sample.frame, sample.time, std::nullopt};
 
     Navigated navigated;
@@ -190,13 +190,17 @@ class NavigatorOf final : public Navigator {
   }
   std::optional<PlaceId> suspected() const override { return looks().suspected(); }
 
-  std::optional<MountReport> mount() const override {
-    if constexpr (requires { method_.mount(odometry_); }) return method_.mount(odometry_);
-    return std::nullopt;
+  std::vector<Diagnostic> diagnostics() const override {
+    if constexpr (Diagnoses<M>) return method_.diagnose(odometry_);
+    return {};
+  }
+  std::vector<WatchedDiagnostic> watched() const override {
+    if constexpr (Diagnoses<M>) return {std::begin(M::watched), std::end(M::watched)};
+    return {};
   }
 
-  Result<TaughtWay> taught_way() const override {
-    if (trials_) return trials_->way();
+  Result<TeachReport> teach_report() const override {
+    if (trials_) return trials_->report();
     return fail(ErrorCode::refused, "nothing has been taught since its agent started");
   }
 
@@ -305,7 +309,7 @@ class NavigatorOf final : public Navigator {
         return std::holds_alternative<AlongPath>(edge.a_from_b);
       });
       if (!config_.stitch.enabled || is_joined || has_poses || !*latest_->content) return;
-      ComingBack<M> back(method_, config_, own_.map(map.window), map.contents, decoded_);
+      EndLoopClosure<M> back(method_, config_, own_.map(map.window), map.contents, decoded_);
       const OrRefusal<Fix> found = back.look(*teacher_, last.place.id, ***latest_->content);
       if (!found) return;
       last.edges.push_back(stitcher_.edge(found->place, last.place.id, found->evidence));
@@ -358,10 +362,11 @@ class NavigatorOf final : public Navigator {
   /// While it drives a route by itself and knows where it is.
   void learn(bool hand, const MapView& map, Navigated& navigated) {
     if constexpr (Learns<M>) {
-      if (hand || teacher_ || !follower_.route() || !estimate() || localiser_.seeking()) return lessons_.leave();
+      if (hand || teacher_ || !follower_.route() || !estimate() || localiser_.seeking())
+        return learned_places_.leave();
       if (!navigated.fix) return;
-      if (auto lesson = lessons_.pass(*navigated.fix, **latest_->content, map, decoded_))
-        navigated.lessons.push_back(std::move(*lesson));
+      if (auto learned_place = learned_places_.pass(*navigated.fix, **latest_->content, map, decoded_))
+        navigated.learned_places.push_back(std::move(*learned_place));
     }
   }
 
@@ -427,7 +432,7 @@ class NavigatorOf final : public Navigator {
   Localiser<M> localiser_;
   Stitcher<M> stitcher_;
   Follower follower_;
-  typename LessonsOrNone<M>::Type lessons_;
+  typename PlaceLearnerOrNone<M>::Type learned_places_;
   std::optional<Teacher> teacher_;
   std::optional<PlaceTrials<M>> trials_;  // of what is taught, or was taught last
   std::optional<Localiser<M>> finder_;    // looks for where teaching began

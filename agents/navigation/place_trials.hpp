@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@
 #include "agents/navigation/agreement.hpp"
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/config.hpp"
-#include "agents/navigation/taught_way.hpp"
+#include "agents/navigation/teach_report.hpp"
 #include "core/random.hpp"
 #include "core/result.hpp"
 
@@ -26,7 +27,7 @@ class PlaceTrials {
  public:
   using Pointer = std::shared_ptr<const typename M::Content>;
   PlaceTrials(const M&, const NavigationConfig&, const ExperienceId&) {}
-  Result<TaughtWay> way() const {
+  Result<TeachReport> report() const {
     return fail(ErrorCode::refused,
                 "the method " + std::string(M::name) + " cannot say how what it was taught will be found again");
   }
@@ -41,7 +42,7 @@ class PlaceTrials {
 /// does it, to a view from a quarter of the spacing further on as another robot that passes aside would have had it.
 /// A step at a time, in the slack that samples leave; where there is too little of that, places are left out evenly.
 /// Pure: seeds come from the places' ids.
-template <Foresees M>
+template <SimulatesRevisits M>
 class PlaceTrials<M> {
  public:
   using Content = typename M::Content;
@@ -49,22 +50,23 @@ class PlaceTrials<M> {
 
   PlaceTrials(const M& method, const NavigationConfig& config, const ExperienceId& experience)
       : method_(&method), config_(config) {
-    way_.experience = experience;
+    report_.experience = experience;
+    report_.conditions.assign(std::begin(M::conditions), std::end(M::conditions));
   }
 
-  Result<TaughtWay> way() const { return way_; }
+  Result<TeachReport> report() const { return report_; }
 
-  void drive(double driven_m) { way_.driven_m = driven_m; }
+  void drive(double driven_m) { report_.driven_m = driven_m; }
   void kept(const PlaceId& place, Pointer content) {
-    way_.places.push_back({place, way_.driven_m, std::nullopt});
+    report_.places.push_back({place, report_.driven_m, std::nullopt});
     newest_ = std::move(content);
   }
   /// A place was due and not worth keeping.
   void missed(std::string_view reason) {
     constexpr double apart_m = 0.1;
-    const bool is_known = !way_.missed.empty() && way_.missed.back().reason == reason &&
-                          way_.driven_m - way_.missed.back().at_m < apart_m;
-    if (!is_known) way_.missed.push_back({way_.driven_m, reason});
+    const bool is_known = !report_.missed.empty() && report_.missed.back().reason == reason &&
+                          report_.driven_m - report_.missed.back().at_m < apart_m;
+    if (!is_known) report_.missed.push_back({report_.driven_m, reason});
   }
 
   /// A view while teaching, before it may become a place; `here`: on the last place kept.
@@ -76,7 +78,7 @@ class PlaceTrials<M> {
     if (!newest_ || !is_far_enough) return;
     const Pointer content = std::exchange(newest_, nullptr);
     if (waiting_.size() >= most_waiting) return;
-    waiting_.push_back({way_.places.size() - 1, content, here.place_from_robot, odometry, view, {}});
+    waiting_.push_back({report_.places.size() - 1, content, here.place_from_robot, odometry, view, {}});
   }
 
   /// What a sample leaves time for: one step for each 30 ms since the sample before.
@@ -90,14 +92,14 @@ class PlaceTrials<M> {
  private:
   /// A place and a view of it from further on.
   struct Waiting {
-    std::size_t place = 0;  // index into way_.places
+    std::size_t place = 0;  // index into report_.places
     Pointer content;
     Relation place_from_robot;
     typename M::Odometry odometry;
     View view;
     Trials trials;
   };
-  /// What the other robot sees under the prospect that is tried.
+  /// What the other robot sees under the condition that is tried.
   struct Seen {
     Content content;
     Relation place_from_other;
@@ -105,8 +107,8 @@ class PlaceTrials<M> {
 
   /// Either what the other robot sees, or whether it is the place.
   void advance(Waiting& first) {
-    // One seed for all prospects: they differ in light and wear alone.
-    const PlaceId& place = way_.places[first.place].id;
+    // One seed for all conditions: they differ in light and wear alone.
+    const PlaceId& place = report_.places[first.place].id;
     Random random = Random(place.experience.value).fork(place.index);
     if (seen_) return done(first, find(first, random.fork(1)));
     OrRefusal<Seen> seen = see(first, random.fork(2));
@@ -119,14 +121,14 @@ class PlaceTrials<M> {
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     const double turned = random.chance(0.5) ? 1.0 : -1.0;
     const Pose2 robot_from_other{0.0, side * random.uniform(0.02, 0.08), turned * random.uniform(0.017, 0.07)};
-    const OrRefusal<View> view = method_->foresee(first.view, {prospect_, robot_from_other, random.next()});
+    const OrRefusal<View> view = method_->simulate_revisit(first.view, {condition_, robot_from_other, random.next()});
     if (!view) return tl::unexpected(view.error());
     OrRefusal<Content> content = method_->extract(first.odometry, *view);
     if (!content) return tl::unexpected(content.error());
     return Seen{std::move(*content), compose(first.place_from_robot, Metric2{robot_from_other})};
   }
 
-  /// What is believed of where it is, is off by what a robot that has just localised may be off.
+  /// Perturbs the guess by the error of a robot that has just localised.
   Trial find(const Waiting& first, Random random) const {
     constexpr double guess_sigma_m = 0.03;
     constexpr double guess_sigma_rad = 0.02;
@@ -143,11 +145,11 @@ class PlaceTrials<M> {
 
   void done(Waiting& first, const Trial& trial) {
     seen_.reset();
-    first.trials[static_cast<std::size_t>(prospect_)] = trial;
-    prospect_ = static_cast<Prospect>(static_cast<std::uint8_t>(prospect_) + 1);
-    if (static_cast<std::size_t>(prospect_) < prospects) return;
-    prospect_ = Prospect::as_is;
-    way_.places[first.place].trials = first.trials;
+    first.trials.push_back(trial);
+    condition_ = first.trials.size();
+    if (condition_ < std::size(M::conditions)) return;
+    condition_ = 0;
+    report_.places[first.place].trials = first.trials;
     waiting_.pop_front();
   }
 
@@ -155,10 +157,10 @@ class PlaceTrials<M> {
 
   const M* method_;
   NavigationConfig config_;
-  TaughtWay way_;
+  TeachReport report_;
   Pointer newest_;  // of the last place kept, until a view of it is taken
   std::deque<Waiting> waiting_;
-  Prospect prospect_ = Prospect::as_is;
+  std::size_t condition_ = 0;  // that is tried now
   std::optional<Seen> seen_;
 };
 

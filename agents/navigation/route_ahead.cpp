@@ -69,7 +69,7 @@ void append_end(std::vector<Pose2>& path, const Pose2& end, double steepest_rad)
 
 Pose2 laid_out(const Relation& a_from_b) {
   if (const auto* const along = std::get_if<AlongPath>(&a_from_b)) {
-    return exp2({along->distance_m, 0.0, along->heading_shift_rad});
+    return se2_exp({along->distance_m, 0.0, along->heading_shift_rad});
   }
   return planar(a_from_b);
 }

@@ -6,10 +6,10 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
 #include "agents/perception/spread_corners.hpp"
-#include "agents/perception/sway.hpp"
 
 namespace weft::agents {
 
@@ -69,14 +69,14 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   const auto t = std::make_shared<Tables>();
   t->area = area;
   t->near_m = area.far_m;
-  for (const Eigen::Vector2d& p : footprint(camera, Sway{}, area.far_m)) t->near_m = std::min(t->near_m, p.x());
+  for (const Eigen::Vector2d& p : footprint(camera, Attitude{}, area.far_m)) t->near_m = std::min(t->near_m, p.x());
   const int columns = static_cast<int>(2.0 * area.half_width_m / area.metres_per_pixel);
   const int rows = std::max(64, static_cast<int>((area.far_m - t->near_m) / area.metres_per_pixel));
   cv::Mat x(rows, columns, CV_32F);
   cv::Mat y(rows, columns, CV_32F);
   t->seen = cv::Mat::zeros(rows, columns, CV_8U);
   t->first_near_row = rows;
-  const Eigen::Matrix3d homography = camera_from_floor(camera, Sway{});
+  const Eigen::Matrix3d homography = camera_from_floor(camera, Attitude{});
   for (int r = 0; r < rows; ++r) {
     if (finest_m_per_px(camera, t->on_floor(0.5 * columns, r)) < 0.55 * area.metres_per_pixel)
       t->first_near_row = std::min(t->first_near_row, r);

@@ -18,7 +18,7 @@ struct BirdsEyeArea {
 };
 
 struct FloorFeature {
-  Eigen::Vector2d on_floor = Eigen::Vector2d::Zero();  ///< robot frame, as the mount says (no sway)
+  Eigen::Vector2d on_floor = Eigen::Vector2d::Zero();  ///< robot frame, as the mount says (no attitude)
   double heading_rad = 0.0;                            ///< of the grey values around it, robot frame
   Descriptor descriptor{};
 };

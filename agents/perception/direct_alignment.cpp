@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
-#include "agents/perception/sway.hpp"
 
 namespace weft::agents {
 namespace {
@@ -84,7 +84,7 @@ Eigen::Matrix3d homography_of(const CameraModel& camera, const PlanarState& stat
   const double s = std::sin(b_from_a.heading);
   Eigen::Matrix3d planar;
   planar << c, -s, b_from_a.x, s, c, b_from_a.y, 0.0, 0.0, 1.0;
-  return camera_from_floor(camera, state.sway_b) * planar * camera_from_floor(camera, state.sway_a).inverse();
+  return camera_from_floor(camera, state.attitude_b) * planar * camera_from_floor(camera, state.attitude_a).inverse();
 }
 
 /// How normalised coordinates of b follow those of a around a point.
@@ -95,8 +95,8 @@ Eigen::Matrix2d slope_of(const Eigen::Matrix3d& homography, const Eigen::Vector2
 }
 
 PlanarState stepped(const PlanarState& state, const Vector9d& step) {
-  return {state.a_from_b * exp2(step.head<3>()), Sway::from(state.sway_a.vector() + step.segment<3>(3)),
-          Sway::from(state.sway_b.vector() + step.tail<3>())};
+  return {state.a_from_b * se2_exp(step.head<3>()), Attitude::from(state.attitude_a.vector() + step.segment<3>(3)),
+          Attitude::from(state.attitude_b.vector() + step.tail<3>())};
 }
 
 using Row9f = Eigen::Matrix<float, 1, 9>;
@@ -104,7 +104,7 @@ using Row9f = Eigen::Matrix<float, 1, 9>;
 /// Grey values at one level, compared.
 class LevelAlignment {
  public:
-  LevelAlignment(const CameraModel& camera, const cv::Mat& a, const cv::Mat& b, int level, const SwayPrior& prior,
+  LevelAlignment(const CameraModel& camera, const cv::Mat& a, const cv::Mat& b, int level, const AttitudePrior& prior,
                  const DirectConfig& config)
       : camera_(camera),
         prior_(prior),
@@ -190,14 +190,14 @@ class LevelAlignment {
     information_ = information.cast<double>();
     information_.bottomRightCorner<6, 6>() += prior_.information;
     Vector9d gradient = pull.cast<double>();
-    Vector6d sway;
-    sway << out.fit.state.sway_a.vector(), out.fit.state.sway_b.vector();
-    gradient.tail<6>() += prior_.information * (prior_.mean - sway);
+    Vector6d attitude;
+    attitude << out.fit.state.attitude_a.vector(), out.fit.state.attitude_b.vector();
+    gradient.tail<6>() += prior_.information * (prior_.mean - attitude);
     return information_.ldlt().solve(gradient);
   }
 
   const CameraModel& camera_;
-  const SwayPrior& prior_;
+  const AttitudePrior& prior_;
   double scale_;
   cv::Mat in_b_;
   std::vector<Point> points_;
@@ -210,7 +210,7 @@ class LevelAlignment {
 
 }  // namespace
 
-DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const SwayPrior& prior,
+DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const AttitudePrior& prior,
                          const PlanarState& start, const DirectConfig& config) {
   DirectFit out;
   out.fit.state = start;

@@ -26,7 +26,7 @@ struct DirectFit {
 /// weights, all six degrees of freedom under the prior. Brightness that changes slowly over the image (vignetting,
 /// lamps) is taken out of both first. It wants a start within some pixels of the coarsest level, and stands blur and
 /// pale floors that leave no corners. Both images are whole and of the camera's size.
-DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const SwayPrior& prior,
+DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const AttitudePrior& prior,
                          const PlanarState& start, const DirectConfig& config);
 
 }  // namespace weft::agents

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "agents/perception/sway.hpp"
+#include "agents/perception/attitude.hpp"
 
 namespace weft::agents {
 

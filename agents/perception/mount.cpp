@@ -58,10 +58,10 @@ class ByMount {
   std::vector<Errors> more_, less_;
 };
 
-SwayPrior vibration_of(const MountPrior& prior) {
+AttitudePrior vibration_of(const MountPrior& prior) {
   const double tilt = 1.0 / (prior.vibration_tilt_rad * prior.vibration_tilt_rad);
   const double lift = 1.0 / (prior.vibration_height_m * prior.vibration_height_m);
-  SwayPrior out;
+  AttitudePrior out;
   out.information.diagonal() << tilt, tilt, lift, tilt, tilt, lift;
   return out;
 }
@@ -99,7 +99,7 @@ bool MountFilter::add(const FloorViews& views) {
   const MountError at(believed.pitch_rad, believed.roll_rad, 0.0);
   const CameraModel turned = tilted(camera_, at.x(), at.y());
   const std::vector<FloorPair>& points = views.points;
-  const SwayPrior vibration = vibration_of(prior_);
+  const AttitudePrior vibration = vibration_of(prior_);
   const PlanarFit fit = fit_planar_motion(turned, turned, points, vibration, {views.a_from_b, {}, {}}, kHuber);
   if (!fit.converged || fit.scale > most_scale) return false;
 
@@ -107,9 +107,9 @@ bool MountFilter::add(const FloorViews& views) {
   Matrix9d own = Matrix9d::Zero();
   Vector9d own_pull = Vector9d::Zero();
   own.bottomRightCorner<6, 6>() = vibration.information;
-  Vector6d sway;
-  sway << fit.state.sway_a.vector(), fit.state.sway_b.vector();
-  own_pull.tail<6>() = -vibration.information * sway;
+  Vector6d attitude;
+  attitude << fit.state.attitude_a.vector(), fit.state.attitude_b.vector();
+  own_pull.tail<6>() = -vibration.information * attitude;
   Matrix93d mixed = Matrix93d::Zero();
   Eigen::Matrix3d mount = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mount_pull = Eigen::Vector3d::Zero();

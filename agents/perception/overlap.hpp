@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "agents/perception/sway.hpp"
+#include "agents/perception/attitude.hpp"
 #include "core/geometry/pose2.hpp"
 
 namespace weft::agents {

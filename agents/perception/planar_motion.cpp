@@ -15,16 +15,16 @@ struct Normal {
   Vector9d gradient = Vector9d::Zero();
 };
 
-void add_prior(const SwayPrior& prior, const PlanarState& state, Normal& normal) {
-  Vector6d sway;
-  sway << state.sway_a.vector(), state.sway_b.vector();
+void add_prior(const AttitudePrior& prior, const PlanarState& state, Normal& normal) {
+  Vector6d attitude;
+  attitude << state.attitude_a.vector(), state.attitude_b.vector();
   normal.information.bottomRightCorner<6, 6>() += prior.information;
-  normal.gradient.tail<6>() += prior.information * (prior.mean - sway);
+  normal.gradient.tail<6>() += prior.information * (prior.mean - attitude);
 }
 
 PlanarState moved(const PlanarState& state, const Vector9d& step) {
-  return {state.a_from_b * exp2(step.head<3>()), Sway::from(state.sway_a.vector() + step.segment<3>(3)),
-          Sway::from(state.sway_b.vector() + step.tail<3>())};
+  return {state.a_from_b * se2_exp(step.head<3>()), Attitude::from(state.attitude_a.vector() + step.segment<3>(3)),
+          Attitude::from(state.attitude_b.vector() + step.tail<3>())};
 }
 
 double median(std::vector<double> values) {
@@ -36,11 +36,11 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Reprojector::Tilt Reprojector::tilt_of(const Sway& sway) {
-  const double cp = std::cos(sway.pitch_rad);
-  const double sp = std::sin(sway.pitch_rad);
-  const double cr = std::cos(sway.roll_rad);
-  const double sr = std::sin(sway.roll_rad);
+Reprojector::Tilt Reprojector::tilt_of(const Attitude& attitude) {
+  const double cp = std::cos(attitude.pitch_rad);
+  const double sp = std::sin(attitude.pitch_rad);
+  const double cr = std::cos(attitude.roll_rad);
+  const double sr = std::sin(attitude.roll_rad);
   Eigen::Matrix3d ry;
   Eigen::Matrix3d rx;
   Eigen::Matrix3d dry;
@@ -52,22 +52,23 @@ Reprojector::Tilt Reprojector::tilt_of(const Sway& sway) {
   return {ry * rx, dry * rx, ry * drx};
 }
 
-Reprojector::Eye Reprojector::eye_of(const CameraModel& camera, const Sway& sway) {
-  return {camera.robot_from_camera.rotation.toRotationMatrix(), camera.robot_from_camera.translation, tilt_of(sway),
-          sway.height_m};
+Reprojector::Viewpoint Reprojector::viewpoint_of(const CameraModel& camera, const Attitude& attitude) {
+  return {camera.robot_from_camera.rotation.toRotationMatrix(), camera.robot_from_camera.translation,
+          tilt_of(attitude), attitude.height_m};
 }
 
-/// The floor point of a ray, and its derivative by the sway.
+/// The floor point of a ray, and its derivative by the attitude.
 struct Reprojector::OnFloor {
   Eigen::Vector2d point;
-  Eigen::Matrix<double, 2, 3> by_sway;
+  Eigen::Matrix<double, 2, 3> by_attitude;
   bool in_front;
 };
 
-Reprojector::OnFloor Reprojector::meet_floor(const Eye& eye, const Eigen::Vector2d& normalised) {
-  const Eigen::Vector3d ray_in_body = eye.body_from_camera * normalised.homogeneous();
-  const Eigen::Vector3d ray = eye.tilt.rotation * ray_in_body;
-  const Eigen::Vector3d origin = eye.tilt.rotation * eye.position_in_body + Eigen::Vector3d(0.0, 0.0, eye.height);
+Reprojector::OnFloor Reprojector::meet_floor(const Viewpoint& viewpoint, const Eigen::Vector2d& normalised) {
+  const Eigen::Vector3d ray_in_body = viewpoint.body_from_camera * normalised.homogeneous();
+  const Eigen::Vector3d ray = viewpoint.tilt.rotation * ray_in_body;
+  const Eigen::Vector3d origin =
+      viewpoint.tilt.rotation * viewpoint.position_in_body + Eigen::Vector3d(0.0, 0.0, viewpoint.height);
   const double depth = -origin.z() / ray.z();
   OnFloor met{};
   met.in_front = ray.z() < -1e-6 && origin.z() > 0.0;
@@ -76,21 +77,25 @@ Reprojector::OnFloor Reprojector::meet_floor(const Eye& eye, const Eigen::Vector
     const double d_depth = -(d_origin.z() + depth * d_ray.z()) / ray.z();
     return (d_origin + depth * d_ray + d_depth * ray).head<2>();
   };
-  met.by_sway.col(0) = derivative(eye.tilt.by_pitch * eye.position_in_body, eye.tilt.by_pitch * ray_in_body);
-  met.by_sway.col(1) = derivative(eye.tilt.by_roll * eye.position_in_body, eye.tilt.by_roll * ray_in_body);
-  met.by_sway.col(2) = derivative(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+  met.by_attitude.col(0) =
+      derivative(viewpoint.tilt.by_pitch * viewpoint.position_in_body, viewpoint.tilt.by_pitch * ray_in_body);
+  met.by_attitude.col(1) =
+      derivative(viewpoint.tilt.by_roll * viewpoint.position_in_body, viewpoint.tilt.by_roll * ray_in_body);
+  met.by_attitude.col(2) = derivative(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
   return met;
 }
 
 Reprojector::Reprojector(const CameraModel& a, const CameraModel& b, const PlanarState& state)
-    : a_(eye_of(a, state.sway_a)), b_(eye_of(b, state.sway_b)), origin_(state.a_from_b.translation()) {
+    : a_(viewpoint_of(a, state.attitude_a)),
+      b_(viewpoint_of(b, state.attitude_b)),
+      origin_(state.a_from_b.translation()) {
   const double c = std::cos(state.a_from_b.heading);
   const double s = std::sin(state.a_from_b.heading);
   b_from_a_ << c, s, -s, c;
 }
 
 Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a) const {
-  const Eye& b = b_;
+  const Viewpoint& b = b_;
   const OnFloor met = meet_floor(a_, in_a);
   const Eigen::Vector2d q = b_from_a_ * (met.point - origin_);
   const Eigen::Vector3d above(q.x(), q.y(), -b.height);
@@ -108,7 +113,7 @@ Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a) const {
   out.jacobian.col(0) = -by_q.col(0);
   out.jacobian.col(1) = -by_q.col(1);
   out.jacobian.col(2) = by_q * Eigen::Vector2d(q.y(), -q.x());
-  out.jacobian.middleCols<3>(3) = by_q * b_from_a_ * met.by_sway;
+  out.jacobian.middleCols<3>(3) = by_q * b_from_a_ * met.by_attitude;
   out.jacobian.col(6) = by_body * b.tilt.by_pitch.transpose() * above;
   out.jacobian.col(7) = by_body * b.tilt.by_roll.transpose() * above;
   out.jacobian.col(8) = -by_level.col(2);
@@ -121,7 +126,7 @@ Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarS
 }
 
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
-                            const SwayPrior& prior, const PlanarState& start, double huber) {
+                            const AttitudePrior& prior, const PlanarState& start, double huber) {
   constexpr int most_iterations = 15;
   constexpr double settled = 3e-6;  // metres and radians: far below what views tell; Huber weights settle slowly
   constexpr double far_off_px = 1e3;

@@ -2,8 +2,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/camera_model.hpp"
-#include "agents/perception/sway.hpp"
 #include "core/geometry/pose2.hpp"
 
 namespace weft::agents {
@@ -24,16 +24,16 @@ struct FloorPair {
   Eigen::Vector2d in_sigmas(const Eigen::Vector2d& pixels) const { return counts * pixels / sigma_px; }
 };
 
-/// The state that two views determine: where b stands in the plane of a, and how both sway.
+/// The state that two views determine: where b stands in the plane of a, and how both attitude.
 struct PlanarState {
   Pose2 a_from_b;
-  Sway sway_a;
-  Sway sway_b;
+  Attitude attitude_a;
+  Attitude attitude_b;
 };
 
-/// What is known before the points are looked at: mean and information of (sway_a, sway_b), each (pitch, roll,
-/// height).
-struct SwayPrior {
+/// What is known before the points are looked at: mean and information of (attitude_a, attitude_b), each (pitch,
+/// roll, height).
+struct AttitudePrior {
   Vector6d mean = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
 };
@@ -41,7 +41,7 @@ struct SwayPrior {
 struct PlanarFit {
   PlanarState state;
   Matrix9d covariance =
-      Matrix9d::Zero();             ///< of (xi in a_from_b * exp2(xi), sway_a, sway_b), scaled by the residuals
+      Matrix9d::Zero();  ///< of (xi in a_from_b * se2_exp(xi), attitude_a, attitude_b), scaled by the residuals
   std::vector<double> residual_px;  ///< |b - predicted b| of each pair
   double scale = 1.0;               ///< residuals over their stated sigma, robust; 1 when the sigmas are true
   bool converged = false;
@@ -51,9 +51,9 @@ struct PlanarFit {
 /// `huber` sigmas) and the prior, from `start`. Rigid planar motion alone turns a bump of 0.05 degrees into 9 % of
 /// speed; the prior keeps what one pair of views cannot know (common tilt, height) where it was.
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
-                            const SwayPrior& prior, const PlanarState& start, double huber = 1.5);
+                            const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 
-/// Where the point that a sees at `in_a` appears in b, and its derivative by (xi, sway_a, sway_b).
+/// Where the point that a sees at `in_a` appears in b, and its derivative by (xi, attitude_a, attitude_b).
 struct Reprojection {
   Eigen::Vector2d in_b;
   Matrix29d jacobian;
@@ -72,19 +72,19 @@ class Reprojector {
     Eigen::Matrix3d by_pitch;
     Eigen::Matrix3d by_roll;
   };
-  struct Eye {
+  struct Viewpoint {
     Eigen::Matrix3d body_from_camera;
     Eigen::Vector3d position_in_body;
     Tilt tilt;
     double height;
   };
   struct OnFloor;
-  static Tilt tilt_of(const Sway& sway);
-  static Eye eye_of(const CameraModel& camera, const Sway& sway);
-  static OnFloor meet_floor(const Eye& eye, const Eigen::Vector2d& normalised);
+  static Tilt tilt_of(const Attitude& attitude);
+  static Viewpoint viewpoint_of(const CameraModel& camera, const Attitude& attitude);
+  static OnFloor meet_floor(const Viewpoint& viewpoint, const Eigen::Vector2d& normalised);
 
-  Eye a_;
-  Eye b_;
+  Viewpoint a_;
+  Viewpoint b_;
   Eigen::Matrix2d b_from_a_;  // turned alone
   Eigen::Vector2d origin_;    // of b in the plane of a
 };

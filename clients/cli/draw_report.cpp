@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "clients/chart/chart.hpp"
 #include "clients/cli/teach_report.hpp"
@@ -10,15 +11,28 @@ using charts::Chart;
 using charts::Curve;
 using charts::Dot;
 
-/// The share of each stretch over all of its metres.
-Curve line_of(const std::vector<msg::TaughtStretch>& report, double msg::TaughtStretch::*found, const char* name,
-              const charts::Colour& ink, double thick) {
-  Curve curve{name, {}, ink, Curve::Look::line, thick};
+/// The share of each stretch over all of its metres, under one condition.
+Curve line_of(const std::vector<msg::TaughtStretch>& report, std::size_t condition, const charts::Colour& ink,
+              double thick) {
+  Curve curve{words_for(report.front().found[condition].name), {}, ink, Curve::Look::line, thick};
   for (const msg::TaughtStretch& stretch : report) {
-    curve.dots.push_back({stretch.from_m, 100.0 * (stretch.*found)});
-    curve.dots.push_back({stretch.to_m, 100.0 * (stretch.*found)});
+    if (condition >= stretch.found.size()) continue;
+    curve.dots.push_back({stretch.from_m, 100.0 * stretch.found[condition].value});
+    curve.dots.push_back({stretch.to_m, 100.0 * stretch.found[condition].value});
   }
   return curve;
+}
+
+/// Thick below thin: where they are the same, all of them show.
+std::vector<Curve> lines_of(const std::vector<msg::TaughtStretch>& report) {
+  const std::array inks = {charts::kSky, charts::kVermilion, charts::kInk, charts::kQuiet};
+  constexpr std::array thick = {6.0, 3.2, 1.3, 0.8};
+  static_assert(thick.size() == msg::kReportConditions);
+  std::vector<Curve> lines;
+  if (report.empty()) return lines;
+  for (std::size_t i = 0; i < std::min(report.front().found.size(), thick.size()); ++i)
+    lines.push_back(line_of(report, i, inks[i], thick[i]));
+  return lines;
 }
 
 }  // namespace
@@ -32,17 +46,15 @@ Result<void> draw_report(const std::vector<msg::TaughtStretch>& report, const st
   chart.x_label = "metres taught, m";
   chart.y_label = "places found, %";
   chart.y_range = Dot{-4.0, 104.0};
-  // Thick below thin: where they are the same, all of them show.
-  chart.curves = {
-      line_of(report, &msg::TaughtStretch::as_is, "as it is", charts::kSky, 6.0),
-      line_of(report, &msg::TaughtStretch::half_light, "in half the light", charts::kVermilion, 3.2),
-      line_of(report, &msg::TaughtStretch::worn, "on a worn floor", charts::kInk, 1.3),
-      {"below it a robot will not find itself",
-       {{from_m, 100.0 * kFoundEnough}, {to_m, 100.0 * kFoundEnough}},
-       charts::kQuiet,
-       Curve::Look::dashed,
-       1.2},
-  };
+  chart.curves = lines_of(report);
+  if (!chart.curves.empty()) {
+    const double bound = 100.0 * report.front().found.front().bound;
+    chart.curves.push_back({"below it a robot will not find itself",
+                            {{from_m, bound}, {to_m, bound}},
+                            charts::kQuiet,
+                            Curve::Look::dashed,
+                            1.2});
+  }
   constexpr double px_a_metre = 20.0;
   const double wide = std::clamp(90.0 + px_a_metre * (to_m - from_m), 760.0, 1800.0);
   // To this program an unavailable thing is a server.

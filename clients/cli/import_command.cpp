@@ -2,7 +2,7 @@
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/files.hpp"
-#include "clients/cli/hand_in.hpp"
+#include "clients/cli/uploader.hpp"
 #include "storage/formats/g2o.hpp"
 #include "storage/formats/import.hpp"
 
@@ -77,8 +77,8 @@ Exit run_import(Session& session, const Invocation& invocation, const Output& ou
   if (!graph) return report(graph.error(), invocation.json, output);
   const Result<formats::Import> import = formats::import_of(*graph, invocation.name);
   if (!import) return report(import.error(), invocation.json, output);
-  HandIn hand_in(import->batches, import->contents);
-  if (const Result<void> handed = session.hand_in(hand_in, patience(invocation)); !handed) {
+  Uploader uploader(import->batches, import->contents);
+  if (const Result<void> handed = session.upload(uploader, patience(invocation)); !handed) {
     return report(handed.error(), invocation.json, output);
   }
   if (const Result<void> labelled = put_labels(session, *import, invocation); !labelled) {

@@ -38,6 +38,13 @@ json to_json(const Pose2& pose) {
   return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
 }
 
+json to_json(const std::vector<Diagnostic>& diagnostics) {
+  json list = json::array();
+  for (const Diagnostic& one : diagnostics)
+    list.push_back({{"name", one.name}, {"value", one.value}, {"sigma", one.sigma}, {"bound", one.bound}});
+  return list;
+}
+
 json to_json(const msg::RobotRow& row) {
   const msg::RobotState& state = row.state;
   json object = {{"name", row.description.name},
@@ -54,6 +61,7 @@ json to_json(const msg::RobotRow& row) {
                  {"frame", state.frame},
                  {"window_revision", state.window_revision.value},
                  {"contents_missing", state.contents_missing},
+                 {"diagnostics", to_json(state.diagnostics)},
                  {"memory_bytes", state.memory_bytes},
                  {"memory_cap_bytes", state.memory_cap_bytes},
                  {"window_bytes_sent", row.window_bytes},

@@ -207,11 +207,11 @@ Result<Window> Session::network(Wanted wanted, Duration at_most, const PageProgr
   return network.take();
 }
 
-Result<void> Session::hand_in(HandIn& hand_in, Duration quiet) {
+Result<void> Session::upload(Uploader& uploader, Duration quiet) {
   SteadyTime give_up = world_.now() + quiet;
-  std::size_t acknowledged = hand_in.acknowledged();
-  while (!hand_in.done()) {
-    for (msg::Message& message : hand_in.due(world_.now())) {
+  std::size_t acknowledged = uploader.acknowledged();
+  while (!uploader.done()) {
+    for (msg::Message& message : uploader.due(world_.now())) {
       if (auto* const batch = std::get_if<msg::ExperienceBatch>(&message)) batch->header = header();
       if (auto* const chunk = std::get_if<msg::Chunk>(&message)) chunk->header = header();
       // What a full queue does not take is asked for, or repeated, later.
@@ -220,10 +220,10 @@ Result<void> Session::hand_in(HandIn& hand_in, Duration quiet) {
     while (const std::optional<msg::Message> message = link_.take()) {
       const auto* const ack = std::get_if<msg::BatchAck>(&*message);
       if (ack == nullptr || ack->to != self_) continue;
-      if (const Result<void> heard = hand_in.hear(*ack); !heard) return heard;
+      if (const Result<void> heard = uploader.hear(*ack); !heard) return heard;
     }
-    if (hand_in.acknowledged() > acknowledged) {
-      acknowledged = hand_in.acknowledged();
+    if (uploader.acknowledged() > acknowledged) {
+      acknowledged = uploader.acknowledged();
       give_up = world_.now() + quiet;
     }
     if (world_.now() >= give_up) {
@@ -232,7 +232,7 @@ Result<void> Session::hand_in(HandIn& hand_in, Duration quiet) {
                                             std::to_string(std::lround(seconds(quiet))) +
                                             " s: look with `weft doctor`, then import again under the same name");
     }
-    if (!hand_in.done()) world_.wait(kListen);
+    if (!uploader.done()) world_.wait(kListen);
   }
   return {};
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/hand_in.hpp"
+#include "clients/cli/uploader.hpp"
 #include "core/network/page.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
@@ -48,7 +48,7 @@ class Session {
 
   /// Until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused: in the
   /// server's words. What was acknowledged stays.
-  Result<void> hand_in(HandIn& hand_in, Duration quiet);
+  Result<void> upload(Uploader& uploader, Duration quiet);
 
   GoalId new_goal();
   std::string vendor() const { return link_.bus().vendor(); }

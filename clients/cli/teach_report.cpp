@@ -1,33 +1,49 @@
 #include "clients/cli/teach_report.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "clients/cli/table.hpp"
 
 namespace weft::cli {
 namespace {
 
-/// A way in which places may have to be found, the mildest first.
-struct Prospect {
-  double msg::TaughtStretch::*found;
+/// A condition under which places may have to be found, as robots name them.
+struct Condition {
+  const char* name;
   const char* words;
+  const char* failing;
   const char* what_to_do;
 };
-constexpr std::array kProspects{
-    Prospect{&msg::TaughtStretch::as_is, "will not be found again as they are",
-             "the camera sees too little there: look at focus, lens and light, and teach them again"},
-    Prospect{&msg::TaughtStretch::half_light, "will not be found in half the light",
-             "keep the light as it is, or clean the lens or give more light, and teach them again"},
-    Prospect{&msg::TaughtStretch::worn, "will not be found on a worn or dirty floor",
-             "keep the floor clean there, and teach them again when it has changed"},
+constexpr std::array kConditions{
+    Condition{"as_is", "as it is", "will not be found again as they are",
+              "the camera sees too little there: look at focus, lens and light, and teach them again"},
+    Condition{"half_light", "in half the light", "will not be found in half the light",
+              "keep the light as it is, or clean the lens or give more light, and teach them again"},
+    Condition{"worn", "on a worn floor", "will not be found on a worn or dirty floor",
+              "keep the floor clean there, and teach them again when it has changed"},
 };
 
-/// The mildest one under which the stretch will not be found; null: none.
-const Prospect* failing(const msg::TaughtStretch& stretch) {
-  for (const Prospect& prospect : kProspects)
-    if (stretch.*prospect.found < kFoundEnough) return &prospect;
-  return nullptr;
+const Condition* known(const std::string& name) {
+  const auto* const found = std::find_if(kConditions.begin(), kConditions.end(),
+                                         [&](const Condition& condition) { return name == condition.name; });
+  return found == kConditions.end() ? nullptr : found;
+}
+
+/// The mildest condition under which the stretch will not be found; empty: none.
+std::string failing(const msg::TaughtStretch& stretch) {
+  for (const Diagnostic& share : stretch.found)
+    if (share.value < share.bound) return share.name;
+  return {};
+}
+
+std::string advice_on(const std::string& condition) {
+  if (const Condition* const it = known(condition); it != nullptr)
+    return std::string(it->failing) + ": " + it->what_to_do;
+  return "will not be found under \"" + condition + "\": teach them again when it has come";
 }
 
 /// 12 or 12.4.
@@ -44,43 +60,70 @@ std::string percent(double share) {
   return fixed(100.0 * share, 0) + " %";
 }
 
+/// "HALF LIGHT" of "half_light".
+std::string heading_of(std::string name) {
+  for (char& letter : name)
+    letter = letter == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return name;
+}
+
+/// ", in half the light and on a worn floor too"; empty: places are tried as they are alone.
+std::string worse_conditions(const msg::TaughtStretch& stretch) {
+  std::string words;
+  for (std::size_t i = 1; i < stretch.found.size(); ++i) {
+    const bool is_last = i + 1 == stretch.found.size();
+    words += (i == 1 ? ", " : is_last ? " and " : ", ") + words_for(stretch.found[i].name);
+  }
+  return words.empty() ? words : words + " too";
+}
+
 }  // namespace
 
 std::vector<std::string> advice_of(const std::vector<msg::TaughtStretch>& report) {
   std::vector<std::string> advice;
   for (std::size_t first = 0, next = 0; first < report.size(); first = next) {
-    const Prospect* const prospect = failing(report[first]);
-    for (next = first + 1; next < report.size() && failing(report[next]) == prospect;) ++next;
-    if (prospect == nullptr) continue;
-    advice.push_back("metres " + metres(report[first].from_m, report[next - 1].to_m) + " " + prospect->words + ": " +
-                     prospect->what_to_do);
+    const std::string condition = failing(report[first]);
+    for (next = first + 1; next < report.size() && failing(report[next]) == condition;) ++next;
+    if (condition.empty()) continue;
+    advice.push_back("metres " + metres(report[first].from_m, report[next - 1].to_m) + " " + advice_on(condition));
   }
   return advice;
 }
 
+std::string words_for(const std::string& condition) {
+  const Condition* const it = known(condition);
+  return it != nullptr ? it->words : condition;
+}
+
 void print_report(const std::vector<msg::TaughtStretch>& report, std::ostream& out) {
   Table table;
-  table.add({"METRES", "PLACES", "AS IS", "HALF LIGHT", "WORN", "SIGMA", "WEAKEST"});
+  std::vector<std::string> heading = {"METRES", "PLACES"};
+  if (!report.empty())
+    for (const Diagnostic& share : report.front().found) heading.push_back(heading_of(share.name));
+  heading.insert(heading.end(), {"SIGMA", "WEAKEST"});
+  table.add(std::move(heading));
   for (const msg::TaughtStretch& stretch : report) {
     const std::string sigma = stretch.sigma_m > 0.0 ? fixed(1000.0 * stretch.sigma_m, 0) + " mm" : "-";
-    table.add({metres(stretch.from_m, stretch.to_m), std::to_string(stretch.places), percent(stretch.as_is),
-               percent(stretch.half_light), percent(stretch.worn), sigma, stretch.reason});
+    std::vector<std::string> row = {metres(stretch.from_m, stretch.to_m), std::to_string(stretch.places)};
+    for (const Diagnostic& share : stretch.found) row.push_back(percent(share.value));
+    row.insert(row.end(), {sigma, stretch.reason});
+    table.add(std::move(row));
   }
   table.print(out);
   const std::vector<std::string> advice = advice_of(report);
   for (const std::string& words : advice) out << words << '\n';
   if (advice.empty() && !report.empty()) {
-    out << "all " << metre(report.back().to_m - report.front().from_m)
-        << " m will be found again, in half the light and on a worn floor too\n";
+    out << "all " << metre(report.back().to_m - report.front().from_m) << " m will be found again"
+        << worse_conditions(report.front()) << '\n';
   }
 }
 
 nlohmann::json to_json(const msg::TaughtStretch& stretch) {
-  return {{"from_m", stretch.from_m}, {"to_m", stretch.to_m},
-          {"places", stretch.places}, {"first", to_string(stretch.first)},
-          {"as_is", stretch.as_is},   {"half_light", stretch.half_light},
-          {"worn", stretch.worn},     {"sigma_m", stretch.sigma_m},
-          {"reason", stretch.reason}};
+  nlohmann::json object = {{"from_m", stretch.from_m},   {"to_m", stretch.to_m},
+                           {"places", stretch.places},   {"first", to_string(stretch.first)},
+                           {"sigma_m", stretch.sigma_m}, {"reason", stretch.reason}};
+  for (const Diagnostic& share : stretch.found) object.emplace(share.name, share.value);
+  return object;
 }
 
 }  // namespace weft::cli

@@ -26,21 +26,21 @@ Result<void> TaughtMap::take(ExperienceId experience, RobotId robot, std::string
   return {};
 }
 
-bool TaughtMap::take(const agents::Lesson& lesson) {
-  const Place* const place = snapshot_.place(lesson.place);
-  if (place == nullptr || place->content.hash != lesson.made_of) return false;
-  Experience learned = *snapshot_.experience(lesson.place.experience);
+bool TaughtMap::take(const agents::LearnedPlace& learned_place) {
+  const Place* const place = snapshot_.place(learned_place.place);
+  if (place == nullptr || place->content.hash != learned_place.made_of) return false;
+  Experience learned = *snapshot_.experience(learned_place.place.experience);
   std::vector<Place> places(learned.places.begin(), learned.places.end());
   for (Place& one : places) {
-    if (one.id != lesson.place) continue;
+    if (one.id != learned_place.place) continue;
     ++one.entity_version;
-    one.content_format = lesson.content_format;
-    one.content = {hash_bytes(lesson.content), lesson.content.size()};
-    contents_[one.content.hash] = std::make_shared<const Bytes>(lesson.content);
+    one.content_format = learned_place.content_format;
+    one.content = {hash_bytes(learned_place.content), learned_place.content.size()};
+    contents_[one.content.hash] = std::make_shared<const Bytes>(learned_place.content);
   }
   learned.places = SharedRow<Place>(std::move(places));
   Snapshot::Experiences experiences = snapshot_.experiences();
-  experiences[lesson.place.experience] = std::make_shared<const Experience>(std::move(learned));
+  experiences[learned_place.place.experience] = std::make_shared<const Experience>(std::move(learned));
   snapshot_ = Snapshot(Revision{snapshot_.revision().value + 1}, std::move(experiences), snapshot_.shared_labels(),
                        snapshot_.shared_aparts());
   look_at_all();

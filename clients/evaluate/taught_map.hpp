@@ -20,7 +20,7 @@ class TaughtMap final : public agents::Contents {
                     const std::vector<agents::Kept>& kept);
 
   /// Whether the place still has the content that this was learned upon; then it has the new one.
-  bool take(const agents::Lesson& lesson);
+  bool take(const agents::LearnedPlace& learned_place);
 
   std::shared_ptr<const Bytes> find(const ContentHash& hash) const override;
   agents::MapView view() const { return {window_, *this}; }

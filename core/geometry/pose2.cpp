@@ -37,7 +37,7 @@ bool is_finite(const Pose2& pose) {
 
 // Closed forms for a constant twist: V(omega) = [s -c; c s] with s = sin(omega) / omega, c = (1 - cos(omega)) /
 // omega.
-Pose2 exp2(const Eigen::Vector3d& twist) {
+Pose2 se2_exp(const Eigen::Vector3d& twist) {
   const double omega = twist.z();
   double s = 1.0;
   double c = 0.5 * omega;
@@ -49,7 +49,7 @@ Pose2 exp2(const Eigen::Vector3d& twist) {
   return {s * twist.x() - c * twist.y(), c * twist.x() + s * twist.y(), wrap_angle(omega)};
 }
 
-Eigen::Vector3d log2(const Pose2& pose) {
+Eigen::Vector3d se2_log(const Pose2& pose) {
   const double omega = wrap_angle(pose.heading);
   const double half = 0.5 * omega;
   const double a = std::abs(omega) > 1e-5 ? half / std::tan(half) : 1.0 - omega * omega / 12.0;

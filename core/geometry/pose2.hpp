@@ -21,9 +21,9 @@ Eigen::Vector2d operator*(const Pose2& a_from_b, const Eigen::Vector2d& point_in
 bool is_finite(const Pose2& pose);
 
 /// Exponential map of the twist (v_x, v_y, omega) over unit time, and its inverse.
-Pose2 exp2(const Eigen::Vector3d& twist);
-Eigen::Vector3d log2(const Pose2& pose);
-/// Adjoint: a_from_b * exp2(xi) == exp2(adjoint(a_from_b) * xi) * a_from_b, order (x, y, heading).
+Pose2 se2_exp(const Eigen::Vector3d& twist);
+Eigen::Vector3d se2_log(const Pose2& pose);
+/// Adjoint: a_from_b * se2_exp(xi) == se2_exp(adjoint(a_from_b) * xi) * a_from_b, order (x, y, heading).
 Eigen::Matrix3d adjoint(const Pose2& a_from_b);
 
 }  // namespace weft

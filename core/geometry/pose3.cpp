@@ -48,7 +48,7 @@ bool is_finite(const Pose3& pose) {
 }
 
 // Rodrigues' formula and its integral V = I + (1 - cos t) / t^2 W + (t - sin t) / t^3 W^2, t = |omega|, W = [omega]x.
-Pose3 exp3(const Vector6d& twist) {
+Pose3 se3_exp(const Vector6d& twist) {
   const Eigen::Vector3d rho = twist.head<3>();
   const Eigen::Vector3d omega = twist.tail<3>();
   const double t = omega.norm();
@@ -64,7 +64,7 @@ Pose3 exp3(const Vector6d& twist) {
 }
 
 // V^-1 = I - W / 2 + (1 - (t / 2) cot(t / 2)) / t^2 W^2.
-Vector6d log3(const Pose3& pose) {
+Vector6d se3_log(const Pose3& pose) {
   const Eigen::Vector3d omega = rotation_log(pose.rotation);
   const double t = omega.norm();
   const double half = 0.5 * t;

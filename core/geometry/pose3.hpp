@@ -21,8 +21,8 @@ Eigen::Vector3d operator*(const Pose3& a_from_b, const Eigen::Vector3d& point_in
 bool is_finite(const Pose3& pose);
 
 /// Order (translation, rotation).
-Pose3 exp3(const Vector6d& twist);
-Vector6d log3(const Pose3& pose);
+Pose3 se3_exp(const Vector6d& twist);
+Vector6d se3_log(const Pose3& pose);
 Matrix6d adjoint(const Pose3& a_from_b);
 
 Pose3 lift(const Pose2& pose);

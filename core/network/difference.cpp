@@ -35,13 +35,13 @@ double sigmas_apart(const Relation& a, const Relation& b, double floor_m, double
   const double floor_m2 = floor_m * floor_m;
   const double floor_rad2 = floor_rad * floor_rad;
   if (const Pair3 both = in_space(a, b)) {
-    const Vector6d apart = log3(both.a->a_from_b.inverse() * both.b->a_from_b);
+    const Vector6d apart = se3_log(both.a->a_from_b.inverse() * both.b->a_from_b);
     Matrix6d covariance = both.a->covariance.matrix() + both.b->covariance.matrix();
     covariance.diagonal().head<3>().array() += floor_m2;
     covariance.diagonal().tail<3>().array() += floor_rad2;
     return std::sqrt(std::max(0.0, apart.dot(covariance.ldlt().solve(apart))));
   }
-  const Eigen::Vector3d apart = log2(planar(a).inverse() * planar(b));
+  const Eigen::Vector3d apart = se2_log(planar(a).inverse() * planar(b));
   Eigen::Matrix3d covariance = planar_covariance(a) + planar_covariance(b);
   covariance.diagonal() += Eigen::Vector3d(floor_m2, floor_m2, floor_rad2);
   return std::sqrt(std::max(0.0, apart.dot(covariance.ldlt().solve(apart))));

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Planar metric relation. Covariance of xi in a_from_b * exp2(xi), order (x, y, heading), m and rad.
+/// Planar metric relation. Covariance of xi in a_from_b * se2_exp(xi), order (x, y, heading), m and rad.
 struct Metric2 {
   Pose2 a_from_b;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -29,7 +29,7 @@ class Covariance6 {
   std::shared_ptr<const Matrix6d> matrix_;
 };
 
-/// Spatial metric relation. Covariance of xi in a_from_b * exp3(xi), order (translation, rotation).
+/// Spatial metric relation. Covariance of xi in a_from_b * se3_exp(xi), order (translation, rotation).
 struct Metric3 {
   Pose3 a_from_b;
   Covariance6 covariance;

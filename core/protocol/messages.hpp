@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bytes.hpp"
+#include "core/diagnostic.hpp"
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/page.hpp"
@@ -23,6 +24,7 @@ inline constexpr std::size_t kSignatureNumbers = 1024;        ///< longest signa
 inline constexpr std::size_t kRecognisedPlaces = 200;         ///< most places that are proposed for one signature
 inline constexpr std::size_t kRecognisedRank = 10'000;        ///< no place behind so many likelier ones is proposed
 inline constexpr std::size_t kReportRows = 1000;              ///< most stretches in a report on what was taught
+inline constexpr std::size_t kReportConditions = 4;           ///< most conditions in each of them
 
 /// On every message that claims authority.
 struct Header {
@@ -102,10 +104,11 @@ struct RobotState {
   std::uint32_t route_version = 0;
   Revision window_revision;
   Digest window_digest;
-  std::uint64_t contents_missing = 0;  ///< of its window
-  std::uint64_t memory_bytes = 0;      ///< of contents that it holds
-  std::uint64_t memory_cap_bytes = 0;  ///< it never holds more
-  std::string reason;                  ///< why it stands, when it stands
+  std::uint64_t contents_missing = 0;   ///< of its window
+  std::uint64_t memory_bytes = 0;       ///< of contents that it holds
+  std::uint64_t memory_cap_bytes = 0;   ///< it never holds more
+  std::vector<Diagnostic> diagnostics;  ///< what driving has shown of the robot: its camera's mount
+  std::string reason;                   ///< why it stands, when it stands
 };
 
 struct ExperienceBatch {
@@ -248,11 +251,9 @@ struct TaughtStretch {
   double to_m = 0.0;
   std::uint32_t places = 0;  ///< kept on it
   PlaceId first;
-  double as_is = 0.0;       ///< share of its places that are found again as they are, [0, 1]
-  double half_light = 0.0;  ///< the same with half the light
-  double worn = 0.0;        ///< the same with a worn floor
-  double sigma_m = 0.0;     ///< predicted of a position found there, metres
-  std::string reason;       ///< the most frequent refusal; empty: none
+  std::vector<Diagnostic> found;  ///< the share of its places that are found again, by condition; as they are first
+  double sigma_m = 0.0;           ///< predicted of a position found there, metres
+  std::string reason;             ///< the most frequent refusal; empty: none
   bool operator==(const TaughtStretch&) const = default;
 };
 

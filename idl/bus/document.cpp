@@ -109,13 +109,15 @@ std::string bounds() {
          bound("places proposed for a signature", msg::kRecognisedPlaces) +
          bound("places known already when others are asked for", msg::kRecognisedRank) +
          bound("stretches in a report on what was taught", msg::kReportRows) +
+         bound("conditions in each of them", msg::kReportConditions) +
          bound("places of a route", kRoutePlaces) + bound("points of a line to teach along", kLinePoints) +
          bound("hops of a window", kHops) + bound("places of a window", kWindowCap) +
          bound("parts of a patch or an answer", kParts) +
          bound("robots, goals or routes in one part of an answer", kRows) +
          bound("events in one part of an answer", kEvents) + bound("events in a goal's history", kHistory) +
          bound("counters in an answer", kCounters) + bound("methods of a robot", kMethods) +
-         bound("cameras of a robot", kCameras) + bound("names and labels, bytes", kNameLength) +
+         bound("cameras of a robot", kCameras) + bound("diagnostics of a robot", kDiagnostics) +
+         bound("names and labels, bytes", kNameLength) +
          bound("reasons and other sentences, bytes", kTextLength) +
          bound("a camera's calibration, bytes", kCalibrationLength) +
          bound("a header's signature, bytes", kSignatureBytes) + bound("answers in a server's hello", msg::kAnswers);

@@ -323,34 +323,44 @@ std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wi
   return labels;
 }
 
+idl::Diagnostic to_idl(const Diagnostic& diagnostic) {
+  idl::Diagnostic wire;
+  wire.name(diagnostic.name);
+  wire.value(diagnostic.value);
+  wire.sigma(diagnostic.sigma);
+  wire.bound(diagnostic.bound);
+  return wire;
+}
+
+Diagnostic from_idl(const idl::Diagnostic& wire, Reading reading) {
+  return {reading.text("name", wire.name(), kNameLength), reading.finite("value", wire.value()),
+          reading.not_negative("sigma", wire.sigma()), reading.finite("bound", wire.bound())};
+}
+
 idl::TaughtStretch to_idl(const msg::TaughtStretch& stretch) {
   idl::TaughtStretch wire;
   wire.from_m(stretch.from_m);
   wire.to_m(stretch.to_m);
   wire.places(stretch.places);
   wire.first(to_idl(stretch.first));
-  wire.as_is(stretch.as_is);
-  wire.half_light(stretch.half_light);
-  wire.worn(stretch.worn);
+  wire.found(list_to_idl<idl::Diagnostic>(stretch.found));
   wire.sigma_m(stretch.sigma_m);
   wire.reason(stretch.reason);
   return wire;
 }
 
 msg::TaughtStretch from_idl(const idl::TaughtStretch& wire, Reading reading) {
-  const auto share = [&reading](std::string_view field, double value) {
-    reading.require(value >= 0.0 && value <= 1.0, field, "must be from 0 to 1");
-    return value;
-  };
   msg::TaughtStretch value;
   value.from_m = reading.not_negative("from_m", wire.from_m());
   value.to_m = reading.not_negative("to_m", wire.to_m());
   reading.require(value.from_m <= value.to_m, "to_m", "must not be before from_m");
   value.places = wire.places();
   value.first = reading.some("first", from_idl(wire.first()));
-  value.as_is = share("as_is", wire.as_is());
-  value.half_light = share("half_light", wire.half_light());
-  value.worn = share("worn", wire.worn());
+  value.found = list_from_idl<Diagnostic>(wire.found(), reading, "found", msg::kReportConditions);
+  for (std::size_t i = 0; i < value.found.size(); ++i) {
+    const double share = value.found[i].value;
+    reading.in("found", i).require(share >= 0.0 && share <= 1.0, "value", "must be from 0 to 1");
+  }
   value.sigma_m = reading.not_negative("sigma_m", wire.sigma_m());
   value.reason = reading.text("reason", wire.reason(), kNameLength);
   return value;

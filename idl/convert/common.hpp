@@ -37,6 +37,8 @@ Route from_idl(const idl::Route& route, Reading reading);
 std::vector<idl::SitePoint> to_idl(const std::vector<msg::AgentCommand::Point>& line);
 std::vector<msg::AgentCommand::Point> from_idl(const std::vector<idl::SitePoint>& line, Reading reading);
 
+idl::Diagnostic to_idl(const Diagnostic& diagnostic);
+Diagnostic from_idl(const idl::Diagnostic& wire, Reading reading);
 idl::TaughtStretch to_idl(const msg::TaughtStretch& stretch);
 msg::TaughtStretch from_idl(const idl::TaughtStretch& wire, Reading reading);
 

@@ -11,6 +11,7 @@ inline constexpr std::size_t kNameLength = 64;             ///< names, labels, m
 inline constexpr std::size_t kTextLength = 2048;           ///< reasons, causes and other sentences for people
 inline constexpr std::size_t kCalibrationLength = 16'384;  ///< a camera's calibration as text
 inline constexpr std::size_t kMethods = 16;
+inline constexpr std::size_t kDiagnostics = 16;
 inline constexpr std::size_t kCameras = 16;
 inline constexpr std::size_t kHashes = 4096;  ///< missing contents, requested contents
 inline constexpr std::size_t kRoutePlaces = 10'000;

@@ -109,6 +109,7 @@ idl::RobotState to_idl(const msg::RobotState& message) {
   wire.contents_missing(message.contents_missing);
   wire.memory_bytes(message.memory_bytes);
   wire.memory_cap_bytes(message.memory_cap_bytes);
+  wire.diagnostics(list_to_idl<idl::Diagnostic>(message.diagnostics));
   wire.reason(message.reason);
   return wire;
 }
@@ -135,6 +136,7 @@ msg::RobotState from_idl(const idl::RobotState& wire, Reading reading) {
   value.contents_missing = wire.contents_missing();
   value.memory_bytes = wire.memory_bytes();
   value.memory_cap_bytes = wire.memory_cap_bytes();
+  value.diagnostics = list_from_idl<Diagnostic>(wire.diagnostics(), reading, "diagnostics", kDiagnostics);
   value.reason = reading.text("reason", wire.reason(), kTextLength);
   return value;
 }

@@ -16,7 +16,7 @@ Metric2 bent(const AlongPath& path) {
   const double half_turn = 0.5 * path.heading_shift_rad;
   const double length = path.distance_m;
   Metric2 flat;
-  flat.a_from_b = exp2({length, 0.0, path.heading_shift_rad});
+  flat.a_from_b = se2_exp({length, 0.0, path.heading_shift_rad});
   const Eigen::Vector2d along_in_b{std::cos(half_turn), -std::sin(half_turn)};
   const Eigen::Vector2d across_in_b{-along_in_b.y(), along_in_b.x()};
   // A heading that drifts evenly to its error leads aside by a third of its variance; of a turn at the very beginning

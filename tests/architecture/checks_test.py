@@ -156,5 +156,28 @@ class MethodNames(unittest.TestCase):
         self.assertEqual(self.check({'agents/agent/process/calibrate/m.cpp': 'Floor::make(x);\n'}), (0, ''))
 
 
+class Words(unittest.TestCase):
+    GLOSSARY = ('# Glossary\n\n## Words that are not used\n\n| not | but | in |\n|---|---|---|\n'
+                '| "sway", "coming_back" | attitude | everywhere |\n| "Ground" | traffic map | server |\n')
+
+    def check(self, files):
+        return run('check_words.py', files, self.GLOSSARY)
+
+    def test_other_words_comments_and_texts_pass(self):
+        text = '// It sways; sway.\nlog("sway");\nint swayed;\nstd::sway x;\nint ground;\n'
+        self.assertEqual(self.check({'agents/a.cpp': text, 'clients/ground.cpp': 'class Ground {};\n'}), (0, ''))
+
+    def test_a_rejected_word_is_named_with_what_to_say(self):
+        for name, text in (('agents/a.cpp', 'double keyframe_sway = 0;'), ('core/a.hpp', 'struct SwayPrior {};'),
+                           ('agents/a.hpp', 'class ComingBack {};'), ('server/a.hpp', 'class Ground {};'), ('core/sway.hpp', '')):
+            code, said = self.check({name: text + '\n'})
+            self.assertEqual(code, 1, text)
+            self.assertIn(f'{name}:', said)
+            self.assertIn('docs/glossary.md; say ', said)
+
+    def test_a_glossary_without_the_table_is_no_free_pass(self):
+        self.assertNotEqual(run('check_words.py', {}, '## Words that are not used\n')[0], 0)
+
+
 if __name__ == '__main__':
     unittest.main()

@@ -8,7 +8,7 @@ namespace weft {
 namespace {
 
 Metric3 in_space(const Vector6d& xi, double sigma) {
-  return {exp3(xi), sigma * sigma * Matrix6d::Identity()};
+  return {se3_exp(xi), sigma * sigma * Matrix6d::Identity()};
 }
 Vector6d along_axis(Eigen::Index axis, double value) {
   Vector6d xi = Vector6d::Zero();

@@ -35,10 +35,10 @@ TEST(Relation, PlanarCovariancesComposeLikeSamples) {
   Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d sampled_inverse = Eigen::Matrix3d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Pose2 noisy_ab = ab.a_from_b * exp2(draw<Eigen::Vector3d>(random, ab.covariance));
-    const Pose2 noisy_bc = bc.a_from_b * exp2(draw<Eigen::Vector3d>(random, bc.covariance));
-    const Eigen::Vector3d xi = log2(composed.a_from_b.inverse() * noisy_ab * noisy_bc);
-    const Eigen::Vector3d eta = log2(turned.a_from_b.inverse() * noisy_ab.inverse());
+    const Pose2 noisy_ab = ab.a_from_b * se2_exp(draw<Eigen::Vector3d>(random, ab.covariance));
+    const Pose2 noisy_bc = bc.a_from_b * se2_exp(draw<Eigen::Vector3d>(random, bc.covariance));
+    const Eigen::Vector3d xi = se2_log(composed.a_from_b.inverse() * noisy_ab * noisy_bc);
+    const Eigen::Vector3d eta = se2_log(turned.a_from_b.inverse() * noisy_ab.inverse());
     sampled += xi * xi.transpose() / kDraws;
     sampled_inverse += eta * eta.transpose() / kDraws;
   }
@@ -53,9 +53,9 @@ TEST(Relation, SpatialCovariancesComposeLikeSamples) {
   const auto composed = std::get<Metric3>(compose(ab, bc));
   Matrix6d sampled = Matrix6d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Pose3 noisy_ab = ab.a_from_b * exp3(draw<Vector6d>(random, ab.covariance.matrix()));
-    const Pose3 noisy_bc = bc.a_from_b * exp3(draw<Vector6d>(random, bc.covariance.matrix()));
-    const Vector6d xi = log3(composed.a_from_b.inverse() * noisy_ab * noisy_bc);
+    const Pose3 noisy_ab = ab.a_from_b * se3_exp(draw<Vector6d>(random, ab.covariance.matrix()));
+    const Pose3 noisy_bc = bc.a_from_b * se3_exp(draw<Vector6d>(random, bc.covariance.matrix()));
+    const Vector6d xi = se3_log(composed.a_from_b.inverse() * noisy_ab * noisy_bc);
     sampled += xi * xi.transpose() / kDraws;
   }
   EXPECT_LT(difference(sampled, composed.covariance.matrix()), 0.05);
@@ -65,12 +65,12 @@ TEST(Relation, ProjectedCovarianceIsThatOfProjectedSamples) {
   Random random(9);
   Vector6d twist;
   twist << 1.0, 2.0, 0.5, 0.3, -0.4, 1.2;
-  const Metric3 metric{exp3(twist), support::random_covariance<6>(random, 0.005)};
+  const Metric3 metric{se3_exp(twist), support::random_covariance<6>(random, 0.005)};
   const Pose2 flat = planar(metric);
   Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Eigen::Vector3d xi =
-        log2(flat.inverse() * project(metric.a_from_b * exp3(draw<Vector6d>(random, metric.covariance.matrix()))));
+    const Eigen::Vector3d xi = se2_log(
+        flat.inverse() * project(metric.a_from_b * se3_exp(draw<Vector6d>(random, metric.covariance.matrix()))));
     sampled += xi * xi.transpose() / kDraws;
   }
   EXPECT_LT(difference(sampled, planar_covariance(metric)), 0.05);

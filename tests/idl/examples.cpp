@@ -94,6 +94,7 @@ msg::RobotState state() {
   made.contents_missing = 12;
   made.memory_bytes = 5'000'000;
   made.memory_cap_bytes = 64'000'000;
+  made.diagnostics = {{"mount_pitch_rad", 0.0078125, 0.0009765625, 0.0}, {"height_offset_m", -0.0078125, 0.0, 0.007}};
   made.reason = "window is incomplete";
   return made;
 }
@@ -138,9 +139,13 @@ msg::WindowPatch patch() {
   return made;
 }
 
+std::vector<Diagnostic> shares(double as_is, double half_light, double worn) {
+  return {{"as_is", as_is, 0.0625, 0.5}, {"half_light", half_light, 0.125, 0.5}, {"worn", worn, 0.125, 0.5}};
+}
+
 std::vector<msg::TaughtStretch> report() {
-  return {{0.0, 9.75, 48, place_id(0xabcdef, 0), 1.0, 0.875, 0.75, 0.004, "few_inliers"},
-          {9.75, 20.0, 51, place_id(0xabcdef, 48), 0.5, 0.25, 0.0, 0.02, ""}};
+  return {{0.0, 9.75, 48, place_id(0xabcdef, 0), shares(1.0, 0.875, 0.75), 0.004, "few_inliers"},
+          {9.75, 20.0, 51, place_id(0xabcdef, 48), shares(0.5, 0.25, 0.0), 0.02, ""}};
 }
 
 msg::QueryReply query_reply() {

@@ -58,6 +58,7 @@ TEST(Topics, LargestReportFits) {
   msg::TaughtStretch stretch;
   stretch.first = {ExperienceId{1}, 0};
   stretch.reason = std::string(64, 'x');
+  stretch.found.assign(msg::kReportConditions, {std::string(64, 'x'), 1.0, 0.0, 0.5});
   msg::AgentReply reply;
   reply.header.sender.bytes.fill(1);
   reply.report.assign(msg::kReportRows, stretch);

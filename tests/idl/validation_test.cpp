@@ -141,11 +141,22 @@ TEST(FromIdl, RefusesProposalsOutOfBounds) {
               HasSubstr("outcome must be from 1 to 4"));
 }
 
+TEST(FromIdl, RefusesDiagnosticsOutOfBounds) {
+  EXPECT_EQ(refusal<msg::RobotState>([](auto& m) { m.diagnostics[1].sigma = -0.1; }),
+            "RobotState.diagnostics[1].sigma must be finite and not negative");
+  EXPECT_THAT(refusal<msg::RobotState>([](auto& m) { m.diagnostics[0].bound = kNan; }),
+              HasSubstr("diagnostics[0].bound must be finite"));
+  EXPECT_THAT(refusal<msg::RobotState>([](auto& m) { m.diagnostics.resize(17, m.diagnostics[0]); }),
+              HasSubstr("diagnostics has more than 16 entries"));
+}
+
 TEST(FromIdl, RefusesReportsOutOfBounds) {
-  EXPECT_EQ(refusal<msg::AgentReply>([](auto& m) { m.report[1].worn = 1.01; }),
-            "AgentReply.report[1].worn must be from 0 to 1");
-  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].as_is = kNan; }),
-              HasSubstr("as_is must be from 0 to 1"));
+  EXPECT_EQ(refusal<msg::AgentReply>([](auto& m) { m.report[1].found[2].value = 1.01; }),
+            "AgentReply.report[1].found[2].value must be from 0 to 1");
+  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].found[0].value = kNan; }),
+              HasSubstr("found[0].value must be finite"));
+  EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].found.resize(5, m.report[0].found[0]); }),
+              HasSubstr("found has more than 4 entries"));
   EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.report[0].first = {}; }), HasSubstr("first must not be none"));
   EXPECT_THAT(refusal<msg::AgentReply>([](auto& m) { m.counts.resize(1001, m.counts[0]); }),
               HasSubstr("counts has more than 1000 entries"));

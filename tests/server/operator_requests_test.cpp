@@ -55,7 +55,7 @@ TEST_F(OperatorRequests, ReportIsAskedOfTheRobotAndPassedOn) {
   EXPECT_EQ(command().kind, msg::AgentCommand::Kind::teach_report);
   EXPECT_EQ(command().name, "loop");
   msg::AgentReply reported{r1.header(), command().command, true, "", {}, run.id(), {}, {}};
-  reported.report = {{0.0, 9.5, 48, run.place(0), 1.0, 0.75, 0.5, 0.004, "few_inliers"}};
+  reported.report = {{0.0, 9.5, 48, run.place(0), {{"as_is", 0.75, 0.1, 0.5}}, 0.004, "few_inliers"}};
   site.say(reported);
   EXPECT_EQ(reply()->outcome, msg::Outcome::done);
   EXPECT_EQ(reply()->report, reported.report);

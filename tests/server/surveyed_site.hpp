@@ -26,7 +26,7 @@ class Lane {
   Lane& drive(double metres, double radians) {
     const int steps = static_cast<int>(std::lround(metres / kSpacing_m));
     for (int i = 0; i < steps; ++i) {
-      poses_.push_back(poses_.back() * exp2({metres / steps, 0.0, radians / steps}));
+      poses_.push_back(poses_.back() * se2_exp({metres / steps, 0.0, radians / steps}));
     }
     return *this;
   }
@@ -79,7 +79,7 @@ class SurveyedSite {
     const Eigen::Vector3d sigma = root * Eigen::Vector3d(0.0043, 0.0035, 0.00073);
     Eigen::Vector3d error;
     for (Eigen::Index i = 0; i < 3; ++i) error(i) = random_.normal(0.0, sigma(i));
-    Metric2 relation{truly * exp2(error), Eigen::Matrix3d::Zero()};
+    Metric2 relation{truly * se2_exp(error), Eigen::Matrix3d::Zero()};
     relation.covariance.diagonal() = sigma.cwiseAbs2();
     Edge made;
     made.id = {a, b};

@@ -77,7 +77,7 @@ Pose2 AislesCourse::at(double along_m) const {
   auto bend = bends_.begin();
   while (rest > bend->from_m + bend->length_m && bend + 1 != bends_.end()) ++bend;
   const double share = (rest - bend->from_m) / bend->length_m;
-  return bend->start * exp2({bend->length_m * share, 0.0, bend->turn_rad * share});
+  return bend->start * se2_exp({bend->length_m * share, 0.0, bend->turn_rad * share});
 }
 
 double AislesCourse::start_m(std::size_t robot, std::size_t robots) const {

@@ -32,7 +32,7 @@ class Course {
   virtual const std::vector<Station>& stations() const = 0;
   /// Where a robot of so many stands at first.
   virtual double start_m(std::size_t robot, std::size_t robots) const = 0;
-  /// From where it stands at first. Lessons of all robots together hold the whole course and every station.
+  /// From where it stands at first. PlaceLearner of all robots together hold the whole course and every station.
   virtual Lesson lesson(std::size_t robot, std::size_t robots) const = 0;
 };
 

@@ -48,7 +48,7 @@ std::vector<agents::SitePoint> points_of(const Pose2& from, const Way& way) {
   const auto go = [&](double metres, double turn_rad) {
     const double count = std::ceil(metres / kPoint_m);
     for (double i = 0.0; i < count; i += 1.0) {
-      at = at * exp2({metres / count, 0.0, turn_rad / count});
+      at = at * se2_exp({metres / count, 0.0, turn_rad / count});
       points.push_back({at.x, at.y});
     }
   };

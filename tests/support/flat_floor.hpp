@@ -8,10 +8,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
-#include "agents/perception/sway.hpp"
 #include "core/random.hpp"
 
 namespace weft::test {
@@ -130,7 +130,7 @@ class FloorCamera {
       }
   }
 
-  agents::Image render(const FlatFloor& floor, const Pose2& floor_from_robot, const agents::Sway& sway,
+  agents::Image render(const FlatFloor& floor, const Pose2& floor_from_robot, const agents::Attitude& attitude,
                        const Shot& shot) const {
     const bool moving = shot.blur.translation().norm() > 1e-6 || std::abs(shot.blur.heading) > 1e-6;
     const int exposures = moving ? 3 : 1;
@@ -139,7 +139,7 @@ class FloorCamera {
       const double share = exposures == 1 ? 0.0 : (i - 1) / 3.0;
       const Pose2 part{share * shot.blur.x, share * shot.blur.y, share * shot.blur.heading};
       cv::Mat once;
-      look(floor, floor_from_robot * part, sway, shot).convertTo(once, CV_32F, 1.0 / exposures);
+      look(floor, floor_from_robot * part, attitude, shot).convertTo(once, CV_32F, 1.0 / exposures);
       light += once;
     }
     light = light.mul(shot.gain * (1.0 - shot.vignetting * vignette_));
@@ -157,7 +157,7 @@ class FloorCamera {
   static constexpr int across = 2;
   static constexpr int down = 2;
 
-  cv::Mat look(const FlatFloor& floor, const Pose2& floor_from_robot, const agents::Sway& sway,
+  cv::Mat look(const FlatFloor& floor, const Pose2& floor_from_robot, const agents::Attitude& attitude,
                const Shot& shot) const {
     Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
     const double c = std::cos(floor_from_robot.heading);
@@ -167,7 +167,7 @@ class FloorCamera {
     texel_from_world(0, 2) = texel_from_world(1, 2) = -0.5;
     texel_from_world(2, 2) = 1.0;
     const Eigen::Matrix3d texel_from_camera =
-        texel_from_world * world_from_robot * agents::camera_from_floor(truth_, sway).inverse();
+        texel_from_world * world_from_robot * agents::camera_from_floor(truth_, attitude).inverse();
     cv::Mat texels;
     cv::perspectiveTransform(rays_, texels, cv::Mat(agents::as_matx(texel_from_camera)));
     cv::Mat fine;
@@ -215,7 +215,7 @@ inline agents::CameraModel miscalibrated(const agents::CameraModel& truth, std::
   given.fy *= focal;
   Vector6d error;
   for (int i = 0; i < 6; ++i) error(i) = amount * random.normal() * (i < 3 ? 0.003 : 0.3 * deg);
-  given.robot_from_camera = truth.robot_from_camera * exp3(error);
+  given.robot_from_camera = truth.robot_from_camera * se3_exp(error);
   return given;
 }
 
@@ -228,12 +228,12 @@ class Vibration {
     for (auto& axis : sines_)
       for (auto& sine : axis) sine = {random.uniform(5.0, 20.0), random.uniform(0.0, 2.0 * M_PI)};
   }
-  agents::Sway at(double t) const {
+  agents::Attitude at(double t) const {
     Eigen::Vector3d v = Eigen::Vector3d::Zero();
     for (int axis = 0; axis < 3; ++axis)
       for (const auto& [hertz, phase] : sines_[static_cast<std::size_t>(axis)])
         v(axis) += rms_(axis) * std::sqrt(2.0 / 3.0) * std::sin(2.0 * M_PI * hertz * t + phase);
-    return agents::Sway::from(v);
+    return agents::Attitude::from(v);
   }
 
  private:

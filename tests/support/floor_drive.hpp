@@ -47,7 +47,7 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
   Random random(how.seed * 31U + 7U);
   const Vibration vibration(how.seed, how.vibration * 0.05 * M_PI / 180.0, how.vibration * 0.001);
   const double dt = 1.0 / how.frames_per_second;
-  const Pose2 step = exp2({how.speed_m_s * dt, 0.0, how.turn_rad_s * dt});
+  const Pose2 step = se2_exp({how.speed_m_s * dt, 0.0, how.turn_rad_s * dt});
   Relation start_from_robot = Metric2{};
   agents::CommonErrors common = agents::CommonErrors::Zero();
   Pose2 floor_from_robot = how.start;
@@ -66,15 +66,15 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
           agents::WheelStep{1.03 * motion.command.linear_m_s * dt, 1.02 * motion.command.angular_rad_s * dt};
     Shot shot = how.shot;
     shot.seed = how.seed * 100003U + static_cast<std::uint64_t>(i);
-    if (how.blur) shot.blur = exp2({how.speed_m_s * 0.005, 0.0, how.turn_rad_s * 0.005});
+    if (how.blur) shot.blur = se2_exp({how.speed_m_s * 0.005, 0.0, how.turn_rad_s * 0.005});
     agents::View view;
     view.frame = static_cast<std::uint64_t>(i);
     const bool dropped = i > 0 && i < frames && random.chance(how.drop_share);
-    const agents::Sway sway = vibration.at(i * dt);
+    const agents::Attitude attitude = vibration.at(i * dt);
     // The camera goes where one that rocks about the floor would have gone from here.
     const Pose2 as_if_from_floor =
-        floor_from_robot * Pose2{-how.rocks_about_m * sway.pitch_rad, how.rocks_about_m * sway.roll_rad, 0.0};
-    if (!dropped) view.data = eye.render(floor, as_if_from_floor, sway, shot);
+        floor_from_robot * Pose2{-how.rocks_about_m * attitude.pitch_rad, how.rocks_about_m * attitude.roll_rad, 0.0};
+    if (!dropped) view.data = eye.render(floor, as_if_from_floor, attitude, shot);
     const agents::Step seen = method.observe(out.odometry, dropped ? nullptr : &view, motion);
     if (i > 0 && !seen.seen) {
       ++out.blind;
@@ -93,9 +93,9 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
 /// A view of the floor from a pose, and the content that the method keeps of it.
 inline agents::OrRefusal<agents::FloorContent> look(const agents::Floor& method, const FloorCamera& eye,
                                                     const FlatFloor& floor, const Pose2& floor_from_robot,
-                                                    const agents::Sway& sway, const Shot& shot) {
+                                                    const agents::Attitude& attitude, const Shot& shot) {
   agents::View view;
-  view.data = eye.render(floor, floor_from_robot, sway, shot);
+  view.data = eye.render(floor, floor_from_robot, attitude, shot);
   return method.extract({}, view);
 }
 

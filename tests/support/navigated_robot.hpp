@@ -128,7 +128,7 @@ class Course {
   Course& arc(double metres, double radians) {
     const int steps = std::max(
         {1, static_cast<int>(std::ceil(metres / 0.2)), static_cast<int>(std::ceil(std::abs(radians) / 0.13))});
-    for (int i = 0; i < steps; ++i) poses.push_back(poses.back() * exp2({metres / steps, 0.0, radians / steps}));
+    for (int i = 0; i < steps; ++i) poses.push_back(poses.back() * se2_exp({metres / steps, 0.0, radians / steps}));
     return *this;
   }
 };

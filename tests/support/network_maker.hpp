@@ -31,7 +31,7 @@ inline Metric2 random_metric2(Random& random, double reach_m = 1.0) {
 inline Metric3 random_metric3(Random& random, double reach_m = 1.0) {
   Vector6d twist;
   for (double& axis : twist) axis = random.uniform(-reach_m, reach_m);
-  return {exp3(twist), random_covariance<6>(random)};
+  return {se3_exp(twist), random_covariance<6>(random)};
 }
 
 inline AlongPath random_along_path(Random& random, double reach_m = 1.0) {

@@ -32,7 +32,7 @@ class Unicycle {
     const double distance = now_.linear_m_s * (1.0 - config_.slip) * elapsed_s;
     const double turn =
         now_.angular_rad_s * (1.0 - config_.turn_slip) * elapsed_s + config_.drift_rad_per_m * distance;
-    step_ = exp2({distance, 0.0, turn});
+    step_ = se2_exp({distance, 0.0, turn});
     pose_ = pose_ * step_;
   }
 

@@ -197,7 +197,7 @@ void TeachMission::abandon(const std::string& reason, SteadyTime now) {
 void TeachMission::refused(ExperienceId experience, const Spooler::Heard& heard, SteadyTime now) {
   if (heard.refused) {
     abandon(heard.reason, now);
-  } else if (!heard.lessons) {
+  } else if (!heard.learned_places) {
     uses_.navigator.forget_taught(uses_.map.window());
   }
   confirmation_.refused(experience, heard.reason, uses_.replies);

@@ -8,8 +8,8 @@
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/methods/all.hpp"
 #include "agents/navigation/config.hpp"
+#include "agents/navigation/multi_method_navigator.hpp"
 #include "agents/navigation/navigator_of.hpp"
-#include "agents/navigation/several.hpp"
 
 namespace weft::agents {
 namespace {
@@ -158,13 +158,13 @@ Result<std::unique_ptr<Navigator>> make_navigator(const Options& options, const 
   if (const std::vector<Error> wrong = check(options.navigation); !wrong.empty()) return fail(wrong.front());
   // Samples of a body with more sensors are not all of this one's: what it did not see has moved it all the same.
   const bool is_alone = equipped.size() == 1 && rig.sensors.size() == 1;
-  std::vector<Looking> all;
+  std::vector<SensorNavigator> all;
   for (const Equipped& one : equipped) {
     Result<std::unique_ptr<Navigator>> navigator = make_one(options, one, is_alone);
     if (!navigator || is_alone) return navigator;
     all.push_back({one.rig.sensors.front().id, std::move(*navigator)});
   }
-  return make_several(std::move(all), options.navigation);
+  return make_multi_method_navigator(std::move(all), options.navigation);
 }
 
 }  // namespace weft::agents

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "agents/agent/diagnostic_watch.hpp"
+
 namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
@@ -157,9 +159,9 @@ void Loop::log_counters() {
     told = times;
   }
   if (!line.empty()) parts_.log.info("counted: {}", line);
-  std::string mount = parts_.agent.mount();
-  if (mount != mount_) parts_.log.info("mount: {}", mount);
-  mount_ = std::move(mount);
+  std::string measured = words_of(parts_.agent.diagnostics());
+  if (measured != measured_) parts_.log.info("measured: {}", measured);
+  measured_ = std::move(measured);
 }
 
 void Loop::log_silence() {

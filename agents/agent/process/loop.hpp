@@ -63,7 +63,7 @@ class Loop {
   SteadyTime counters_at_;
   SteadyTime silent_at_;  // when it is said that no server is heard
   std::map<std::string, std::uint64_t> counted_;
-  std::string mount_;  // as it was logged last
+  std::string measured_;  // as it was logged last
 };
 
 }  // namespace weft::agents

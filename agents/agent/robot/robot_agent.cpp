@@ -39,6 +39,7 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       recogniser_(random.next() >> 1U),
       ids_(random),
       reporter_(now),
+      diagnostics_(navigator_->watched()),
       teach_({config_, *navigator_, map_, spooler_, ids_, replies_, outbox_}),
       localise_({config_.name, *navigator_, map_, recogniser_, replies_}, now),
       follow_({*navigator_, map_, outbox_}),

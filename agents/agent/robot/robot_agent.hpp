@@ -6,8 +6,8 @@
 
 #include "agents/agent/agent.hpp"
 #include "agents/agent/condition.hpp"
+#include "agents/agent/diagnostic_watch.hpp"
 #include "agents/agent/experience_ids.hpp"
-#include "agents/agent/lift_watch.hpp"
 #include "agents/agent/map_window.hpp"
 #include "agents/agent/missions/follow_mission.hpp"
 #include "agents/agent/missions/keep_place_mission.hpp"
@@ -46,7 +46,7 @@ class RobotAgent final : public Agent {
   std::optional<Route> route() const override { return follow_.route(); }
   std::optional<Estimate> estimate() const override { return navigator_->estimate(); }
   Counters counters() const override;
-  std::string mount() const override;
+  std::vector<Diagnostic> diagnostics() const override;
 
  private:
   // Messages (robot_agent_messages.cpp).
@@ -71,10 +71,9 @@ class RobotAgent final : public Agent {
   void report_counts(const CommandKey& key);
 
   // Samples (robot_agent_step.cpp).
-  void learn(std::vector<Lesson> lessons, SensorTime seen_at);
+  void learn(std::vector<LearnedPlace> learned_places, SensorTime seen_at);
   void count(const Navigated& navigated);
   void take_fix(const Fix& fix, SteadyTime now);
-  void watch_lift(const Fix& fix);
   void move_window(SteadyTime now);
 
   // Work without a message or a sample, and sending (robot_agent.cpp).
@@ -102,7 +101,7 @@ class RobotAgent final : public Agent {
   Condition condition_;
   PlaceLearning learning_;
   StateReporter reporter_;
-  LiftWatch lift_;
+  DiagnosticWatches diagnostics_;
   Counters seen_;  ///< fixes, and refusals of the navigator by their reason
 
   TeachMission teach_;

@@ -17,9 +17,8 @@ Counters RobotAgent::counters() const {
   return all;
 }
 
-std::string RobotAgent::mount() const {
-  const std::optional<MountReport> report = navigator_->mount();
-  return report.has_value() ? words_of(*report, lift_.lift_m()) : std::string{};
+std::vector<Diagnostic> RobotAgent::diagnostics() const {
+  return diagnostics_.all(navigator_->diagnostics());
 }
 
 Standing RobotAgent::standing() const {
@@ -30,7 +29,7 @@ Standing RobotAgent::standing() const {
           .teaching_failure = teach_.failure(),
           .searches = localise_.describe(),
           .route_waits_for = follow_.waits_for(),
-          .notice = lift_.notice()};
+          .notice = diagnostics_.notice()};
 }
 
 msg::RobotState RobotAgent::state() const {
@@ -57,6 +56,7 @@ msg::RobotState RobotAgent::state() const {
   state.contents_missing = map_.contents().missing();
   state.memory_bytes = map_.contents().bytes();
   state.memory_cap_bytes = config_.content_cache_bytes;
+  state.diagnostics = diagnostics();
   state.reason = reason_of(now);
   return state;
 }

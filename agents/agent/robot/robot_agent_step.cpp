@@ -23,7 +23,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.command = navigated.command;
   outbox_.expose(navigated.exposes);
   teach_.step(navigated.kept, sample.hand_done, now);
-  learn(std::move(navigated.lessons), sample.time);
+  learn(std::move(navigated.learned_places), sample.time);
   count(navigated);
   if (navigated.fix.has_value()) take_fix(*navigated.fix, now);
   if (!sample.views.empty() && !teach_.is_active()) keep_place_.on_view(now);
@@ -34,9 +34,9 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   return finish(now);
 }
 
-void RobotAgent::learn(std::vector<Lesson> lessons, SensorTime seen_at) {
+void RobotAgent::learn(std::vector<LearnedPlace> learned_places, SensorTime seen_at) {
   const PlaceLearning::Seen seen{.robot = config_.self, .frame = condition_.frame, .at = seen_at};
-  const std::size_t taken = learning_.take(std::move(lessons), map_.window(), seen);
+  const std::size_t taken = learning_.take(std::move(learned_places), map_.window(), seen);
   if (taken > 0) seen_["navigation: places known better"] += taken;
 }
 
@@ -52,16 +52,7 @@ void RobotAgent::take_fix(const Fix& fix, SteadyTime now) {
     condition_.command = Twist{};
     reporter_.hurry(now);
   }
-  watch_lift(fix);
-}
-
-void RobotAgent::watch_lift(const Fix& fix) {
-  const std::optional<double> lift_m = fix.evidence.lift_m;
-  if (!lift_m.has_value()) return;
-  const bool was_well = lift_.notice().empty();
-  lift_.add(fix.place.experience, *lift_m);
-  if (was_well == lift_.notice().empty()) return;
-  outbox_.note(was_well ? lift_.notice() : "its camera stands as high as its places say again");
+  if (std::string note = diagnostics_.add(fix); !note.empty()) outbox_.note(std::move(note));
 }
 
 void RobotAgent::move_window(SteadyTime now) {

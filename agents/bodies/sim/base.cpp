@@ -101,7 +101,7 @@ void Base::substep(const Twist& command, double dt_s) {
   velocity_ = {(left + right) / 2, (right - left) / setup_.track_m};
 
   const Pose2 next =
-      site_from_robot_ * exp2(Eigen::Vector3d(velocity_.linear_m_s * dt_s, 0.0, velocity_.angular_rad_s * dt_s));
+      site_from_robot_ * se2_exp(Eigen::Vector3d(velocity_.linear_m_s * dt_s, 0.0, velocity_.angular_rad_s * dt_s));
   // Against a box it may turn and back out; the wheels spin meanwhile, as they would.
   if (touches_box(next) && !touches_box(site_from_robot_)) {
     velocity_.linear_m_s = 0.0;

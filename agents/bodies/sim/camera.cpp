@@ -144,13 +144,13 @@ void Camera::look_at_grid(const FloorShot& shot) {
   for (int j = 0; j < rows_; ++j) {
     const int v = row_of_node(j);
     const Pose3& site_from_camera = shot.mid_of_row(v);
-    const Eigen::Vector3d& eye = site_from_camera.translation;
-    const FloorFromRay h = floor_from_ray(site_from_camera, eye.x(), eye.y(), 0.0, 0.0);
+    const Eigen::Vector3d& viewpoint = site_from_camera.translation;
+    const FloorFromRay h = floor_from_ray(site_from_camera, viewpoint.x(), viewpoint.y(), 0.0, 0.0);
     for (int i = 0; i < columns_; ++i) {
       const int u = std::min(i * kShadeCell, camera_.width - 1);
       const auto at =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
-      Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]) + eye.head<2>();
+      Eigen::Vector2d p = floor_point(h, rays_.x[at], rays_.y[at]) + viewpoint.head<2>();
       const auto n = static_cast<std::size_t>(j * columns_ + i);
       if (options_.relief) {
         const FloorMet met = meet_floor(*options_.relief, site_from_camera, p);
@@ -209,8 +209,8 @@ std::vector<Camera::FloorFromSubsamples> Camera::floor_from_rows(const FloorShot
 }
 
 void Camera::sample_floor(const FloorShot& shot) {
-  const Eigen::Vector3d& eye = shot.site_from_camera_mid.translation;
-  const TileKey origin = tile_of(eye.x(), eye.y());
+  const Eigen::Vector3d& viewpoint = shot.site_from_camera_mid.translation;
+  const TileKey origin = tile_of(viewpoint.x(), viewpoint.y());
   const std::vector<FloorFromSubsamples> floor_from_row = floor_from_rows(shot, origin);
   std::array<LevelPixels, kLevels> pixels{};
   for (int l = 0; l < kLevels; ++l) {

@@ -77,10 +77,10 @@ class Camera {
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
   using FloorFromSubsamples = std::array<FloorFromRay, kSubsamples>;
   /// Directions and what lights a hit, for one pose of the camera.
-  struct Eye {
+  struct Viewpoint {
     Eigen::Vector3d at;
     Eigen::Matrix3f site_from_camera;
-    explicit Eye(const Pose3& site_from_camera_pose = {})
+    explicit Viewpoint(const Pose3& site_from_camera_pose = {})
         : at(site_from_camera_pose.translation),
           site_from_camera(site_from_camera_pose.rotation.toRotationMatrix().cast<float>()) {}
   };
@@ -162,18 +162,18 @@ class Camera {
   const BoxHit& corner_hit(int u, int v) const {
     return node_hits_[static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell)];
   }
-  Eigen::Vector3f direction_of(const Eye& eye, std::size_t at) const {
-    return eye.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
+  Eigen::Vector3f direction_of(const Viewpoint& viewpoint, std::size_t at) const {
+    return viewpoint.site_from_camera * Eigen::Vector3f(rays_.x[at], rays_.y[at], 1.0F);
   }
 
   // camera_faces.cpp
   void draw_boxes(const FloorShot& shot);
-  void draw_insides(const Eye& eye, double exposure_gain, int v);
+  void draw_insides(const Viewpoint& viewpoint, double exposure_gain, int v);
   void draw_lone(const FloorShot& shot);
   void draw_edges(const FloorShot& shot);
   /// Grey levels of places on a face, without the lamps.
   void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
-  Surface surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction);
+  Surface surface_at(const BoxHit& hit, const Viewpoint& viewpoint, const Eigen::Vector3f& direction);
   bool at_edge(int u, int v);
 
   // camera_light.cpp

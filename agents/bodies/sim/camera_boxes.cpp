@@ -21,9 +21,9 @@ void Camera::mark_cells(const FloorShot& shot) {
   std::vector<std::uint8_t> nodes(nodes_.x.size(), 0);
   bool any = false;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Eigen::Vector3d& eye = shot.mid_of_row(row_of_node(static_cast<int>(n) / columns_)).translation;
+    const Eigen::Vector3d& viewpoint = shot.mid_of_row(row_of_node(static_cast<int>(n) / columns_)).translation;
     nodes[n] = std::any_of(near.begin(), near.end(), [&](std::int32_t box) {
-      return scene_->crosses(box, eye.x(), eye.y(), nodes_.x[n], nodes_.y[n]);
+      return scene_->crosses(box, viewpoint.x(), viewpoint.y(), nodes_.x[n], nodes_.y[n]);
     });
     any = any || nodes[n] != 0;
   }
@@ -51,15 +51,15 @@ void Camera::cast_nodes(const FloorShot& shot) {
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   for (int j = 0; j <= down; ++j) {
     const int v = row_of_node(j);
-    const Eye eye(shot.mid_of_row(v));
+    const Viewpoint viewpoint(shot.mid_of_row(v));
     for (int first = 0; first <= across; first += static_cast<int>(Scene::kPacket)) {
       const int count = std::min(static_cast<int>(Scene::kPacket), across + 1 - first);
       for (int i = 0; i < count; ++i) {
         const int u = std::min((first + i) * kShadeCell, camera_.width - 1);
-        directions[static_cast<std::size_t>(i)] = direction_of(eye, pixel(u, v));
+        directions[static_cast<std::size_t>(i)] = direction_of(viewpoint, pixel(u, v));
       }
       const auto n = static_cast<std::size_t>(count);
-      scene_->cast(eye.at, std::span(directions).first(n),
+      scene_->cast(viewpoint.at, std::span(directions).first(n),
                    std::span(node_hits_).subspan(static_cast<std::size_t>(j * columns_ + first), n));
     }
   }
@@ -93,18 +93,18 @@ void Camera::cast_cells(const FloorShot& shot) {
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
   for (int v = 0; v < camera_.height; v += 2) {
-    const Eye eye(shot.mid_of_row(v));  // of the row below it as well, which is taken next
+    const Viewpoint viewpoint(shot.mid_of_row(v));  // of the row below it as well, which is taken next
     for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
       if (cell == Shows::floor || cell == Shows::inside) continue;
       for (std::size_t i = 0; i < Scene::kPacket; ++i) {
-        directions[i] = direction_of(eye, pixel(u + static_cast<int>(i % 8), v + static_cast<int>(i / 8)));
+        directions[i] = direction_of(viewpoint, pixel(u + static_cast<int>(i % 8), v + static_cast<int>(i / 8)));
       }
       if (cell == Shows::mixed) {
-        scene_->cast(eye.at, directions, hits);
+        scene_->cast(viewpoint.at, directions, hits);
       } else {
         const BoxHit& corner = corner_hit(u, v);
-        const FacePlane plane = scene_->plane_of(corner.box, corner.face, eye.at);
+        const FacePlane plane = scene_->plane_of(corner.box, corner.face, viewpoint.at);
         for (std::size_t i = 0; i < Scene::kPacket; ++i) {
           hits[i] = {corner.box, corner.face, plane.distance(directions[i])};
         }

@@ -38,10 +38,10 @@ void Camera::paint(const BoxHit& face, const PaintPlaces& places, int count, flo
   for (int i = 0; i < count; ++i) out[i] *= kSide[static_cast<std::size_t>(face.face)];
 }
 
-Camera::Surface Camera::surface_at(const BoxHit& hit, const Eye& eye, const Eigen::Vector3f& direction) {
-  const Eigen::Vector3d p = eye.at + (direction * hit.distance).cast<double>();
+Camera::Surface Camera::surface_at(const BoxHit& hit, const Viewpoint& viewpoint, const Eigen::Vector3f& direction) {
+  const Eigen::Vector3d p = viewpoint.at + (direction * hit.distance).cast<double>();
   PaintPlaces places;
-  places.set(0, scene_->plane_of(hit.box, hit.face, eye.at).in_face(p), hit.distance / camera_.fx);
+  places.set(0, scene_->plane_of(hit.box, hit.face, viewpoint.at).in_face(p), hit.distance / camera_.fx);
   Surface surface{0.0F, p.cast<float>()};
   paint(hit, places, 1, &surface.albedo);
   return surface;
@@ -65,7 +65,7 @@ void Camera::draw_boxes(const FloorShot& shot) {
   edges_.clear();
   lone_.clear();
   for (int v = 0; v < camera_.height; ++v) {
-    draw_insides(Eye(shot.mid_of_row(v)), shot.gain, v);
+    draw_insides(Viewpoint(shot.mid_of_row(v)), shot.gain, v);
     for (int u = 0; u < camera_.width; u += kShadeCell) {
       const Shows cell = shows(u, v);
       if (cell == Shows::inside || cell == Shows::floor) continue;
@@ -84,7 +84,7 @@ void Camera::draw_boxes(const FloorShot& shot) {
 }
 
 /// Cells of one row of pixels that lie within faces. Along a cell the light changes evenly.
-void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
+void Camera::draw_insides(const Viewpoint& viewpoint, double exposure_gain, int v) {
   inside_.clear();
   ends_.clear();
   BoxHit face;
@@ -94,13 +94,13 @@ void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
     inside_.push_back({u, v});
     if (const BoxHit& here = corner_hit(u, v); here.box != face.box || here.face != face.face) {
       face = here;
-      plane = scene_->plane_of(face.box, face.face, eye.at);
+      plane = scene_->plane_of(face.box, face.face, viewpoint.at);
     }
     PaintPlaces places;
     for (int i = 0; i < kShadeCell; ++i) {
-      const Eigen::Vector3f direction = direction_of(eye, pixel(u + i, v));
+      const Eigen::Vector3f direction = direction_of(viewpoint, pixel(u + i, v));
       const float distance = plane.distance(direction);
-      const Eigen::Vector3d p = eye.at + (direction * distance).cast<double>();
+      const Eigen::Vector3d p = viewpoint.at + (direction * distance).cast<double>();
       places.set(static_cast<std::size_t>(i), plane.in_face(p), distance / camera_.fx);
       if (i == 0 || i == kShadeCell - 1) ends_.add(p.cast<float>());
     }
@@ -125,13 +125,13 @@ void Camera::draw_insides(const Eye& eye, double exposure_gain, int v) {
 /// Pixels on a face in cells that show other things too.
 void Camera::draw_lone(const FloorShot& shot) {
   ends_.clear();
-  Eye eye;
+  Viewpoint viewpoint;
   int row = -1;
   for (const auto& [u, v] : lone_) {
-    if (v != row) eye = Eye(shot.mid_of_row(v));
+    if (v != row) viewpoint = Viewpoint(shot.mid_of_row(v));
     row = v;
     const std::size_t at = pixel(u, v);
-    const Surface surface = surface_at(hits_[at], eye, direction_of(eye, at));
+    const Surface surface = surface_at(hits_[at], viewpoint, direction_of(viewpoint, at));
     albedo_[at] = surface.albedo;
     ends_.add(surface.at);
   }
@@ -148,7 +148,7 @@ void Camera::draw_lone(const FloorShot& shot) {
 void Camera::draw_edges(const FloorShot& shot) {
   constexpr std::size_t together = Scene::kPacket / kSubsamples;
   const double per_focal = 1.0 / camera_.fx;
-  std::array<std::array<Eye, kSubsamples>, together> eyes;  // of each pixel
+  std::array<std::array<Viewpoint, kSubsamples>, together> viewpoints;  // of each pixel
   std::array<Eigen::Vector3f, Scene::kPacket> from;
   std::array<Eigen::Vector3f, Scene::kPacket> directions;
   std::array<BoxHit, Scene::kPacket> hits;
@@ -157,23 +157,25 @@ void Camera::draw_edges(const FloorShot& shot) {
     const std::size_t count = std::min(together, edges_.size() - first);
     for (std::size_t n = 0; n < count; ++n) {
       const std::array<Pose3, kSubsamples>& poses = shot.poses_of_row(edges_[first + n].v);
-      std::transform(poses.begin(), poses.end(), eyes[n].begin(), [](const Pose3& pose) { return Eye(pose); });
+      std::transform(poses.begin(), poses.end(), viewpoints[n].begin(),
+                     [](const Pose3& pose) { return Viewpoint(pose); });
     }
     for (std::size_t i = 0; i < count * kSubsamples; ++i) {
       const std::size_t k = i % kSubsamples;
       const std::size_t at = pixel(edges_[first + i / kSubsamples].u, edges_[first + i / kSubsamples].v);
       const Eigen::Vector3f inside(rays_.x[at] + static_cast<float>(kSubsampleRight[k] * per_focal),
                                    rays_.y[at] + static_cast<float>(kSubsampleDown[k] * per_focal), 1.0F);
-      const Eye& eye = eyes[i / kSubsamples][k];
-      from[i] = eye.at.cast<float>();
-      directions[i] = eye.site_from_camera * inside;
+      const Viewpoint& viewpoint = viewpoints[i / kSubsamples][k];
+      from[i] = viewpoint.at.cast<float>();
+      directions[i] = viewpoint.site_from_camera * inside;
     }
     const std::size_t rays = count * kSubsamples;
     scene_->cast(std::span(from).first(rays), std::span(directions).first(rays), std::span(hits).first(rays));
     ends_.clear();
     for (std::size_t i = 0; i < rays; ++i) {
-      surfaces[i] =
-          hits[i].box < 0 ? Surface{} : surface_at(hits[i], eyes[i / kSubsamples][i % kSubsamples], directions[i]);
+      surfaces[i] = hits[i].box < 0
+                        ? Surface{}
+                        : surface_at(hits[i], viewpoints[i / kSubsamples][i % kSubsamples], directions[i]);
       ends_.add(surfaces[i].at);
     }
     ends_.look(light_);

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "agents/bodies/sim/base.hpp"
-#include "agents/bodies/sim/eye.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hall/hall_photographs.hpp"
 #include "agents/bodies/sim/hand.hpp"
 #include "agents/bodies/sim/relief.hpp"
+#include "agents/bodies/sim/simulated_camera.hpp"
 #include "agents/bodies/sim/stance.hpp"
 #include "agents/bodies/sim/truth.hpp"
 #include "agents/bodies/sim/wave.hpp"
@@ -41,9 +41,9 @@ Shake shake_from(const Disturbances& d, Random random) {
   return {wave(d.vibration_rad, 1), wave(d.vibration_rad, 2), wave(d.vibration_m, 3)};
 }
 
-/// An eye and its rhythm.
-struct Looking {
-  std::unique_ptr<Eye> eye;
+/// An camera and its rhythm.
+struct TimedCamera {
+  std::unique_ptr<SimulatedCamera> camera;
   double fps = 0.0, fps_at_rest = 0.0;
   double last_s = 0.0;
 
@@ -73,9 +73,9 @@ class SimBody final : public SimulatedBody {
   Random light_now() const;
   void next_run();
   Moment moment_now();
-  Looking& next_eye(bool at_rest);
+  TimedCamera& next_camera(bool at_rest);
   Duration stamp_now();
-  View view_now(Eye& eye, SensorTime time);
+  View view_now(SimulatedCamera& camera, SensorTime time);
 
   std::uint64_t hands_ = 0;
   std::uint64_t run_ = 0;  ///< one more when a hand begins or ends: another light, as teach and repeat have
@@ -91,7 +91,7 @@ class SimBody final : public SimulatedBody {
   std::optional<Relief> relief_;  ///< none: the floor is a plane
   BoundedWave exposure_drift_;
   Random timing_;
-  std::vector<Looking> eyes_;
+  std::vector<TimedCamera> cameras_;
   std::optional<TruthFile> truth_;
   std::optional<Hand> hand_;
   bool hand_done_ = false;
@@ -112,26 +112,27 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       exposure_drift_(1.0 / 60.0, 1.0 / 8.0, site_.disturbances.exposure_drift / 2, random_of(seed_, exposure, day_)),
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
-  const EyeOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
+  const CameraOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
   const auto looks = [&start](Gaze gaze) {
     return std::find(start.looks.begin(), start.looks.end(), gaze) != start.looks.end();
   };
   if (looks(Gaze::down)) {
     const CameraSetup& camera = site_.camera;
-    eyes_.push_back({make_floor_eye(site_, owner, floor, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+    cameras_.push_back({make_floor_camera(site_, owner, floor, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
   if (looks(Gaze::ahead)) {
     const ForwardCameraSetup& camera = site_.forward_camera;
-    eyes_.push_back({make_forward_eye(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+    cameras_.push_back(
+        {make_forward_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
   constexpr double apart = 0.4;  // of a period: two cameras do not see at the same moment
-  if (eyes_.size() > 1) eyes_.back().last_s = -apart * eyes_.back().period_s(false);
+  if (cameras_.size() > 1) cameras_.back().last_s = -apart * cameras_.back().period_s(false);
 }
 
 Rig SimBody::rig() const {
   Rig rig;
-  for (const Looking& looking : eyes_)
-    rig.sensors.push_back({looking.eye->name(), SensorKind::camera, looking.eye->given()});
+  for (const TimedCamera& timed : cameras_)
+    rig.sensors.push_back({timed.camera->name(), SensorKind::camera, timed.camera->given()});
   return rig;
 }
 
@@ -141,7 +142,7 @@ Random SimBody::light_now() const {
 
 void SimBody::next_run() {
   ++run_;
-  for (const Looking& looking : eyes_) looking.eye->light_up(light_now());
+  for (const TimedCamera& timed : cameras_) timed.camera->light_up(light_now());
 }
 
 Result<void> SimBody::drive_by_hand(const std::vector<SitePoint>& along) {
@@ -165,10 +166,10 @@ void SimBody::stop_hand() {
 }
 
 Result<void> SimBody::expose(const std::string& sensor, const Exposure& exposure) {
-  const auto looks =
-      std::find_if(eyes_.begin(), eyes_.end(), [&](const Looking& looking) { return looking.eye->name() == sensor; });
-  if (looks == eyes_.end()) return fail(ErrorCode::not_found, "there is no sensor " + sensor);
-  if (!looks->eye->expose(exposure))
+  const auto looks = std::find_if(cameras_.begin(), cameras_.end(),
+                                  [&](const TimedCamera& timed) { return timed.camera->name() == sensor; });
+  if (looks == cameras_.end()) return fail(ErrorCode::not_found, "there is no sensor " + sensor);
+  if (!looks->camera->expose(exposure))
     return fail(ErrorCode::refused, "sensor " + sensor + " exposes as it is built to");
   return {};
 }
@@ -193,7 +194,7 @@ Moment SimBody::moment_now() {
   const double offset_s = site_.disturbances.time_offset_s;
   const auto robot_at = [this, moving](double from_now_s) {
     return base_.site_from_robot() *
-           exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
+           se2_exp(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s));
   };
   moment.site_from_camera = [this, robot_at, offset_s, shaking](Pose3 robot_from_camera, double from_taken_s) {
     const double from_now_s = from_taken_s - offset_s;
@@ -218,19 +219,19 @@ Duration SimBody::stamp_now() {
   return std::max(last_stamp_ + std::chrono::microseconds(100), from_seconds(now_s_ + jitter));
 }
 
-View SimBody::view_now(Eye& eye, SensorTime time) {
+View SimBody::view_now(SimulatedCamera& camera, SensorTime time) {
   View view;
   view.frame = frame_;
   view.time = time;
-  view.sensor = eye.name();
-  view.calibration = eye.given().id;
-  view.data = eye.look(moment_now());
-  view.exposure = eye.exposed();
+  view.sensor = camera.name();
+  view.calibration = camera.given().id;
+  view.data = camera.look(moment_now());
+  view.exposure = camera.exposed();
   return view;
 }
 
-Looking& SimBody::next_eye(bool at_rest) {
-  return *std::min_element(eyes_.begin(), eyes_.end(), [&](const Looking& a, const Looking& b) {
+TimedCamera& SimBody::next_camera(bool at_rest) {
+  return *std::min_element(cameras_.begin(), cameras_.end(), [&](const TimedCamera& a, const TimedCamera& b) {
     return a.wait_s(now_s_, at_rest) < b.wait_s(now_s_, at_rest);
   });
 }
@@ -238,7 +239,7 @@ Looking& SimBody::next_eye(bool at_rest) {
 Result<Sample> SimBody::step(const Twist& command) {
   Sample sample;
   sample.motion.command = hand_ ? hand_->command(base_.site_from_robot(), now_s_) : command;
-  Looking& looks = next_eye(at_rest(command));
+  TimedCamera& looks = next_camera(at_rest(command));
   const double period_s = looks.wait_s(now_s_, at_rest(command));
   base_.advance(sample.motion.command, period_s);
   now_s_ += period_s;
@@ -259,7 +260,7 @@ Result<Sample> SimBody::step(const Twist& command) {
   sample.hand_done = hand_done_;
   const bool dropped = timing_.chance(site_.disturbances.dropped_frames);
   if (!dropped) {
-    sample.views.push_back(view_now(*looks.eye, sample.time));
+    sample.views.push_back(view_now(*looks.camera, sample.time));
   }
   if (sample.hand && hand_done_) {
     next_run();

@@ -6,7 +6,7 @@
 
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/exposure.hpp"
-#include "agents/perception/nearing.hpp"
+#include "agents/perception/looming.hpp"
 #include "agents/perception/opencv_view.hpp"
 #include "agents/perception/scene_inliers.hpp"
 
@@ -102,10 +102,10 @@ OrRefusal<Related> Bearing::relate(const Content& a, const Content& b, const std
   if (!guess && vote->runner_up > config_.anywhere_runner_up)
     return tl::unexpected(Refusal{"ambiguous", vote->runner_up, config_.anywhere_runner_up});
   if (!guess) {
-    const auto nearing = nearing_of(a.features, b.features, vote->agreeing, a.focal_px);
-    const double bound = config_.anywhere_nearing + (nearing ? 2.0 * std::sqrt(nearing->variance) : 0.0);
-    if (nearing && std::abs(nearing->share) > bound)
-      return tl::unexpected(Refusal{"further_off", nearing->share, bound});
+    const auto looming = looming_of(a.features, b.features, vote->agreeing, a.focal_px);
+    const double bound = config_.anywhere_looming + (looming ? 2.0 * std::sqrt(looming->variance) : 0.0);
+    if (looming && std::abs(looming->share) > bound)
+      return tl::unexpected(Refusal{"further_off", looming->share, bound});
     const double inliers = scene_inliers(a.features, b.features, vote->agreeing, a.focal_px, config_.inlier_px);
     if (inliers < config_.anywhere_inliers)
       return tl::unexpected(Refusal{"another_scene", inliers, static_cast<double>(config_.anywhere_inliers)});

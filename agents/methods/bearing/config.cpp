@@ -36,7 +36,7 @@ void each_setting(Config& config, Visit&& visit) {
   visit("focal_share", config.focal_share, 1e-4, 0.1);
   visit("anywhere_above_chance", config.anywhere_above_chance, 0, 50);
   visit("anywhere_runner_up", config.anywhere_runner_up, 0, 1);
-  visit("anywhere_nearing", config.anywhere_nearing, 0.01, 2);
+  visit("anywhere_looming", config.anywhere_looming, 0.01, 2);
   visit("anywhere_inliers", config.anywhere_inliers, 0, 1000);
   visit("inlier_px", config.inlier_px, 0.1, 20);
   visit("anywhere_rival", config.anywhere_rival, 0, 1);

@@ -57,7 +57,7 @@ struct BearingConfig {
   // Where nobody says where it is, every place may be it: one that is not looks alike by chance
   double anywhere_above_chance = 8.0;  ///< [0, 50] as vote.above_chance
   double anywhere_runner_up = 0.5;     ///< [0, 1] most of the next peak, over the winner's
-  double anywhere_nearing = 0.12;      ///< [0.01, 2] share of their distance by which things may be nearer or further
+  double anywhere_looming = 0.12;      ///< [0.01, 2] share of their distance by which things may be nearer or further
                                        ///< off: down an aisle a place looks like one that is metres on
   int anywhere_inliers = 36;           ///< [0, 1000] features at heights that one scene allows (scene_inliers.hpp);
                                        ///< other aisles with the same loads on one side show up to 35

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "agents/methods/bearing/bearing.hpp"
-#include "agents/perception/nearing.hpp"
+#include "agents/perception/looming.hpp"
 
 namespace weft::agents {
 namespace {
@@ -13,19 +13,19 @@ namespace {
 /// Where features of a place stand in a view and back, by what both show.
 class Moved {
  public:
-  Moved(const Nearing& nearing, double focal_px) : nearing_(nearing), focal_px_(focal_px) {}
+  Moved(const Looming& looming, double focal_px) : looming_(looming), focal_px_(focal_px) {}
 
   Eigen::Vector2f into_view(const Eigen::Vector2f& pixel) const {
     const auto [azimuth, elevation] = seen_from(pixel);
-    const double half = 0.5 * nearing_.share;
-    const double turned = nearing_.turned_rad + half * std::sin(2.0 * azimuth + nearing_.turned_rad);
-    return pixel_of(azimuth + turned, ((1.0 + half) * elevation + nearing_.pitch) / (1.0 - half));
+    const double half = 0.5 * looming_.share;
+    const double turned = looming_.turned_rad + half * std::sin(2.0 * azimuth + looming_.turned_rad);
+    return pixel_of(azimuth + turned, ((1.0 + half) * elevation + looming_.pitch) / (1.0 - half));
   }
   Eigen::Vector2f into_place(const Eigen::Vector2f& pixel) const {
     const auto [azimuth, elevation] = seen_from(pixel);
-    const double half = 0.5 * nearing_.share;
-    const double turned = nearing_.turned_rad + half * std::sin(2.0 * azimuth - nearing_.turned_rad);
-    return pixel_of(azimuth - turned, ((1.0 - half) * elevation - nearing_.pitch) / (1.0 + half));
+    const double half = 0.5 * looming_.share;
+    const double turned = looming_.turned_rad + half * std::sin(2.0 * azimuth - looming_.turned_rad);
+    return pixel_of(azimuth - turned, ((1.0 - half) * elevation - looming_.pitch) / (1.0 + half));
   }
 
  private:
@@ -41,7 +41,7 @@ class Moved {
     return Eigen::Vector2d(x, elevation * std::hypot(focal_px_, x)).cast<float>();
   }
 
-  Nearing nearing_;
+  Looming looming_;
   double focal_px_;
 };
 
@@ -169,14 +169,14 @@ std::optional<Bearing::Content> Bearing::learn(const Content& known, const Conte
   const double rise_px = frequent_rise(known.features, seen.features, config_.width_px, config_.vote);
   const auto vote = vote_heading(known.features, seen.features, config_.width_px, config_.vote, rise_px);
   if (!vote || vote->above_chance < learn.above_chance) return std::nullopt;
-  const auto nearing = nearing_of(known.features, seen.features, vote->agreeing, known.focal_px);
-  if (!nearing || nearing->spread_rad > learn.spread_rad) return std::nullopt;
-  if (std::abs(wrap_angle(nearing->turned_rad - at.heading_shift_rad)) > learn.heading_rad) return std::nullopt;
+  const auto looming = looming_of(known.features, seen.features, vote->agreeing, known.focal_px);
+  if (!looming || looming->spread_rad > learn.spread_rad) return std::nullopt;
+  if (std::abs(wrap_angle(looming->turned_rad - at.heading_shift_rad)) > learn.heading_rad) return std::nullopt;
 
   const double scale = config_.focal_px / camera_.fx;
   const Eigen::Vector2d half = 0.5 * scale * Eigen::Vector2d(camera_.width, camera_.height);
   const double rim_px = 2.0 * config_.features.cell_widths * config_.width_px;  // what a descriptor sees
-  const Moved moved(*nearing, known.focal_px);
+  const Moved moved(*looming, known.focal_px);
   Learning pass(learn, known, seen, moved);
   pass.count_all(vote->agreeing, (half.array() - rim_px).matrix().cast<float>());
   pass.drop_hardly_seen();

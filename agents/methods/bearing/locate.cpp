@@ -6,7 +6,7 @@
 #include <map>
 
 #include "agents/methods/bearing/bearing.hpp"
-#include "agents/perception/nearing.hpp"
+#include "agents/perception/looming.hpp"
 
 namespace weft::agents {
 namespace {
@@ -23,16 +23,16 @@ AlongPath as_along(const Relation& relation) {
 struct Told {
   const Bearing::Stop* stop;
   HeadingVote vote;
-  std::optional<Nearing> nearing;  ///< of the robot's view against the place's
+  std::optional<Looming> looming;  ///< of the robot's view against the place's
   double robot_m = 0.0;            ///< the place's distance from the robot, as believed; ahead positive
-  double focal_variance = 0.0;     ///< of the share that is taken off `nearing`
+  double focal_variance = 0.0;     ///< of the share that is taken off `looming`
 };
 
 /// How far further along the path the robot is than believed.
 struct Further {
   double ahead_m = 0.0;
   double variance_m2 = 0.0;
-  double nearing_1_m = 0.0;  ///< share by which things are nearer for each metre
+  double looming_1_m = 0.0;  ///< share by which things are nearer for each metre
 };
 
 /// Places ahead show things smaller than the robot sees them, places behind larger, the more so the further off they
@@ -50,13 +50,13 @@ std::optional<Further> further_of(const std::vector<Told>& told) {
     Eigen::Vector2d right(knows * usual_1_m, 0.0);
     bool has_any = false;
     for (const Told& one : told) {
-      if (!one.nearing) continue;
+      if (!one.looming) continue;
       const double off_m = one.robot_m - (further ? further->ahead_m : 0.0);
       const double blurred = bent * usual_1_m * off_m;
-      const double weight = 1.0 / (one.nearing->variance + blurred * blurred);
+      const double weight = 1.0 / (one.looming->variance + blurred * blurred);
       const Eigen::Vector2d row(-one.robot_m, 1.0);
       normal += weight * row * row.transpose();
-      right += weight * one.nearing->share * row;
+      right += weight * one.looming->share * row;
       has_any = true;
     }
     if (!has_any) return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<CameraLook> look_at_camera(const OtherCameras& cameras, const std:
 void take_off_focal_shares(std::vector<Told>& told, const OtherCameras& cameras, double sigma) {
   for (Told& one : told) {
     const FocalShare focal = cameras.of(one.stop->place.experience, sigma);
-    if (one.nearing) one.nearing->share -= focal.share;
+    if (one.looming) one.looming->share -= focal.share;
     one.focal_variance = focal.variance;
   }
 }
@@ -200,7 +200,7 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
         vote_heading(stop->content->features, seen.features, config_.width_px, config_.vote, rises[run]);
     if (vote) {
       told.push_back({stop, *vote,
-                      nearing_of(stop->content->features, seen.features, vote->agreeing, stop->content->focal_px),
+                      looming_of(stop->content->features, seen.features, vote->agreeing, stop->content->focal_px),
                       stop->centre_from_place.distance_m - here_m});
     } else {
       located.refusals.push_back({vote.error().reason, vote.error().measured, vote.error().bound});
@@ -227,12 +227,12 @@ Located<Bearing::Belief> Bearing::locate(const Chart& chart, Belief belief, cons
   if (further) {
     place_from_robot.distance_m = ahead_m - nearest->robot_m;
     place_from_robot.distance_variance_m2 = config_.along_sigma_m * config_.along_sigma_m + further->variance_m2 +
-                                            nearest->focal_variance / (further->nearing_1_m * further->nearing_1_m);
+                                            nearest->focal_variance / (further->looming_1_m * further->looming_1_m);
   }
-  if (nearest->nearing) {
-    place_from_robot.heading_shift_rad = nearest->nearing->turned_rad;
+  if (nearest->looming) {
+    place_from_robot.heading_shift_rad = nearest->looming->turned_rad;
     place_from_robot.heading_variance_rad2 =
-        config_.vote_sigma_rad * config_.vote_sigma_rad + nearest->nearing->turned_variance_rad2;
+        config_.vote_sigma_rad * config_.vote_sigma_rad + nearest->looming->turned_variance_rad2;
   } else {
     place_from_robot.heading_shift_rad = std::atan(nearest->vote.shift_px / nearest->stop->content->focal_px);
     place_from_robot.heading_variance_rad2 =

@@ -17,7 +17,7 @@ using BySigma = Eigen::Matrix<double, 9, kQuantities>;
 
 /// Returns a point of the floor in the robot's frame from the ray that sees it.
 Eigen::Vector2d on_floor(const CameraModel& camera, const Eigen::Vector2d& normalised) {
-  return apply(camera_from_floor(camera, Sway{}).inverse(), normalised);
+  return apply(camera_from_floor(camera, Attitude{}).inverse(), normalised);
 }
 
 /// Returns what a camera that is truly `real` shows of the floor before and after a motion, as the calibration
@@ -28,7 +28,7 @@ std::vector<FloorPair> pairs_of(const CameraModel& given, const CameraModel& rea
   constexpr int kRows = 8;
   std::vector<FloorPair> pairs;
   const Eigen::Vector2d eye = real.robot_from_camera.translation.head<2>();
-  const Eigen::Matrix3d camera_here = camera_from_floor(real, Sway{});
+  const Eigen::Matrix3d camera_here = camera_from_floor(real, Attitude{});
   for (int column = 0; column < kColumns; ++column) {
     for (int row = 0; row < kRows; ++row) {
       const Eigen::Vector2d in_a((column + 0.5) / kColumns * given.width, (row + 0.5) / kRows * given.height);
@@ -57,7 +57,7 @@ MountTilt tilt_found(const FloorConfig& config, const CameraModel& given, const 
   MountFilter filter(given, prior);
   for (int pass = 0; pass < 3; ++pass) {
     for (const double turned : {0.0, config.keyframe_rad, -config.keyframe_rad}) {
-      const Pose2 motion = exp2(Eigen::Vector3d(config.keyframe_m, 0.0, turned));
+      const Pose2 motion = se2_exp(Eigen::Vector3d(config.keyframe_m, 0.0, turned));
       filter.add({pairs_of(given, real, motion, config), motion, std::nullopt});
     }
   }
@@ -70,14 +70,14 @@ Eigen::Vector3d error_of_fit(const FloorConfig& config, const CameraModel& given
                              const MountTilt& tilt, const Eigen::Vector3d& moved) {
   const double tilted2 = config.vibration_tilt_rad * config.vibration_tilt_rad;
   const double lifted2 = config.vibration_height_m * config.vibration_height_m;
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.mean << tilt.pitch_rad, tilt.roll_rad, 0.0, tilt.pitch_rad, tilt.roll_rad, 0.0;
   prior.information.diagonal() << 1.0 / tilted2, 1.0 / tilted2, 1.0 / lifted2, 1.0 / tilted2, 1.0 / tilted2,
       1.0 / lifted2;
-  const Pose2 motion = exp2(moved);
-  const PlanarState start{motion, Sway::from(prior.mean.head<3>()), Sway::from(prior.mean.tail<3>())};
+  const Pose2 motion = se2_exp(moved);
+  const PlanarState start{motion, Attitude::from(prior.mean.head<3>()), Attitude::from(prior.mean.tail<3>())};
   const PlanarFit fit = fit_planar_motion(given, given, pairs_of(given, real, motion, config), prior, start);
-  return log2(motion.inverse() * fit.state.a_from_b);
+  return se2_log(motion.inverse() * fit.state.a_from_b);
 }
 
 /// Returns how odometry errs from keyframe to keyframe: of a metre ahead, of a metre aside, of a radian as robots
@@ -148,7 +148,7 @@ CalibrationErrors::CalibrationErrors(const FloorConfig& config, const CameraMode
 }
 
 PlanarErrors CalibrationErrors::of(const Pose2& moved, const Eigen::Matrix2d& tilt_covariance) const {
-  const Eigen::Vector3d xi = log2(moved);
+  const Eigen::Vector3d xi = se2_log(moved);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> tilt(tilt_covariance);
   const Eigen::Matrix<double, kMotions, 2> by_tilt = by_tilt_ * tilt.operatorSqrt();
   PlanarErrors errors;

@@ -73,7 +73,7 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"inlier_sigmas", &FloorConfig::inlier_sigmas, 1, 10},
     {"kappa", &FloorConfig::kappa, 0, 1},
     {"most_tilt_rad", &FloorConfig::most_tilt_rad, 1e-6, 0.2},
-    {"most_lift_m", &FloorConfig::most_lift_m, 1e-6, 0.2},
+    {"most_height_offset_m", &FloorConfig::most_height_offset_m, 1e-6, 0.2},
     {"eta_px", &FloorConfig::eta_px, 0.1, 1000},
     {"most_residual", &FloorConfig::most_residual, 1e-6, 1e4},
     {"most_repeated", &FloorConfig::most_repeated, 0, 10},

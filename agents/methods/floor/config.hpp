@@ -68,7 +68,7 @@ struct FloorConfig {
   double ratio = 0.95;                 ///< [1e-6, 1] best against second best, guided
   double ratio_unguided = 0.90;        ///< [1e-6, 1]
   int fewest_matches = 24;             ///< [8, 1000]
-  double consensus_m = 0.022;          ///< [1e-6, 0.2] inlier distance before the sway is known
+  double consensus_m = 0.022;          ///< [1e-6, 0.2] inlier distance before the attitude is known
   int hypotheses = 600;                ///< [50, 20000] drawn
   int fewest_inliers = 20;             ///< psi: [12, 1000] after refinement
   double fewest_inliers_share = 0.12;  ///< psi as a share of the matches, [0, 1]
@@ -77,7 +77,7 @@ struct FloorConfig {
   double inlier_sigmas = 3.0;          ///< [1, 10]
   double kappa = 0.15;                 ///< [0, 1] overlap: the share of b's view seen in a
   double most_tilt_rad = 0.03;         ///< [1e-6, 0.2] between two contents; beyond it the relation is not_rigid
-  double most_lift_m = 0.03;           ///< [1e-6, 0.2]
+  double most_height_offset_m = 0.03;           ///< [1e-6, 0.2]
   double eta_px = 100.0;               ///< [0.1, 1000] Huber threshold of h_distance
   double most_residual = 16.0;         ///< [1e-6, 1e4] h_distance
   double most_repeated = 0.7;          ///< [0, 10] features that meet their like elsewhere, against the inliers

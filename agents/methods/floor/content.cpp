@@ -126,8 +126,8 @@ Bytes encode_floor_content(const FloorContent& content) {
   out.number(magic);
   out.number(floor_content_format);
   write_camera(out, content.camera);
-  for (const double v : content.sway.vector()) out.number(v);
-  for (const double v : content.sway_sigma) out.number(v);
+  for (const double v : content.attitude.vector()) out.number(v);
+  for (const double v : content.attitude_sigma) out.number(v);
   write_features(out, content.features);
   write_patch(out, content.patch);
   return out.take();
@@ -143,10 +143,10 @@ Result<FloorContent> decode_floor_content(ByteView bytes) {
   if (format != floor_content_format) in.fault("format", "is unknown");
   FloorContent content;
   content.camera = read_camera(in);
-  Eigen::Vector3d sway;
-  for (double& v : sway) v = in.real("sway", -0.2, 0.2);
-  content.sway = Sway::from(sway);
-  for (double& v : content.sway_sigma) v = in.real("sway_sigma", 1e-6, 0.2);
+  Eigen::Vector3d attitude;
+  for (double& v : attitude) v = in.real("attitude", -0.2, 0.2);
+  content.attitude = Attitude::from(attitude);
+  for (double& v : content.attitude_sigma) v = in.real("attitude_sigma", 1e-6, 0.2);
   content.features = read_features(in);
   content.patch = read_patch(in);
   if (!in.faulty() && !in.at_end()) in.fault("end", "is followed by more bytes");

@@ -2,9 +2,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/camera_model.hpp"
-#include "agents/perception/sway.hpp"
 #include "core/bytes.hpp"
 #include "core/result.hpp"
 
@@ -13,9 +13,9 @@ namespace weft::agents {
 /// What `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane of the
 /// mount, with the calibration they were seen through, so that another robot's camera can be held against them.
 struct FloorContent {
-  CameraModel camera;                                    ///< the view's; sway has not been applied to the features
-  Sway sway;                                             ///< estimated at the view
-  Eigen::Vector3d sway_sigma = Eigen::Vector3d::Zero();  ///< rad, rad, m; of the estimate against the truth
+  CameraModel camera;  ///< the view's; attitude has not been applied to the features
+  Attitude attitude;   ///< estimated at the view
+  Eigen::Vector3d attitude_sigma = Eigen::Vector3d::Zero();  ///< rad, rad, m; of the estimate against the truth
   std::vector<FloorFeature> features;
   FloorPatch patch;
 };

@@ -21,12 +21,13 @@ OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) cons
   const Eigen::Vector3d mount(config_.mount_tilt_rad, config_.mount_tilt_rad,
                               std::hypot(config_.mount_height_m, config_.load_m));
   const Eigen::Vector3d vibration(config_.vibration_tilt_rad, config_.vibration_tilt_rad, config_.vibration_height_m);
-  content.sway_sigma = (mount.cwiseAbs2() + vibration.cwiseAbs2()).cwiseSqrt();
+  content.attitude_sigma = (mount.cwiseAbs2() + vibration.cwiseAbs2()).cwiseSqrt();
   if (s.newest && s.frame == view.frame && s.inliers > 0) {
-    content.sway = s.sway;
+    content.attitude = s.attitude;
     // Each fit counts its neighbours' noise as its own: the estimate is never taken for better than vibration.
-    const Eigen::Vector3d fitted = s.sway_covariance.diagonal().cwiseSqrt().cwiseMax(vibration);
-    content.sway_sigma.head<2>() = fitted.head<2>().cwiseMin(content.sway_sigma.head<2>());  // height cannot be seen
+    const Eigen::Vector3d fitted = s.attitude_covariance.diagonal().cwiseSqrt().cwiseMax(vibration);
+    content.attitude_sigma.head<2>() =
+        fitted.head<2>().cwiseMin(content.attitude_sigma.head<2>());  // height cannot be seen
   }
   return content;
 }

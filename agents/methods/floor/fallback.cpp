@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "agents/methods/floor/one_plane.hpp"
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/direct_alignment.hpp"
 #include "agents/perception/hamming.hpp"
-#include "agents/perception/sway.hpp"
 
 namespace weft::agents {
 namespace {
@@ -16,7 +16,7 @@ struct Described {
 };
 
 Described described(const CameraModel& camera, const BirdsEye& birds_eye, const FloorConfig& c, const Image& image) {
-  const Eigen::Matrix3d camera_from_level = camera_from_floor(camera, Sway{});
+  const Eigen::Matrix3d camera_from_level = camera_from_floor(camera, Attitude{});
   Described out;
   for (const FloorFeature& feature : birds_eye.rectify(image, c.features, c.patch_metres_per_pixel).features) {
     out.normalised.push_back(apply(camera_from_level, feature.on_floor));
@@ -28,7 +28,7 @@ Described described(const CameraModel& camera, const BirdsEye& birds_eye, const 
 }  // namespace
 
 std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
-                                          const SwayPrior& prior, const PlanarState& expected) {
+                                          const AttitudePrior& prior, const PlanarState& expected) {
   constexpr double least_correlation = 0.5;  // other places give 0.2 at most
   constexpr std::size_t fewest_points = 150;
   DirectFit found = align_directly(camera, keyframe, now, prior, expected, {});
@@ -39,7 +39,7 @@ std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image
 
 std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,
                                              const FloorConfig& config, const Image& keyframe, const Image& now,
-                                             const SwayPrior& prior, const PlanarState& expected) {
+                                             const AttitudePrior& prior, const PlanarState& expected) {
   constexpr double sigma_px = 0.7;
   constexpr double threshold_px = 3.0;
   const Described a = described(camera, birds_eye, config, keyframe);

@@ -17,12 +17,12 @@ struct SeenOtherwise {
 
 /// By grey values, from near where it is expected: stands blur and pale floors. None: they do not correlate.
 std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
-                                          const SwayPrior& prior, const PlanarState& expected);
+                                          const AttitudePrior& prior, const PlanarState& expected);
 
 /// By binary features of the rectified floor, wherever the view has gone to: stands jumps and little overlap. None:
 /// too few agree, or not on one plane.
 std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,
                                              const FloorConfig& config, const Image& keyframe, const Image& now,
-                                             const SwayPrior& prior, const PlanarState& expected);
+                                             const AttitudePrior& prior, const PlanarState& expected);
 
 }  // namespace weft::agents

@@ -7,7 +7,7 @@
 
 namespace weft::agents {
 
-static_assert(Method<Floor> && Foresees<Floor>);
+static_assert(Method<Floor> && SimulatesRevisits<Floor> && Diagnoses<Floor>);
 
 std::string_view Floor::name_of(SeenBy by) {
   switch (by) {
@@ -33,7 +33,7 @@ Result<Floor> Floor::make(const FloorConfig& config, const CameraModel& camera) 
     for (const std::string& issue : issues) all += (all.empty() ? "" : "; ") + issue;
     return fail(ErrorCode::invalid, all);
   }
-  if (area(footprint(camera, Sway{}, config.far_m)) < 0.05)
+  if (area(footprint(camera, Attitude{}, config.far_m)) < 0.05)
     return fail(ErrorCode::invalid, "camera \"" + camera.id +
                                         "\" sees less than 0.05 m2 of floor within floor.far_m = " +
                                         std::to_string(config.far_m) + " m; correct its mount");

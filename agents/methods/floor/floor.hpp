@@ -15,7 +15,7 @@
 #include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
 #include "agents/perception/rig.hpp"
-#include "agents/perception/rocking.hpp"
+#include "agents/perception/rocking_centre.hpp"
 #include "core/result.hpp"
 
 namespace weft::agents {
@@ -47,23 +47,23 @@ class Floor {
     std::vector<Tracked> tracks;
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
-    Sway keyframe_sway;
-    /// What the fits before said of the keyframe's sway, beyond what is known of every view: information and its
+    Attitude keyframe_attitude;
+    /// What the fits before said of the keyframe's attitude, beyond what is known of every view: information and its
     /// product with the mean.
     Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
     Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();
     Eigen::Matrix3d keyframe_covariance = Eigen::Matrix3d::Zero();  ///< of keyframe_from_robot, as steps have said
-    Sway sway;                                                      ///< at the newest view
-    Eigen::Matrix3d sway_covariance = Eigen::Matrix3d::Identity();
-    std::uint64_t frame = 0;                  ///< of the newest view
-    std::size_t inliers = 0;                  ///< of the newest view's motion
-    bool followed = false;                    ///< the newest view's motion was seen
-    SeenBy seen_by = SeenBy::nothing;         ///< likewise
-    std::array<std::uint64_t, 4> views_by{};  ///< so many views each, by SeenBy
-    std::optional<Pose2> wheels = Pose2{};    ///< since the keyframe; none: not reported all the way
-    std::optional<FloorViews> ended;          ///< the keyframe that ended with the newest view, and that view
-    std::optional<Rocking> rocking;           ///< none before the first view
-    std::optional<MountWatch> mount;          ///< what all of them said; none: there was none yet
+    Attitude attitude;                                              ///< at the newest view
+    Eigen::Matrix3d attitude_covariance = Eigen::Matrix3d::Identity();
+    std::uint64_t frame = 0;                      ///< of the newest view
+    std::size_t inliers = 0;                      ///< of the newest view's motion
+    bool followed = false;                        ///< the newest view's motion was seen
+    SeenBy seen_by = SeenBy::nothing;             ///< likewise
+    std::array<std::uint64_t, 4> views_by{};      ///< so many views each, by SeenBy
+    std::optional<Pose2> wheels = Pose2{};        ///< since the keyframe; none: not reported all the way
+    std::optional<FloorViews> ended;              ///< the keyframe that ended with the newest view, and that view
+    std::optional<RockingCentre> rocking_centre;  ///< none before the first view
+    std::optional<MountWatch> mount;              ///< what all of them said; none: there was none yet
   };
   using Config = FloorConfig;
   static constexpr SensorNeed needs = {SensorKind::camera, Gaze::down, 1};
@@ -84,8 +84,11 @@ class Floor {
   /// homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
 
-  /// What driving has shown of the mount; none: not driven far enough.
-  std::optional<MountReport> mount(const Odometry& odometry) const;
+  /// Diagnostics that are watched: height_offset_m of `relate`.
+  static const std::array<WatchedDiagnostic, 1> watched;
+  /// Returns what driving has shown of the mount against its calibration: mount_pitch_rad, mount_roll_rad, and
+  /// mount_height_share, the height's error as a share of it, which wheels show; none: not driven far enough.
+  std::vector<Diagnostic> diagnose(const Odometry& odometry) const;
 
   /// Refusals: not_an_image, wrong_size, too_blank (features found).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
@@ -94,10 +97,11 @@ class Floor {
   Result<Content> decode(ByteView bytes) const { return decode_floor_content(bytes); }
 
   /// Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it (III-C); without, every
-  /// heading and offset is possible. Refusals: no_overlap, few_matches, no_consensus, few_inliers,
-  /// few_inliers_share, not_rigid, little_overlap, little_spread, large_residual, disagrees_with_guess; ambiguous:
-  /// the floor that both see looks the same elsewhere in a (moved by any motion, or, with a guess, by less than
-  /// `widest_gate_m`), so that the relation is one of several.
+  /// heading and offset is possible. Its diagnostic: height_offset_m, by how much higher above its calibration b's
+  /// camera stood than a's above its own, when the features tell it to 2 mm. Refusals: no_overlap, few_matches,
+  /// no_consensus, few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual,
+  /// disagrees_with_guess; ambiguous: the floor that both see looks the same elsewhere in a (moved by any motion, or,
+  /// with a guess, by less than `widest_gate_m`), so that the relation is one of several.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   /// The middle of the features.
@@ -107,11 +111,13 @@ class Floor {
   /// floor are nearer to each other than nearly all others. None: a content without features.
   std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
 
-  /// The view as another robot would have had it: beside, its camera mounted a little differently from what its
-  /// calibration says (mount_tilt_rad, mount_height_m, load_m), on a day that is up to 30 % darker, in half that
+  enum Condition : std::size_t { as_is, half_light, worn };
+  static constexpr std::array<std::string_view, 3> conditions = {"as_is", "half_light", "worn"};
+  /// Returns the view as another robot would have had it: beside, its camera mounted a little differently from what
+  /// its calibration says (mount_tilt_rad, mount_height_m, load_m), on a day that is up to 30 % darker, in half that
   /// light or on a worn floor, with the sensor's noise as it is. Where it would see floor that the view does not
   /// show, there is foreign floor. Refusals: not_an_image, wrong_size.
-  OrRefusal<View> foresee(const View& view, const Passing& passing) const;
+  OrRefusal<View> simulate_revisit(const View& view, const Revisit& revisit) const;
 
   const CameraModel& camera() const { return camera_; }
   const FloorConfig& config() const { return config_; }

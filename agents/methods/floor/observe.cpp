@@ -35,7 +35,7 @@ Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
 /// The newest view becomes the keyframe.
 void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s) {
   s.keyframe_view = view;
-  s.keyframe_sway = s.sway;
+  s.keyframe_attitude = s.attitude;
   s.keyframe_from_robot = Pose2{};
   s.keyframe_covariance.setZero();
   s.wheels = Pose2{};
@@ -50,16 +50,16 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   s.keyframe_tracks = s.tracks.size();
 }
 
-/// What is known of any one view's sway: the mount's tilt as far as it has been found, and vibration. Height cannot
-/// be seen in one camera's motion: it is held by the calibration.
-struct KnownSway {
+/// What is known of any one view's attitude: the mount's tilt as far as it has been found, and vibration. Height
+/// cannot be seen in one camera's motion: it is held by the calibration.
+struct KnownAttitude {
   Eigen::Vector3d mean;
   Eigen::Matrix3d shared;  ///< covariance that all views have in common
   Eigen::Matrix3d own;     ///< and each its own
 };
-KnownSway known_sway(const FloorConfig& c, const Floor::Odometry& s) {
+KnownAttitude known_attitude(const FloorConfig& c, const Floor::Odometry& s) {
   const MountTilt tilt = s.mount->tilt();
-  KnownSway known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
+  KnownAttitude known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
   known.shared.topLeftCorner<2, 2>() = tilt.covariance;
   known.own.diagonal() =
       Eigen::Vector3d(c.vibration_tilt_rad, c.vibration_tilt_rad, c.vibration_height_m).cwiseAbs2();
@@ -70,11 +70,11 @@ Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& covariance) {
   return covariance.ldlt().solve(Eigen::Matrix3d::Identity());
 }
 
-SwayPrior sway_prior(const FloorConfig& c, const Floor::Odometry& s) {
-  const KnownSway known = known_sway(c, s);
+AttitudePrior attitude_prior(const FloorConfig& c, const Floor::Odometry& s) {
+  const KnownAttitude known = known_attitude(c, s);
   Matrix6d covariance;
   covariance << known.shared + known.own, known.shared, known.shared, known.shared + known.own;
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.information = covariance.ldlt().solve(Matrix6d::Identity());
   Vector6d pull;
   pull << known.mean, known.mean;
@@ -85,14 +85,15 @@ SwayPrior sway_prior(const FloorConfig& c, const Floor::Odometry& s) {
   return prior;
 }
 
-/// What the newest view's fit has told of its sway, for when it becomes the keyframe. Not all of it: fits of the same
-/// corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 % of speed on
-/// pale floors).
+/// What the newest view's fit has told of its attitude, for when it becomes the keyframe. Not all of it: fits of the
+/// same corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 % of
+/// speed on pale floors).
 void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
   constexpr double kToldShare = 0.8;
-  const KnownSway known = known_sway(c, s);
-  s.keyframe_told = kToldShare * positive_part(inverse_of(s.sway_covariance) - inverse_of(known.shared + known.own));
-  s.keyframe_pull = s.keyframe_told * s.sway.vector();
+  const KnownAttitude known = known_attitude(c, s);
+  s.keyframe_told =
+      kToldShare * positive_part(inverse_of(s.attitude_covariance) - inverse_of(known.shared + known.own));
+  s.keyframe_pull = s.keyframe_told * s.attitude.vector();
 }
 
 /// What the keyframe and the newest view show of the mount.
@@ -114,7 +115,7 @@ MountPrior mount_prior(const FloorConfig& c) {
 void roll(const Motion& motion, std::optional<Pose2>& wheels) {
   if (!motion.wheels.has_value()) wheels.reset();
   if (wheels.has_value())
-    wheels = *wheels * exp2(Eigen::Vector3d(motion.wheels->distance_m, 0.0, motion.wheels->heading_rad));
+    wheels = *wheels * se2_exp(Eigen::Vector3d(motion.wheels->distance_m, 0.0, motion.wheels->heading_rad));
 }
 
 struct Followed {
@@ -182,7 +183,7 @@ Step lose_sight(const FloorConfig& c, const CameraModel& camera, const Image& vi
   Step step = blind(s, reckoned, reason);
   s.inliers = 0;
   const MountTilt tilt = s.mount->tilt();
-  s.sway = {tilt.pitch_rad, tilt.roll_rad, 0.0};
+  s.attitude = {tilt.pitch_rad, tilt.roll_rad, 0.0};
   s.keyframe_told.setZero();
   s.keyframe_pull.setZero();
   begin_keyframe(c, camera, view, s);
@@ -211,10 +212,6 @@ void go_on(const FloorConfig& c, const CameraModel& camera, const Image& view, F
 
 }  // namespace
 
-std::optional<MountReport> Floor::mount(const Odometry& odometry) const {
-  return odometry.mount.has_value() ? odometry.mount->report() : std::nullopt;
-}
-
 Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const Step reckoned = dead_reckon(config_.blind, motion, {});
   const Pose2 moved = planar(reckoned.previous_from_current);
@@ -229,8 +226,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const TrackingImage now = prepare_tracking(*image, config_.window_px, config_.pyramid_levels);
   const bool first = !s.newest;
   if (!s.mount) s.mount.emplace(camera_, mount_prior(config_));
-  if (!s.rocking) s.rocking.emplace(camera_.robot_from_camera.translation.z());
-  const PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_sway, s.sway};
+  if (!s.rocking_centre) s.rocking_centre.emplace(camera_.robot_from_camera.translation.z());
+  const PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_attitude, s.attitude};
   Followed followed;
   PlanarFit fit;
   const auto is_possible = [&]() {
@@ -244,7 +241,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     const OnePlane plane = one_plane(camera_, config_, expected, followed.pairs, config_.homography_px);
     if (!plane.refused.empty()) return plane.refused;
     retain(followed, [&](std::size_t i) { return plane.is_on_it[i]; });
-    fit = fit_planar_motion(camera_, camera_, followed.pairs, sway_prior(config_, s), expected);
+    fit = fit_planar_motion(camera_, camera_, followed.pairs, attitude_prior(config_, s), expected);
     return fit.converged ? "" : "not_converged";
   };
   const auto take = [&](std::optional<SeenOtherwise> otherwise) {
@@ -259,7 +256,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     refused = motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
     s.seen_by = SeenBy::nothing;
   } else if (!refused.empty()) {
-    const SwayPrior prior = sway_prior(config_, s);
+    const AttitudePrior prior = attitude_prior(config_, s);
     s.seen_by = SeenBy::nothing;
     if (!first && take(see_directly(camera_, s.keyframe_view, *image, prior, expected))) {
       s.seen_by = SeenBy::grey_values;
@@ -275,15 +272,15 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   s.followed = s.seen_by != SeenBy::nothing;
   if (!s.followed) return lose_sight(config_, camera_, *image, s, reckoned, refused);
 
-  const Sway change = Sway::from(fit.state.sway_b.vector() - s.sway.vector());
+  const Attitude change = Attitude::from(fit.state.attitude_b.vector() - s.attitude.vector());
   const Pose2 as_if_from_floor = s.keyframe_from_robot.inverse() * fit.state.a_from_b;
-  if (follows_a_view) s.rocking->learn(as_if_from_floor, change, motion);
-  const Pose2 seen = follows_a_view ? s.rocking->corrected(as_if_from_floor, change) : as_if_from_floor;
+  if (follows_a_view) s.rocking_centre->learn(as_if_from_floor, change, motion);
+  const Pose2 seen = follows_a_view ? s.rocking_centre->corrected(as_if_from_floor, change) : as_if_from_floor;
   const PlanarErrors common = calibration_errors_.of(seen, s.mount->tilt().found);
   Step step{Metric2{seen, step_covariance(fit, seen, common, s)}, true, {}, in_space(common)};
   s.keyframe_from_robot = fit.state.a_from_b;
-  s.sway = fit.state.sway_b;
-  s.sway_covariance = fit.covariance.bottomRightCorner<3, 3>();
+  s.attitude = fit.state.attitude_b;
+  s.attitude_covariance = fit.covariance.bottomRightCorner<3, 3>();
   go_on(config_, camera_, *image, s, std::move(followed), fit);
   return step;
 }

@@ -27,7 +27,7 @@ OnePlane one_plane(const CameraModel& camera, const FloorConfig& c, const Planar
   double motion = 0.0;
   for (const PlaneMotion& candidate : candidates) motion = std::max(motion, candidate.translation_in_heights.norm());
   if (motion >= c.decompose_from_heights) {
-    const FloorPlane plane = floor_plane(camera, expected.sway_a);
+    const FloorPlane plane = floor_plane(camera, expected.attitude_a);
     const Decomposed chosen =
         choose(candidates, plane.normal_in_camera, {c.normal_angle_rad, c.along_normal_heights});
     if (!chosen.motion) return {"normal_refused", {}};

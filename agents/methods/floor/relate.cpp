@@ -2,8 +2,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "agents/methods/floor/consensus.hpp"
+#include "agents/methods/floor/diagnostics.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/repetition.hpp"
 #include "agents/perception/homography.hpp"
@@ -34,10 +36,10 @@ std::optional<Gate> gate_of(const FloorConfig& c, const std::optional<Relation>&
               std::clamp(turn, c.gate_rad, 1.6)};
 }
 
-/// Floor points with the estimated sway undone: where the robot's level frame has them.
+/// Floor points with the estimated attitude undone: where the robot's level frame has them.
 std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
   const Eigen::Matrix3d floor_from_mount =
-      camera_from_floor(content.camera, content.sway).inverse() * camera_from_floor(content.camera, Sway{});
+      camera_from_floor(content.camera, content.attitude).inverse() * camera_from_floor(content.camera, Attitude{});
   std::vector<Eigen::Vector2d> points;
   points.reserve(content.features.size());
   for (const FloorFeature& f : content.features) points.push_back(apply(floor_from_mount, f.on_floor));
@@ -139,8 +141,8 @@ InImage in_image(const CameraModel& camera, const Eigen::Matrix3d& mount_homogra
 std::vector<FloorPair> pairs_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                                 const std::vector<Match>& matches) {
   constexpr double image_sigma_px = 0.5;
-  const Eigen::Matrix3d mount_a = camera_from_floor(a.camera, Sway{});
-  const Eigen::Matrix3d mount_b = camera_from_floor(b.camera, Sway{});
+  const Eigen::Matrix3d mount_a = camera_from_floor(a.camera, Attitude{});
+  const Eigen::Matrix3d mount_b = camera_from_floor(b.camera, Attitude{});
   std::vector<FloorPair> pairs;
   for (const Match& m : matches) {
     const InImage at_a = in_image(a.camera, mount_a, a.features[m.a].on_floor);
@@ -154,11 +156,11 @@ std::vector<FloorPair> pairs_of(const FloorConfig& c, const FloorContent& a, con
   return pairs;
 }
 
-SwayPrior prior_of(const FloorContent& a, const FloorContent& b) {
-  SwayPrior prior;
-  prior.mean << a.sway.vector(), b.sway.vector();
+AttitudePrior prior_of(const FloorContent& a, const FloorContent& b) {
+  AttitudePrior prior;
+  prior.mean << a.attitude.vector(), b.attitude.vector();
   Vector6d sigma;
-  sigma << a.sway_sigma, b.sway_sigma;
+  sigma << a.attitude_sigma, b.attitude_sigma;
   prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   return prior;
 }
@@ -174,8 +176,8 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
                const std::vector<std::size_t>& start, const Pose2& a_from_b) {
   Refined out;
   for (const std::size_t i : start) out.pairs.push_back(all[i]);
-  PlanarState state{a_from_b, a.sway, b.sway};
-  const SwayPrior prior = prior_of(a, b);
+  PlanarState state{a_from_b, a.attitude, b.attitude};
+  const AttitudePrior prior = prior_of(a, b);
   for (const double widened : {2.0, 1.0, 1.0}) {
     out.fit = fit_planar_motion(a.camera, b.camera, out.pairs, prior, state);
     state = out.fit.state;
@@ -213,9 +215,10 @@ Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const
   return 0.5 * (covariance + covariance.transpose());
 }
 
-/// The two views' scales against each other, as the features alone have them: the prior holds both cameras at the
-/// height of their calibration, which is what shall be told. None when the features tell it worse than 2 mm.
-std::optional<double> lift_of(const SwayPrior& prior, const PlanarFit& fit) {
+/// How much higher above its calibration b's camera stood than a's above its own: the two views' scales against each
+/// other, as the features alone have them, since the prior holds both cameras at the height of their calibration.
+/// None when the features tell it worse than 2 mm.
+std::optional<Diagnostic> height_offset_of(const AttitudePrior& prior, const PlanarFit& fit) {
   constexpr double worst_sigma_m = 0.002;
   const double before = 1.0 / prior.information(2, 2) + 1.0 / prior.information(5, 5);
   const Matrix9d& c = fit.covariance;  // heights of a and b stand at 5 and 8
@@ -224,7 +227,9 @@ std::optional<double> lift_of(const SwayPrior& prior, const PlanarFit& fit) {
   const double features = 1.0 / (1.0 / after - 1.0 / before);
   if (features > worst_sigma_m * worst_sigma_m) return std::nullopt;
   const double expected = prior.mean(5) - prior.mean(2);
-  return features * ((fit.state.sway_b.height_m - fit.state.sway_a.height_m) / after - expected / before);
+  const double seen = fit.state.attitude_b.height_m - fit.state.attitude_a.height_m;
+  return Diagnostic{std::string(kHeightOffset), features * (seen / after - expected / before), std::sqrt(features),
+                    kHeightNoticedM};
 }
 
 bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
@@ -266,8 +271,8 @@ std::vector<std::uint32_t> shared_stretch(const std::vector<Eigen::Vector2d>& at
 OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
   const FloorConfig& c = config_;
   const std::optional<Gate> gate = gate_of(c, guess);
-  const SeenFloor floor_a{footprint(a.camera, a.sway, c.far_m), camera_from_floor(a.camera, a.sway)};
-  const SeenFloor floor_b{footprint(b.camera, b.sway, c.far_m), camera_from_floor(b.camera, b.sway)};
+  const SeenFloor floor_a{footprint(a.camera, a.attitude, c.far_m), camera_from_floor(a.camera, a.attitude)};
+  const SeenFloor floor_b{footprint(b.camera, b.attitude, c.far_m), camera_from_floor(b.camera, b.attitude)};
   if (gate) {
     const double hoped = share_of_b_seen_in_a(floor_a, floor_b, gate->a_from_b);
     if (hoped < 0.3 * c.kappa) return refuse("no_overlap", hoped, 0.3 * c.kappa);
@@ -293,10 +298,10 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   const double share = static_cast<double>(inliers) / static_cast<double>(matches.size());
   if (share < c.fewest_inliers_share) return refuse("few_inliers_share", share, c.fewest_inliers_share);
   const PlanarState& state = refined.fit.state;
-  const Eigen::Vector3d sway = (state.sway_a.vector() - state.sway_b.vector()).cwiseAbs();
-  if (!refined.fit.converged || sway.head<2>().maxCoeff() > c.most_tilt_rad)
-    return refuse("not_rigid", sway.head<2>().maxCoeff(), c.most_tilt_rad);
-  if (sway.z() > c.most_lift_m) return refuse("not_rigid", sway.z(), c.most_lift_m);
+  const Eigen::Vector3d attitude = (state.attitude_a.vector() - state.attitude_b.vector()).cwiseAbs();
+  if (!refined.fit.converged || attitude.head<2>().maxCoeff() > c.most_tilt_rad)
+    return refuse("not_rigid", attitude.head<2>().maxCoeff(), c.most_tilt_rad);
+  if (attitude.z() > c.most_height_offset_m) return refuse("not_rigid", attitude.z(), c.most_height_offset_m);
   const double overlap = share_of_b_seen_in_a(floor_a, floor_b, state.a_from_b);
   if (overlap < c.kappa) return refuse("little_overlap", overlap, c.kappa);
   if (!gate) {
@@ -323,8 +328,13 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   const double repeated = static_cast<double>(again.agreeing) / static_cast<double>(inliers);
   if (repeated > c.most_repeated && again.spread > c.least_spread)
     return refuse("ambiguous", repeated, c.most_repeated);
-  return Related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)}, static_cast<std::uint32_t>(inliers),
-                 overlap, residual, lift_of(prior_of(a, b), refined.fit)};
+  Related related{Metric2{state.a_from_b, covariance_of(c, a, b, refined.fit)},
+                  static_cast<std::uint32_t>(inliers),
+                  overlap,
+                  residual,
+                  {}};
+  if (auto height = height_offset_of(prior_of(a, b), refined.fit)) related.diagnostics.push_back(std::move(*height));
+  return related;
 }
 
 }  // namespace weft::agents

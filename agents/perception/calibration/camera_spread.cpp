@@ -50,7 +50,8 @@ Eigen::Matrix<double, 2, 6> by_pose(const CameraModel& camera, const Pose3& pose
   for (int i = 0; i < 6; ++i) {
     const Vector6d twist = step * Vector6d::Unit(i);
     jacobian.col(i) =
-        (predicted(camera, pose * exp3(twist), point) - predicted(camera, pose * exp3(-twist), point)) / (2.0 * step);
+        (predicted(camera, pose * se3_exp(twist), point) - predicted(camera, pose * se3_exp(-twist), point)) /
+        (2.0 * step);
   }
   return jacobian;
 }

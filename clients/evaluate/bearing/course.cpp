@@ -47,7 +47,7 @@ Pose2 Course::site_from_path(std::size_t place, double beyond_m) const {
   }
   const Pose2& from = site_from_place[at];
   const std::size_t next = at == last ? closes_at : at + 1;
-  return from * exp2(left_m / std::max(hop_m(at), 1e-6) * log2(from.inverse() * site_from_place[next]));
+  return from * se2_exp(left_m / std::max(hop_m(at), 1e-6) * se2_log(from.inverse() * site_from_place[next]));
 }
 
 Route Course::loops(std::size_t count) const {

@@ -67,7 +67,7 @@ struct Repeated {
   std::size_t looks = 0;              ///< views that were to tell where it is
   std::size_t fixes = 0;              ///< those that did
   double votes = 0.0;                 ///< of all these, for the place that was nearest
-  std::vector<agents::Lesson> lessons;
+  std::vector<agents::LearnedPlace> learned_places;
 };
 
 /// Where a robot is put down.

@@ -22,7 +22,7 @@ struct DayScore {
   double told = 0.0;     ///< share of views
   double error_m = 0.0;  ///< mean, from where it believes to be on the taught way
   double end_m = 0.0;    ///< at the end
-  double lessons = 0.0;
+  double learned_places = 0.0;
   std::string ended;  ///< why it stands; empty: it came round
 };
 
@@ -42,7 +42,7 @@ DayScore score_of(const Repeated& repeated) {
   score.error_m /= static_cast<double>(std::max<std::size_t>(1, repeated.along.size()));
   score.end_m =
       repeated.after_loop.empty() ? Score::kNothing : repeated.after_loop.back().path_from_robot.translation().norm();
-  score.lessons = static_cast<double>(repeated.lessons.size());
+  score.learned_places = static_cast<double>(repeated.learned_places.size());
   score.ended = repeated.ended;
   return score;
 }
@@ -57,8 +57,8 @@ Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint
     const auto repeated = repeat(drive, course, {a_little_aside}, 1, Parts::all);
     if (!repeated) return fail(repeated.error());
     if (!*repeated) return false;
-    for (const agents::Lesson& lesson : (*repeated)->lessons)
-      if (learns) course.map.take(lesson);
+    for (const agents::LearnedPlace& learned_place : (*repeated)->learned_places)
+      if (learns) course.map.take(learned_place);
     rows.push_back({days.name, days.days[i].about, seed, i + 1, learns, score_of(**repeated)});
   }
   return true;
@@ -66,11 +66,11 @@ Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint
 
 std::string csv_of(const std::vector<RowOfDay>& rows) {
   std::ostringstream text;
-  text << "days,seed,learns,number,day,votes,told,error_m,end_m,lessons,ended\n";
+  text << "days,seed,learns,number,day,votes,told,error_m,end_m,learned_places,ended\n";
   for (const RowOfDay& row : rows) {
     text << row.days << ',' << row.seed << ',' << row.learns << ',' << row.number << ",\"" << row.day << "\","
          << row.score.votes << ',' << row.score.told << ',' << row.score.error_m << ',' << row.score.end_m << ','
-         << row.score.lessons << ",\"" << row.score.ended << "\"\n";
+         << row.score.learned_places << ",\"" << row.score.ended << "\"\n";
   }
   return text.str();
 }
@@ -79,7 +79,7 @@ std::string csv_of(const std::vector<RowOfDay>& rows) {
 std::string table_of(const std::vector<RowOfDay>& rows) {
   struct Sum {
     std::string about;
-    double seeds = 0.0, votes = 0.0, told = 0.0, error_m = 0.0, lessons = 0.0;
+    double seeds = 0.0, votes = 0.0, told = 0.0, error_m = 0.0, learned_places = 0.0;
   };
   std::map<std::tuple<std::string, std::size_t, bool>, Sum> sums;
   for (const RowOfDay& row : rows) {
@@ -89,10 +89,10 @@ std::string table_of(const std::vector<RowOfDay>& rows) {
     sum.votes += row.score.votes;
     sum.told += row.score.told;
     sum.error_m += row.score.error_m;
-    sum.lessons += row.score.lessons;
+    sum.learned_places += row.score.learned_places;
   }
-  std::vector<std::vector<std::string>> table = {
-      {"days", "day", "votes", "with learning", "told, %", "with learning", "error, m", "with learning", "lessons"}};
+  std::vector<std::vector<std::string>> table = {{"days", "day", "votes", "with learning", "told, %", "with learning",
+                                                  "error, m", "with learning", "learned_places"}};
   for (const auto& [key, without] : sums) {
     if (std::get<2>(key)) continue;
     const auto with = sums.find({std::get<0>(key), std::get<1>(key), true});
@@ -102,7 +102,7 @@ std::string table_of(const std::vector<RowOfDay>& rows) {
                      cell(without.votes / without.seeds, 1), cell(learned.votes / learned.seeds, 1),
                      cell(100.0 * without.told / without.seeds, 1), cell(100.0 * learned.told / learned.seeds, 1),
                      cell(without.error_m / without.seeds, 3), cell(learned.error_m / learned.seeds, 3),
-                     cell(learned.lessons / learned.seeds, 0)});
+                     cell(learned.learned_places / learned.seeds, 0)});
   }
   return markdown_table(table, 2);
 }

@@ -66,7 +66,7 @@ std::size_t loops_done(const Course& course, std::uint32_t route_at, double driv
 
 void note(const Navigated& now, Repeated& repeated) {
   if (now.fix || !now.refusals.empty()) ++repeated.looks;
-  repeated.lessons.insert(repeated.lessons.end(), now.lessons.begin(), now.lessons.end());
+  repeated.learned_places.insert(repeated.learned_places.end(), now.learned_places.begin(), now.learned_places.end());
   if (!now.fix) return;
   ++repeated.fixes;
   repeated.votes += now.fix->evidence.inliers;

@@ -95,7 +95,7 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
   const std::vector<Kept> kept = robot->navigator().end_teach(taught.map.view());
   robot->note_last(kept);
   if (const Result<void> taken = take(kept); !taken) return fail(taken.error());
-  Result<TaughtWay> way = robot->navigator().taught_way();
+  Result<TeachReport> way = robot->navigator().teach_report();
   if (!way) return fail(way.error());
   taught.way = std::move(*way);
   Result<Trace> trace = robot->finish();

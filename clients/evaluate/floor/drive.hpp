@@ -25,7 +25,7 @@ struct Taught {
   std::vector<Trace> traces;
   PlaceSet places;
   PlaceId last;
-  agents::TaughtWay way;  ///< of the experience that was taught last, with what teaching foretold of it
+  agents::TeachReport way;  ///< of the experience that was taught last, with what teaching foretold of it
 };
 
 /// A way there by the robot's own control.

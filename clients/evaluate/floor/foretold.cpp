@@ -93,14 +93,14 @@ bool is_found(const Floor& method, const FloorContent& place, const Glance& glan
 
 }  // namespace
 
-const std::string& light_of(Prospect prospect) {
-  static const std::array<std::string, prospects> names = {"same", "halved", "dirt"};
-  return names[static_cast<std::size_t>(prospect)];
+const std::string& light_of(Floor::Condition condition) {
+  static const std::array<std::string, Floor::conditions.size()> names = {"same", "halved", "dirt"};
+  return names[condition];
 }
 
-Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, Prospect prospect,
+Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, Floor::Condition condition,
                                                      const Taught& taught, const StitchConfig& config) {
-  const Result<Drive> drive = scenario.second(light_of(prospect));
+  const Result<Drive> drive = scenario.second(light_of(condition));
   if (!drive) return fail(drive.error());
   Glances glances;
   const Result<bool> looked = look_around(*drive, scenario.line(), glances);
@@ -117,7 +117,7 @@ Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, P
     if (!content) return fail(content.error());
     const Pose2 place_from_robot = site_from_place.inverse() * glance->site_from_robot;
     const bool found = is_found(*glances.method, *content, *glance, place_from_robot, config, Random(place.id.index));
-    all.push_back({place.at_m, (*place.trials)[static_cast<std::size_t>(prospect)].found, found});
+    all.push_back({place.at_m, (*place.trials)[condition].found, found});
   }
   return std::optional(std::move(all));
 }

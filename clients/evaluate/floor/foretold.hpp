@@ -3,17 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "agents/methods/floor/floor.hpp"
 #include "agents/navigation/config.hpp"
-#include "agents/navigation/taught_way.hpp"
+#include "agents/navigation/teach_report.hpp"
 #include "clients/evaluate/floor/drive.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate::floor {
 
-/// What is foretold while a robot is taught, against what another robot really finds. Each prospect has a light or
-/// wear of the simulated body that it is about.
-const std::string& light_of(agents::Prospect prospect);
+/// What is foretold while a robot is taught, against what another robot really finds. Each condition has a
+/// light or wear of the simulated body that it is about.
+const std::string& light_of(agents::Floor::Condition condition);
 
 /// A place of which both are known.
 struct Compared {
@@ -22,10 +23,10 @@ struct Compared {
   bool found = false;
 };
 
-/// Another robot is led along the same line by a clumsy hand, on another day, under the prospect's light; its view
+/// Another robot is led along the same line by a clumsy hand, on another day, under the condition's light; its view
 /// nearest to each place is related to it, with a guess that is off as in localising, and must agree with the truth
 /// within `config`'s agree_m and agree_rad. Places with no view within half a metre are left out. None: stopped.
-Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, agents::Prospect prospect,
+Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, agents::Floor::Condition condition,
                                                      const Taught& taught, const agents::StitchConfig& config);
 
 /// Of all places, and of each metre by itself.

@@ -16,8 +16,9 @@
 namespace weft::evaluate::floor {
 namespace {
 
-using agents::Prospect;
-using OfAKind = std::array<std::vector<Compared>, agents::prospects>;
+using agents::Floor;
+constexpr std::array kConditions = {Floor::as_is, Floor::half_light, Floor::worn};
+using OfAKind = std::array<std::vector<Compared>, kConditions.size()>;
 
 /// One seed of a kind, added to `all`.
 Result<Ended> compare_once(const Stage& stage, const std::string& kind, std::uint64_t seed, OfAKind& all) {
@@ -27,14 +28,14 @@ Result<Ended> compare_once(const Stage& stage, const std::string& kind, std::uin
   const Result<bool> done = teach(scenario->first(), scenario->line(), taught);
   if (!done) return fail(done.error());
   if (!*done) return Ended::stopped;
-  for (const Prospect prospect : {Prospect::as_is, Prospect::half_light, Prospect::worn}) {
-    auto compared = compare(*scenario, prospect, taught, agents::StitchConfig{});
+  for (const Floor::Condition condition : kConditions) {
+    auto compared = compare(*scenario, condition, taught, agents::StitchConfig{});
     if (!compared) return fail(compared.error());
     if (!*compared) return Ended::stopped;
     // Of other seeds no metre is the same.
     constexpr double apart_m = 10'000.0;
     for (Compared& place : **compared) place.at_m += apart_m * static_cast<double>(seed);
-    std::vector<Compared>& into = all[static_cast<std::size_t>(prospect)];
+    std::vector<Compared>& into = all[condition];
     into.insert(into.end(), (*compared)->begin(), (*compared)->end());
   }
   return Ended::complete;
@@ -42,8 +43,8 @@ Result<Ended> compare_once(const Stage& stage, const std::string& kind, std::uin
 
 std::vector<std::string> heading() {
   std::vector<std::string> row = {"floor", "places"};
-  for (const Prospect prospect : {Prospect::as_is, Prospect::half_light, Prospect::worn}) {
-    const std::string name(agents::name_of(prospect));
+  for (const Floor::Condition condition : kConditions) {
+    const std::string name(Floor::conditions.at(condition));
     for (const char* const what : {", foretold %", ", found %", ", a metre apart %"}) row.push_back(name + what);
   }
   return row;

@@ -11,8 +11,8 @@ struct ForetoldOptions : FloorOptions {
 
 namespace floor {
 
-/// Its light is not looked at: each prospect has its own. Prints and writes (foretold.md) a row a floor: for each
-/// prospect the share of places that teaching foretells and the share that another robot finds, over all seeds.
+/// Its light is not looked at: each condition has its own. Prints and writes (foretold.md) a row a floor: for each
+/// condition the share of places that teaching foretells and the share that another robot finds, over all seeds.
 /// not_found, invalid: site, line or floor; unavailable: the folder cannot be written.
 Result<Ended> study_foretold(const ForetoldOptions& options, const Surroundings& around);
 

@@ -145,7 +145,7 @@ std::vector<Stretch> stretches(const Trace& trace, double metres) {
     }
     if (to == moments.size()) break;
     const Pose2 truly = moments[from].site_from_robot.inverse() * moments[to].site_from_robot;
-    all.push_back({log2(planar(moved).inverse() * truly), planar_covariance(moved)});
+    all.push_back({se2_log(planar(moved).inverse() * truly), planar_covariance(moved)});
   }
   return all;
 }

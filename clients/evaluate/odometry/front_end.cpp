@@ -3,6 +3,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "agents/methods/floor/config.hpp"
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/direct_alignment.hpp"
@@ -10,7 +11,6 @@
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
-#include "agents/perception/sway.hpp"
 
 namespace weft::evaluate::odometry {
 namespace {
@@ -21,7 +21,7 @@ const FloorConfig kDefaults;
 constexpr double kLeastCorrelation = 0.5;
 
 /// What all do with pairs: one plane explains them, then six degrees of freedom.
-std::optional<PlanarFit> fitted(const CameraModel& camera, const SwayPrior& prior,
+std::optional<PlanarFit> fitted(const CameraModel& camera, const AttitudePrior& prior,
                                 const std::vector<FloorPair>& pairs, const PlanarState& expected) {
   std::vector<Eigen::Vector2d> a;
   std::vector<Eigen::Vector2d> b;
@@ -42,7 +42,7 @@ std::optional<PlanarFit> fitted(const CameraModel& camera, const SwayPrior& prio
 /// Corners followed from view to view, as the product follows them.
 class Tracks : public FrontEnd {
  public:
-  Tracks(const CameraModel& camera, const SwayPrior& prior) : camera_(camera), prior_(prior) {}
+  Tracks(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}
 
   void look(const Image& image) override {
     last_ = now_;
@@ -80,7 +80,7 @@ class Tracks : public FrontEnd {
 
  protected:
   CameraModel camera_;
-  SwayPrior prior_;
+  AttitudePrior prior_;
   TrackingImage last_;
   TrackingImage now_;
 
@@ -93,7 +93,7 @@ class Tracks : public FrontEnd {
 /// Grey values aligned with the keyframe's.
 class Direct : public FrontEnd {
  public:
-  Direct(const CameraModel& camera, const SwayPrior& prior) : camera_(camera), prior_(prior) {}
+  Direct(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}
 
   void look(const Image& image) override { now_ = image; }
   void begin() override { keyframe_ = now_; }
@@ -105,7 +105,7 @@ class Direct : public FrontEnd {
 
  private:
   CameraModel camera_;
-  SwayPrior prior_;
+  AttitudePrior prior_;
   Image keyframe_;
   Image now_;
 };
@@ -143,7 +143,7 @@ struct Described {
 /// Binary features of both views, matched near where they are expected.
 class Matches : public FrontEnd {
  public:
-  Matches(const CameraModel& camera, const SwayPrior& prior) : camera_(camera), prior_(prior) {}
+  Matches(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}
 
   void look(const Image& image) override { now_ = describe(image); }
   void begin() override { keyframe_ = now_; }
@@ -171,7 +171,7 @@ class Matches : public FrontEnd {
   CameraModel camera_;
 
  private:
-  SwayPrior prior_;
+  AttitudePrior prior_;
   Described keyframe_;
   Described now_;
 };
@@ -199,7 +199,7 @@ class OrbOfTheImage final : public Matches {
 
 class FeaturesOfTheFloor final : public Matches {
  public:
-  FeaturesOfTheFloor(const CameraModel& camera, const SwayPrior& prior)
+  FeaturesOfTheFloor(const CameraModel& camera, const AttitudePrior& prior)
       : Matches(camera, prior),
         birds_eye_(camera, {kDefaults.far_m, kDefaults.half_width_m, kDefaults.metres_per_pixel}) {}
 
@@ -230,7 +230,8 @@ const std::vector<std::string>& front_ends() {
   return all;
 }
 
-std::unique_ptr<FrontEnd> make_front_end(const std::string& name, const CameraModel& camera, const SwayPrior& prior) {
+std::unique_ptr<FrontEnd> make_front_end(const std::string& name, const CameraModel& camera,
+                                         const AttitudePrior& prior) {
   if (name == kDirect) return std::make_unique<Direct>(camera, prior);
   if (name == kDirectThenTracks) return std::make_unique<DirectThenTracks>(camera, prior);
   if (name == kOrb) return std::make_unique<OrbOfTheImage>(camera, prior);

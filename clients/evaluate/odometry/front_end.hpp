@@ -26,6 +26,6 @@ class FrontEnd {
 /// Names of all, and one by its name. They match with `prior`.
 const std::vector<std::string>& front_ends();
 std::unique_ptr<FrontEnd> make_front_end(const std::string& name, const agents::CameraModel& camera,
-                                         const agents::SwayPrior& prior);
+                                         const agents::AttitudePrior& prior);
 
 }  // namespace weft::evaluate::odometry

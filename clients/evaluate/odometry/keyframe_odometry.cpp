@@ -9,12 +9,12 @@ namespace weft::evaluate::odometry {
 
 using namespace agents;
 
-SwayPrior vibration_alone() {
+AttitudePrior vibration_alone() {
   const FloorConfig c;
   Vector6d sigma;
   sigma << c.vibration_tilt_rad, c.vibration_tilt_rad, c.vibration_height_m, c.vibration_tilt_rad,
       c.vibration_tilt_rad, c.vibration_height_m;
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   return prior;
 }

@@ -7,7 +7,7 @@
 namespace weft::evaluate::odometry {
 
 /// What each vibrates by; the mount is taken for calibrated.
-agents::SwayPrior vibration_alone();
+agents::AttitudePrior vibration_alone();
 
 /// Odometry against keyframes 0.2 m or 0.15 rad apart with any front end: the product's, but for what it has learned
 /// beyond (its mount, what it rocks about) and its fallbacks. Blind steps are the wheels'.

@@ -264,7 +264,7 @@ TEST(Orders, LocaliseAnswersOnceFound) {
 TEST(Orders, ARobotThatHasSunkAgainstItsPlacesSaysSoAndGoesOn) {
   Driving rig;
   rig.script->answer.fix = Fix{{rig.laid, 5}, Relation{}, {}};
-  rig.script->answer.fix->evidence.lift_m = -0.011;
+  rig.script->answer.fix->evidence.diagnostics = {{"height_offset_m", -0.011, 0.001, 0.007}};
   rig.run(5s);
   const auto state = rig.last<msg::RobotState>();
   ASSERT_TRUE(state.has_value());

@@ -18,10 +18,10 @@ class RecogniseOfAgent : public testing::Test {
     rig.restart_agent();
     laid = rig.lay_out(70, 100);
     rig.run(1s);
-    wonder(1, 0);
+    request_candidates(1, 0);
   }
   /// What the navigator wants to know from now on.
-  void wonder(std::uint64_t number, std::uint32_t after) {
+  void request_candidates(std::uint64_t number, std::uint32_t after) {
     rig.script->question =
         Question{.number = number, .seen = {0.5F, 0.25F}, .method = "marks", .content_format = 3, .after = after};
   }
@@ -134,7 +134,7 @@ TEST_F(RecogniseOfAgent, RefusedItSaysWhyAndKeepsTheWindowThatItHas) {
 TEST_F(RecogniseOfAgent, AnswersToEarlierQuestionsAreLetGo) {
   rig.run(500ms);
   const msg::Recognise earlier = *rig.last<msg::Recognise>();
-  wonder(2, 64);
+  request_candidates(2, 64);
   rig.run(2s);
   EXPECT_NE(rig.last<msg::Recognise>()->request, earlier.request);
   EXPECT_EQ(rig.last<msg::Recognise>()->after, 64U);
@@ -161,7 +161,7 @@ TEST_F(RecogniseOfAgent, ASeedMakesItForgetWhatWasProposed) {
 TEST_F(RecogniseOfAgent, InVainItSaysAmongHowMany) {
   rig.script->question.reset();
   rig.tell(rig.command(msg::AgentCommand::Kind::localise, 3));
-  wonder(1, 0);
+  request_candidates(1, 0);
   rig.run(500ms);
   answer(*rig.last<msg::Recognise>(), {place(80), place(55)});
   rig.script->question.reset();

@@ -1,6 +1,7 @@
 #include "tests/agents/agent/rig.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/network/change.hpp"
@@ -11,6 +12,11 @@
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;
+
+std::string sunk(double offset_m, std::string_view) {
+  return "its camera stands " + std::to_string(std::lround(1000.0 * std::abs(offset_m))) + " mm " +
+         (offset_m < 0.0 ? "lower" : "higher");
+}
 
 class ScriptedNavigator final : public Navigator {
  public:
@@ -70,7 +76,10 @@ class ScriptedNavigator final : public Navigator {
     script_->question.reset();
   }
   std::optional<PlaceId> suspected() const override { return script_->suspected; }
-  Result<TaughtWay> taught_way() const override { return script_->way; }
+  Result<TeachReport> teach_report() const override { return script_->way; }
+  std::vector<WatchedDiagnostic> watched() const override {
+    return {{"height_offset_m", {0.007, 0.005}, {0.005, 0.003}, sunk, "its camera stands as high as before"}};
+  }
   void believe(const Estimate& told) override { script_->estimate = told; }
   void follow(const Route& route, std::uint32_t) override { script_->followed.push_back(route); }
   void stop() override { ++script_->stops; }

@@ -36,7 +36,7 @@ struct Script {
   int looks = 0;        ///< again, while believing what it believes
   int looks_ended = 0;  ///< in vain
   int forgot_taught = 0;
-  Result<TaughtWay> way = fail(ErrorCode::refused, "nothing has been taught since its agent started");
+  Result<TeachReport> way = fail(ErrorCode::refused, "nothing has been taught since its agent started");
 };
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script);
 

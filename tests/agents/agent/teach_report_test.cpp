@@ -8,17 +8,17 @@ using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
 /// A robot that was taught 3 m, the last of which has not been tried yet.
-class TeachReport : public testing::Test {
+class TeachReports : public testing::Test {
  protected:
-  TeachReport() {
+  TeachReports() {
     rig.run(4s);
-    TaughtWay way;
+    TeachReport way;
     way.experience = {0xE5};
+    way.conditions = {"as_is", "half_light"};
     way.driven_m = 3.0;
     for (std::uint32_t i = 0; i < 15; ++i) {
       TaughtPlace place{{way.experience, i}, 0.2 * i, std::nullopt};
-      if (i < 10)
-        place.trials = Trials{Trial{true, {}, 0.004}, Trial{i < 5, "few_matches", 0.0}, Trial{true, {}, 0.0}};
+      if (i < 10) place.trials = Trials{Trial{true, {}, 0.004}, Trial{i < 5, "few_matches", 0.0}};
       way.places.push_back(place);
     }
     rig.script->way = way;
@@ -34,21 +34,26 @@ class TeachReport : public testing::Test {
   std::uint64_t asked = 0;
 };
 
-TEST_F(TeachReport, SaysMetreByMetreHowFarItHasCome) {
+TEST_F(TeachReports, SaysMetreByMetreHowFarItHasCome) {
   const msg::AgentReply reply = answer();
   ASSERT_TRUE(reply.done) << reply.reason;
   EXPECT_EQ(reply.experience, (ExperienceId{0xE5}));
   ASSERT_EQ(reply.report.size(), 2U);
-  EXPECT_EQ(reply.report[0],
-            (msg::TaughtStretch{0.0, 1.0, 5, {{0xE5}, 0}, 1.0, 1.0, 1.0, reply.report[0].sigma_m, ""}));
+  EXPECT_EQ(reply.report[0], (msg::TaughtStretch{0.0,
+                                                 1.0,
+                                                 5,
+                                                 {{0xE5}, 0},
+                                                 {{"as_is", 1.0, 0.0, 0.5}, {"half_light", 1.0, 0.0, 0.5}},
+                                                 reply.report[0].sigma_m,
+                                                 ""}));
   EXPECT_NEAR(reply.report[0].sigma_m, 0.004, 1e-9);
-  EXPECT_EQ(reply.report[1].half_light, 0.0);
-  EXPECT_EQ(reply.report[1].worn, 1.0);
+  EXPECT_EQ(reply.report[1].found[0], (Diagnostic{"as_is", 1.0, 0.0, 0.5}));
+  EXPECT_EQ(reply.report[1].found[1], (Diagnostic{"half_light", 0.0, 0.0, 0.5}));
   EXPECT_EQ(reply.report[1].reason, "half light: few_matches");
   EXPECT_TRUE(answer("00000000000000e5").done);
 }
 
-TEST_F(TeachReport, RefusesWhatItDoesNotKnow) {
+TEST_F(TeachReports, RefusesWhatItDoesNotKnow) {
   const msg::AgentReply other = answer("loop");
   EXPECT_FALSE(other.done);
   EXPECT_NE(other.reason.find("00000000000000e5"), std::string::npos) << other.reason;

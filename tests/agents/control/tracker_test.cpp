@@ -152,7 +152,7 @@ double turned_at_last(bool knows_aside, double told_wrong_rad_m) {
   for (int i = 0; i < 1500; ++i) {
     std::vector<Pose2> path;
     for (int k = -2; k < 15; ++k)
-      path.push_back(Pose2{0.0, 0.0, -turned_rad} * exp2({0.2 * k, 0.0, told_wrong_rad_m * 0.2 * k}));
+      path.push_back(Pose2{0.0, 0.0, -turned_rad} * se2_exp({0.2 * k, 0.0, told_wrong_rad_m * 0.2 * k}));
     const Tracked tracked =
         tracker.track(config, Spline::through(path).value(), 0.5, {speed_m_s, knows_aside, from_seconds(elapsed_s)});
     speed_m_s = tracked.command.linear_m_s;

@@ -17,7 +17,7 @@ constexpr double kNoiseM = 0.002;
 Step step_of(const Pose2& moved) {
   Step step;
   step.seen = true;
-  const Eigen::Vector3d xi = log2(moved);
+  const Eigen::Vector3d xi = se2_log(moved);
   step.common.col(0).head<2>() = kScale * xi.head<2>();
   Metric2 relation{moved, in_plane(step.common) * in_plane(step.common).transpose()};
   relation.covariance.diagonal() += Eigen::Vector3d(kNoiseM * kNoiseM, kNoiseM * kNoiseM, 1e-8);
@@ -51,7 +51,7 @@ TEST(Advance, ThereAndBackTheCommonErrorIsNone) {
 /// Robots with a scale of their own each, which noise comes on top of: how far they are off is what is stated.
 TEST(Advance, StatesHowFarRobotsAreOffAfterACurve) {
   constexpr int kRobots = 2000;
-  const Pose2 moved = exp2({0.1, 0.0, 0.05});
+  const Pose2 moved = se2_exp({0.1, 0.0, 0.05});
   Relation stated = Metric2{};
   CommonErrors common = CommonErrors::Zero();
   for (int i = 0; i < 40; ++i) stated = advanced(stated, step_of(moved), common);
@@ -62,9 +62,9 @@ TEST(Advance, StatesHowFarRobotsAreOffAfterACurve) {
     Pose2 truly;
     for (int i = 0; i < 40; ++i) {
       const Eigen::Vector3d noise(kNoiseM * random.normal(), kNoiseM * random.normal(), 1e-4 * random.normal());
-      truly = truly * exp2({scale * 0.1, 0.0, 0.05}) * exp2(noise);
+      truly = truly * se2_exp({scale * 0.1, 0.0, 0.05}) * se2_exp(noise);
     }
-    const Eigen::Vector3d xi = log2(planar(stated).inverse() * truly);
+    const Eigen::Vector3d xi = se2_log(planar(stated).inverse() * truly);
     off += xi * xi.transpose() / kRobots;
   }
   const Eigen::Matrix3d covariance = planar_covariance(stated);

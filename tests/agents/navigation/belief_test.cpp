@@ -92,7 +92,7 @@ TEST(Disagreement, IsMeasuredInSigmasAndNeverWithoutAFloor) {
 
 TEST(Disagreement, OfTwoPosesInSpaceIsInSpace) {
   BeliefConfig config;
-  const auto at = [](const Vector6d& xi) { return Metric3{exp3(xi), 1e-6 * Matrix6d::Identity()}; };
+  const auto at = [](const Vector6d& xi) { return Metric3{se3_exp(xi), 1e-6 * Matrix6d::Identity()}; };
   const Metric3 here = at(Vector6d::Zero());
   for (const Eigen::Index axis : {2, 3, 4}) {  // z, roll, pitch
     Vector6d off = Vector6d::Zero();

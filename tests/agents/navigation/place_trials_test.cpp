@@ -1,7 +1,9 @@
 #include "agents/navigation/place_trials.hpp"
 
+#include <array>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "tests/agents/navigation/marks_fleet.hpp"
@@ -11,24 +13,25 @@ namespace {
 
 /// What is asked of the method, in order.
 struct AskedOfMarks {
-  std::vector<Passing> foreseen;
+  std::vector<Revisit> revisits;
   int related = 0;
 };
 
 /// Marks that can be thought away: in half light every second one, and on a worn floor all.
-class ForeseeingMarks : public MarksMethod {
+class RevisitedMarks : public MarksMethod {
  public:
-  explicit ForeseeingMarks(std::shared_ptr<AskedOfMarks> asked) : asked_(std::move(asked)) {}
+  static constexpr std::array<std::string_view, 3> conditions = {"as_is", "half_light", "worn"};
+  explicit RevisitedMarks(std::shared_ptr<AskedOfMarks> asked) : asked_(std::move(asked)) {}
 
-  OrRefusal<View> foresee(const View& view, const Passing& passing) const {
-    asked_->foreseen.push_back(passing);
+  OrRefusal<View> simulate_revisit(const View& view, const Revisit& revisit) const {
+    asked_->revisits.push_back(revisit);
     View other = view;
     Marks seen;
     const Marks all = *marks_of(view);
     for (const Marks::Sighting& mark : all.sightings) {
-      const bool is_dark = passing.prospect == Prospect::half_light && mark.mark % 2 == 0;
-      if (is_dark || passing.prospect == Prospect::worn) continue;
-      seen.sightings.push_back({mark.mark, passing.robot_from_other.inverse() * mark.robot_from_mark});
+      const bool is_dark = revisit.condition == 1 && mark.mark % 2 == 0;
+      if (is_dark || revisit.condition == 2) continue;
+      seen.sightings.push_back({mark.mark, revisit.robot_from_other.inverse() * mark.robot_from_mark});
     }
     other.data = seen;
     return other;
@@ -41,16 +44,16 @@ class ForeseeingMarks : public MarksMethod {
  private:
   std::shared_ptr<AskedOfMarks> asked_;
 };
-static_assert(Foresees<ForeseeingMarks> && !Foresees<MarksMethod>);
+static_assert(SimulatesRevisits<RevisitedMarks> && !SimulatesRevisits<MarksMethod>);
 
 class PlaceTrialsOfMarks : public MarksFleet {
  protected:
-  TaughtWay taught(const std::vector<Pose2>& path) {
+  TeachReport taught(const std::vector<Pose2>& path) {
     test::MarksRobotConfig config;
     config.base = {0.1, 1, 0.02, 0.02, 0.01};
-    test::NavigatedRobot robot(world, config, path.front(), 1, make_navigator(ForeseeingMarks(asked), navigation));
+    test::NavigatedRobot robot(world, config, path.front(), 1, make_navigator(RevisitedMarks(asked), navigation));
     robot.teach(server, first, path, truth);
-    const Result<TaughtWay> way = robot.navigator().taught_way();
+    const Result<TeachReport> way = robot.navigator().teach_report();
     if (!way) throw std::runtime_error(way.error().message);
     return *way;
   }
@@ -64,8 +67,8 @@ class PlaceTrialsOfMarks : public MarksFleet {
   Random random{5};
 };
 
-TEST_F(PlaceTrialsOfMarks, EachPlaceIsTriedUnderEachProspect) {
-  const TaughtWay way = taught(test::Course({5, 5, 0}).straight(4.0).poses);
+TEST_F(PlaceTrialsOfMarks, EachPlaceIsTriedUnderEachCondition) {
+  const TeachReport way = taught(test::Course({5, 5, 0}).straight(4.0).poses);
   EXPECT_EQ(way.experience, first);
   EXPECT_NEAR(way.driven_m, 4.0, 0.3);
   EXPECT_EQ(way.places.size(), server.snapshot().experience(first)->places.size());
@@ -81,34 +84,34 @@ TEST_F(PlaceTrialsOfMarks, EachPlaceIsTriedUnderEachProspect) {
   EXPECT_GE(tried + 3, way.places.size()) << "the last ones have not been seen from further on";
 }
 
-TEST_F(PlaceTrialsOfMarks, AllProspectsOfAPlaceAreOfOneRobotAndPlacesOfDifferentOnes) {
+TEST_F(PlaceTrialsOfMarks, AllConditionsOfAPlaceAreOfOneRobotAndPlacesOfDifferentOnes) {
   taught(test::Course({5, 5, 0}).straight(3.0).poses);
   std::set<std::uint64_t> seeds;
-  ASSERT_GE(asked->foreseen.size(), 9U);
-  for (std::size_t i = 0; i + 2 < asked->foreseen.size(); i += 3) {
-    seeds.insert(asked->foreseen[i].seed);
+  ASSERT_GE(asked->revisits.size(), 9U);
+  for (std::size_t i = 0; i + 2 < asked->revisits.size(); i += 3) {
+    seeds.insert(asked->revisits[i].seed);
     for (const std::size_t k : {i + 1, i + 2}) {
-      EXPECT_EQ(asked->foreseen[k].seed, asked->foreseen[i].seed);
-      EXPECT_EQ(asked->foreseen[k].robot_from_other, asked->foreseen[i].robot_from_other);
-      EXPECT_NE(asked->foreseen[k].prospect, asked->foreseen[i].prospect);
+      EXPECT_EQ(asked->revisits[k].seed, asked->revisits[i].seed);
+      EXPECT_EQ(asked->revisits[k].robot_from_other, asked->revisits[i].robot_from_other);
+      EXPECT_NE(asked->revisits[k].condition, asked->revisits[i].condition);
     }
-    EXPECT_GT(std::abs(asked->foreseen[i].robot_from_other.y), 0.01);
+    EXPECT_GT(std::abs(asked->revisits[i].robot_from_other.y), 0.01);
   }
-  EXPECT_EQ(seeds.size(), asked->foreseen.size() / 3);
+  EXPECT_EQ(seeds.size(), asked->revisits.size() / 3);
 }
 
 TEST_F(PlaceTrialsOfMarks, ASampleDoesNoMoreThanItHasTimeFor) {
-  const ForeseeingMarks method(asked);
-  PlaceTrials<ForeseeingMarks> trials(method, navigation, first);
-  const ForeseeingMarks::Odometry odometry;
+  const RevisitedMarks method(asked);
+  PlaceTrials<RevisitedMarks> trials(method, navigation, first);
+  const RevisitedMarks::Odometry odometry;
   for (std::uint32_t i = 0; i < 20; ++i) {
     const Pose2 at{5.0 + 0.2 * i, 5.0, 0.0};
     trials.kept({first, i}, std::make_shared<const MarksMethod::Content>(*method.extract(odometry, view_at(at))));
     trials.look({{first, i}, Metric2{Pose2{0.02, 0.0, 0.0}}, 0.0}, odometry, view_at(at));
-    EXPECT_TRUE(i > 0 || asked->foreseen.empty());
+    EXPECT_TRUE(i > 0 || asked->revisits.empty());
     trials.look({{first, i}, Metric2{Pose2{0.12, 0.0, 0.0}}, 0.0}, odometry, view_at(at * Pose2{0.12, 0.0, 0.0}));
   }
-  const auto steps = [&] { return static_cast<int>(asked->foreseen.size()) + asked->related; };
+  const auto steps = [&] { return static_cast<int>(asked->revisits.size()) + asked->related; };
   trials.work(from_seconds(0.01));
   EXPECT_EQ(steps(), 1);
   trials.work(from_seconds(0.066));
@@ -118,18 +121,18 @@ TEST_F(PlaceTrialsOfMarks, ASampleDoesNoMoreThanItHasTimeFor) {
   EXPECT_LE(steps() - before, 4);
   for (int i = 0; i < 100; ++i) trials.work(from_seconds(0.033));
   std::size_t tried = 0;
-  const TaughtWay way = *trials.way();
+  const TeachReport way = *trials.report();
   for (const TaughtPlace& place : way.places) tried += place.trials ? 1U : 0U;
   EXPECT_EQ(tried, 6U) << "views wait, but not many: of the others nothing is known";
 }
 
-TEST_F(PlaceTrialsOfMarks, WhatCannotBeForeseenIsRefusedInWords) {
+TEST_F(PlaceTrialsOfMarks, AMethodThatCannotSimulateRevisitsRefusesInWords) {
   test::NavigatedRobot robot = robot_at({5, 5, 0}, 1);
-  ASSERT_FALSE(robot.navigator().taught_way());
-  EXPECT_NE(robot.navigator().taught_way().error().message.find("nothing has been taught"), std::string::npos);
+  ASSERT_FALSE(robot.navigator().teach_report());
+  EXPECT_NE(robot.navigator().teach_report().error().message.find("nothing has been taught"), std::string::npos);
   robot.teach(server, first, test::Course({5, 5, 0}).straight(1.0).poses, truth);
-  ASSERT_FALSE(robot.navigator().taught_way());
-  EXPECT_NE(robot.navigator().taught_way().error().message.find("marks"), std::string::npos);
+  ASSERT_FALSE(robot.navigator().teach_report());
+  EXPECT_NE(robot.navigator().teach_report().error().message.find("marks"), std::string::npos);
 }
 
 TEST_F(PlaceTrialsOfMarks, AMetreWithNothingToSeeSaysSo) {

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
+#include "agents/navigation/multi_method_navigator.hpp"
 #include "agents/navigation/navigator_of.hpp"
-#include "agents/navigation/several.hpp"
 #include "tests/agents/methods/tiny/grid_filter.hpp"
 #include "tests/agents/methods/tiny/ramp_stereo.hpp"
 #include "tests/support/navigated_robot.hpp"
@@ -24,11 +24,11 @@ class ThreeSensors : public testing::Test {
   static constexpr ExperienceId kRun{21};
 
   std::unique_ptr<Navigator> navigator() {
-    std::vector<Looking> all;
+    std::vector<SensorNavigator> all;
     all.push_back({"marks", make_navigator(MarksMethod{}, {}, "marks")});
     all.push_back({"pair", make_navigator(tiny::RampStereo{}, {}, "pair")});
     all.push_back({"grid", make_navigator(tiny::GridFilter{}, {}, "grid")});
-    return make_several(std::move(all), {});
+    return make_multi_method_navigator(std::move(all), {});
   }
   NavigatedRobot robot_at(const Pose2& start, std::uint64_t seed) {
     MarksRobotConfig config;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr Pose2 kStand{0.8, 1.5, 0.2};
 
-SwayPrior vibrating() {
+AttitudePrior vibrating() {
   Vector6d sigma;
   sigma << 0.001, 0.001, 0.001, 0.001, 0.001, 0.001;
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   return prior;
 }
@@ -20,12 +20,12 @@ SwayPrior vibrating() {
 class DirectAlignment : public testing::Test {
  protected:
   /// Two views of one floor, the second `moved` from the first.
-  DirectFit aligned(const test::FlatFloor& floor, const Pose2& moved, const Sway& sway, const Pose2& start,
+  DirectFit aligned(const test::FlatFloor& floor, const Pose2& moved, const Attitude& attitude, const Pose2& start,
                     const test::Shot& shot) const {
     test::Shot second = shot;
     second.seed = shot.seed + 1;
     const Image a = eye_.render(floor, kStand, {}, shot);
-    const Image b = eye_.render(floor, kStand * moved, sway, second);
+    const Image b = eye_.render(floor, kStand * moved, attitude, second);
     return align_directly(camera_, a, b, vibrating(), {start, {}, {}}, {});
   }
   static double off_mm(const DirectFit& found, const Pose2& moved) {
@@ -43,7 +43,7 @@ TEST_F(DirectAlignment, FindsAMotionFromAStartBesideIt) {
   EXPECT_GT(found.correlation, 0.8);
   EXPECT_LT(off_mm(found, moved), 0.5);
   EXPECT_NEAR(found.fit.state.a_from_b.heading, moved.heading, 0.0005);
-  EXPECT_NEAR(found.fit.state.sway_b.pitch_rad - found.fit.state.sway_a.pitch_rad, 0.0005, 0.0003);
+  EXPECT_NEAR(found.fit.state.attitude_b.pitch_rad - found.fit.state.attitude_a.pitch_rad, 0.0005, 0.0003);
 }
 
 TEST_F(DirectAlignment, SeesAPaleFloorThroughBlur) {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "agents/perception/sway.hpp"
+#include "agents/perception/attitude.hpp"
 #include "tests/support/flat_floor.hpp"
 
 namespace weft::agents {
@@ -82,7 +82,7 @@ TEST(Mount, RollTurnsTheImageAboutItsAxis) {
 TEST(Mount, ThePapersCameraSeesFrom22CentimetresTo230) {
   CameraModel camera;
   camera.robot_from_camera = downward_mount(0.0, 0.0, 0.6, 0.735, 0.0, 0.0);
-  const Eigen::Matrix3d floor_from_camera = camera_from_floor(camera, Sway{}).inverse();
+  const Eigen::Matrix3d floor_from_camera = camera_from_floor(camera, Attitude{}).inverse();
   EXPECT_NEAR(apply(floor_from_camera, normalised_from_pixel(camera, {375.5, 479.0})).x(), 0.22, 0.02);
   EXPECT_NEAR(apply(floor_from_camera, normalised_from_pixel(camera, {375.5, 0.0})).x(), 2.30, 0.02);
 }

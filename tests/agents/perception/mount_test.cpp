@@ -16,7 +16,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 /// What a camera that is really mounted as `truth` sees between two stands, told as to one that is mounted as given.
 FloorViews seen(const CameraModel& truth, const Pose2& a_from_b, Random& random, double noise_px = 0.15) {
   const auto shake = [&] {
-    return Sway{0.0009 * random.normal(), 0.0009 * random.normal(), 0.001 * random.normal()};
+    return Attitude{0.0009 * random.normal(), 0.0009 * random.normal(), 0.001 * random.normal()};
   };
   const PlanarState state{a_from_b, shake(), shake()};
   FloorViews views{{}, a_from_b, a_from_b};
@@ -32,7 +32,7 @@ FloorViews seen(const CameraModel& truth, const Pose2& a_from_b, Random& random,
 }
 
 Pose2 arc(double metres, double turn_rad) {
-  return exp2(Eigen::Vector3d(metres, 0.0, turn_rad));
+  return se2_exp(Eigen::Vector3d(metres, 0.0, turn_rad));
 }
 
 TEST(MountFilter, FindsPitchAndRollAndHowWell) {

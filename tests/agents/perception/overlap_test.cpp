@@ -18,7 +18,7 @@ Polygon shifted(const Polygon& polygon, double x, double y) {
 SeenFloor seen(double far_m) {
   CameraModel camera;
   camera.robot_from_camera = downward_mount(0.0, 0.0, 0.6, 0.735, 0.0, 0.0);
-  return {footprint(camera, Sway{}, far_m), camera_from_floor(camera, Sway{})};
+  return {footprint(camera, Attitude{}, far_m), camera_from_floor(camera, Attitude{})};
 }
 
 TEST(Polygons, IntersectionOfShiftedSquares) {
@@ -50,7 +50,7 @@ TEST(Overlap, OfAPitchedCameraSaysWhichShare) {
 TEST(Footprint, IsCutAtTheHorizon) {
   CameraModel level;
   level.robot_from_camera = downward_mount(0.0, 0.0, 0.6, 0.1, 0.0, 0.0);  // sees above the horizon
-  const Polygon floor = footprint(level, Sway{}, 3.0);
+  const Polygon floor = footprint(level, Attitude{}, 3.0);
   ASSERT_GE(floor.size(), 3U);
   for (const Eigen::Vector2d& p : floor) {
     EXPECT_LE(p.x(), 3.0 + 1e-9);

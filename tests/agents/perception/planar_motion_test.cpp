@@ -12,15 +12,15 @@ namespace weft::agents {
 namespace {
 
 PlanarState moved(const PlanarState& s, const Vector9d& d) {
-  return {s.a_from_b * exp2(d.head<3>()), Sway::from(s.sway_a.vector() + d.segment<3>(3)),
-          Sway::from(s.sway_b.vector() + d.tail<3>())};
+  return {s.a_from_b * se2_exp(d.head<3>()), Attitude::from(s.attitude_a.vector() + d.segment<3>(3)),
+          Attitude::from(s.attitude_b.vector() + d.tail<3>())};
 }
 
 PlanarState random_state(Random& random) {
   PlanarState state;
   state.a_from_b = {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), random.uniform(-0.4, 0.4)};
-  for (Sway* sway : {&state.sway_a, &state.sway_b})
-    *sway = {random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
+  for (Attitude* attitude : {&state.attitude_a, &state.attitude_b})
+    *attitude = {random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
   return state;
 }
 
@@ -39,8 +39,8 @@ std::vector<FloorPair> seen_by_both(const CameraModel& a, const CameraModel& b, 
   return pairs;
 }
 
-SwayPrior prior_of(double tilt, double lift) {
-  SwayPrior prior;
+AttitudePrior prior_of(double tilt, double lift) {
+  AttitudePrior prior;
   Vector6d sigma;
   sigma << tilt, tilt, lift, tilt, tilt, lift;
   prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -71,8 +71,8 @@ TEST(PlanarMotion, FindsTheMotionOfExactPoints) {
   const CameraModel camera = test::paper_camera();
   for (int trial = 0; trial < 10; ++trial) {
     PlanarState truth = random_state(random);
-    truth.sway_a = Sway{};
-    truth.sway_b.height_m = 0.0;
+    truth.attitude_a = Attitude{};
+    truth.attitude_b.height_m = 0.0;
     const auto pairs = seen_by_both(camera, camera, truth, 80, 0.0, random);
     const PlanarFit fit = fit_planar_motion(camera, camera, pairs, prior_of(0.05, 0.003), {});
     ASSERT_TRUE(fit.converged);
@@ -89,7 +89,7 @@ TEST(PlanarMotion, ABumpIsNotTakenForSpeed) {
   const CameraModel camera = test::paper_camera();
   PlanarState truth;
   truth.a_from_b = {0.5 / 60.0, 0.0, 0.0};
-  truth.sway_b.pitch_rad = 0.05 * M_PI / 180.0;
+  truth.attitude_b.pitch_rad = 0.05 * M_PI / 180.0;
   const auto pairs = seen_by_both(camera, camera, truth, 150, 0.05, random);
   const PlanarFit six = fit_planar_motion(camera, camera, pairs, prior_of(0.002, 0.003), {});
   const PlanarFit rigid = fit_planar_motion(camera, camera, pairs, prior_of(1e-7, 1e-7), {});
@@ -151,11 +151,11 @@ TEST(PlanarMotion, CovarianceHoldsTheTruth) {
   for (int trial = 0; trial < trials; ++trial) {
     PlanarState truth;
     truth.a_from_b = {random.uniform(0.0, 0.2), random.uniform(-0.05, 0.05), random.uniform(-0.1, 0.1)};
-    truth.sway_a = {random.normal(0.0, 0.002), random.normal(0.0, 0.002), random.normal(0.0, 0.001)};
-    truth.sway_b = {random.normal(0.0, 0.002), random.normal(0.0, 0.002), random.normal(0.0, 0.001)};
+    truth.attitude_a = {random.normal(0.0, 0.002), random.normal(0.0, 0.002), random.normal(0.0, 0.001)};
+    truth.attitude_b = {random.normal(0.0, 0.002), random.normal(0.0, 0.002), random.normal(0.0, 0.001)};
     const auto pairs = seen_by_both(camera, camera, truth, 60, 0.2, random);
     const PlanarFit fit = fit_planar_motion(camera, camera, pairs, prior_of(0.002, 0.001), {}, 3.0);
-    const Eigen::Vector3d error = log2(fit.state.a_from_b.inverse() * truth.a_from_b);
+    const Eigen::Vector3d error = se2_log(fit.state.a_from_b.inverse() * truth.a_from_b);
     chi2 += error.dot(fit.covariance.topLeftCorner<3, 3>().inverse() * error) / trials;
   }
   // Three degrees of freedom: the mean over 100 trials is 3 +- 0.25 (1 sigma).

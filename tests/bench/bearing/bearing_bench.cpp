@@ -7,7 +7,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "agents/methods/bearing/bearing.hpp"
-#include "agents/perception/nearing.hpp"
+#include "agents/perception/looming.hpp"
 #include "agents/perception/opencv_view.hpp"
 #include "tests/support/aisle.hpp"
 

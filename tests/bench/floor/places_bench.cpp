@@ -20,16 +20,16 @@ void extract(benchmark::State& state) {
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
 
 /// What teaching foretells, besides extract and relate.
-void foresee(benchmark::State& state, Prospect prospect) {
+void simulate_revisit(benchmark::State& state, Floor::Condition condition) {
   const Views& v = views();
   std::size_t i = 0;
   for (auto _ : state) {
     const View& view = v.views[i++ % v.views.size()];
-    benchmark::DoNotOptimize(v.method.foresee(view, {prospect, {0.0, 0.05, 0.03}, i}));
+    benchmark::DoNotOptimize(v.method.simulate_revisit(view, {condition, {0.0, 0.05, 0.03}, i}));
   }
 }
-BENCHMARK_CAPTURE(foresee, half_light, Prospect::half_light)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(foresee, worn, Prospect::worn)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simulate_revisit, half_light, Floor::half_light)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simulate_revisit, worn, Floor::worn)->Unit(benchmark::kMillisecond);
 
 void extract_plain_opencv_orb_on_the_image(benchmark::State& state) {
   const Views& v = views();

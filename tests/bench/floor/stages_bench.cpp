@@ -153,7 +153,7 @@ BENCHMARK(stage_homography_plain_opencv_usac)->Unit(benchmark::kMillisecond);
 void stage_fit_of_six_degrees_of_freedom(benchmark::State& state) {
   const std::vector<FloorPair> pairs = pairs_of(3);
   const CameraModel& camera = views().method.camera();
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.information = 1e6 * Matrix6d::Identity();
   PlanarState start;
   start.a_from_b = {0.0206, 0.0, 0.0};
@@ -163,7 +163,7 @@ BENCHMARK(stage_fit_of_six_degrees_of_freedom)->Unit(benchmark::kMillisecond);
 
 void fallback_direct_alignment(benchmark::State& state) {
   const CameraModel& camera = views().method.camera();
-  SwayPrior prior;
+  AttitudePrior prior;
   prior.information = 1e6 * Matrix6d::Identity();
   PlanarState start;
   start.a_from_b = {0.103, 0.0, 0.0};

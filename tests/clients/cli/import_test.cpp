@@ -3,7 +3,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "clients/cli/hand_in.hpp"
+#include "clients/cli/uploader.hpp"
 #include "tests/clients/cli/fleet.hpp"
 
 namespace weft::cli::test {
@@ -83,7 +83,7 @@ std::size_t batches_in(const std::vector<msg::Message>& messages) {
   return count;
 }
 
-TEST(HandIn, RepeatsUntilAcknowledgedAndSendsWhatIsMissing) {
+TEST(Uploader, RepeatsUntilAcknowledgedAndSendsWhatIsMissing) {
   std::vector<Batch> batches(7);
   for (std::size_t i = 0; i < batches.size(); ++i) {
     batches[i].experience = {i < 6 ? 1U : 2U};
@@ -92,45 +92,45 @@ TEST(HandIn, RepeatsUntilAcknowledgedAndSendsWhatIsMissing) {
   ContentHash hash;
   hash.bytes.fill(3);
   const std::map<ContentHash, Bytes> contents = {{hash, Bytes(msg::kChunkBytes + 1)}};
-  HandIn hand_in(batches, contents);
+  Uploader uploader(batches, contents);
   SteadyTime now{};
-  EXPECT_EQ(batches_in(hand_in.due(now)), 4U);
-  EXPECT_EQ(batches_in(hand_in.due(now)), 0U);
+  EXPECT_EQ(batches_in(uploader.due(now)), 4U);
+  EXPECT_EQ(batches_in(uploader.due(now)), 0U);
   now += 3s;
-  EXPECT_EQ(batches_in(hand_in.due(now)), 4U);  // nothing was heard
+  EXPECT_EQ(batches_in(uploader.due(now)), 4U);  // nothing was heard
   msg::BatchAck ack;
   ack.experience = {1};
   ack.durable_through = 2;
   ack.missing = {hash};
-  ASSERT_TRUE(hand_in.hear(ack).has_value());
-  EXPECT_EQ(hand_in.due(now).size(), 2U + 2U);  // two chunks, batches 5 and 6
-  ASSERT_TRUE(hand_in.hear(ack).has_value());
-  EXPECT_TRUE(hand_in.due(now).empty());  // the same list again: they are on their way
+  ASSERT_TRUE(uploader.hear(ack).has_value());
+  EXPECT_EQ(uploader.due(now).size(), 2U + 2U);  // two chunks, batches 5 and 6
+  ASSERT_TRUE(uploader.hear(ack).has_value());
+  EXPECT_TRUE(uploader.due(now).empty());  // the same list again: they are on their way
   now += 3s;
-  ASSERT_TRUE(hand_in.hear(ack).has_value());
-  EXPECT_EQ(hand_in.due(now).size(), 2U + 4U);  // lost, it seems
+  ASSERT_TRUE(uploader.hear(ack).has_value());
+  EXPECT_EQ(uploader.due(now).size(), 2U + 4U);  // lost, it seems
   ack.durable_through = 6;
   ack.missing.clear();
-  ASSERT_TRUE(hand_in.hear(ack).has_value());
-  EXPECT_EQ(batches_in(hand_in.due(now)), 1U);  // the next experience
-  EXPECT_FALSE(hand_in.done());
+  ASSERT_TRUE(uploader.hear(ack).has_value());
+  EXPECT_EQ(batches_in(uploader.due(now)), 1U);  // the next experience
+  EXPECT_FALSE(uploader.done());
   ack.experience = {2};
   ack.durable_through = 1;
-  ASSERT_TRUE(hand_in.hear(ack).has_value());
-  EXPECT_TRUE(hand_in.done());
+  ASSERT_TRUE(uploader.hear(ack).has_value());
+  EXPECT_TRUE(uploader.done());
 }
 
-TEST(HandIn, ARefusalEndsItInTheServersWords) {
+TEST(Uploader, ARefusalEndsItInTheServersWords) {
   std::vector<Batch> batches(1);
   batches[0].experience = {1};
   batches[0].sequence = 1;
   const std::map<ContentHash, Bytes> nothing;
-  HandIn hand_in(batches, nothing);
+  Uploader uploader(batches, nothing);
   msg::BatchAck ack;
   ack.experience = {1};
   ack.refused_sequence = 1;
   ack.refusal = "no room";
-  const Result<void> heard = hand_in.hear(ack);
+  const Result<void> heard = uploader.hear(ack);
   ASSERT_FALSE(heard.has_value());
   EXPECT_EQ(heard.error().code, ErrorCode::refused);
   EXPECT_NE(heard.error().message.find("no room"), std::string::npos);

@@ -16,8 +16,13 @@ constexpr ExperienceId kRun{0xE5};
 
 msg::TaughtStretch stretch(double from_m, double as_is, double half_light, double worn,
                            const std::string& reason = {}) {
-  return {from_m, from_m + 1.0, 5,     {kRun, static_cast<std::uint32_t>(5.0 * from_m)}, as_is, half_light,
-          worn,   0.004,        reason};
+  return {from_m,
+          from_m + 1.0,
+          5,
+          {kRun, static_cast<std::uint32_t>(5.0 * from_m)},
+          {{"as_is", as_is, 0.0, 0.5}, {"half_light", half_light, 0.0, 0.5}, {"worn", worn, 0.0, 0.5}},
+          0.004,
+          reason};
 }
 
 /// Dim from metre 1 on, blank in the fourth metre; the last one is shorter.
@@ -50,6 +55,14 @@ TEST(TeachReportAdvice, NamesTheMetresAndWhatToDo) {
   EXPECT_EQ(advice[2].substr(0, 56), "metres 4..4.6 will not be found on a worn or dirty floor");
 }
 
+TEST(TeachReportAdvice, NamesAConditionThatItDoesNotKnow) {
+  msg::TaughtStretch dusty = stretch(0.0, 1.0, 1.0, 1.0);
+  dusty.found.push_back({"dusty", 0.1, 0.0, 0.5});
+  const std::vector<std::string> advice = advice_of({dusty});
+  ASSERT_EQ(advice.size(), 1U);
+  EXPECT_EQ(advice[0].substr(0, 47), "metres 0..1 will not be found under \"dusty\": te");
+}
+
 TEST(TeachReportAdvice, NothingToDoIsNothingSaid) {
   EXPECT_TRUE(advice_of({stretch(0.0, 1.0, 0.8, 0.6)}).empty());
   EXPECT_TRUE(advice_of({}).empty());
@@ -69,7 +82,9 @@ TEST(TeachReport, IsATable) {
 TEST(TeachReport, SaysThatAllIsWell) {
   TaughtRobot fleet;
   fleet.r1.how = [](const msg::AgentCommand&, msg::AgentReply& reply) { reply.report = {stretch(0.0, 1, 1, 1)}; };
-  EXPECT_NE(fleet.weft({"teach", "r1", "report"}).out.find("all 1 m will be found again"), std::string::npos);
+  EXPECT_NE(fleet.weft({"teach", "r1", "report"})
+                .out.find("all 1 m will be found again, in half the light and on a worn floor too\n"),
+            std::string::npos);
 }
 
 TEST(TeachReport, IsADocument) {

@@ -30,8 +30,8 @@ TEST(TaughtMap, APlaceTakesWhatWasLearnedUponItsContent) {
   const auto taken = map.take(kRun, RobotId{{1}}, "bearing", {kept(0, {1}), kept(1, {2})});
   ASSERT_TRUE(taken) << taken.error().message;
   const Revision before = map.snapshot().revision();
-  const agents::Lesson lesson{{kRun, 1}, hash_bytes(Bytes{2}), 2, {3, 4}};
-  EXPECT_TRUE(map.take(lesson));
+  const agents::LearnedPlace learned_place{{kRun, 1}, hash_bytes(Bytes{2}), 2, {3, 4}};
+  EXPECT_TRUE(map.take(learned_place));
   const Place* const place = map.view().window.place({kRun, 1});
   ASSERT_NE(place, nullptr);
   EXPECT_EQ(place->entity_version, 2U);

@@ -49,8 +49,8 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
 }
 
 float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const {
-  constexpr float lift_m = 0.02F;  // off the surface itself
-  const Eigen::Vector3f from = point + lift_m * normal;
+  constexpr float above_m = 0.02F;  // off the surface itself
+  const Eigen::Vector3f from = point + above_m * normal;
   float sum = ambient_;
   for (const LampNow& lamp : lamps_) {
     const float light = lamp.brightness * falloff(lamp.at, point, normal);

@@ -37,7 +37,7 @@ Result<Passages> Passages::make(sim::SimBodyConfig config) {
 
 Result<Passage> Passages::pass(const Pose2& site_from_robot, const Twist& moving) {
   const double before_s = 0.5 * (kLooks + 1) / kFps;
-  const Pose2 way = exp2(Eigen::Vector3d(moving.linear_m_s * before_s, 0.0, moving.angular_rad_s * before_s));
+  const Pose2 way = se2_exp(Eigen::Vector3d(moving.linear_m_s * before_s, 0.0, moving.angular_rad_s * before_s));
   body_->put(site_from_robot * way.inverse(), moving);
   Passage passage;
   Floor::Odometry odometry;

@@ -49,7 +49,7 @@ TEST(Base, DrivesTheCommandedArc) {
   const Pose2 before = base.site_from_robot();
   base.advance({0.4, 0.4}, 2.0);
   const Pose2 moved = before.inverse() * base.site_from_robot();
-  const Pose2 expected = exp2(Eigen::Vector3d(0.8, 0.0, 0.8));
+  const Pose2 expected = se2_exp(Eigen::Vector3d(0.8, 0.0, 0.8));
   EXPECT_NEAR(moved.x, expected.x, 1e-3);
   EXPECT_NEAR(moved.y, expected.y, 1e-3);
   EXPECT_NEAR(moved.heading, expected.heading, 1e-3);

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "agents/bodies/sim/calibration.hpp"
-#include "agents/bodies/sim/eye.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
+#include "agents/bodies/sim/simulated_camera.hpp"
 #include "agents/bodies/sim/stance.hpp"
 #include "marks_seen.hpp"
 

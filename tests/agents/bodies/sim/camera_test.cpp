@@ -44,7 +44,7 @@ class CameraSees : public testing::Test {
     for (std::size_t k = 0; k < kSubsamples; ++k) {
       const double share = kSubsampleTime[k];
       shot.site_from_camera[k] =
-          lift(site_from_robot * exp2(Eigen::Vector3d(share * moved_m, 0.0, share * turned_rad))) *
+          lift(site_from_robot * se2_exp(Eigen::Vector3d(share * moved_m, 0.0, share * turned_rad))) *
           model_.robot_from_camera;
     }
     return shot;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "agents/bodies/sim/calibration.hpp"
-#include "agents/bodies/sim/eye.hpp"
+#include "agents/bodies/sim/simulated_camera.hpp"
 #include "marks_seen.hpp"
 
 namespace weft::agents::sim {
@@ -27,18 +27,18 @@ Moment moment_at(const Pose2& site_from_robot, const Twist& moving) {
   moment.site_from_robot = site_from_robot;
   moment.site_from_camera = [site_from_robot, moving](const Pose3& robot_from_camera, double from_now_s) {
     return lift(site_from_robot *
-                exp2(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s))) *
+                se2_exp(Eigen::Vector3d(moving.linear_m_s * from_now_s, 0.0, moving.angular_rad_s * from_now_s))) *
            robot_from_camera;
   };
   return moment;
 }
 
-EyeOwner somebody() {
+CameraOwner somebody() {
   return {"r1", 0, Random(1), Random(2)};
 }
 
 Bytes floor_seen(const Site& site, const Moment& moment) {
-  const auto eye = make_floor_eye(site, somebody(), std::make_shared<DottedFloor>(), Random(1));
+  const auto eye = make_floor_camera(site, somebody(), std::make_shared<DottedFloor>(), Random(1));
   return *eye->look(moment).pixels;
 }
 
@@ -141,7 +141,7 @@ struct LampsAhead {
     const auto floor = std::make_shared<DottedFloor>();
     Moment moment = moment_at({4.0, 6.0, 0.0}, moving);
     moment.brightness = 0.15;
-    return make_forward_eye(site, somebody(), floor, Photographed{}, Random(1))->look(moment);
+    return make_forward_camera(site, somebody(), floor, Photographed{}, Random(1))->look(moment);
   }
   Site site;
 };

@@ -264,7 +264,7 @@ class BearingBendTest : public testing::Test {
       site.boxes.push_back({agents::sim::Box::Kind::rack, "short", {x, 6.0, M_PI / 2.0}, 4.6, 0.8, 3.0});
     return site;
   }
-  static Pose2 path_at(double along_m) { return Pose2{12.0, 5.0, 0.0} * exp2({along_m, 0.0, along_m / 0.95}); }
+  static Pose2 path_at(double along_m) { return Pose2{12.0, 5.0, 0.0} * se2_exp({along_m, 0.0, along_m / 0.95}); }
   BearingContent at(const Pose2& site_from_robot) {
     return method_.extract({}, lookout_.from(site_from_robot)).value_or(BearingContent{});
   }

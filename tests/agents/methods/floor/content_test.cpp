@@ -13,8 +13,8 @@ FloorContent example(std::size_t features) {
   Random random(31);
   FloorContent content;
   content.camera = test::miscalibrated(test::paper_camera(), 4);
-  content.sway = {0.001, -0.002, 0.0005};
-  content.sway_sigma = {0.001, 0.001, 0.002};
+  content.attitude = {0.001, -0.002, 0.0005};
+  content.attitude_sigma = {0.001, 0.001, 0.002};
   for (std::size_t i = 0; i < features; ++i) {
     FloorFeature f;
     f.on_floor = {random.uniform(0.2, 1.5), random.uniform(-0.9, 0.9)};
@@ -72,7 +72,7 @@ TEST(FloorContentBytes, LayoutIsTheDocumented) {
   const Bytes bytes = encode_floor_content(example(2));
   EXPECT_EQ((Bytes(bytes.begin(), bytes.begin() + 8)), (Bytes{'W', 'L', 'F', 'R', 1, 0, 0, 0}));
   const std::size_t id = example(2).camera.id.size();
-  // docs/formats/floor-content.md: header, camera, sway, features, patch.
+  // docs/formats/floor-content.md: header, camera, attitude, features, patch.
   EXPECT_EQ(bytes.size(), 8 + (1 + id + 4 + 16 * 8) + 6 * 8 + (2 + 2 * 37) + (4 + 3 * 8 + 12));
 }
 
@@ -110,8 +110,8 @@ TEST(FloorContentBytes, DamageNeverGivesImpossibleValues) {
       ++refused;
       continue;
     }
-    EXPECT_TRUE(decoded->sway.vector().allFinite());
-    EXPECT_GT(decoded->sway_sigma.minCoeff(), 0.0);
+    EXPECT_TRUE(decoded->attitude.vector().allFinite());
+    EXPECT_GT(decoded->attitude_sigma.minCoeff(), 0.0);
     EXPECT_LE(decoded->features.size(), most_floor_features);
     EXPECT_EQ(decoded->patch.pixels.size(), static_cast<std::size_t>(decoded->patch.width * decoded->patch.height));
   }

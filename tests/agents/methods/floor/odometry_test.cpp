@@ -44,7 +44,7 @@ TEST_F(FloorOdometry, IsTheRobotsWhateverItRocksAbout) {
     test::Drive how;
     how.rocks_about_m = height;
     const test::Driven run = test::drive(make(test::paper_camera()), *eye_, *floor_, how);
-    EXPECT_NEAR(run.odometry.rocking->height_m(), height, 0.1);
+    EXPECT_NEAR(run.odometry.rocking_centre->height_m(), height, 0.1);
     EXPECT_LT(run.step_off_m, 0.0003) << "a camera that rocks about itself would seem to go 0.7 mm more or less";
   }
 }
@@ -97,7 +97,7 @@ TEST_F(FloorOdometry, AWrongCalibrationCostsAboutItsScale) {
     EXPECT_EQ(run.blind, 0);
     EXPECT_LT(std::abs(run.distance_error()), 0.025);
     // The covariance knows: within 3 sigma along the path.
-    const Eigen::Vector3d error = log2(run.seen_motion.inverse() * run.true_motion);
+    const Eigen::Vector3d error = se2_log(run.seen_motion.inverse() * run.true_motion);
     EXPECT_LT(std::abs(error.x()), 3.0 * std::sqrt(run.covariance(0, 0)));
   }
 }

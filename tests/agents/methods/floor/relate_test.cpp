@@ -25,8 +25,9 @@ class FloorRelate : public testing::Test {
     floor_.reset();
     eye_.reset();
   }
-  static FloorContent content(const Floor& method, const Pose2& at, const test::Shot& shot, const Sway& sway = {}) {
-    auto seen = test::look(method, *eye_, *floor_, at, sway, shot);
+  static FloorContent content(const Floor& method, const Pose2& at, const test::Shot& shot,
+                              const Attitude& attitude = {}) {
+    auto seen = test::look(method, *eye_, *floor_, at, attitude, shot);
     if (!seen) throw std::runtime_error(std::string(seen.error().reason));
     // As another robot would get it: through bytes.
     return *method.decode(method.encode(*seen));
@@ -74,15 +75,17 @@ TEST_F(FloorRelate, ARobotThatHasSunkIsSeenToStandLower) {
   Random random(43);
   const Pose2 at{3.0, 4.0, 0.7};
   const FloorContent place = content(method, at, {});
-  for (const double lift_m : {0.0, -0.01, 0.006}) {
+  for (const double offset_m : {0.0, -0.01, 0.006}) {
     test::Shot shot;
     shot.seed += 5;
     const Pose2 place_from_robot{0.2, 0.03, 0.05};
-    const FloorContent now = content(method, at * place_from_robot, shot, {0.0, 0.0, lift_m});
+    const FloorContent now = content(method, at * place_from_robot, shot, {0.0, 0.0, offset_m});
     const auto related = method.relate(place, now, about(place_from_robot, random));
     ASSERT_TRUE(related) << related.error().reason;
-    ASSERT_TRUE(related->lift_m);
-    EXPECT_NEAR(*related->lift_m, lift_m, 0.002);
+    ASSERT_EQ(related->diagnostics.size(), 1U);
+    EXPECT_EQ(related->diagnostics[0].name, "height_offset_m");
+    EXPECT_NEAR(related->diagnostics[0].value, offset_m, 0.002);
+    EXPECT_LE(related->diagnostics[0].sigma, 0.002);
   }
 }
 
@@ -117,7 +120,7 @@ TEST_F(FloorRelate, TwoRobotsWithOtherCalibrations) {
       shot.gain = 0.7;
       const auto related = one.relate(a, content(other, at * a_from_b, shot), about(a_from_b, random));
       expect_right(related, a_from_b, 0.030, 1.3);
-      const Eigen::Vector3d error = log2(planar(related->a_from_b).inverse() * a_from_b);
+      const Eigen::Vector3d error = se2_log(planar(related->a_from_b).inverse() * a_from_b);
       EXPECT_LT(error.dot(planar_covariance(related->a_from_b).inverse() * error), 20.0) << "the covariance knows";
     }
   }

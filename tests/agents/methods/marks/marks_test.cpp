@@ -53,7 +53,7 @@ TEST(MarksMethod, CovarianceIsAboutRight) {
                                        content_at(method, world, world_from_a * a_from_b, random), std::nullopt);
     ASSERT_TRUE(related);
     const auto& measured = std::get<Metric2>(related->a_from_b);
-    const Eigen::Vector3d error = log2(a_from_b.inverse() * measured.a_from_b);
+    const Eigen::Vector3d error = se2_log(a_from_b.inverse() * measured.a_from_b);
     squared += error.dot(measured.covariance.inverse() * error);
   }
   EXPECT_GT(squared / runs, 0.7);  // 3 when exact; the configured sigmas are a quarter above the world's

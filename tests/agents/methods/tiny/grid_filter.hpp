@@ -127,11 +127,11 @@ class GridFilter {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     const Pose2 first = belief.particles.front().centre_from_robot;
     for (const Particle& one : belief.particles) {
-      mean += one.weight / sum * log2(first.inverse() * one.centre_from_robot);
+      mean += one.weight / sum * se2_log(first.inverse() * one.centre_from_robot);
     }
-    Metric2 result{first * exp2(mean), 1e-5 * Eigen::Matrix3d::Identity()};
+    Metric2 result{first * se2_exp(mean), 1e-5 * Eigen::Matrix3d::Identity()};
     for (const Particle& one : belief.particles) {
-      const Eigen::Vector3d apart = log2(result.a_from_b.inverse() * one.centre_from_robot);
+      const Eigen::Vector3d apart = se2_log(result.a_from_b.inverse() * one.centre_from_robot);
       result.covariance += one.weight / sum * apart * apart.transpose();
     }
     std::vector<Particle> drawn;

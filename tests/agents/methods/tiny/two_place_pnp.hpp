@@ -122,7 +122,7 @@ class TwoPlacePnp {
         if (round >= 4 && error.norm() > gate) continue;
         Eigen::Matrix<double, 2, 3> projection;
         projection << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
-        Eigen::Matrix<double, 3, 6> motion;  // of p when frame_from_robot is moved on by exp3(xi)
+        Eigen::Matrix<double, 3, 6> motion;  // of p when frame_from_robot is moved on by se3_exp(xi)
         motion.leftCols<3>() = -Eigen::Matrix3d::Identity();
         motion.rightCols<3>() << 0, -p.z(), p.y(), p.z(), 0, -p.x(), -p.y(), p.x(), 0;
         const Eigen::Matrix<double, 2, 6> jacobian = projection * motion;
@@ -138,10 +138,10 @@ class TwoPlacePnp {
       Matrix6d level = Matrix6d::Zero();
       level.diagonal().segment<3>(2) = Eigen::Vector3d::Constant(1.0);
       Vector6d tilt = Vector6d::Zero();
-      tilt.segment<3>(2) = log3(lift(project(frame_from_robot)).inverse() * frame_from_robot).segment<3>(2);
+      tilt.segment<3>(2) = se3_log(lift(project(frame_from_robot)).inverse() * frame_from_robot).segment<3>(2);
       information += level;
       gradient += level * tilt;
-      frame_from_robot = frame_from_robot * exp3(-information.ldlt().solve(gradient));
+      frame_from_robot = frame_from_robot * se3_exp(-information.ldlt().solve(gradient));
       frame_from_robot.rotation.normalize();
     }
     Related related;

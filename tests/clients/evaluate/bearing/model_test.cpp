@@ -19,7 +19,7 @@ Course course_of(double length_m, double turn_rad) {
     course.site_from_place.push_back(pose);
     course.along_m.push_back(length_m * i / kHops);
     course.relations.emplace_back(AlongPath{length_m / kHops, 0.0, turn_rad / kHops});
-    pose = pose * exp2({length_m / kHops, 0.0, turn_rad / kHops});
+    pose = pose * se2_exp({length_m / kHops, 0.0, turn_rad / kHops});
   }
   course.relations.back() = AlongPath{};
   course.length_m = length_m;

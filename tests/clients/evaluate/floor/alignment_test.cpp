@@ -20,7 +20,7 @@ struct Bent {
     const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
     Pose2 pose;
     for (Moment& moment : trace.moments) {
-      pose = pose * exp2({0.5 / 30.0, 0.0, 0.01});
+      pose = pose * se2_exp({0.5 / 30.0, 0.0, 0.01});
       moment.start_from_robot = pose;
       moment.site_from_robot = {};
       const Eigen::Quaterniond yaw(Eigen::AngleAxisd(pose.heading, Eigen::Vector3d::UnitZ()));

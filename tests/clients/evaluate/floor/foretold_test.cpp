@@ -15,7 +15,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-using agents::Prospect;
+using agents::Floor;
 
 TEST(ForetoldAgreement, CountsAllAndEachMetre) {
   const Agreement none = agreement_of({});
@@ -29,8 +29,8 @@ TEST(ForetoldAgreement, CountsAllAndEachMetre) {
 
 class Foretelling : public testing::Test {
  protected:
-  /// Of a way of 3 m on epoxy of that contrast, by prospect.
-  std::array<Agreement, agents::prospects> of_contrast(double contrast) const {
+  /// Of a way of 3 m on epoxy of that contrast, by condition.
+  std::array<Agreement, Floor::conditions.size()> of_contrast(double contrast) const {
     Stage stage;
     stage.site = *agents::sim::parse_site(small_hall(12.0, 6.0, 3.0), "small");
     stage.site.floor.contrast = contrast;
@@ -40,11 +40,11 @@ class Foretelling : public testing::Test {
     const auto scenario = Scenario::make(stage, "epoxy", 1);
     Taught taught;
     if (!scenario || !teach(scenario->first(), scenario->line(), taught)) throw std::runtime_error("not taught");
-    std::array<Agreement, agents::prospects> all;
-    for (const Prospect prospect : {Prospect::as_is, Prospect::half_light, Prospect::worn}) {
-      const auto compared = compare(*scenario, prospect, taught, agents::StitchConfig{});
+    std::array<Agreement, Floor::conditions.size()> all;
+    for (const Floor::Condition condition : {Floor::as_is, Floor::half_light, Floor::worn}) {
+      const auto compared = compare(*scenario, condition, taught, agents::StitchConfig{});
       if (!compared || !*compared) throw std::runtime_error("not compared");
-      all[static_cast<std::size_t>(prospect)] = agreement_of(**compared);
+      all[condition] = agreement_of(**compared);
     }
     return all;
   }
@@ -70,8 +70,8 @@ TEST_F(Foretelling, IsWhatAnotherRobotFinds) {
   constexpr double kFew = 0.35;
   const auto faint = of_contrast(0.5);
   const auto plain = of_contrast(0.8);
-  const auto as_is = static_cast<std::size_t>(Prospect::as_is);
-  const auto half = static_cast<std::size_t>(Prospect::half_light);
+  const auto as_is = Floor::as_is;
+  const auto half = Floor::half_light;
   for (const Agreement& agreement : faint) EXPECT_GE(agreement.places, 10U);
   EXPECT_GT(faint[as_is].foretold, kMost);
   EXPECT_GT(faint[as_is].found, kMost);

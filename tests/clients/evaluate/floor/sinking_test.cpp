@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "agents/agent/lift_watch.hpp"
+#include "agents/agent/diagnostic_watch.hpp"
 #include "clients/evaluate/floor/drive.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
 #include "tests/clients/evaluate/floor/small_hall.hpp"
@@ -27,7 +27,7 @@ class ABodyUnderLoad : public testing::Test {
   }
 
   /// Another robot, sunk by so much, drives to the last place.
-  void repeat_sunk(double sinks_m, agents::LiftWatch& noticing) {
+  void repeat_sunk(double sinks_m, agents::DiagnosticWatch& noticing) {
     Drive second = drive;
     second.body.site.change.sinks_m = sinks_m;
     second.body.site.robots.front().seed = 3;
@@ -41,7 +41,8 @@ class ABodyUnderLoad : public testing::Test {
       const Result<DrivenRobot::Stepped> stepped = robot->step(taught.map.view());
       ASSERT_TRUE(stepped) << stepped.error().message;
       const auto& fix = stepped->navigated.fix;
-      if (fix && fix->evidence.lift_m) noticing.add(fix->place.experience, *fix->evidence.lift_m);
+      if (fix && !fix->evidence.diagnostics.empty())
+        noticing.add(fix->place.experience, fix->evidence.diagnostics.front().value);
       arrived = stepped->navigated.following == agents::Following::arrived;
       if (on_its_way || !robot->navigator().estimate()) continue;
       const auto route = taught.map.route(robot->navigator().estimate()->place, taught.last, "floor");
@@ -55,17 +56,17 @@ class ABodyUnderLoad : public testing::Test {
   storage::TemporaryDirectory folder;
   Drive drive;
   Taught taught;
-  agents::LiftWatch watch;
+  agents::DiagnosticWatch watch{agents::Floor::watched.front()};
 };
 
 TEST_F(ABodyUnderLoad, NoticesThatItStandsACentimetreLowerThanItsPlacesSay) {
   teach_with(0.0005, 0.0005);  // both cameras calibrated
   repeat_sunk(0.0, watch);
   EXPECT_EQ(watch.notice(), "");
-  agents::LiftWatch restarted;
+  agents::DiagnosticWatch restarted{agents::Floor::watched.front()};
   repeat_sunk(0.010, restarted);
-  ASSERT_TRUE(restarted.lift_m());
-  EXPECT_NEAR(*restarted.lift_m(), -0.010, 0.003);
+  ASSERT_TRUE(restarted.value());
+  EXPECT_NEAR(*restarted.value(), -0.010, 0.003);
   EXPECT_NE(restarted.notice().find("mm lower than its places say"), std::string::npos) << restarted.notice();
 }
 
@@ -75,8 +76,8 @@ TEST_F(ABodyUnderLoad, NoticesItWithCamerasThatNobodyCalibratedWhenItHasBeenTher
   repeat_sunk(0.0, watch);
   EXPECT_EQ(watch.notice(), "");
   repeat_sunk(0.010, watch);
-  ASSERT_TRUE(watch.change_m());
-  EXPECT_NEAR(*watch.change_m(), -0.010, 0.003);
+  ASSERT_TRUE(watch.change());
+  EXPECT_NEAR(*watch.change(), -0.010, 0.003);
   EXPECT_NE(watch.notice().find("mm lower than"), std::string::npos) << watch.notice();
 }
 

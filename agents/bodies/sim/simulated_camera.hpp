@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "agents/bodies/sim/floor/source.hpp"
+#include "agents/bodies/sim/hall/textures.hpp"
+#include "agents/bodies/sim/site.hpp"
+#include "agents/perception/camera_model.hpp"
+#include "agents/perception/view.hpp"
+#include "core/random.hpp"
+
+namespace weft::agents::sim {
+
+/// When and where an image is taken.
+struct Moment {
+  /// Where a camera with this mount is so many seconds from now, all that shakes it included.
+  std::function<Pose3(const Pose3& robot_from_camera, double from_now_s)> site_from_camera;
+  Pose2 site_from_robot;
+  double time_s = 0.0;
+  double brightness = 1.0;  ///< of what the sensor makes of light, as it drifts
+  std::uint64_t noise_seed = 0;
+};
+
+/// What a body sees with.
+class SimulatedCamera {
+ public:
+  virtual ~SimulatedCamera() = default;
+  virtual std::string name() const = 0;
+  /// As agents are told; the true one differs.
+  virtual const CameraModel& given() const = 0;
+  /// Another run: each lamp as bright as `random` makes it.
+  virtual void light_up(Random random) = 0;
+  virtual Image look(const Moment& moment) = 0;
+  /// Of the image looked at last; none: not known.
+  virtual std::optional<Exposure> exposed() const { return std::nullopt; }
+  /// From the next image on. False: it cannot be told.
+  virtual bool expose(const Exposure&) { return false; }
+};
+
+/// Whose eye it is: the calibration's name and errors.
+struct CameraOwner {
+  std::string robot;
+  std::uint64_t day = 0;
+  Random calibration;  ///< of that day: each is another attempt to measure the camera
+  Random camera;       ///< the glass and the screws, the same every day
+};
+
+std::unique_ptr<SimulatedCamera> make_floor_camera(const Site& site, const CameraOwner& owner,
+                                                   std::shared_ptr<const FloorSource> floor, Random light);
+std::unique_ptr<SimulatedCamera> make_forward_camera(const Site& site, const CameraOwner& owner,
+                                                     const std::shared_ptr<const FloorSource>& floor,
+                                                     const Photographed& photographed, Random light);
+
+}  // namespace weft::agents::sim

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "agents/methods/method.hpp"
+#include "agents/navigation/config.hpp"
+#include "core/network/window.hpp"
+
+namespace weft::agents {
+
+/// The order in which places are tried by a robot that does not know where it is. A value, pure.
+class RelocalisationQueue {
+ public:
+  /// Around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last believed, then what is
+  /// proposed, then in the whole window.
+  void start(const std::optional<PlaceId>& seed);
+  void end() { active_ = false; }
+  /// Its places are not tried, until the next start.
+  void leave_out(const ExperienceId& run) { left_out_ = run; }
+  const std::optional<ExperienceId>& left_out() const { return left_out_; }
+  bool leaves_out(const PlaceId& place) const { return left_out_ == place.experience; }
+  bool active() const { return active_; }
+  bool seeded() const { return seed_.has_value(); }
+
+  /// Makes the order when there is none. Refused: "window_empty", "seed_not_in_window"; "seek_pause" for some samples
+  /// after a pass over all places.
+  OrRefusal<void> prepare(const NavigationConfig& config, const Window& window, const std::optional<Estimate>& last);
+  /// What is still to be tried in this pass, in order.
+  std::vector<PlaceId>& order() { return order_; }
+  std::optional<PlaceId> next();
+  /// Places around where the robot was last believed are left to try.
+  bool looks_near() const { return near_left_ > 0; }
+  /// What is proposed and still to be tried, the likeliest first.
+  std::vector<PlaceId>& proposed() { return proposed_; }
+  /// Signatures have been used to order this pass.
+  bool ordered() const { return ordered_; }
+  void set_ordered() { ordered_ = true; }
+
+ private:
+  bool active_ = false;
+  std::optional<PlaceId> seed_;
+  std::optional<ExperienceId> left_out_;
+  std::vector<PlaceId> order_;  // the next one last
+  std::size_t near_left_ = 0;   // of order_, at its end
+  std::vector<PlaceId> proposed_;
+  bool ordered_ = false;
+  std::uint32_t pause_ = 0;
+};
+
+/// Whether the window holds places of other runs than this one.
+bool has_others(const Window& window, const ExperienceId& run);
+
+}  // namespace weft::agents
