@@ -41,7 +41,7 @@ class ByteReader {
     }
     return ok() ? value : low;
   }
-  /// How many entries follow; bounded by what the remaining bytes can hold at `least_bytes` each.
+  /// Reads how many entries follow. corrupt: more than the remaining bytes can hold at `least_bytes` each.
   std::size_t count(const char* field, std::size_t least_bytes) {
     const std::size_t at = offset_;
     const std::size_t value = number<std::uint32_t>(field);

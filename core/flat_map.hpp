@@ -57,7 +57,7 @@ class FlatMap {
     const std::size_t at = position(key);
     return at == size() ? nullptr : &values_[at];
   }
-  /// In the order of keys; size() when there is none.
+  /// Returns the key's position in the order of keys; size() when there is none.
   std::size_t position(const Key& key) const {
     const std::size_t at = lower_bound(key);
     return at < size() && keys_[at] == key ? at : size();

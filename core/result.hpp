@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// What kind of failure, for code that decides; the message is for people.
+/// The kind of a failure, for code that decides; the message is for people.
 enum class ErrorCode : std::uint8_t {
   invalid,      ///< input breaks a stated bound
   not_found,    ///< named thing does not exist

@@ -4,7 +4,7 @@
 
 namespace weft {
 
-/// For messages that end a program: line breaks at the end go, those in between become "; ".
+/// Puts a text on one line, for messages that end a program: line breaks at the end go, those in between become "; ".
 std::string one_line(std::string text);
 
 /// The text without the UTF-8 byte order mark that some editors put before it. Every reader of text begins with this.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// How many bytes a character has by its first one; 0: that begins none.
+/// Returns how many bytes a character has by its first one; 0: no character begins with it.
 std::size_t length_by(std::uint8_t first) {
   if (first < 0x80) return 1;
   if (first < 0xC2) return 0;  // a byte from within a character, or one that a shorter character stands for

@@ -50,7 +50,7 @@ void read_pinhole(CameraKeys& keys) {
     keys.wrong(*model, "camera_model must be pinhole; others (omni, ds, eucm) are not understood");
 }
 
-/// What EuRoC's sensor.yaml and a camera of Kalibr's chain share; they differ in one key's name.
+/// Reads the keys that EuRoC's sensor.yaml and a camera of Kalibr's chain share; they differ in one key's name.
 CameraCalibration read_euroc(CameraKeys& keys, const char* coefficients_key) {
   CameraCalibration camera;
   read_pinhole(keys);

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// How well a calibration is known, one standard deviation each; none: nobody has said.
+/// The uncertainty of a calibration, one standard deviation each; none: nobody has stated it.
 struct CalibrationSigma {
   std::optional<double> focal_share;    ///< of the focal length
   std::optional<double> centre_px;      ///< of the optical centre, across and down each
@@ -46,7 +46,7 @@ struct CameraCalibration {
   std::array<double, 5> distortion{};     ///< in the lens model's order; what it does not have is 0
   std::array<double, 3> divisor{};        ///< k4 k5 k6 of a rational lens
   std::optional<Pose3> body_from_camera;  ///< none: the file does not say how the camera is mounted
-  /// Of Kalibr's chain: where it is beside the camera before it; none: it is the first, or the file does not say.
+  /// Pose beside the camera before it in a Kalibr chain; none: it is the first, or the file does not say.
   std::optional<Pose3> previous_from_camera = {};
   CalibrationSigma sigma;
 };

@@ -22,7 +22,7 @@ class CameraKeys {
   /// The value of a key, which is then no longer left over.
   std::optional<YAML::Node> take(std::string_view key);
   std::optional<YAML::Node> need(std::string_view key);
-  /// Of all these, whatever is there needs no reading.
+  /// Marks these keys as known; whatever they hold needs no reading.
   void pass_over(std::initializer_list<std::string_view> keys);
   std::string word(std::string_view key);
   double number(const YAML::Node& node, std::string_view key, double low, double high);

@@ -11,7 +11,7 @@ constexpr std::size_t kOfEquidistant = 4;
 constexpr std::size_t kOfRational = 8;
 constexpr std::size_t kLongestList = 14;  // OpenCV's, with thin prisms and a tilted sensor
 
-/// How many coefficients a model has, which is then the camera's; 0: its name is unknown.
+/// Gives the camera its lens model and returns how many coefficients the model has; 0: its name is unknown.
 std::size_t begin_lens(const std::string& model, CameraCalibration& camera) {
   if (model == "radial-tangential" || model == "radtan" || model == "plumb_bob") return kOfRadtan;
   if (model == "equidistant" || model == "fisheye") {

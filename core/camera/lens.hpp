@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// How a lens bends rays. Stored in contents: values are frozen.
+/// The model by which a lens bends rays. Stored in contents: values are frozen.
 enum class LensModel : std::uint8_t {
   radtan = 0,       ///< radial-tangential (Brown), OpenCV's order k1 k2 p1 p2 k3
   equidistant = 1,  ///< Kannala & Brandt 2006 with four coefficients, OpenCV's fisheye: k1 k2 k3 k4

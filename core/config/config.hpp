@@ -13,7 +13,7 @@
 /// finds issues refuses to start. Core parses text; whoever calls reads the file.
 namespace weft::config {
 
-/// In the place of a default: the key must be there.
+/// Stands in the place of a default: the key must be there.
 inline constexpr std::nullopt_t required = std::nullopt;
 
 /// One setting in force, for the log.

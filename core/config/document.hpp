@@ -6,7 +6,7 @@
 
 #include "core/config/config.hpp"
 
-/// What is behind `Table`; private to this folder, so that toml++ stays out of everyone's compile.
+/// The implementation of `Table`; private to this folder, so that toml++ stays out of everyone's compile.
 namespace weft::config {
 
 struct Issue {

@@ -16,7 +16,7 @@ std::optional<double> read_number(const toml::node& node) {
   return std::nullopt;
 }
 
-/// What a getter found: a value, or what is wrong with it.
+/// The result of a getter: a value, or what is wrong with it.
 template <class T>
 struct Found {
   std::optional<T> value;

@@ -12,8 +12,8 @@ inline constexpr std::size_t kBatchEdges = 8000;                ///< most edges 
 inline constexpr std::size_t kLongestReason = 256;              ///< bytes of a seal's reason, printable UTF-8
 inline constexpr std::uint64_t kLargestContent = 64ULL << 20U;  ///< bytes of one content
 
-/// What a robot hands in: consecutive places of one experience and the relations that join them to what the map
-/// already has. The unit of acknowledgement: durable as a whole with its contents, or not at all.
+/// A batch of consecutive places of one experience and the relations that join them to what the map already has. The
+/// unit of acknowledgement: durable as a whole with its contents, or not at all.
 struct Batch {
   ExperienceId experience;
   std::uint64_t sequence = 0;  ///< from 1, without gaps, within the experience

@@ -3,7 +3,7 @@
 
 namespace weft {
 
-/// How far two relations between the same frames are apart, or how far one may be off.
+/// The distance and angle by which two relations between the same frames differ, or by which one may be off.
 struct Difference {
   double metres = 0.0;
   double radians = 0.0;

@@ -22,7 +22,7 @@ const char* to_string(Origin origin) {
 
 namespace {
 
-/// Where nothing is missing a row stands at its index.
+/// Finds a row by its index. It stands at that position where nothing before it is missing.
 template <class Row>
 const Row* find(const SharedRow<Row>& rows, std::uint32_t index) {
   if (index < rows.size() && index_of(rows[index]) == index) return &rows[index];

@@ -13,7 +13,7 @@
 
 namespace weft {
 
-/// Where a content's bytes are to be had; `size` is of the canonical uncompressed bytes.
+/// A reference to a content's bytes by their hash; `size` is of the canonical uncompressed bytes.
 struct ContentRef {
   ContentHash hash;
   std::uint64_t size = 0;
@@ -33,7 +33,7 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// How a relation came about.
+/// The way in which a relation came about.
 enum class Origin : std::uint8_t {
   odometry = 1,  ///< seen: between consecutive places of one experience
   blind = 2,     ///< between consecutive places, vision was blind on the way: integrated commands or wheels
@@ -41,7 +41,7 @@ enum class Origin : std::uint8_t {
 };
 const char* to_string(Origin origin);
 
-/// In which direction an edge's method can drive it. Localising works both ways, driving need not.
+/// The directions in which an edge's method can drive it. Localising works both ways, driving need not.
 enum class Drivable : std::uint8_t { none = 0, a_to_b = 1, b_to_a = 2, both = 3 };
 
 /// The pair is ordered as written; one edge a pair. Odometry: b.index == a.index + 1.
@@ -51,7 +51,7 @@ struct EdgeId {
   auto operator<=>(const EdgeId&) const = default;
 };
 
-/// In an order that leaves little room between the members: a map has millions of them.
+/// An edge of the network. Its members are ordered to leave little room between them: a map has millions of edges.
 struct Edge {
   EdgeId id;
   std::uint32_t entity_version = 1;
@@ -113,7 +113,8 @@ class Snapshot {
   const Experiences& experiences() const { return experiences_; }
   const Labels& labels() const { return *labels_; }
   std::shared_ptr<const Labels> shared_labels() const { return labels_; }
-  /// What operators vouch to be different floors; sorted. Part of neither windows nor digests.
+  /// Returns the pairs of stretches that operators vouch to be different floors; sorted. Part of neither windows nor
+  /// digests.
   const Aparts& aparts() const { return *aparts_; }
   std::shared_ptr<const Aparts> shared_aparts() const { return aparts_; }
 

@@ -15,7 +15,7 @@ bool same_ids(const Row& first, const Row& second) {
   return first.size() == second.size() && std::equal(first.begin(), first.end(), second.begin(), same);
 }
 
-/// By what they hold: two readings of one revision are the same, wherever they lie in memory.
+/// Compares experiences by what they hold: two readings of one revision are the same, wherever they lie in memory.
 bool differ(const Shared& first, const Shared& second) {
   if (first == second) return false;
   return !same_ids(first->places, second->places) || !same_ids(first->chain, second->chain) ||

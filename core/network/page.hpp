@@ -46,8 +46,8 @@ class PagedNetwork {
   Revision revision() const { return window_.revision; }
   std::uint64_t done() const { return window_.places.size(); }
   std::uint64_t total() const { return total_; }
-  /// When it is whole. Edges that lead to places on no page are left out; labels are not. Aparts are
-  /// no part of a window.
+  /// Returns the window that the pages make, once it is whole. Edges that lead to places on no page are left out;
+  /// labels are not. Aparts are no part of a window.
   Window take();
 
  private:

@@ -95,8 +95,8 @@ bool Pruner::step() {
   return true;
 }
 
-/// Where a run as a whole is missed, a stitched place in its middle is left as a junction, and what lies to either
-/// side of it is tried.
+/// Leaves a stitched place in the middle of a run as a junction, and queues what lies to either side of it, for a run
+/// that is missed as a whole.
 void Pruner::try_around_a_junction(const Stretch& run) {
   const auto& ends = snapshot_.experience(run.experience)->stitch_ends;
   const auto first = std::lower_bound(ends.begin(), ends.end(), Experience::StitchEnd{run.first, 0});
@@ -107,7 +107,7 @@ void Pruner::try_around_a_junction(const Stretch& run) {
   if (junction > run.first) runs_.push_back({run.experience, run.first, junction - 1});
 }
 
-/// When the last place of the experience has been looked at, the runs of covered ones are ready to be tried.
+/// Looks at the next places of the experience; after the last one the runs of covered places are ready to be tried.
 void Pruner::look_at_places() {
   const std::size_t end = std::min(next_place_ + kPlacesAStep, current_->places.size());
   for (; next_place_ < end; ++next_place_) {
@@ -131,7 +131,7 @@ void Pruner::look_at_places() {
   std::reverse(runs_.begin(), runs_.end());
 }
 
-/// By the nearest place that covers it, over composed relations.
+/// Finds the nearest place that covers this one, over composed relations.
 Pruner::Cover Pruner::cover_of(const Place& place) const {
   struct Open {
     PlaceId place;

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// Which places others make redundant.
+/// The rule by which a place counts as redundant: others cover it.
 struct PruneRule {
   double within_m = 0.5;           ///< a place of another experience covers one that lies no farther from it
   double within_rad = 0.35;        ///< and looks no more than this another way
@@ -30,7 +30,7 @@ class Pruner {
   std::uint64_t done() const { return done_; }  ///< places looked at
   std::uint64_t total() const { return total_; }
   const Snapshot& snapshot() const { return snapshot_; }
-  /// What can go, as found so far.
+  /// Returns what can go, as found so far.
   const Removal& found() const { return found_; }
 
  private:
@@ -59,14 +59,14 @@ class Pruner {
   std::uint64_t total_ = 0;
 };
 
-/// What a pruner found on its snapshot and can still go from a later one: nothing that was joined to others since,
-/// and nothing of `keep`.
+/// Returns the part of a pruner's findings that can still go from a later snapshot: nothing that was joined to others
+/// since the pruner's own, and nothing of `keep`.
 Removal still_unneeded(const Pruner& pruner, const Snapshot& now, const std::set<PlaceId>& keep);
 
 /// Whether nothing of `before` has left.
 bool only_grew(const Snapshot& before, const Snapshot& now);
 
-/// Of the contents of those places.
+/// Returns the uncompressed size, in bytes, of the contents of those places.
 std::uint64_t content_bytes(const Snapshot& snapshot, const Removal& removal);
 
 }  // namespace weft

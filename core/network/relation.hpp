@@ -35,8 +35,8 @@ struct Metric3 {
   Covariance6 covariance;
 };
 
-/// For methods that know no pose: b lies `distance_m` further along the path than a (negative: before it), and
-/// b's heading is turned by `heading_shift_rad` (left positive) against a's.
+/// A relation along a path, for methods that know no pose: b lies `distance_m` further along the path than a
+/// (negative: before it), and b's heading is turned by `heading_shift_rad` (left positive) against a's.
 struct AlongPath {
   double distance_m = 0.0;
   double distance_variance_m2 = 0.0;

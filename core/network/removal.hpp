@@ -17,7 +17,7 @@ struct Stretch {
 /// "E:I..J", as operators write it.
 std::string to_string(const Stretch& stretch);
 
-/// What leaves the network or comes back to it. Places take their edges and labels along.
+/// The places and stitches that leave the network or come back to it. Places take their edges and labels along.
 struct Removal {
   std::vector<Stretch> places;
   std::vector<EdgeId> stitches;
@@ -29,9 +29,9 @@ struct Removal {
 /// its last, a removal of nothing.
 Result<void> check(const Snapshot& snapshot, const Removal& removal);
 
-/// What of it is in the snapshot, as the longest stretches, sorted; each once.
+/// Returns the part of it that is in the snapshot, as the longest stretches, sorted; each once.
 Removal present(const Snapshot& snapshot, const Removal& removal);
-/// What of it is not in the snapshot; stretches are cut to what their experiences ever had.
+/// Returns the part of it that is not in the snapshot; stretches are cut to what their experiences ever had.
 Removal absent(const Snapshot& snapshot, const Removal& removal);
 std::uint64_t place_count(const Removal& removal);
 

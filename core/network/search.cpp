@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-/// What is searched, place by place. Nodes sort as the ids of their places do: a window's are positions, as comparing
-/// ids is most of the work there.
+/// A window as the thing to search, place by place. Nodes sort as the ids of their places do: a window's are
+/// positions, as comparing ids is most of the work there.
 struct InWindow {
   using Node = std::uint32_t;
   const Window& window;
@@ -52,7 +52,7 @@ bool holds(const std::vector<Node>& sorted, const Node& node) {
   return std::binary_search(sorted.begin(), sorted.end(), node);
 }
 
-/// Of several ways into a place the one from the smallest parent counts.
+/// Keeps one way into each place: of several, the one from the smallest parent.
 template <class Node>
 void keep_first_ways(std::vector<Arrival<Node>>& arrivals) {
   std::stable_sort(arrivals.begin(), arrivals.end(), [](const auto& a, const auto& b) {

@@ -10,7 +10,8 @@
 
 namespace weft {
 
-/// Which part of the network an agent wants. Together with a snapshot it fixes the window, nothing else does.
+/// The definition of the part of the network that an agent wants. Together with a snapshot it fixes the window,
+/// nothing else does.
 struct WindowDefinition {
   std::optional<PlaceId> centre;  ///< none: the whole network, up to the cap
   std::uint32_t hops = 25;        ///< breadth-first depth around the centre

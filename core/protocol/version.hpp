@@ -7,7 +7,7 @@
 
 namespace weft::msg {
 
-/// Which protocol versions a program speaks, both ends included.
+/// The protocol versions that a program speaks, both ends included.
 struct VersionRange {
   std::uint16_t min = kProtocolVersion;
   std::uint16_t max = kProtocolVersion;

@@ -34,7 +34,7 @@ class Bisection {
   /// One portion; false when nothing was left to be done. At the end [first, last) is reordered, and the places of
   /// its second part have the number `second_part` in `part_of`.
   bool step(std::uint32_t second_part);
-  /// Where the second part begins; both have at least one place.
+  /// Returns where the second part begins; both have at least one place.
   std::uint32_t middle() const { return middle_; }
 
  private:

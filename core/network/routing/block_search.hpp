@@ -13,9 +13,9 @@ class BlockSearch {
   /// The preparation must outlive it.
   explicit BlockSearch(const Preparation& preparation);
 
-  /// From now on nothing leaves this cell; its children are what is passed in one step.
+  /// Confines the following searches to this cell, each of whose child cells is crossed in one step.
   void confine(std::size_t level, std::uint32_t cell);
-  /// From now on the whole network is searched; the cells that hold either node are opened.
+  /// Lets the following searches cover the whole network; the cells that hold either node are opened.
   void search_all(Node from, Node to);
 
   /// Forgets the last search and begins at a place. Nothing beyond `farthest` is of interest.
@@ -24,7 +24,7 @@ class BlockSearch {
   double run_to(Node to);
   /// Until everything within reach is settled.
   void run();
-  /// Of a place that is gone through itself or is an exit of its block; infinity: not reached.
+  /// Returns the least cost to a place that lies in an opened cell or is an exit of its block; infinity: not reached.
   double cost(Node node) const;
 
   /// A stretch of the way: within a cell from entry to exit, or (open) one place.

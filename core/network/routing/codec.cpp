@@ -16,7 +16,7 @@ constexpr std::size_t kMostMethods = 64;
 constexpr std::uint32_t kMostSlots = 1U << kSlotBits;
 constexpr std::uint32_t kMostCells = 1U << (32 - kSlotBits - 1);
 
-/// Of what a base cell's costs were computed of: its places and arcs. 64-bit FNV-1a.
+/// Returns a 64-bit FNV-1a of what a base cell's costs were computed from: its places and arcs.
 std::uint64_t fingerprint(const BaseCell& cell) {
   ByteWriter out;
   for (const PlaceId& place : cell.places) out.id(place);
@@ -59,7 +59,7 @@ Overlay read_overlay(ByteReader& in) {
   return overlay;
 }
 
-/// What the bytes say, before it is held against the network.
+/// The contents of the bytes, before they are held against the network.
 struct Written {
   Preparation made;
   std::vector<std::uint64_t> fingerprints;

@@ -46,13 +46,14 @@ struct BaseCell {
   std::vector<PlaceId> places;  ///< by slot; no experience: nothing is there (any more)
   std::vector<std::uint32_t> first_arc;
   std::vector<Arc> arcs;
-  /// In how many levels an arc that enters, or leaves, the slot's place crosses the border of its cell: 0 to kLevels.
+  /// Number of levels, 0 to kLevels, in which an arc that enters (or leaves) the slot's place crosses its cell's
+  /// border.
   std::vector<std::uint8_t> entered;
   std::vector<std::uint8_t> left;
   bool operator==(const BaseCell&) const = default;
 };
 
-/// What a cell is to those who drive through it: the cost from each place where one can come in to each where one can
+/// A cell as those see it who drive through it: the cost from each place where one can come in to each where one can
 /// go out, on ways that stay within. The overlay of Delling, Goldberg, Pajor, Werneck, "Customizable Route Planning
 /// in Road Networks" (2017), section 3.
 struct Overlay {
@@ -81,7 +82,7 @@ struct Preparation {
   std::uint32_t cell(Node node, std::size_t level) const { return cells[cell_of(node)][level]; }
 };
 
-/// In memory, without the network itself.
+/// Returns the size in memory, without the network itself.
 std::size_t size_bytes(const Preparation& preparation);
 
 }  // namespace weft::routing

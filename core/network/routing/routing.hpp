@@ -13,11 +13,11 @@ class Work;
 /// Makes a preparation in steps, so that whoever has other things to do can do them in between.
 class Builder {
  public:
-  /// From nothing.
+  /// Begins a preparation from nothing.
   static Builder to_prepare(const Snapshot& snapshot, const std::set<std::string>& methods);
-  /// As `update`.
+  /// Begins a preparation from an earlier one, as `update` makes it.
   static Builder to_update(const Preparation& preparation, const Snapshot& snapshot);
-  /// As `decode`; the bytes are read at once.
+  /// Begins a preparation from stored bytes, with the errors of `decode`; the bytes are read at once.
   static Result<Builder> to_resume(ByteView bytes, const Snapshot& snapshot);
 
   explicit Builder(std::unique_ptr<Work> work);
@@ -46,8 +46,8 @@ Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& metho
 /// what `prepare` would answer; searches become slower when a network grows to a multiple of what it was.
 Preparation update(const Preparation& preparation, const Snapshot& snapshot);
 
-/// As `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of equal cost any one is
-/// taken, the same one each time. None: there is no way, or one of the places is not there.
+/// Finds a least-cost way like `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of
+/// equal cost any one is taken, the same one each time. None: there is no way, or one of the places is not there.
 /// stale: the preparation is for another revision. invalid: it is for other methods.
 Result<std::optional<Path>> find_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
                                       const PlaceId& to, const std::set<std::string>& methods);

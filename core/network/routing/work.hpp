@@ -5,7 +5,7 @@
 
 namespace weft::routing {
 
-/// What a builder does, piece by piece. Private to the routing folder.
+/// The work of a builder, done piece by piece. Private to the routing folder.
 class Work {
  public:
   virtual ~Work() = default;
