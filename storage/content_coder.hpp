@@ -9,7 +9,7 @@
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
 
-/// How contents stand in a store, and travel from it: docs/formats/store.md, column `coding`.
+/// The codings in which contents stand in a store, and travel from it: docs/formats/store.md, column `coding`.
 namespace weft::storage {
 
 using msg::Coding;

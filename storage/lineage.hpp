@@ -7,10 +7,10 @@
 
 namespace weft::storage {
 
-/// Which revisions one revision is made of: all up to it, but for those that a rollback left behind.
+/// The revisions that one revision is made of: all up to it, but for those that a rollback left behind.
 class Lineage {
  public:
-  /// From `first` to `last`, both included.
+  /// The revisions from `first` to `last`, both included.
   struct Interval {
     std::uint64_t first = 0;
     std::uint64_t last = 0;

@@ -7,7 +7,7 @@
 
 namespace weft::storage {
 
-/// What one kind of thing takes.
+/// The space that one kind of thing takes.
 struct SpaceUse {
   std::string kind;  ///< "contents", "clouds", "places", "edges", "free pages", ...
   std::uint64_t count = 0;
@@ -15,7 +15,7 @@ struct SpaceUse {
   std::uint64_t uncompressed_bytes = 0;  ///< as it was handed in; what is not compressed: the same as on disk
 };
 
-/// How far a job is. `total` is an estimate and may change while commits go on.
+/// The progress of a job. `total` is an estimate and may change while commits go on.
 struct JobProgress {
   std::uint64_t done = 0;
   std::uint64_t total = 0;

@@ -6,7 +6,7 @@
 
 namespace weft::storage {
 
-/// What is compared of two maps that should be one: counts for people, and a hash over all of it.
+/// The digest by which two maps that should be one are compared: counts for people, and a hash over all of it.
 struct MapDigest {
   Revision revision;
   std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0;

@@ -51,7 +51,7 @@ struct SealExperience {
 struct TakeOut {
   Removal what;
 };
-/// What was taken out is in the map again.
+/// Brings what was taken out into the map again.
 struct BringBack {
   Removal what;
 };
@@ -79,8 +79,8 @@ struct PutRobot {
 struct PutEvent {
   msg::Event event;
 };
-/// What routing has worked out of the map for one set of methods; replaces the earlier one of the same methods. Up to
-/// kLargestPreparation bytes. Makes no revision.
+/// Stores what routing has worked out of the map for one set of methods; replaces the earlier one of the same
+/// methods. Up to kLargestPreparation bytes. Makes no revision.
 struct PutPreparation {
   std::string methods;
   Bytes bytes;
@@ -99,7 +99,7 @@ struct Transaction {
   RevisionNote note{};  ///< the store sets revision and base
 };
 
-/// What a revision changed, so that it can be undone.
+/// The changes of one revision, so that it can be undone.
 struct RevisionChanges {
   RevisionNote note;
   Removal added;  ///< by batches
@@ -154,8 +154,8 @@ class MapStore {
   virtual bool has_content(const ContentHash& hash) const = 0;
   /// Expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
-  /// As it is kept. Damage on the disk is found by the engine's own checksum, much faster; who expands it verifies
-  /// the SHA-256. Errors as `content`.
+  /// Returns a content as it is kept. Damage on the disk is found by the engine's own checksum, much faster; who
+  /// expands it verifies the SHA-256. Errors as `content`.
   virtual Result<StoredContent> stored_content(const ContentHash& hash) const = 0;
   /// The hash with which that batch was committed; none if it was not.
   virtual std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const = 0;
@@ -169,7 +169,8 @@ class MapStore {
   /// Newest first, from `newest` on (0: from the latest), at most `limit`, down to the oldest that is kept.
   /// not_found: `newest` is older than that.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
-  /// When the first batch of each experience was committed, as far as that revision is kept and its time is known.
+  /// Returns when the first batch of each experience was committed, as far as that revision is kept and its time is
+  /// known.
   virtual Result<std::map<ExperienceId, WallTime>> begun() const = 0;
   /// not_found: no such revision, or not later than the oldest that is kept.
   virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
@@ -193,7 +194,7 @@ class MapStore {
   /// was taken of a robot once is not taken again. A job that stops half way can be begun again with the same
   /// `before`. not_found: no such revision, or older than what is kept. unavailable: another one is under way.
   virtual Result<std::unique_ptr<StoreJob>> compact(Revision before) = 0;
-  /// What takes how much space, in the last progress's `space`.
+  /// Begins to count which things take how much space; the result is in the last progress's `space`.
   virtual Result<std::unique_ptr<StoreJob>> stats() = 0;
   virtual StoreSize size() const = 0;
   virtual std::string engine() const = 0;

@@ -29,7 +29,7 @@ class NetworkBuilder {
   };
 
   void add(Head head);
-  /// In any order. A place or an edge that is added again replaces the earlier one.
+  /// Adds places and edges in any order. One that is added again replaces the earlier one.
   void add(Place place);
   void add(Edge edge, Revision since = {});
   /// A row that is there and cannot be read; named, and so is what hangs on it.
@@ -37,20 +37,22 @@ class NetworkBuilder {
   /// A row that is none of this map: a rollback left it behind, or, of an edge, it is damaged and named so.
   void add_absent(const PlaceId& place);
   void add_absent(const EdgeId& edge);
-  /// In no map any more, and no damage; what the rows say does not count.
+  /// Adds places that were deleted for good: they are in no map any more, which is no damage, and what their rows say
+  /// does not count.
   void add_deleted(const Stretch& stretch);
   /// Taken out, or brought back, at that revision; in the order of revisions. A stitch that was added later stays.
   void move(const Removal& removal, bool is_back, Revision at);
-  /// In the order of revisions. A place of no experience: the label goes.
+  /// Sets a label, in the order of revisions. A place of no experience: the label goes.
   void add_label(const std::string& label, const PlaceId& place);
-  /// In the order of revisions; `apart` is `ordered`. Part of the map while each stretch has a place in it.
+  /// Adds an operator's word on whether two stretches are apart, in the order of revisions; `apart` is `ordered`.
+  /// Part of the map while each stretch has a place in it.
   void add_apart(const Apart& apart, bool holds);
   void add_damage(std::string what);
 
   /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
   /// Experiences that were not added are as in `rest`; of those that were, every stitch has to be added, to wherever.
   Snapshot build(Revision revision, const Snapshot& rest = {});
-  /// What was damaged or left out, each named; complete after `build`.
+  /// Returns what was damaged or left out, each named; complete after `build`.
   std::vector<std::string> take_damage() { return std::move(damage_); }
 
  private:

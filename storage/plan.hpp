@@ -7,13 +7,13 @@
 
 #include "storage/map_store.hpp"
 
-/// What every engine decides in the same way: whether a transaction fits what is stored, and which of its changes are
-/// new. Pure: the engine looks up `Needs`, hands over `Facts`, and writes what the `Plan` calls fresh.
+/// The decisions that every engine takes in the same way: whether a transaction fits what is stored, and which of its
+/// changes are new. Pure: the engine looks up `Needs`, hands over `Facts`, and writes what the `Plan` calls fresh.
 namespace weft::storage {
 
 using BatchKey = std::pair<ExperienceId, std::uint64_t>;
 
-/// What must be known about the store to judge a transaction, besides its revision.
+/// The keys that must be looked up in the store to judge a transaction, besides its revision.
 struct Needs {
   std::set<ExperienceId> experiences;
   std::set<BatchKey> batches;
@@ -28,7 +28,7 @@ struct ExperienceFacts {
   std::uint64_t places = 0;
 };
 
-/// What is stored of what was needed; absent means not stored.
+/// The facts that are stored of what was needed; absent means not stored.
 struct Facts {
   Revision revision;
   std::map<ExperienceId, ExperienceFacts> experiences;

@@ -6,8 +6,8 @@
 #include "core/network/removal.hpp"
 #include "storage/lineage.hpp"
 
-/// What may be deleted for good when all maps older than one revision, the floor, are given up. Pure, the same for
-/// every engine; docs/formats/store.md says why it is right.
+/// The rules by which rows may be deleted for good when all maps older than one revision, the floor, are given up.
+/// Pure, the same for every engine; docs/formats/store.md says why it is right.
 namespace weft::storage {
 
 /// The kept maps that do not stand on another kept one: that of the floor, and of each later rollback to before it.
@@ -25,7 +25,7 @@ class Retention {
   std::vector<Lineage> roots_;
 };
 
-/// When something left a map or came back.
+/// The revision at which something left a map or came back.
 struct Moved {
   std::uint64_t revision = 0;
   bool is_back = false;

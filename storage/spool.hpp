@@ -17,13 +17,13 @@ class Spool {
   /// be left out. The same batch again is harmless. exhausted: disk full; nothing of it is there. conflict: another
   /// batch with this sequence is pending. invalid: a place's content is neither given nor held.
   virtual Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) = 0;
-  /// What is still to be acknowledged, oldest first; read at start.
+  /// Returns the batches that are still to be acknowledged, oldest first; read at start.
   virtual Result<std::vector<Batch>> pending() const = 0;
   /// not_found; corrupt: its bytes have changed on the disk.
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
   /// Forgets batches of the experience up to `through` and contents that no other batch needs.
   virtual Result<void> acknowledged(ExperienceId experience, std::uint64_t through) = 0;
-  /// What was found torn or damaged at opening and is not among the pending, each named with its file.
+  /// Returns what was found torn or damaged at opening and is not among the pending, each named with its file.
   virtual std::vector<std::string> skipped() const { return {}; }
 };
 

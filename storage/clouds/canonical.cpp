@@ -135,7 +135,7 @@ struct Valued {
   std::uint16_t value = 0;
 };
 
-/// In order of (code, value).
+/// Returns the points with their values, sorted by (code, value).
 std::vector<Valued> sorted_with_values(const Lattice& lattice, const std::vector<std::uint16_t>& values) {
   std::vector<Valued> entries(values.size());
   for (std::size_t at = 0; at < entries.size(); ++at) entries[at] = {code_of_point(lattice, at), values[at]};

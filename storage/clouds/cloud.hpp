@@ -26,11 +26,11 @@ struct LatticeCloud {
   std::uint32_t quantum_um = 0;
 };
 
-/// What is hashed: the same bytes for the same points in any order. Each coordinate x is kept within
-/// quantum / 2 + |x| 2^-24, values exactly; the order of the points is not kept.
-/// invalid, with the point and the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite
-/// or beyond 2^23 quanta, a cloud of 2^21 quanta or more on an axis, values that are not one a point.
-/// exhausted: more than kLargestContent bytes.
+/// Returns the bytes that are hashed: the same ones for the same points in any order. Each coordinate x is kept
+/// within quantum / 2 + |x| 2^-24, values exactly; the order of the points is not kept. invalid, with the point and
+/// the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite or beyond 2^23 quanta, a
+/// cloud of 2^21 quanta or more on an axis, values that are not one a point. exhausted: more than kLargestContent
+/// bytes.
 Result<Bytes> canonical_bytes(const Cloud& cloud, std::uint32_t quantum_um);
 
 /// corrupt or newer: bytes that canonical_bytes does not write.
@@ -39,10 +39,11 @@ Result<LatticeCloud> decode_cloud(ByteView canonical);
 /// Whether a content is a cloud, which a store may keep compressed: by its first bytes alone.
 bool is_cloud(ByteView content);
 
-/// What a store keeps. corrupt or newer: its head or the order of its codes is none of canonical_bytes.
+/// Returns the compressed form that a store keeps. corrupt or newer: its head or the order of its codes is none of
+/// canonical_bytes.
 Result<Bytes> compress_cloud(ByteView canonical);
 
-/// How many bytes expand_cloud would make of it, by its head alone. corrupt or newer.
+/// Returns how many bytes expand_cloud would make of it, by its head alone. corrupt or newer.
 Result<std::uint64_t> expanded_size(ByteView compressed);
 
 /// The very bytes that were compressed. corrupt or newer; never takes more memory than a few times kLargestContent.

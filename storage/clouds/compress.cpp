@@ -71,7 +71,7 @@ Bytes with_checksum(ByteView payload) {
   return out.take();
 }
 
-/// What the checksum vouches for.
+/// Returns the payload that the checksum vouches for. corrupt: its SHA-256 is another than the checksum.
 Result<ByteView> checked_payload(ByteView compressed) {
   if (auto magic = check_magic(compressed, kCompressedMagic); !magic) return fail(magic.error());
   ByteReader in(compressed.subspan(kMagicBytes));

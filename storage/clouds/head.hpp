@@ -20,7 +20,7 @@ inline constexpr Magic kCompressedMagic{'W', 'E', 'F', 'T', 'C', 'L', 'Z'};
 inline constexpr std::size_t kMagicBytes = 8;  ///< with the format's number
 inline constexpr std::size_t kHeadBytes = 21;
 
-/// What both forms say of the points before they list them.
+/// The head that both forms have: what they say of the points before they list them.
 struct Head {
   std::uint32_t quantum_um = 1;
   std::array<std::int32_t, 3> origin{};  ///< quanta
@@ -40,7 +40,7 @@ void write_magic(ByteWriter& out, const Magic& magic);
 Result<void> check_magic(ByteView bytes, const Magic& magic);
 
 void write_head(ByteWriter& out, const Head& head);
-/// What is out of range is kept by the reader as what is wrong.
+/// Reads a head; the reader keeps as wrong what is out of range.
 Head read_head(ByteReader& in);
 
 /// Canonical bytes up to the codes; the room of codes and values is there, zero.

@@ -7,14 +7,14 @@
 #include "storage/formats/cloud_fields.hpp"
 #include "storage/formats/lines.hpp"
 
-/// What files of points share, whatever their headers are like.
+/// Functions that all files of points share, whatever their headers are like.
 namespace weft::formats {
 
 /// Bytes of a point.
 std::size_t stride_of(const std::vector<CloudField>& fields);
 
-/// Before anything is made of the number of points that a header states. corrupt: `rest` bytes cannot hold them,
-/// each number of text taking two.
+/// Checks the number of points that a header states before anything is made of it. corrupt: `rest` bytes cannot hold
+/// them, each number of text taking two.
 Result<void> check_room(const std::vector<CloudField>& fields, std::uint64_t points, bool is_text, std::size_t rest,
                         std::string_view file);
 

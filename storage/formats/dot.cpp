@@ -5,7 +5,7 @@
 namespace weft::formats {
 namespace {
 
-/// In DOT's double quotes only the quote is special, and a backslash before one or at the end.
+/// Puts a text in DOT's double quotes, in which only the quote is special, and a backslash before one or at the end.
 std::string in_quotes(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {

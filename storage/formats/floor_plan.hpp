@@ -36,10 +36,11 @@ struct MapServerFile {
 /// bounds (resolution (0, 100] m, thresholds in [0, 1] with free below occupied).
 Result<Read<MapServerFile>> read_map_server(std::string_view text, std::string_view file);
 
-/// What each pixel means, by the rules of the mode: with p = 1 - value / white (negate: value / white), trinary takes
-/// p > occupied_thresh for occupied, p < free_thresh for free, all else is unknown; scale spreads what lies between
-/// over 0 to 100; raw takes the value itself, of 255, and what is above 100 for unknown. Of an image with opacities
-/// trinary takes the mean of red, green, blue and opacity for the value, and scale what is not opaque for unknown.
+/// Gives each pixel its meaning, by the rules of the mode: with p = 1 - value / white (negate: value / white),
+/// trinary takes p > occupied_thresh for occupied, p < free_thresh for free, all else is unknown; scale spreads what
+/// lies between over 0 to 100; raw takes the value itself, of 255, and what is above 100 for unknown. Of an image
+/// with opacities trinary takes the mean of red, green, blue and opacity for the value, and scale what is not opaque
+/// for unknown.
 FloorPlan floor_plan_from(const MapServerFile& file, const GreyImage& image);
 
 }  // namespace weft::formats

@@ -44,7 +44,7 @@ Drivable turned(Drivable drivable) {
   return drivable == Drivable::b_to_a ? Drivable::a_to_b : drivable;
 }
 
-/// What our own notes say; those that are none of ours are listed.
+/// The contents of our own notes; notes that are none of ours are counted.
 struct Notes {
   struct Range {
     std::uint64_t first = 0;
@@ -60,7 +60,7 @@ struct Notes {
   std::vector<std::pair<std::string, std::uint64_t>> labels;
   std::size_t strange = 0;
 
-  /// Which experience a key was of; empty: none is known.
+  /// Returns the experience that a key was of; empty: none is known.
   std::string experience_of(std::uint64_t key) const {
     for (const Range& range : ranges) {
       if (key >= range.first && key - range.first < range.count) return range.experience;

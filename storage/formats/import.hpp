@@ -11,7 +11,7 @@
 
 namespace weft::formats {
 
-/// Whose runs the experiences of an import are said to be; made of the import's name.
+/// Returns the robot whose runs the experiences of an import are said to be; made of the import's name.
 RobotId import_robot(const std::string& name);
 
 /// A graph as experiences for a server's intake, in the order in which they are to be handed in.

@@ -16,9 +16,9 @@ class Lines {
   explicit Lines(std::string_view text) : text_(text), offset_(text.size() - without_byte_order_mark(text).size()) {}
 
   std::optional<std::string_view> next();
-  /// Of the line that `next` gave last, from 1.
+  /// Returns the number, from 1, of the line that `next` gave last.
   std::size_t number() const { return number_; }
-  /// Where the next line begins in the text.
+  /// Returns where the next line begins in the text, in bytes.
   std::size_t offset() const { return offset_; }
 
  private:

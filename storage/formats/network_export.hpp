@@ -9,7 +9,7 @@
 
 namespace weft::formats {
 
-/// Where each place lies in one frame: a drawing's or a site's, in metres. The network itself has none.
+/// The pose of each place in one frame: a drawing's or a site's, in metres. The network itself has none.
 using Poses = std::map<PlaceId, Pose2>;
 
 /// Estimates from `frame_from_place`, edges with the inverse of their covariances; spatial if one relation is, planar
@@ -26,8 +26,8 @@ Result<RouteGraph> route_graph_of(const Window& network, const Poses& frame_from
 /// pose; invalid: times that do not increase, as with imported places, which have none.
 Result<Trajectory> trajectory_of(const Window& network, const Poses& frame_from_place, ExperienceId experience);
 
-/// For Graphviz: places as nodes (labels, experience; `pos` in metres where there is a pose), edges with origin,
-/// relation, method, and arrowheads in the directions in which they can be driven.
+/// Returns the network for Graphviz: places as nodes (labels, experience; `pos` in metres where there is a pose),
+/// edges with origin, relation, method, and arrowheads in the directions in which they can be driven.
 std::string dot_text(const Window& network, const Poses& frame_from_place);
 
 /// The same for yEd, Gephi, NetworkX, igraph: GraphML 1.0, each attribute declared with its type.

@@ -30,7 +30,7 @@ class Leftovers {
   std::vector<NotUnderstood> parts_;
 };
 
-/// What a reader made of a file, and what of the file is not in it.
+/// The value that a reader made of a file, and the parts of the file that are not in it.
 template <class T>
 struct Read {
   T value;

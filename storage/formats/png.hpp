@@ -6,7 +6,7 @@
 
 namespace weft::formats {
 
-/// By its first bytes.
+/// Whether the bytes are a PNG's, by the first ones.
 bool is_png(ByteView bytes);
 
 /// Every PNG: a coloured pixel becomes the mean of its red, green and blue, as map_server takes it, 16 bits a channel

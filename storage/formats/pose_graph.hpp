@@ -13,8 +13,8 @@ namespace weft::formats {
 /// A pose that a graph gives a vertex to begin with: in the file's own frame, metres and radians.
 using Estimate = std::variant<Pose2, Pose3>;
 
-/// What one edge says. The information is the inverse covariance of xi in a_from_b * exp(xi), as in core's Metric2
-/// and Metric3: order (x, y, heading), or (translation, rotation vector).
+/// The measurement of one edge. The information is the inverse covariance of xi in a_from_b * exp(xi), as in core's
+/// Metric2 and Metric3: order (x, y, heading), or (translation, rotation vector).
 struct PlanarMeasurement {
   Pose2 a_from_b;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kNumbers = 8;
 using Numbers = std::array<double, kNumbers>;
 
-/// In the year 2286; counted in milliseconds or finer, every time since 1970 is above it.
+/// The latest time in seconds that is believed, in the year 2286; counted in milliseconds or finer, every time since
+/// 1970 is above it.
 constexpr double kLatest_s = 1e10;
 
 /// The unit that a time above `kLatest_s` seems to be counted in.

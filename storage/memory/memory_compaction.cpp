@@ -93,7 +93,7 @@ class MemoryCompaction {
     thin(batch.learned, revision);
   }
 
-  /// What was known of places between the first time and the last stays only where a kept map has it.
+  /// Drops what was known of places between the first time and the last, except where a kept map has it.
   void thin(std::vector<Place>& known_anew, Revision revision) {
     std::erase_if(known_anew, [&](const Place& place) {
       const bool is_latest = known_.try_emplace(place.id, retention_).first->second.keeps(revision.value);

@@ -12,8 +12,8 @@
 
 namespace weft::storage {
 
-/// What a disk would keep; outlives the stores that are opened on it, so that a restarted server finds it again.
-/// A value: a copy is a backup.
+/// The stand-in for a disk, in memory; outlives the stores that are opened on it, so that a restarted server finds it
+/// again. A value: a copy is a backup.
 struct MemoryDisk {
   struct Seal {
     ExperienceId experience;

@@ -8,7 +8,7 @@
 
 namespace weft::storage {
 
-/// What a robot's disk would keep; outlives the spools that are opened on it.
+/// The stand-in for a robot's disk, in memory; outlives the spools that are opened on it.
 struct SpoolDisk {
   DiskFaults faults;
   std::vector<SpoolRecord> records;  ///< oldest first

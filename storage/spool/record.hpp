@@ -24,8 +24,8 @@ struct SpoolRecord {
 Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& contents,
                                 const std::function<SharedBytes(const ContentHash&)>& held);
 
-/// What appending `batch` comes to beside a pending one: none when they have different keys, success when it is a
-/// repeat, conflict when the same sequence holds something else.
+/// Compares `batch`, about to be appended, with a pending one: none when they have different keys, success when it is
+/// a repeat, conflict when the same sequence holds something else.
 std::optional<Result<void>> compare(const Batch& pending, const Batch& batch);
 
 /// The record's bytes on disk, docs/formats/spool.md.

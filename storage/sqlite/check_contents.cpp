@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kBytesAStep = 1U << 20U;  // about two milliseconds
 constexpr std::size_t kMostContentsAStep = 500;
 
-/// What is wrong with the row; empty: nothing.
+/// Returns what is wrong with the row; empty: nothing.
 std::string damage_of(ContentCoder& coder, const ContentHash& hash, const Query& row) {
   const ContentRow told{hash, row.number(3), row.number(2)};
   const Result<Bytes> bytes = expand_content(coder, told, row.blob(4));

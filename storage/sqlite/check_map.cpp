@@ -15,7 +15,7 @@ std::string name_of(const EdgeId& id) {
   return to_string(id.a) + " - " + to_string(id.b);
 }
 
-/// What every table of the map asks: one `visit` a row, collected first, so that lookups may follow.
+/// The check that every table of the map undergoes: one `visit` a row, collected first, so that lookups may follow.
 template <class Row>
 class MapCheck : public CheckPart {
  public:
@@ -106,7 +106,8 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
     return check_place_row(row, name, lookup_, findings);
   }
 
-  /// What comes after the last row is the experience's to notice.
+  /// Reports places that are missing before this one and were not deleted; those missing after the last row are found
+  /// by the experience's check.
   Result<void> check_gap(std::uint32_t expected, const PlaceId& id, Findings& findings) {
     const auto deleted = lookup_.deleted_of(id.experience);
     if (!deleted) return fail(deleted.error());
@@ -133,7 +134,7 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
   std::optional<PlaceId> last_;
 };
 
-/// What is known anew of places.
+/// The check of what is known anew of places.
 class PlaceAnewCheck final : public MapCheck<PlaceRow> {
  public:
   using MapCheck::MapCheck;

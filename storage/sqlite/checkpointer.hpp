@@ -19,8 +19,8 @@ class Checkpointer {
   Checkpointer(const Checkpointer&) = delete;
   Checkpointer& operator=(const Checkpointer&) = delete;
 
-  /// To be called by the connection that commits, when its log has so many pages. True: it is better emptied at once,
-  /// because this thread does not keep up, or cannot write.
+  /// Tells the checkpointer how many pages the log has; called by the connection that commits. True: it is better
+  /// emptied at once, because this thread does not keep up, or cannot write.
   bool log_has(std::uint64_t pages);
 
  private:

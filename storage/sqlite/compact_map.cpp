@@ -175,8 +175,8 @@ class DeletePlaces final : public CompactPart {
   std::optional<Stretch> now_;
 };
 
-/// What was known of places between the first time and the last, where no kept map has it. From the newest row of a
-/// place to the oldest.
+/// Deletes what was known of places between the first time and the last, where no kept map has it. From the newest
+/// row of a place to the oldest.
 class DeletePlacesAnew final : public CompactPart {
  public:
   DeletePlacesAnew(Scan scan, Lookup lookup, Statement drop)
@@ -223,7 +223,7 @@ class DeletePlacesAnew final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// What a label meant before its last meaning in every kept map. From the newest to the oldest.
+/// Deletes what a label meant before its last meaning in every kept map. From the newest to the oldest.
 class DeleteLabels final : public CompactPart {
  public:
   DeleteLabels(Scan scan, Statement drop) : scan_(std::move(scan)), drop_(std::move(drop)) {}
@@ -261,8 +261,8 @@ class DeleteLabels final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// What was vouched for before the last word on it in every kept map, and of what is not stored any more. From the
-/// newest word to the oldest. Few: all in one piece.
+/// Deletes what was vouched for before the last word on it in every kept map, and words on stretches that are not
+/// stored any more. From the newest word to the oldest. Few: all in one piece.
 class DeleteAparts final : public CompactPart {
  public:
   explicit DeleteAparts(Statement drop) : drop_(std::move(drop)) {}

@@ -10,14 +10,14 @@
 /// The pieces of a compaction; docs/formats/store.md says what goes and why nothing else is missed.
 namespace weft::storage::sqlite {
 
-/// What all pieces share. Moves are read again when others were committed.
+/// The state that all pieces of a compaction share. Moves are read again when others were committed.
 class Compaction {
  public:
   static Result<std::unique_ptr<Compaction>> make(Parts& parts, Revision floor);
 
   Parts& parts() const { return *parts_; }
   const Retention& retention() const { return retention_; }
-  /// Of the places of one experience; valid until the next call.
+  /// Returns the retention of one experience's places; valid until the next call.
   Result<const PlaceRetention*> places_of(ExperienceId id);
   Result<const std::vector<Moved>*> moves_of(const EdgeId& stitch);
 
@@ -53,7 +53,8 @@ class CompactPart {
 };
 using CompactParts = std::vector<std::unique_ptr<CompactPart>>;
 
-/// In the order in which they must run: places are marked, then edges, places, labels and moves go.
+/// Adds the pieces for the map in the order in which they must run: places are marked, then edges, places, labels and
+/// moves go.
 Result<void> add_map_compaction(const Parts& parts, CompactParts& to);
 /// Revisions, contents, and the file's free pages.
 Result<void> add_rest_compaction(const Parts& parts, CompactParts& to);

@@ -59,7 +59,7 @@ class Query {
 
   /// True: a row is there. False: done.
   Result<bool> step();
-  /// For statements without rows.
+  /// Runs a statement that returns no rows.
   Result<void> run();
 
   bool is_null(int column) const;

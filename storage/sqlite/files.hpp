@@ -10,7 +10,7 @@
 /// unavailable.
 namespace weft::storage::sqlite {
 
-/// Of the system call that has just set errno.
+/// Returns the error of the system call that has just set errno.
 Error file_error(const std::string& what, const std::filesystem::path& file, const char* doing);
 
 /// A file's bytes, or a directory's names, are on the disk when it returns.

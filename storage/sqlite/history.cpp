@@ -6,7 +6,7 @@
 #include "storage/sqlite/loader.hpp"
 #include "storage/sqlite/row_reading.hpp"
 
-/// What is known of single revisions: the log of the map, and what one of them changed.
+/// Readings of single revisions: the log of the map, and what one of them changed.
 namespace weft::storage::sqlite {
 namespace {
 

@@ -15,14 +15,14 @@ Result<Stored> load(const Database& database, Epoch epoch, Revision revision);
 /// taken over that is the same; revision 0: nothing.
 Result<Snapshot> load_snapshot(const Database& database, Revision revision, const Snapshot& near);
 
-/// What each rollback went back to.
+/// Loads which revision each rollback went back to.
 Result<std::map<Revision, Revision>> load_bases(const Database& database);
 
 /// Newest first, from `newest` down to `oldest`.
 Result<std::vector<RevisionNote>> load_log(const Database& database, Revision newest, Revision oldest,
                                            std::size_t limit);
 
-/// When the first batch of each experience was committed, at the revision `oldest` or later.
+/// Loads when the first batch of each experience was committed, at the revision `oldest` or later.
 Result<std::map<ExperienceId, WallTime>> load_begun(const Database& database, Revision oldest);
 
 /// not_found: no such revision.

@@ -19,7 +19,7 @@ class Lookup {
   Result<bool> has_place(const PlaceId& id) const;
   /// Deleted for good: docs/formats/store.md, deleted_places.
   Result<bool> is_deleted(const PlaceId& id);
-  /// In the order of places.
+  /// Returns the stretches of an experience that were deleted for good, in the order of places.
   Result<const std::vector<Stretch>*> deleted_of(ExperienceId id);
   Result<bool> has_edge(const EdgeId& id) const;
   /// Quarantined ones are there too.

@@ -11,8 +11,8 @@
 
 namespace weft::storage::sqlite {
 
-/// What stands open while a store is used; its jobs work on the same. Members go in reverse: statements before the
-/// database before the lock.
+/// The parts that stand open while a store is used; its jobs work on the same. Members go in reverse: statements
+/// before the database before the lock.
 struct Parts {
   std::filesystem::path directory;
   std::string vfs;

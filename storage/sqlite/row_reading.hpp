@@ -43,7 +43,7 @@ inline Stretch stretch(const Query& query, int column) {
 
 inline constexpr const char* kApartColumns =
     "one_experience, one_first, one_last, other_experience, other_first, other_last";
-/// Of rows that begin with kApartColumns.
+/// Reads an apart from a row that begins with kApartColumns.
 inline Apart apart(const Query& query) {
   return {stretch(query, 0), stretch(query, 3)};
 }

@@ -7,7 +7,7 @@
 #include "core/result.hpp"
 #include "storage/content_coder.hpp"
 
-/// How rows and contents stand in the columns of the store; docs/formats/store.md.
+/// The forms that rows and contents have in the columns of the store; docs/formats/store.md.
 namespace weft::storage::sqlite {
 
 /// Canonical bytes followed by the first 8 bytes of their SHA-256, so that a flipped bit is seen.

@@ -9,7 +9,7 @@
 
 namespace weft::storage::sqlite {
 
-/// Whose rows are read.
+/// The experiences whose rows are read.
 struct Scope {
   std::optional<std::set<ExperienceId>> only;  ///< none: every experience's
   bool has(ExperienceId id) const { return !only || only->contains(id); }

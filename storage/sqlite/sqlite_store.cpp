@@ -181,7 +181,7 @@ class SqliteStore final : public MapStore {
     return fail(ErrorCode::corrupt, name + " is damaged and quarantined: " + read.error().message);
   }
 
-  /// For what goes on between this commit and the next.
+  /// Remembers a transaction's changes for what goes on between this commit and the next.
   void remember(const Transaction& transaction) const {
     const auto used = parts_->used_meanwhile.lock();
     for (const auto& change : transaction.changes) {

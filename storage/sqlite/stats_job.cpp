@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kCountedAStep = 2000;
 
-/// Where a table counts, and what its rows take; SQL over the row's columns.
+/// A table that is counted, and what its rows take; SQL over the row's columns.
 struct Table {
   const char* name;
   const char* kind;

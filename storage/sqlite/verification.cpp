@@ -27,7 +27,7 @@ bool is_scratch(const std::filesystem::path& folder) {
   return !failed;
 }
 
-/// What a killed process has left; one that is under way holds its lock.
+/// Removes what a killed process has left; one that is under way holds its lock.
 void sweep(const std::filesystem::path& folder) {
   std::error_code failed;
   std::vector<std::filesystem::path> left;

@@ -17,7 +17,7 @@ struct StoreRow {
 Result<StoreRow> read_store_row(const Statements& statements);
 Result<void> write_store_row(const Statements& statements, const StoreRow& row);
 
-/// What is stored of what a transaction needs.
+/// Reads the facts that are stored of what a transaction needs.
 Result<Facts> read_facts(const Statements& statements, const Needs& needs);
 
 /// Writes what the plan calls fresh, within the caller's transaction; returns the store's row as it has then become.
