@@ -31,7 +31,7 @@ struct AgentConfig {
   std::uint64_t bytes_per_second = 4ULL << 20U;  ///< budget for bulk in each direction
 };
 
-/// For files of record (deploy/demo, tests/judge): what the agent saw and believed.
+/// A fix that the agent made, for files of record (deploy/demo, tests/judge).
 struct FixRecord {
   std::uint64_t frame = 0;
   Fix fix;
@@ -75,7 +75,7 @@ class Agent {
   /// Whether a hand's request could be carried out.
   virtual AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) = 0;
 
-  /// For invariants and records.
+  /// Returns the window that the agent holds; like the two below for invariants and records.
   virtual const Window& window() const = 0;
   virtual std::optional<Route> route() const = 0;
   virtual std::optional<Estimate> estimate() const = 0;

@@ -12,7 +12,7 @@ class Budget {
 
   /// Spends `bytes` if they are there. More than the burst is never there.
   bool take(std::uint64_t bytes, SteadyTime now);
-  /// When `bytes` (at most the burst) will be there, if nobody else takes any.
+  /// Returns when `bytes` (at most the burst) will be there, if nobody else takes any.
   SteadyTime when(std::uint64_t bytes) const;
 
  private:

@@ -24,7 +24,7 @@ class Assembly {
   bool complete() const { return contiguous() == bytes_.size(); }
   /// The chunk is of the same form.
   bool is_of(const msg::Chunk& chunk) const { return chunk.coding == coding_ && chunk.total == bytes_.size(); }
-  /// When complete; not verified.
+  /// Returns the bytes, valid when complete; not verified.
   const Bytes& bytes() const { return bytes_; }
 
  private:

@@ -23,7 +23,7 @@ class ContentCache final : public Contents {
 
   std::shared_ptr<const Bytes> find(const ContentHash& hash) const override;
 
-  /// What the window names, nearest first; replaces what was wanted before.
+  /// Asks for the contents that the window names, nearest first; replaces what was wanted before.
   void want(const std::vector<ContentRef>& nearest_first, SteadyTime now);
   /// One's own, just taught.
   void put(const ContentHash& hash, Bytes bytes);
@@ -36,7 +36,7 @@ class ContentCache final : public Contents {
   std::optional<msg::ContentRequest> due(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
-  /// Of what is wanted and fits.
+  /// Returns how many contents are still to come, of those that are wanted and fit.
   std::size_t missing() const { return missing_.size() + incoming_.size(); }
   std::uint64_t bytes() const { return bytes_; }
   const Counters& counters() const { return counters_; }

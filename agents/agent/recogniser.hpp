@@ -17,7 +17,7 @@ class Recogniser {
   /// `first_request` is random for each incarnation, so that answers to an earlier one are not taken for ours.
   explicit Recogniser(std::uint64_t first_request) : request_(first_request) {}
 
-  /// What the navigator wants to know now; null: nothing.
+  /// Sets the question that the navigator wants answered now; null: none.
   void want(const Question* open, SteadyTime now);
   /// A question without its header, when it is time for one.
   std::optional<msg::Recognise> due(SteadyTime now);

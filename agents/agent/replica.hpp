@@ -35,7 +35,7 @@ class Replica {
   SteadyTime next() const { return ask_at_; }
 
   const Window& window() const { return window_; }
-  /// As it was before the last change.
+  /// Returns the window as it was before the last change.
   const Window& before() const { return before_; }
   const Digest& digest() const { return digest_; }
   /// Another one after each change of the window, which can move within one revision.

@@ -31,9 +31,10 @@ class RouteTask {
   msg::RoutePhase phase() const { return phase_; }
   bool arrived() const { return phase_ == msg::RoutePhase::arrived; }
 
-  /// What the robot does with it now. Having arrived, and having failed, last until another version or the end.
+  /// Sets the phase: what the robot does with the route now. Having arrived, and having failed, last until another
+  /// version or the end.
   void set(msg::RoutePhase phase, const std::string& reason, SteadyTime now);
-  /// How far it is; never goes back within a version.
+  /// Sets how far along the route the robot is; never goes back within a version.
   void set_progress(std::uint32_t at, std::uint32_t freed, SteadyTime now);
   /// goal_from_robot as believed, on arrival.
   void set_arrival(const Relation& goal_from_robot) { goal_from_robot_ = goal_from_robot; }

@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// What was refused, by name, and how often.
+/// Counts of refused messages, by the name of the refusal.
 using Counters = std::map<std::string, std::uint64_t>;
 
 /// The agent's side of its relation to the server: who the server is, and the header of everything the agent says.
@@ -34,7 +34,7 @@ class Session {
   /// False for orders that may have been meant for an earlier incarnation of this robot and were late on the way.
   bool is_meant_for_me(const msg::Header& header, SteadyTime now) const;
 
-  /// For the next message of this agent.
+  /// Returns the header for the next message of this agent.
   msg::Header header();
   /// Our hello, when it is time to (again) say it.
   std::optional<msg::Hello> due(SteadyTime now);

@@ -92,7 +92,7 @@ Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
   return {};
 }
 
-/// What is sealed, or cannot be spooled, is open no more: `open` is gone then.
+/// Spools an open batch after what it names. On an error the experience is open no more: `open` is gone then.
 Result<void> Spooler::flush(Open& open, SteadyTime now) {
   const ExperienceId experience = open.batch.experience;
   if (Result<void> spooled = flush_what_it_names(open.batch, now); !spooled) {

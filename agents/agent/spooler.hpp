@@ -34,8 +34,8 @@ class Spooler {
   static Result<Spooler> open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now);
 
   void begin(ExperienceId experience, const std::string& name);
-  /// To the experience that it is of, which is open. exhausted and other errors of the spool: that experience ends
-  /// before this batch; the caller stops teaching.
+  /// Adds a place to the experience that it is of, which is open. exhausted and other errors of the spool: that
+  /// experience ends before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
   /// Places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the spool
   /// when this returns. All of them until the agent ends are of one experience without places of its own; `fresh` is

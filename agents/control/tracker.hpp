@@ -21,7 +21,7 @@ struct TrackerConfig {
 /// Every bound that does not hold, each naming field, value and bound.
 std::vector<Error> check(const TrackerConfig& config);
 
-/// What tracking one sample led to.
+/// The result of tracking one sample.
 struct Tracked {
   Twist command;
   TrackError error;       ///< now
@@ -33,7 +33,7 @@ struct Tracked {
 /// is given anew with every sample, in the robot's own frame.
 class Tracker {
  public:
-  /// What is known of the motion.
+  /// The motion of the robot, as far as it is known.
   struct Moving {
     double speed_m_s = 0.0;   ///< as measured
     bool knows_aside = true;  ///< false: the path is laid out as if the robot were on it, turned as it is seen to be

@@ -3,9 +3,10 @@
 
 namespace weft::agents {
 
-/// What fixes have shown of the errors that all of a robot's steps along paths have in common: its wheels' scale, and
-/// that one is larger than the other (Step::common, columns 0 and 1: ahead alone, heading alone). Estimated together
-/// with where the robot is, by the Kalman update of both at once, so that straights stop adding error. A value.
+/// The estimate, by fixes, of the errors that all of a robot's steps along paths have in common: its wheels' scale,
+/// and that one is larger than the other (Step::common, columns 0 and 1: ahead alone, heading alone). Estimated
+/// together with where the robot is, by the Kalman update of both at once, so that straights stop adding error. A
+/// value.
 class AlongErrors {
  public:
   /// The step with what has been learnt taken off, and no surer than that is.
@@ -20,7 +21,7 @@ class AlongErrors {
   double turn_error() const { return turn_.value; }
 
  private:
-  /// In sigmas of what is stated of it beforehand.
+  /// An error in units of the sigma that is stated of it beforehand.
   struct Error {
     double value = 0.0;
     double variance = 1.0;

@@ -3,7 +3,7 @@
 
 namespace weft::agents {
 
-/// How far wheels and commands are believed when vision is blind: one sigma as a share of what was moved.
+/// The error that wheels and commands are taken to have when vision is blind: one sigma as a share of what was moved.
 struct DeadReckoningConfig {
   double wheel_distance_share = 0.05;    ///< of the distance, along and across; (0, 1]
   double wheel_heading_share = 0.05;     ///< of the turn, and rad per metre driven; (0, 1]
@@ -15,8 +15,8 @@ struct DeadReckoningConfig {
 /// integrated as an arc (constant velocity, Gadd & Newman III-C). Always blind; `reason` is static text.
 Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::string_view reason);
 
-/// How far vision may leave wheels or command before it is taken for wrong: gross errors only, as wheels slip and are
-/// some per cent off.
+/// The gate beyond which vision that differs from wheels or command is taken for wrong: gross errors only, as wheels
+/// slip and are some per cent off.
 struct MotionGate {
   double share = 0.35;          ///< of the motion; (0, 2]
   double metres = 0.04;         ///< plus this; (0, 1]

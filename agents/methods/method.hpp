@@ -26,8 +26,8 @@
 /// neighbourhood, acceptance, recovery, following, stitching) is generic and in agents/navigation.
 namespace weft::agents {
 
-/// What errors that all steps of a drive have in common (a calibration's) do to a relation, one column each: xi of
-/// (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent of one
+/// The effect on a relation of errors that all steps of a drive have in common (a calibration's), one column each: xi
+/// of (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent of one
 /// another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
 using CommonErrors = Eigen::Matrix<double, 6, 11>;
 /// The same of x, y and heading alone.
@@ -64,7 +64,7 @@ struct Related {
 
 /// A diagnostic of fixes that is worth a person's attention while it is beyond a bound, and how to say so.
 struct WatchedDiagnostic {
-  /// Where a notice begins and, lower, where it ends: no notice flickers.
+  /// The bounds at which a notice begins and, lower, ends: no notice flickers.
   struct Bounds {
     double begins = 0.0;
     double ends = 0.0;
@@ -81,15 +81,15 @@ using Signature = std::vector<float>;
 /// Squared distance of two signatures of one method.
 double distance2(const Signature& a, const Signature& b);
 
-/// Where the robot is in the network.
+/// A recognised place and where the robot is relative to it, with the evidence.
 struct Fix {
   PlaceId place;
   Relation place_from_robot;
   Related evidence;
 };
 
-/// What navigation believes: a single hypothesis. A method that localises in its own way may keep a richer belief;
-/// its fixes lead to this.
+/// The pose that navigation believes: a single hypothesis. A method that localises in its own way may keep a richer
+/// belief; its fixes lead to this.
 struct Estimate {
   PlaceId place;
   Relation place_from_robot;
@@ -106,13 +106,13 @@ struct ChartPlace {
   std::shared_ptr<const Content> content;
 };
 
-/// How much of the map around the robot a chart is made of.
+/// The size of the part of the map around the robot that a chart is made of.
 struct ChartSize {
   std::uint32_t hops = 12;
   std::uint32_t places = 200;
 };
 
-/// What `locate` answers.
+/// The answer of `locate`.
 template <class Belief>
 struct Located {
   Belief belief;
@@ -120,8 +120,8 @@ struct Located {
   std::vector<Refusal> refusals;  ///< of this attempt
 };
 
-/// What `steer` may look at: the released part of the route ahead in the robot's frame (planar, points of the path
-/// with the direction of travel), the profile, and how it ends.
+/// The way ahead that `steer` may look at: the released part of the route in the robot's frame (planar, points of the
+/// path with the direction of travel), the profile, and how it ends.
 struct Ahead {
   std::vector<Pose2> robot_from_path;  ///< ordered; the first may lie behind the robot
   double to_end_m = 0.0;               ///< along the path to the released point
@@ -178,7 +178,7 @@ concept ChartsItself = Method<M> &&
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;
-  /// What navigation believes now that it has weighed the method's fix.
+  /// believed: the belief once navigation has weighed the method's fix, around navigation's own estimate.
   { m.believed(chart, belief, seed) } -> std::same_as<typename M::Belief>;
 };
 
@@ -224,7 +224,8 @@ concept Replays = Method<M> && requires(const typename M::Content& content) {
 template <class M>
 concept Learns = Method<M> && requires(const M& m, const typename M::Content& known, const typename M::Content& seen,
                                        const Relation& known_from_seen) {
-  /// Of the contents that `encode` makes of what was learned; `content_format` is of those that were taught.
+  /// learned_format: of the contents that `encode` makes of what was learned; `content_format` is of those that were
+  /// taught.
   { M::learned_format } -> std::convertible_to<std::uint32_t>;
   /// learn: the place as it is better known after one more pass, of which `seen` is the view nearest to it. None:
   /// this view is not to be learned from.

@@ -11,8 +11,8 @@ namespace weft::agents {
 /// `relation` with extra independent uncertainty (one sigma) at its b end.
 Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad);
 
-/// How far two relations between the same two frames lie apart, in sigmas (Mahalanobis over x, y, heading; the
-/// configured floor is part of the covariance).
+/// Returns how far two relations between the same two frames lie apart, in sigmas (Mahalanobis over x, y, heading;
+/// the configured floor is part of the covariance).
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured);
 
 /// Covariance-weighted mean of a prediction and a measurement of the same relation: a Kalman update on SE(2) or SE(3)
@@ -24,7 +24,7 @@ Relation fuse(const Relation& predicted, const Relation& measured);
 std::optional<Relation> between(const BeliefConfig& config, const Window& window, const PlaceId& a, const PlaceId& b,
                                 std::uint32_t hops);
 
-/// Where the robot believes to be: one hypothesis, moved by odometry, corrected by fixes that agree with it, and
+/// The pose that the robot believes: one hypothesis, moved by odometry, corrected by fixes that agree with it, and
 /// overruled or found anew only by fixes that agree with one another. A value, pure.
 class Belief {
  public:
@@ -50,7 +50,7 @@ class Belief {
   const std::optional<Fix>& proposed() const { return proposed_; }
 
  private:
-  /// What a fix leaves of the common errors in what was predicted.
+  /// Returns what a fix leaves of the common errors in what was predicted.
   CommonErrors left_of_common(const Relation& predicted, const Fix& fix, const Relation& believed);
 
   BeliefConfig config_;

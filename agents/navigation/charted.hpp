@@ -32,9 +32,9 @@ class Charted<M> {
   explicit Charted(const M& method) : method_(&method) {}
 
   void advance(const Step& step) { since_ = since_ ? joined(*since_, step) : step; }
-  /// Where the robot is, not what else the method has come to believe on its way.
+  /// Forgets where the robot is, not what else the method has come to believe on its way.
   void forget() { is_placed_ = false; }
-  /// What is believed after a fix has been weighed.
+  /// Replaces the method's belief once navigation has weighed its fix.
   void believed(const Estimate& estimate) {
     if (is_placed_) belief_ = method_->believed(*chart_, *belief_, estimate);
   }
@@ -70,7 +70,8 @@ class Charted<M> {
   }
 
  private:
-  /// What a chart is made of. Not known by the window's revision: it changes far from here, and moves within one.
+  /// The places that a chart is made of. Not known by the window's revision: it changes far from here, and moves
+  /// within one.
   struct Made {
     std::vector<Reached> places;
     std::vector<ContentHash> missing;  ///< had not arrived

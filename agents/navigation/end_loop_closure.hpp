@@ -9,9 +9,9 @@
 
 namespace weft::agents {
 
-/// Where the end of a run that measures no poses has come back to: the way there says nothing of it, so every place
-/// of the map is held against the last one. Each is then localised around the other, as a path's beginning and end
-/// have neighbours on one side only, and what both say is weighed. `map` holds the kept place.
+/// Finds where the end of a run that measures no poses has come back to. The way there says nothing of it, so every
+/// place of the map is held against the last one. Each is then localised around the other, as a path's beginning and
+/// end have neighbours on one side only, and what both say is weighed. `map` holds the kept place.
 template <ChartsItself M>
 class EndLoopClosure {
  public:

@@ -31,7 +31,8 @@ class Follower {
     double speed_m_s = 0.0;  ///< measured
     Duration elapsed{};
   };
-  /// What to do with the path: for a method that steers itself, or the default.
+  /// The decision for one sample: a path to steer along, for a method that steers itself or for the default, or a
+  /// command without one.
   struct Drive {
     std::optional<Ahead> along;  ///< set: steer along this
     std::optional<Spline> path;  ///< through `along`

@@ -70,12 +70,12 @@ class Localiser {
   /// This run is never found: what is being taught looks for what else it can be joined to.
   void leave_out(const ExperienceId& run) { seek_.leave_out(run); }
 
-  /// Which places look like what is seen? Null: nothing is to be asked.
+  /// Returns the open question which places look like what is seen; null: nothing is to be asked.
   const Question* question() const { return seek_.active() ? query_.open() : nullptr; }
   void propose(std::uint64_t question, const std::vector<PlaceId>& places) {
     if (query_.answered(question, places.size())) seek_.proposed() = places;
   }
-  /// Of a fix that waits for a second one.
+  /// Returns the place of a fix that waits for a second one.
   std::optional<PlaceId> suspected() const {
     if (!seek_.active() || !belief_.proposed()) return std::nullopt;
     return belief_.proposed()->place;
@@ -132,8 +132,8 @@ class Localiser {
   }
 
  private:
-  /// What is believed on a place out of reach, because nothing nearer was there, is believed on a nearer one as soon
-  /// as the window has it.
+  /// Re-anchors an estimate whose place is out of reach, because nothing nearer was there, to a nearer place as soon
+  /// as the window has one.
   void come_nearer(const Window& map) {
     const double apart_m = norm(estimate()->place_from_robot);
     if (apart_m <= config_.locate.reach_m) return;
@@ -380,7 +380,8 @@ class Localiser {
     return true;
   }
 
-  /// With signatures, the likeliest places first. They are read over several samples; false until that is done.
+  /// Orders the queue by signature, the likeliest places first; without a signature the order stays. Signatures are
+  /// read over several samples; false until that is done.
   bool order_by_signature(const Content& seen, const Window& map, const Contents& bytes,
                           DecodedContents<M>& decoded) {
     if (seek_.ordered()) return true;

@@ -7,7 +7,7 @@
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator.hpp"
 
-/// What each navigator of a robot with several methods is to the others (multi_method_navigator.hpp).
+/// The navigators of a robot with several methods, and what they tell one another (multi_method_navigator.hpp).
 namespace weft::agents {
 
 /// The navigator of one method, and what has happened since it stepped last.
@@ -40,8 +40,8 @@ void seed_lost(MethodNavigators& navigators, std::size_t active, const Navigatio
 void correct_mistaken(MethodNavigators& navigators, std::size_t active, const NavigationConfig& config,
                       const Window& window, const Route& route, std::uint32_t at);
 
-/// Returns which navigator drives from now on instead of `active`: it sees what the route's next place after `at` was seen with, has seen
-/// lately where it is, and does not contradict `active`. None: nobody.
+/// Returns which navigator drives from now on instead of `active`: it sees what the route's next place after `at` was
+/// seen with, has seen lately where it is, and does not contradict `active`. None: nobody.
 std::optional<std::size_t> successor(const MethodNavigators& navigators, std::size_t active,
                                      const NavigationConfig& config, const Window& window, const Route& route,
                                      std::uint32_t at);

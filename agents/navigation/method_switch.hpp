@@ -8,15 +8,16 @@
 #include "agents/navigation/navigator.hpp"
 #include "core/network/window.hpp"
 
-/// How a robot that sees by several methods changes from one to another (docs/decisions/027).
+/// Rules by which a robot that sees by several methods changes from one to another (docs/decisions/027).
 namespace weft::agents {
 
-/// What an edge between a place of each method needs of a robot: both, whichever way it is driven. A name like any
-/// method's: who can drive it says so, nobody else has to know that it is two.
+/// Returns the method of an edge between a place of each method: it needs both of a robot, whichever way it is
+/// driven. A name like any method's: who can drive it says so, nobody else has to know that it is two.
 std::string change_between(std::string_view one, std::string_view other);
 
-/// Where the robot is by the map of another method: the place of `method` that the fewest hops of the window join to
-/// the believed one, near enough to be seen from here. None: the two maps are not joined there.
+/// Returns where the robot is by the map of another method: relative to the nearest place of `method`, if that is
+/// near enough to be seen from here and some hops of the window join it to the believed one. None: the two maps are
+/// not joined there.
 std::optional<Estimate> as_seen_by(std::string_view method, const NavigationConfig& config, const Window& window,
                                    const Estimate& known);
 

@@ -127,7 +127,7 @@ class MultiMethodNavigator final : public Navigator {
     for (MethodNavigator& one : navigators_) one.navigator->stop_looking();
   }
   std::optional<Estimate> estimate() const override { return active().navigator->estimate(); }
-  /// Of the first one that asks; numbered so that an answer finds back to it.
+  /// Returns the question of the first navigator that has one; numbered so that an answer finds back to it.
   const Question* question() const override {
     for (std::size_t i = 0; i < navigators_.size(); ++i) {
       const Question* const open = navigators_[i].navigator->question();

@@ -34,13 +34,13 @@ struct LearnedPlace {
 /// `stopped` may go on by itself; `failed` has given up on this route.
 enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
-/// How the next images of a sensor (`View::sensor`) are to be exposed.
+/// A wish for the exposure of the next images of a sensor (`View::sensor`).
 struct ExposureWish {
   std::string sensor;
   Exposure exposure;
 };
 
-/// What one sample led to.
+/// The outcome of one sample.
 struct Navigated {
   Twist command;  ///< zero when a hand drives, when standing, and when lost
   std::vector<Kept> kept;
@@ -61,9 +61,9 @@ struct TeachStart {
   std::vector<ExperienceId> others = {};  ///< of the methods that the navigator teaches beside the first
 };
 
-/// What a robot that looks for itself without a seed sees, as its method signs it. Whoever has all contents can say
-/// which places of the network look most like that: the server (docs/path-of-a-view.md), or, in memory,
-/// `RecognitionIndex` (agents/methods/recognition):
+/// A question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever has all
+/// contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or, in
+/// memory, `RecognitionIndex` (agents/methods/recognition):
 ///
 ///     navigator.step(...);
 ///     if (const Question* open = navigator.question())
@@ -84,13 +84,13 @@ class Navigator {
   virtual std::string_view method() const = 0;
   /// The methods that it teaches with, each an experience of its own.
   virtual std::vector<std::string> teaches() const { return {std::string(method())}; }
-  /// What edges may need for it to drive them: its methods, and the changes from one to the other.
+  /// Returns the methods of the edges that it can drive: its own, and the changes from one to the other.
   virtual std::vector<std::string> drives() const { return {std::string(method())}; }
 
   /// Takes one sample of the body.
   virtual Navigated step(const Sample& sample, const MapView& map) = 0;
 
-  /// From now on places are kept, the first at the next view.
+  /// Begins to keep places, the first at the next view.
   virtual void begin_teach(const TeachStart& start) = 0;
   /// Keeps the last place, from the view of the latest sample, unless it lies at the place before; nothing more is
   /// kept afterwards. It is stitched like any other: a run that ends beside another one is no dead end. What had no
@@ -112,9 +112,10 @@ class Navigator {
   virtual bool map_changed(const Window& before, const Window& after) = 0;
   /// The server has refused what was taught: those places will never be in the map.
   virtual void forget_taught(const Window& map) = 0;
-  /// Where it is, is not known any more; the route stays.
+  /// Drops the pose estimate and keeps the route.
   virtual void forget_where() = 0;
-  /// Where it is, by someone who knows: believed until it is seen otherwise, and for as long as `blind_m` allows.
+  /// Sets the pose estimate, from someone who knows it: believed until it is seen otherwise, and for as long as
+  /// `blind_m` allows.
   virtual void believe(const Estimate& told) = 0;
 
   /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
@@ -126,7 +127,7 @@ class Navigator {
   /// Ends such a look that was in vain. A search by who believes nothing, or is lost, goes on.
   virtual void stop_looking() = 0;
   virtual std::optional<Estimate> estimate() const = 0;
-  /// What it wants to know while it looks for itself without a seed, and no place around where it last was is left to
+  /// Returns its question while it looks for itself without a seed, and no place around where it last was is left to
   /// try: it stays the same until it is answered, and is another one when the answer was in vain, when the robot has
   /// been moved by more than 0.25 m, and after ten seconds or so. Null: nothing. Valid until the next call.
   virtual const Question* question() const { return nullptr; }
@@ -134,7 +135,7 @@ class Navigator {
   /// of the window, as soon as the window has them with their contents. To a question that is not open any more: let
   /// go.
   virtual void propose(std::uint64_t /*question*/, const std::vector<PlaceId>& /*places*/) {}
-  /// Where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
+  /// Returns where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
   virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
   /// Returns what the drive so far has shown of the robot beside where it is; what is not known well enough is left
   /// out.
@@ -142,8 +143,8 @@ class Navigator {
   /// Returns the diagnostics of its fixes that are to be watched.
   virtual std::vector<WatchedDiagnostic> watched() const { return {}; }
 
-  /// What has been taught since teaching began, or was taught last, and how it will be found again, as far as that
-  /// has been tried: some samples after each place was kept. refused: nothing has been taught yet, or the method
+  /// Reports what has been taught since teaching began, or was taught last, and how it will be found again, as far as
+  /// that has been tried: some samples after each place was kept. refused: nothing has been taught yet, or the method
   /// cannot say.
   virtual Result<TeachReport> teach_report() const = 0;
 

@@ -213,7 +213,7 @@ class NavigatorOf final : public Navigator {
   void stop() override { follower_.stop(); }
 
  private:
-  /// Who looks for where the robot is.
+  /// Returns the localiser that looks for the robot: while teaching, the one that finds where the run joins the map.
   const Localiser<M>& looks() const { return finder_ ? *finder_ : localiser_; }
 
   /// `known`: a map of this method's own. Over the places of others a pose would become a distance.
@@ -339,7 +339,7 @@ class NavigatorOf final : public Navigator {
     anchor_.reset();
   }
 
-  /// What is believed, not handed in: stitches are found from it.
+  /// Returns an edge for what is believed. It is not handed in; stitches are found from it.
   Edge anchor_edge(const Estimate& believed, const PlaceId& kept) const {
     Edge edge;
     edge.id = {believed.place, kept};
@@ -390,8 +390,8 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  /// As fast as was driven here when it was taught; where a run stood, as it began or ended, as fast as hereabouts: a
-  /// route goes on.
+  /// Returns the speed, m/s, at which this stretch was driven when it was taught; where that run stood, as it began
+  /// or ended, the fastest hereabouts: a route goes on.
   double taught_speed(const MapView& map, const Estimate& believed) {
     if constexpr (Replays<M>) {
       constexpr double slowest_m_s = 0.2;

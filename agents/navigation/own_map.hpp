@@ -22,8 +22,8 @@ class OwnMap {
   void anchor(const Edge& edge);
   /// One of the places that were added.
   bool has(const PlaceId& place) const;
-  /// To be called with each new window before `map`; `generation` as in MapView. Once the window holds the last own
-  /// place and teaching is over (`done`), the own places are forgotten.
+  /// Joins the own places to a new window; to be called with each, before `map`; `generation` as in MapView. Once the
+  /// window holds the last own place and teaching is over (`done`), the own places are forgotten.
   void update(const Window& window, std::uint64_t generation, bool done);
   /// The same over another window: as it was, or as it will be.
   OwnMap over(const Window& window) const;

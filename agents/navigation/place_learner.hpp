@@ -13,9 +13,9 @@
 
 namespace weft::agents {
 
-/// What a robot that drives by itself learns of the places that it comes by: once a pass, from the view nearest to
-/// the place, upon the content that all robots share. It is kept from pass to pass, the least recently passed
-/// forgotten, and given out when it is worth sharing.
+/// Learns, for a robot that drives by itself, of the places that it comes by: once a pass, from the view nearest to
+/// the place, upon the content that all robots share. What is learned is kept from pass to pass, the least recently
+/// passed place forgotten, and given out when it is worth sharing.
 template <Learns M>
 class PlaceLearner {
  public:
@@ -51,12 +51,12 @@ class PlaceLearner {
  private:
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-  /// Of the place that the robot is at.
+  /// The pass of the place that the robot is at.
   struct Pass {
     Fix fix;
     Pointer seen;
   };
-  /// What is known of a place beyond what is shared.
+  /// The knowledge of a place beyond what is shared.
   struct Known {
     PlaceId place;
     ContentHash made_of;
@@ -113,7 +113,7 @@ class PlaceLearner {
   std::map<PlaceId, typename std::list<Known>::iterator> by_place_;
 };
 
-/// Of a method that does not learn: nothing.
+/// The learner of a method that does not learn: it does nothing.
 struct NoPlaceLearner {
   template <class... Args>
   explicit NoPlaceLearner(const Args&...) {}

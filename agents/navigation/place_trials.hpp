@@ -21,7 +21,7 @@
 
 namespace weft::agents {
 
-/// For methods that cannot say what another robot would see: nothing is tried.
+/// Tries nothing, for methods that cannot say what another robot would see.
 template <Method M>
 class PlaceTrials {
  public:
@@ -81,7 +81,8 @@ class PlaceTrials<M> {
     waiting_.push_back({report_.places.size() - 1, content, here.place_from_robot, odometry, view, {}});
   }
 
-  /// What a sample leaves time for: one step for each 30 ms since the sample before.
+  /// Works for as long as a sample leaves time: one step for each 30 ms since the sample before, at least one and at
+  /// most four.
   void work(Duration elapsed) {
     constexpr double step_s = 0.03;
     constexpr int most_steps = 4;
@@ -99,7 +100,7 @@ class PlaceTrials<M> {
     View view;
     Trials trials;
   };
-  /// What the other robot sees under the condition that is tried.
+  /// The content that the other robot sees under the condition that is tried, and where it is.
   struct Seen {
     Content content;
     Relation place_from_other;

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// Which question a robot that looks for itself has open. A value, pure.
+/// The question that a robot that looks for itself has open, if any. A value, pure.
 class RecognitionQuery {
  public:
   void advance(const Step& step);
@@ -20,7 +20,7 @@ class RecognitionQuery {
   /// now, or it has stood for long with nothing to try.
   bool is_due(bool has_places_to_try) const;
   void ask(Signature seen, std::string_view method, std::uint32_t content_format);
-  /// What was proposed was in vain: the same signature again, for the places behind those.
+  /// Asks on, as what was proposed was in vain: the same signature again, for the places behind those.
   void ask_on();
   /// False: that question is not open.
   bool answered(std::uint64_t number, std::size_t places);

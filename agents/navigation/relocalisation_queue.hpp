@@ -26,12 +26,12 @@ class RelocalisationQueue {
   /// Makes the order when there is none. Refused: "window_empty", "seed_not_in_window"; "seek_pause" for some samples
   /// after a pass over all places.
   OrRefusal<void> prepare(const NavigationConfig& config, const Window& window, const std::optional<Estimate>& last);
-  /// What is still to be tried in this pass, in order.
+  /// Returns the places that are still to be tried in this pass, the next one last.
   std::vector<PlaceId>& order() { return order_; }
   std::optional<PlaceId> next();
   /// Places around where the robot was last believed are left to try.
   bool looks_near() const { return near_left_ > 0; }
-  /// What is proposed and still to be tried, the likeliest first.
+  /// Returns the places that were proposed and are still to be tried, the likeliest first.
   std::vector<PlaceId>& proposed() { return proposed_; }
   /// Signatures have been used to order this pass.
   bool ordered() const { return ordered_; }

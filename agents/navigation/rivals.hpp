@@ -74,7 +74,7 @@ class Rivals {
   }
 
  private:
-  /// Of the place that was taken off last.
+  /// Returns the likeness up to which the place that was taken off last is no rival.
   double most_now() const { return left_.size() >= elsewhere_ ? likeness_ : method_->most_of_rival(likeness_); }
 
   const M* method_;

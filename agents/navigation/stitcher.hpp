@@ -117,7 +117,7 @@ class Stitcher {
     return around;
   }
 
-  /// Of those the ones that look the same way, the likeliest first.
+  /// Returns those of them that look the same way, the likeliest first.
   std::vector<Candidate> worth_comparing(std::vector<Candidate> near) const {
     std::erase_if(near, [&](const Candidate& candidate) {
       constexpr double sigmas = 3.0;

@@ -31,7 +31,7 @@ struct Missed {
   std::string_view reason;  ///< static text
 };
 
-/// What a robot has been taught since teaching began, and whether other robots will find it again.
+/// The report on what a robot has been taught since teaching began, and whether other robots will find it again.
 struct TeachReport {
   ExperienceId experience;
   std::vector<std::string_view> conditions;  ///< under which places are tried, the mildest first; static texts
@@ -51,7 +51,7 @@ struct TaughtStretch {
   std::string reason;  ///< which condition is the worst, and what is refused most often then; empty: none is
 };
 
-/// Of fewer of its places than this a stretch is one where a robot will not find itself.
+/// Least share of a stretch's places that must be found; with fewer it is one where a robot will not find itself.
 inline constexpr double kFoundEnough = 0.5;
 
 /// Returns a row a metre; a way longer than `most` metres has longer ones. Where no place was kept because of what

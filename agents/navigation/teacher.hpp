@@ -25,7 +25,7 @@ class Teacher {
   /// Keeps a place here: its odometry edge is blind if any step since the last place was.
   Kept keep(Bytes content, std::uint64_t frame, SensorTime time);
 
-  /// Where the robot is on its own chain: the last place kept and the way since. None before the first.
+  /// Returns where the robot is on its own chain: the last place kept and the way since. None before the first.
   std::optional<Estimate> estimate() const;
   /// Metres driven since teaching began.
   double driven_m() const { return driven_m_.empty() ? 0.0 : driven_m_.back() + since_m_; }

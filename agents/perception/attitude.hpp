@@ -6,9 +6,9 @@
 
 namespace weft::agents {
 
-/// How a body stands against its mount's calibration: nose down by pitch, left side up by roll, raised by height.
-/// Vibration, load and an error of the mount look the same. level_from_body = T(0, 0, height) Ry(pitch) Rx(roll);
-/// the level frame is the planar robot frame whose z = 0 is the floor.
+/// The attitude of a body against its mount's calibration: nose down by pitch, left side up by roll, raised by
+/// height. Vibration, load and an error of the mount look the same. level_from_body = T(0, 0, height) Ry(pitch)
+/// Rx(roll); the level frame is the planar robot frame whose z = 0 is the floor.
 struct Attitude {
   double pitch_rad = 0.0;
   double roll_rad = 0.0;

@@ -33,7 +33,7 @@ struct FloorPatch {
   std::vector<std::uint8_t> pixels;  ///< equalised grey; 0 where the camera does not see
 };
 
-/// What a view shows of the floor, rectified.
+/// The floor as a view shows it, rectified.
 struct RectifiedFloor {
   std::vector<FloorFeature> features;
   FloorPatch patch;

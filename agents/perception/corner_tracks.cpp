@@ -38,8 +38,8 @@ cv::Mat flattened(const cv::Mat& grey, int window_px) {
   return flat;
 }
 
-/// How much windows that move by a little differ, by direction: the mean over the tracker's window of the grey
-/// values' gradient times its transpose, (grey levels a pixel)^2 (Harris & Stephens 1988).
+/// Returns how much windows that move by a little differ, by direction: the mean over the tracker's window of the
+/// grey values' gradient times its transpose, (grey levels a pixel)^2 (Harris & Stephens 1988).
 Eigen::Matrix2d structure_at(const TrackingImage& image, const Eigen::Vector2d& pixel) {
   constexpr double per_pixel = 1.0 / 32.0;  // Scharr's weights
   const cv::Mat& gradient = image.levels().pyramid[1];

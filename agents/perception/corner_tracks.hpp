@@ -41,8 +41,8 @@ struct CornerConfig {
 /// Pixels, the best first within each cell's turn; each where its window's gradients meet.
 std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config);
 
-/// How much each pixel's motion counts when it is tracked, by direction in the image: symmetric, eigenvalues in
-/// [0, 1], 1 where it is told best. A track's covariance is the inverse of the grey values' structure (Harris &
+/// Returns how much each pixel's motion counts when it is tracked, by direction in the image: symmetric, eigenvalues
+/// in [0, 1], 1 where it is told best. A track's covariance is the inverse of the grey values' structure (Harris &
 /// Stephens 1988), less what noise of `grey_noise` grey levels makes of it: along an edge a track slides. Half a
 /// window around each pixel lies within the image.
 std::vector<Eigen::Matrix2d> counts_at(const TrackingImage& image, const std::vector<Eigen::Vector2d>& pixels,

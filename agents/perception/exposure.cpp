@@ -23,7 +23,7 @@ double factor_at(double i) {
   return std::exp2(kStep * (i - static_cast<double>(kAsItIs)));
 }
 
-/// What a difference of grey levels will tell at each factor.
+/// Returns how much a difference of grey levels will tell at each factor.
 std::array<std::array<float, kFactors>, kGreys> told_by_difference(double noise_grey) {
   constexpr double scale = 0.25;  // 1 over the grey levels from where on more tells little more
   std::array<std::array<float, kFactors>, kGreys> told{};
@@ -37,7 +37,7 @@ std::array<std::array<float, kFactors>, kGreys> told_by_difference(double noise_
   return told;
 }
 
-/// How many factors, the lowest first, leave a grey level below white.
+/// Counts how many factors, the lowest first, leave a grey level below white.
 std::array<std::size_t, kGreys> factors_below_white(double white_grey) {
   std::array<std::size_t, kGreys> many{};
   for (std::size_t grey = 0; static_cast<double>(grey) < white_grey; ++grey)
@@ -81,8 +81,8 @@ Parts parts_of(const Image& image, double gain, const ExposureConfig& config) {
   return parts;
 }
 
-/// What an image of each factor will show. What is white now is as rich as the rest where it comes back. One more
-/// corner in a crowd is worth less than one in an empty part: the root.
+/// Predicts how much an image of each factor will show. What is white now is as rich as the rest where it comes back.
+/// One more corner in a crowd is worth less than one in an empty part: the root.
 PerFactor shown(const Parts& parts, const ExposureConfig& config) {
   PerFactor shows{};
   for (std::size_t i = 0; i < kFactors; ++i) {
@@ -105,7 +105,8 @@ PerFactor shown(const Parts& parts, const ExposureConfig& config) {
   return shows;
 }
 
-/// Where nothing is to be seen at any factor: to the middle of the scale, something may turn up there.
+/// Returns the factor that brings an image to the middle of the scale, for one that shows nothing at any factor:
+/// something may turn up there.
 double towards_grey(const Image& image) {
   constexpr double middle_grey = 110.0;
   double sum = 1.0;

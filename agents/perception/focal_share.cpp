@@ -95,7 +95,7 @@ class Solver {
     return FocalShare{share, variance};
   }
 
-  /// What a view shows of a thing, beside what is expected, and how that changes.
+  /// The rise of a thing in a view that is left beside what is expected, and its derivatives.
   struct Expected {
     double left = 0.0;
     double by_near = 0.0;

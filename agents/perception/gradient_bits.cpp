@@ -37,7 +37,7 @@ Directions directions() {
   return all;
 }
 
-/// Of the gradient's strength in each direction: its component there, narrowed by the cosine to the fourth.
+/// Sums the gradient's strength in each direction: its component there, narrowed by the cosine to the fourth.
 SummedGradients summed_gradients(const cv::Mat& grey, double smoothing_px) {
   cv::Mat smooth;
   grey.convertTo(smooth, CV_32F);

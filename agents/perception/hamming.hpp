@@ -10,7 +10,7 @@ namespace weft::agents {
 using Descriptor = std::array<std::uint64_t, 4>;
 
 int hamming(const Descriptor& a, const Descriptor& b);
-/// To `to[which[k]]` in `out[k]`, several times as fast.
+/// Writes the distance from `from` to `to[which[k]]`, bits, into `out[k]`; several times as fast as one by one.
 void hamming(const Descriptor& from, std::span<const Descriptor> to, std::span<const std::uint32_t> which,
              std::vector<std::uint16_t>& out);
 

@@ -9,14 +9,14 @@ namespace {
 constexpr double kChanceBits =
     128.0;  // descriptors that have nothing to do with each other differ in half their bits
 
-/// How far apart the same point may lie in two images.
+/// The bounds on how far apart the same point may lie in two images.
 struct Within {
   double most_shift_px = 0.0;
   double rise_px = 0.0;
   double most_rise_px = 0.0;
 };
 
-/// What is voted for, a bin a pixel from -most_px on: a shift, or a rise.
+/// The question that is voted on, a bin a pixel from -most_px on: a shift, or a rise.
 struct Question {
   int coordinate = 0;  ///< 0: columns, 1: rows
   double most_px = 0.0;
@@ -35,7 +35,7 @@ std::vector<Descriptor> descriptors_of(const std::vector<UprightFeature>& featur
   return descriptors;
 }
 
-/// Which of a each of b may be.
+/// The features of a that each feature of b may be, by index.
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
 Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
@@ -102,8 +102,8 @@ Histogram spread_out(const Histogram& votes, double spread_px) {
   return out;
 }
 
-/// How many standard deviations the votes for each bin exceed what chance brings there. Matches of what is not the
-/// same fall on any pair that may be one, and of these most have moved little.
+/// Returns by how many standard deviations the votes for each bin exceed what chance brings there. Matches of what is
+/// not the same fall on any pair that may be one, and of these most have moved little.
 Histogram above_chance(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                        const Candidates& candidates, const std::vector<Ballot>& ballots, const Question& about) {
   Histogram votes = empty_histogram(about);

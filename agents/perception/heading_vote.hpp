@@ -36,8 +36,9 @@ struct Undecided {
   double bound = 0.0;
 };
 
-/// By how many rows b's features lie below a's most often, in pixels: another camera stands higher or looks further
-/// down. 0: by less than half of `most_rise`, so that a vote does not need to know, or nothing is said above chance.
+/// Returns by how many rows b's features lie below a's most often, in pixels: another camera stands higher or looks
+/// further down. 0: by less than half of `most_rise`, so that a vote does not need to know, or nothing is said above
+/// chance.
 double frequent_rise(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b, double width_px,
                      const HeadingVoteConfig& config);
 

@@ -41,7 +41,7 @@ struct Decomposed {
   std::optional<PlaneMotion> motion;
   double normal_angle_rad = 0.0;  ///< of the best candidate, whether it passed or not
 };
-/// Of the candidates that pass, the one whose normal is nearest to the expected one; none when all fail.
+/// Chooses, of the candidates that pass, the one whose normal is nearest to the expected one; none when all fail.
 Decomposed choose(const std::vector<PlaneMotion>& candidates, const Eigen::Vector3d& expected_normal,
                   const DecompositionBounds& bounds);
 

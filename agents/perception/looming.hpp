@@ -7,7 +7,8 @@
 
 namespace weft::agents {
 
-/// How much nearer to its camera one view shows things than another one, and how much it is turned against that.
+/// The share by which one view shows things nearer to its camera than another one, and how much it is turned against
+/// that.
 struct Looming {
   double share = 0.0;  ///< of their distance; positive: the second view is taken from further ahead
   double variance = 0.0;
@@ -18,11 +19,11 @@ struct Looming {
                             ///< near and far have moved by different angles
 };
 
-/// From how far features that both views show (`same`) have moved away from the horizon: tangents of elevation,
-/// y / sqrt(f^2 + x^2), stay as they are when a camera turns and grow as its distance shrinks. Pixels are from the
-/// image's middle, of cameras of `focal_px`. By robust least squares (Tukey's biweight) together with the pitch
-/// between both; then the turn, as the mean of what azimuths have changed by beside that. None: too few, or all at
-/// one height.
+/// Estimates looming from how far features that both views show (`same`) have moved away from the horizon: tangents
+/// of elevation, y / sqrt(f^2 + x^2), stay as they are when a camera turns and grow as its distance shrinks. Pixels
+/// are from the image's middle, of cameras of `focal_px`. By robust least squares (Tukey's biweight) together with
+/// the pitch between both; then the turn, as the mean of what azimuths have changed by beside that. None: too few, or
+/// all at one height.
 std::optional<Looming> looming_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                                   const std::vector<Match>& same, double focal_px);
 

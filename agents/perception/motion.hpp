@@ -5,7 +5,7 @@
 
 namespace weft::agents {
 
-/// What a base is asked to do, in the robot frame (REP 103).
+/// A velocity command to a base, in the robot frame (REP 103).
 struct Twist {
   double linear_m_s = 0.0;
   double angular_rad_s = 0.0;
@@ -18,7 +18,7 @@ struct WheelStep {
   double heading_rad = 0.0;
 };
 
-/// What moved the body since the last sample.
+/// The causes of a body's motion since the last sample: the command, and the wheels' step.
 struct Motion {
   Duration elapsed{};
   Twist command;                    ///< in force meanwhile

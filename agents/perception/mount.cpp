@@ -34,7 +34,7 @@ class Errors {
   double focal_px_;
 };
 
-/// How errors of points change by pitch, roll and focal share; central differences.
+/// The Jacobian of points' errors by pitch, roll and focal share; central differences.
 class ByMount {
  public:
   ByMount(const CameraModel& camera, const MountError& at, const PlanarState& state) {

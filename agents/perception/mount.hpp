@@ -24,7 +24,7 @@ struct MountPrior {
   double vibration_height_m = 0.001;
 };
 
-/// How a mount is turned against the given one, about the camera's centre: nose down by pitch, left side up by roll.
+/// The tilt of a mount against the given one, about the camera's centre: nose down by pitch, left side up by roll.
 struct MountTilt {
   double pitch_rad = 0.0;
   double roll_rad = 0.0;
@@ -63,7 +63,7 @@ class MountFilter {
   std::size_t pairs_ = 0;
 };
 
-/// What a robot finds out about its mount while it drives.
+/// The report on what a robot finds out about its mount while it drives.
 struct MountReport {
   MountTilt tilt;  ///< against the calibration
   std::size_t pairs = 0;
@@ -77,7 +77,7 @@ class MountWatch {
  public:
   MountWatch(const CameraModel& camera, const MountPrior& prior) : filter_(camera, prior) {}
   void add(const FloorViews& views);
-  /// As far as it is known by now.
+  /// Returns the tilt, as far as it is known by now.
   MountTilt tilt() const { return filter_.tilt(); }
   /// None before 10 pairs of views.
   std::optional<MountReport> report() const;
@@ -88,8 +88,8 @@ class MountWatch {
   double seen_m_ = 0.0;
 };
 
-/// Where the camera is on its robot as seen from above, from motions of a base that does not slide sideways (u_y = 0
-/// in the middle of each arc): straight drives show the yaw, turns how far ahead it sits.
+/// The lever of the camera: where it is on its robot as seen from above, from motions of a base that does not slide
+/// sideways (u_y = 0 in the middle of each arc). Straight drives show the yaw, turns how far ahead it sits.
 struct MountLever {
   double yaw_rad = 0.0;    ///< to be added to the mount's
   double forward_m = 0.0;  ///< likewise

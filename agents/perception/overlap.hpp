@@ -18,7 +18,7 @@ Polygon clip_half_plane(const Polygon& polygon, const Eigen::Vector2d& normal, d
 /// Both convex and counter-clockwise (Sutherland & Hodgman 1974).
 Polygon intersection(const Polygon& a, const Polygon& b);
 
-/// What one camera sees of the floor: its footprint and how floor becomes image.
+/// The part of the floor that one camera sees: its footprint and how floor becomes image.
 struct SeenFloor {
   Polygon footprint;  ///< robot frame, counter-clockwise
   Eigen::Matrix3d camera_from_floor = Eigen::Matrix3d::Identity();

@@ -17,7 +17,7 @@ struct FloorPair {
   Eigen::Vector2d in_a;
   Eigen::Vector2d in_b;
   double sigma_px = 1.0;  ///< of the difference between both, in pixels of b's view
-  /// How much a difference counts, by its direction in the image, [0, 1]: along an edge a corner can hardly be told.
+  /// Weight of a difference, by its direction in the image, [0, 1]: along an edge a corner can hardly be told.
   Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();
 
   /// A difference in pixels of b's view, in sigmas.
@@ -31,8 +31,8 @@ struct PlanarState {
   Attitude attitude_b;
 };
 
-/// What is known before the points are looked at: mean and information of (attitude_a, attitude_b), each (pitch,
-/// roll, height).
+/// The attitudes as they are known before the points are looked at: mean and information of (attitude_a, attitude_b),
+/// each (pitch, roll, height).
 struct AttitudePrior {
   Vector6d mean = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
@@ -53,13 +53,13 @@ struct PlanarFit {
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 
-/// Where the point that a sees at `in_a` appears in b, and its derivative by (xi, attitude_a, attitude_b).
+/// The point in b that a sees at `in_a`, and its derivative by (xi, attitude_a, attitude_b).
 struct Reprojection {
   Eigen::Vector2d in_b;
   Matrix29d jacobian;
   bool in_front = false;
 };
-/// Of many points in one state.
+/// Reprojects many points in one state.
 class Reprojector {
  public:
   Reprojector(const CameraModel& a, const CameraModel& b, const PlanarState& state);

@@ -20,8 +20,8 @@ Eigen::Matrix3d matrix_of(const Pose2& a_from_b) {
   return matrix;
 }
 
-/// Where each pixel of the other look lies in the image. Computed on a grid: the warp is smooth, and bending every
-/// ray by the lens would take longer than all the rest.
+/// Maps each pixel of the other look to where it lies in the image. Computed on a grid: the warp is smooth, and
+/// bending every ray by the lens would take longer than all the rest.
 cv::Mat2f warp_of(const CameraModel& camera, const OtherLook& look) {
   constexpr int cell = 16;
   const Eigen::Matrix3d camera_from_other = camera_from_floor(camera, Attitude{}) * matrix_of(look.robot_from_other) *

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// How another look at the floor differs from an image that there is.
+/// Another look at the floor, by how it differs from an image that there is.
 struct OtherLook {
   Pose2 robot_from_other;         ///< where the other robot stands
   Attitude attitude;              ///< of its camera against its calibration

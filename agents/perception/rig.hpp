@@ -13,7 +13,7 @@ namespace weft::agents {
 enum class SensorKind : std::uint8_t { camera, stereo };
 const char* to_string(SensorKind kind);
 
-/// Where a sensor looks, by its optical axis in the robot's frame.
+/// The direction in which a sensor looks, by its optical axis in the robot's frame.
 enum class Gaze : std::uint8_t {
   down,   ///< more than 20 degrees below level
   ahead,  ///< between

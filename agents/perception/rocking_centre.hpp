@@ -7,13 +7,13 @@
 
 namespace weft::agents {
 
-/// How high above the floor the point lies about which a body rocks: 0 for a chassis that tilts on its tyres, the
+/// The height above the floor of the point about which a body rocks: 0 for a chassis that tilts on its tyres, the
 /// camera's own height for a mount that shakes. A view of the floor shows where the camera went; where the robot went
-/// differs by that height times the change of tilt, half a millimetre for 0.05 degrees. It is learned: wheels (or
-/// the command) turn evenly and no robot slips sideways, so what moves with the tilt is rocking. A value.
+/// differs by that height times the change of tilt, half a millimetre for 0.05 degrees. It is learned: wheels (or the
+/// command) turn evenly and no robot slips sideways, so what moves with the tilt is rocking. A value.
 class RockingCentre {
  public:
-  /// For a camera that high; nothing is known yet but that the point lies between it and the floor.
+  /// Begins for a camera at that height; nothing is known yet but that the point lies between it and the floor.
   explicit RockingCentre(double camera_height_m = 0.6);
 
   /// The motion between two views, both seen, as `Attitude` has it (rocking about the floor), the change of attitude,
@@ -30,7 +30,7 @@ class RockingCentre {
   Eigen::Vector3d solution() const;
 
   double camera_height_m_;
-  /// Of (the wheels' scale, the heading of straight ahead, the height), as a least-squares problem.
+  /// The information on (the wheels' scale, the heading of straight ahead, the height), as a least-squares problem.
   Eigen::Matrix3d information_;
   Eigen::Vector3d weighted_;
 };

@@ -18,8 +18,8 @@ struct UprightFeature {
 enum class Description : std::uint8_t {
   /// 256 comparisons of smoothed grey values at pairs of points (Calonder et al. 2010, BRIEF).
   brief,
-  /// How strong the gradient is in 4 x 4 cells and 8 directions, each a bit for more than the mean of its direction
-  /// and one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256 bits.
+  /// Strength of the gradient in 4 x 4 cells and 8 directions, each a bit for more than the mean of its direction and
+  /// one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256 bits.
   gradients,
 };
 

@@ -29,8 +29,8 @@ struct Payload {
   std::shared_ptr<const Bytes> bytes;
 };
 
-/// How a camera takes an image: its grey levels are in proportion to both. Motion blurs by the first, noise grows
-/// with the second.
+/// The exposure of an image: its grey levels are in proportion to both time and gain. Motion blurs by the first,
+/// noise grows with the second.
 struct Exposure {
   double time_s = 0.0;
   double gain = 1.0;  ///< >= 1, by how much it amplifies

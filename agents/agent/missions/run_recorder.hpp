@@ -20,7 +20,7 @@ class RunRecorder {
   RunRecorder(const Uses& uses, TaughtRun run) : uses_(uses), run_(std::move(run)) {}
 
   const TaughtRun& run() const { return run_; }
-  /// From now on places are kept, the first at the next view.
+  /// Begins to keep places, the first at the next view.
   void begin();
   /// Errors of the spool: not all of it is recorded, and teaching cannot go on.
   Result<void> keep(const std::vector<Kept>& kept, SteadyTime now);

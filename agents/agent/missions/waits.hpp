@@ -6,9 +6,9 @@
 
 namespace weft::agents {
 
-/// How long to wait for a piece of the map; then what there is has to do.
+/// The longest wait for a piece of the map; then what there is has to do.
 inline constexpr Duration kMapAtMost = std::chrono::seconds(20);
-/// How long to look for oneself; then the search was in vain.
+/// The longest time that a robot looks for itself; then the search was in vain.
 inline constexpr Duration kSearchAtMost = std::chrono::seconds(60);
 /// The map around a seed before looking for oneself there.
 inline constexpr std::uint32_t kSeedHops = 3;

@@ -211,7 +211,7 @@ Options read(const Sources& from) {
   return options;
 }
 
-/// What is missing for the body that was chosen; empty when nothing is.
+/// Returns what is missing for the body that was chosen; empty when nothing is.
 std::string missing(const Options& options) {
   if (options.name.empty()) return "--name NAME is missing: what people call this robot";
   if (options.state.empty()) return "--state DIR is missing: where its identity and spool are kept";

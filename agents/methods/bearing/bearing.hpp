@@ -35,7 +35,7 @@ class Bearing {
     AlongPath centre_from_place;
     std::shared_ptr<const Content> content;  ///< null while its bytes have not arrived
   };
-  /// In order of the distance from the centre.
+  /// The places around, sorted by their distance from the centre.
   struct Chart {
     std::vector<Stop> stops;
   };
@@ -72,7 +72,8 @@ class Bearing {
   /// another_scene, described_otherwise.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
-  /// How many features stand in both as in views of one scene (BearingConfig::inlier_px); 0: they tell no heading.
+  /// Returns how many features stand in both as in views of one scene (BearingConfig::inlier_px); 0: they tell no
+  /// heading.
   double likeness(const Content& a, const Content& b) const;
   double most_of_rival(double likeness) const;
 
@@ -86,13 +87,14 @@ class Bearing {
   Belief begin(const Chart& chart, const Estimate& seed) const;
   /// Cameras are still those that they were.
   Belief begin(const Chart& chart, const Estimate& seed, const Belief& before) const;
-  /// How much nearer things are than in each of the places before and behind tells how far along the path the robot
-  /// is, once the focal lengths of those that taught are taken into account, which are found out on the way
-  /// (other_cameras.hpp); what most of these places show, its heading. Refusals: nothing_near, headings_differ, and
-  /// those of `relate` when none of them tells a heading.
+  /// Finds the robot along the path and its heading. How much nearer things are than in each of the places before and
+  /// behind tells how far along the path it is, once the focal lengths of those that taught are taken into account,
+  /// which are found out on the way (other_cameras.hpp); what most of these places show, its heading. Refusals:
+  /// nothing_near, headings_differ, and those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
-  /// Where it is is navigation's belief; a view that it believes in tells of cameras, too.
+  /// Returns the belief once navigation has weighed the last fix: the position is that of `estimate`; what the view
+  /// told of the cameras that taught counts from now on.
   Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const;
 
   /// The features of the place with one more pass counted, without those that are hardly ever seen and with some of

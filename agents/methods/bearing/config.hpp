@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// How places learn from the views of robots that come by (learn.cpp). Bounds in brackets.
+/// Settings for places that learn from the views of robots that come by (learn.cpp). Bounds in brackets.
 struct BearingLearnConfig {
   double along_m = 0.07;        ///< [0.01, 0.5] a view taken so far before or behind the place is learned from
   double along_sigma_m = 0.05;  ///< [0.005, 1] as far as it is known where it was taken

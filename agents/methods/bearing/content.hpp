@@ -10,15 +10,15 @@
 
 namespace weft::agents {
 
-/// How often robots that came by have seen a feature of a place; the pass in which it came in counts.
+/// Counts of how often robots that came by have seen a feature of a place; the pass in which it came in counts.
 struct Sightings {
   std::uint8_t could = 1;  ///< passes in which it would have lain within the image: at least `seen`
   std::uint8_t seen = 1;
   bool operator==(const Sightings&) const = default;
 };
 
-/// What `bearing` stores of a place (docs/formats/bearing-content.md): what was seen ahead, and how the robot was
-/// driving (the velocity profile of Krajnik et al. 2018, III-B).
+/// The content that `bearing` stores of a place (docs/formats/bearing-content.md): what was seen ahead, and how the
+/// robot was driving (the velocity profile of Krajnik et al. 2018, III-B).
 struct BearingContent {
   std::vector<UprightFeature> features;  ///< pixels from the image's middle, at `focal_px`
   double focal_px = 386.0;
@@ -28,7 +28,7 @@ struct BearingContent {
       Description::gradients;  ///< of all features: what is described otherwise is alike by chance
 };
 
-/// Of each feature, also of a place that was only taught.
+/// Returns the sightings of each feature, also of a place that was only taught.
 std::vector<Sightings> sightings_of(const BearingContent& content);
 
 inline constexpr std::uint32_t bearing_content_format = 1;  ///< as it was taught: all robots read it

@@ -10,7 +10,7 @@
 namespace weft::agents {
 namespace {
 
-/// Where features of a place stand in a view and back, by what both show.
+/// Maps features of a place to where they stand in a view and back, by what both show.
 class Moved {
  public:
   Moved(const Looming& looming, double focal_px) : looming_(looming), focal_px_(focal_px) {}

@@ -28,7 +28,7 @@ struct Told {
   double focal_variance = 0.0;     ///< of the share that is taken off `looming`
 };
 
-/// How far further along the path the robot is than believed.
+/// The distance by which the robot is further along the path than believed.
 struct Further {
   double ahead_m = 0.0;
   double variance_m2 = 0.0;
@@ -96,8 +96,9 @@ std::vector<Told> agreeing(const std::vector<Told>& told) {
   return agree;
 }
 
-/// What the view tells of the camera that taught most of these, by their features as they are. From before or behind
-/// them all, a step and a longer lens look too much alike.
+/// Estimates how the robot's focal length compares with that of the camera that taught most of these, by their
+/// features as they are. From before or behind them all nothing is told: a step and a longer lens look too much
+/// alike.
 std::optional<CameraLook> look_at_camera(const OtherCameras& cameras, const std::vector<Told>& told,
                                          const Further& further, const BearingContent& seen) {
   constexpr std::ptrdiff_t fewest = 2;  // on either side

@@ -20,8 +20,8 @@ struct CameraRise {
   double px = 0.0;
 };
 
-/// What a robot knows of the focal lengths of those that taught: a run is taught with one camera, and nobody has
-/// measured it, nor its own. A value.
+/// The focal lengths of those that taught, as far as a robot knows them: a run is taught with one camera, and nobody
+/// has measured it, nor its own. A value.
 class OtherCameras {
  public:
   /// `sigma`: of a share of which nothing has been seen yet.

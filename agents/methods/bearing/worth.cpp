@@ -6,7 +6,7 @@
 namespace weft::agents {
 namespace {
 
-/// How many features a robot that comes by will see, by the passes since `shared` was.
+/// Predicts how many features a robot that comes by will see, by the passes since `shared` was.
 class Outlook {
  public:
   explicit Outlook(double stays) : stays_(stays) {}

@@ -22,7 +22,7 @@ Pose2 pose_of_two(const Eigen::Vector2d& a1, const Eigen::Vector2d& a2, const Ei
   return pose;
 }
 
-/// How many matches a motion explains: asked for hundreds of motions, so their points lie side by side.
+/// Counts how many matches a motion explains: asked for hundreds of motions, so their points lie side by side.
 class Counter {
  public:
   Counter(const std::vector<Match>& matches, const std::vector<Eigen::Vector2d>& at_a,

@@ -10,8 +10,9 @@
 
 namespace weft::agents {
 
-/// What `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane of the
-/// mount, with the calibration they were seen through, so that another robot's camera can be held against them.
+/// The content that `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane
+/// of the mount, with the calibration they were seen through, so that another robot's camera can be held against
+/// them.
 struct FloorContent {
   CameraModel camera;  ///< the view's; attitude has not been applied to the features
   Attitude attitude;   ///< estimated at the view

@@ -15,12 +15,13 @@ struct SeenOtherwise {
   std::size_t points = 0;  ///< that agree
 };
 
-/// By grey values, from near where it is expected: stands blur and pale floors. None: they do not correlate.
+/// Finds the motion by grey values, from near where it is expected: stands blur and pale floors. None: they do not
+/// correlate.
 std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
                                           const AttitudePrior& prior, const PlanarState& expected);
 
-/// By binary features of the rectified floor, wherever the view has gone to: stands jumps and little overlap. None:
-/// too few agree, or not on one plane.
+/// Finds the motion by binary features of the rectified floor, wherever the view has gone to: stands jumps and little
+/// overlap. None: too few agree, or not on one plane.
 std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,
                                              const FloorConfig& config, const Image& keyframe, const Image& now,
                                              const AttitudePrior& prior, const PlanarState& expected);

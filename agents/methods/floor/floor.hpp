@@ -35,8 +35,9 @@ class Floor {
     Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a FloorPair says
   };
 
-  /// What a view's motion was found with. Corners are the fastest and the most exact; where they fail (few of them,
-  /// not on one plane, against the wheels), grey values are aligned, then features matched, before vision is blind.
+  /// The means by which a view's motion was found. Corners are the fastest and the most exact; where they fail (few
+  /// of them, not on one plane, against the wheels), grey values are aligned, then features matched, before vision is
+  /// blind.
   enum class SeenBy { nothing, corners, grey_values, features };
   static std::string_view name_of(SeenBy by);
 
@@ -48,7 +49,7 @@ class Floor {
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Attitude keyframe_attitude;
-    /// What the fits before said of the keyframe's attitude, beyond what is known of every view: information and its
+    /// The keyframe's attitude as the fits before told it, beyond what is known of every view: information and its
     /// product with the mean.
     Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
     Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();
@@ -107,8 +108,8 @@ class Floor {
   /// The middle of the features.
   Eigen::Vector2d gaze(const Content& content) const;
 
-  /// How often each of 512 words occurs among the features, whichever way the robot looked: views of one stretch of
-  /// floor are nearer to each other than nearly all others. None: a content without features.
+  /// Counts how often each of 512 words occurs among the features, whichever way the robot looked: views of one
+  /// stretch of floor are nearer to each other than nearly all others. None: a content without features.
   std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
 
   enum Condition : std::size_t { as_is, half_light, worn };

@@ -28,7 +28,8 @@ struct MountDriveConfig {
 enum class HeightFrom { nothing, distance, wheels };
 
 struct MountDrive {
-  /// With the mount that was found and how well it is known; scale_share is none when the height was not observable.
+  /// The camera with the mount that was found and how well it is known; scale_share is none when the height was not
+  /// observable.
   CameraModel camera;
   double pitch_rad = 0.0;  ///< found less given
   double roll_rad = 0.0;

@@ -17,7 +17,7 @@ Eigen::Matrix3d carried(const Eigen::Matrix3d& of_a_from_b, const Pose2& b_from_
   return transport * of_a_from_b * transport.transpose();
 }
 
-/// What of a symmetric matrix is positive.
+/// Returns the part of a symmetric matrix that is positive.
 Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(0.5 * (matrix + matrix.transpose()));
   const Eigen::Matrix3d& axes = parts.eigenvectors();
@@ -50,8 +50,8 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   s.keyframe_tracks = s.tracks.size();
 }
 
-/// What is known of any one view's attitude: the mount's tilt as far as it has been found, and vibration. Height
-/// cannot be seen in one camera's motion: it is held by the calibration.
+/// The attitude of any one view, as far as it is known: the mount's tilt as far as it has been found, and vibration.
+/// Height cannot be seen in one camera's motion: it is held by the calibration.
 struct KnownAttitude {
   Eigen::Vector3d mean;
   Eigen::Matrix3d shared;  ///< covariance that all views have in common
@@ -85,9 +85,9 @@ AttitudePrior attitude_prior(const FloorConfig& c, const Floor::Odometry& s) {
   return prior;
 }
 
-/// What the newest view's fit has told of its attitude, for when it becomes the keyframe. Not all of it: fits of the
-/// same corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 % of
-/// speed on pale floors).
+/// Keeps what the newest view's fit has told of its attitude, for when it becomes the keyframe. Not all of it: fits
+/// of the same corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 %
+/// of speed on pale floors).
 void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
   constexpr double kToldShare = 0.8;
   const KnownAttitude known = known_attitude(c, s);
@@ -96,7 +96,7 @@ void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
   s.keyframe_pull = s.keyframe_told * s.attitude.vector();
 }
 
-/// What the keyframe and the newest view show of the mount.
+/// Returns what the keyframe and the newest view show of the mount.
 FloorViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor::Odometry& s) {
   FloorViews views{{}, s.keyframe_from_robot, s.wheels};
   for (const Floor::Tracked& t : s.tracks)

@@ -20,7 +20,7 @@ tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound b
   return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
 }
 
-/// How far the truth may lie from the guess.
+/// The bounds within which the truth may lie from the guess.
 struct Gate {
   Pose2 a_from_b;
   double distance_m = 0.0;
@@ -215,9 +215,9 @@ Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const
   return 0.5 * (covariance + covariance.transpose());
 }
 
-/// How much higher above its calibration b's camera stood than a's above its own: the two views' scales against each
-/// other, as the features alone have them, since the prior holds both cameras at the height of their calibration.
-/// None when the features tell it worse than 2 mm.
+/// Returns how much higher above its calibration b's camera stood than a's above its own: the two views' scales
+/// against each other, as the features alone have them, since the prior holds both cameras at the height of their
+/// calibration. None when the features tell it worse than 2 mm.
 std::optional<Diagnostic> height_offset_of(const AttitudePrior& prior, const PlanarFit& fit) {
   constexpr double worst_sigma_m = 0.002;
   const double before = 1.0 / prior.information(2, 2) + 1.0 / prior.information(5, 5);
@@ -241,8 +241,8 @@ bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
   return !anticlockwise.empty();
 }
 
-/// How much of the floor that both see the agreeing features cover, [0, about 1]. Where a patch of a floor looks like
-/// one elsewhere, they agree within that patch alone.
+/// Returns how much of the floor that both see the agreeing features cover, [0, about 1]. Where a patch of a floor
+/// looks like one elsewhere, they agree within that patch alone.
 double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& matches, const Pose2& a_from_b,
                            const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
                            const Polygon& seen_by_a) {

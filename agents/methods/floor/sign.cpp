@@ -14,7 +14,7 @@ constexpr std::size_t kWords = 1U << kBits;
 
 using Groups = std::array<std::array<std::uint8_t, kBits>, kGroups>;
 
-/// Which of a descriptor's 256 bits make up a word; the same for everybody, no bit twice.
+/// Draws which of a descriptor's 256 bits make up a word; the same for everybody, no bit twice.
 Groups make_groups() {
   std::array<std::uint8_t, 256> bits{};
   for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = static_cast<std::uint8_t>(i);

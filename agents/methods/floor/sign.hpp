@@ -6,7 +6,7 @@
 
 namespace weft::agents {
 
-/// What `Floor::sign` gives, for whoever has contents and no camera.
+/// Returns the signature that `Floor::sign` gives, for whoever has contents and no camera.
 std::optional<Signature> sign_floor_content(const FloorContent& content);
 
 }  // namespace weft::agents

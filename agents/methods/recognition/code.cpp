@@ -32,7 +32,7 @@ Moments moments_of(const Signature& signature) {
   return moments;
 }
 
-/// In levels from the middle.
+/// Returns how far a number is from the middle, in levels.
 double off(float number, const Moments& own) {
   return (static_cast<double>(number) - own.mean) / own.deviation / kStep;
 }

@@ -17,8 +17,8 @@ std::size_t code_bytes(std::size_t numbers);
 /// `code` has code_bytes(signature.size()).
 void write_code(const Signature& signature, std::span<std::uint8_t> code);
 
-/// How the codes of a network are on the whole. Frequent words are frequent in all of them: what tells places apart
-/// is how far they lie from this.
+/// The mean of all codes of a network. Frequent words are frequent in all of them: what tells places apart is how far
+/// they lie from this.
 class UsualLevels {
  public:
   /// One more of them, or with `times` = -1 one less. All of the same length.
@@ -31,8 +31,8 @@ class UsualLevels {
   std::vector<std::int64_t> sums_;
 };
 
-/// What is looked for, in finer steps and as the difference to what is usual: codes are compared with it, not with a
-/// code of it.
+/// The signature that is looked for, in finer steps and as the difference to what is usual: codes are compared with
+/// it, not with a code of it.
 class CodeQuery {
  public:
   /// At most `longest_signature` finite numbers.

@@ -75,15 +75,16 @@ class RecognitionSearch {
   std::vector<std::int32_t> likeness_;              ///< of one chunk
 };
 
-/// Which of the likeliest places are wanted: `most` of those behind the first `after`.
+/// The part of the likeliest places that is wanted: `most` of those behind the first `after`.
 struct Wanted {
   std::size_t most = 64;
   std::size_t after = 0;
 };
-/// How many of the likeliest a search keeps, so that there are enough when they are spread out.
+/// Returns how many of the likeliest a search keeps, so that there are enough when they are spread out.
 std::size_t kept_for(const Wanted& wanted);
 
-/// Of the places in `ranked` no more than two within three hops of one another: each leads to its neighbours.
+/// Returns places of `ranked`, in that order, no more than two within three hops of one another: each leads to its
+/// neighbours.
 std::vector<PlaceId> spread_out(const Snapshot& snapshot, const std::vector<PlaceId>& ranked, const Wanted& wanted);
 
 /// Places of the network that look like `seen`, the likeliest first, spread out. All at once. The index fits `seen`.

@@ -64,7 +64,8 @@ std::vector<Tag> find_tags(const cv::Mat& grey, int border_bits, int count) {
   return tags;
 }
 
-/// How a board may be printed: which of a tag's corners comes first, and whether the first row is the upper one.
+/// Lays tags out as one way of printing a board has them: which of a tag's corners comes first, and whether the first
+/// row is the upper one.
 Sighting arranged(const std::vector<Tag>& tags, const TagBoard& board, std::size_t first_corner, bool first_row_up) {
   const double pitch = board.tag_m + board.gap_m;
   const std::array<Eigen::Vector2d, 4> square = {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(board.tag_m, 0.0),

@@ -30,7 +30,7 @@ using Board = std::variant<ChessBoard, TagBoard>;
 /// invalid: a number that breaks its bound; sizes are [0.001, 2] m.
 Result<void> check(const Board& board);
 
-/// Where one image shows the points of a board.
+/// The points of a board where one image shows them.
 struct Sighting {
   std::vector<Eigen::Vector2d> on_board;  ///< metres, in the board's plane
   std::vector<Eigen::Vector2d> pixels;    ///< the centre of the first pixel at (0, 0)

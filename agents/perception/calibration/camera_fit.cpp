@@ -29,7 +29,7 @@ struct Solved {
   std::vector<Pose3> camera_from_board;  ///< of each image
 };
 
-/// What OpenCV calibrates with: lists of lists.
+/// The points as OpenCV calibrates with them: lists of lists.
 struct Points {
   std::vector<std::vector<cv::Point3f>> on_board;
   std::vector<std::vector<cv::Point2f>> pixels;
@@ -116,7 +116,7 @@ double rms(const std::vector<Eigen::Vector2d>& errors) {
   return errors.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(errors.size()));
 }
 
-/// Where an image's board is for a camera that others have determined.
+/// Finds where an image's board is for a camera that others have determined.
 Pose3 pose_for(const CameraModel& camera, const Sighting& sighting) {
   std::vector<cv::Point3d> on_board;
   std::vector<cv::Point2d> rays;

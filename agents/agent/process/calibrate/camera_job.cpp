@@ -31,7 +31,7 @@ Result<std::vector<fs::path>> images_in(const std::string& folder) {
   return files;
 }
 
-/// What the images showed: boards, and why the others are of no use.
+/// The findings in the images: boards, and why the other images are of no use.
 struct Found {
   std::vector<BoardImage> boards;
   std::vector<std::pair<int, int>> sizes;                    ///< of each

@@ -27,7 +27,7 @@ Grid grid_from(const std::string& flag, const std::string& text) {
   return grid;
 }
 
-/// What the command line says, before it is a job.
+/// The words of the command line, before they are a job.
 struct Words {
   std::string chessboard, tags, model = "radtan";
   std::optional<double> square_mm, tag_mm, gap_mm;

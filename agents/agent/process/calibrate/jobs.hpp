@@ -22,7 +22,7 @@ struct CameraJob {
   bool json = false;
 };
 
-/// How a camera was put on, measured by hand: good to 5 degrees and a few centimetres.
+/// A rough mount of a camera, measured by hand: good to 5 degrees and a few centimetres.
 struct MountGuess {
   double height_m = 0.0, pitch_rad = 0.0, forward_m = 0.0, left_m = 0.0;
 };

@@ -94,7 +94,7 @@ class Sheet {
   std::unique_ptr<cairo_t, Free> pen_;
 };
 
-/// What the drawing's sizes follow from.
+/// The scales from which the drawing's sizes follow.
 struct Scale {
   double image = 1.0;        ///< sheet units a pixel
   double full_px = 1.0;      ///< residual of the brightest colour: nineteen of twenty are smaller
