@@ -14,7 +14,8 @@ struct SitePoint {
   bool operator==(const SitePoint&) const = default;
 };
 
-/// What an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until then.
+/// The body that an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until
+/// then.
 class Body {
  public:
   virtual ~Body() = default;

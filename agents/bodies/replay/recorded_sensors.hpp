@@ -23,7 +23,7 @@ struct RecordedSensor {
   std::vector<Shot> shots;  ///< in the order of time
 };
 
-/// Which sensors of a recording are played.
+/// The sensors of a recording that are to be played.
 struct WantedSensors {
   std::string folder;
   std::string names;                       ///< "cam0"; "cam0,cam1" are two sensors, "cam0+cam1" a stereo pair

@@ -18,7 +18,7 @@ struct RecordedImage {
 /// Rows "nanoseconds,file" under a # header; times must increase. invalid: file, line and what is wrong.
 Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, const std::string& file_name);
 
-/// How far the wheels had rolled and turned the base by a time, since any beginning.
+/// The distance and angle by which the wheels had rolled and turned the base by a time, since any beginning.
 struct RecordedWheels {
   SensorTime time{};
   double distance_m = 0.0;

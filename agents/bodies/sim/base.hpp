@@ -32,7 +32,7 @@ class Base {
   Twist velocity() const { return velocity_; }
   /// Nothing rolls and nothing that was commanded waits.
   bool at_rest() const;
-  /// What the wheels reported since the last call.
+  /// Returns what the wheels have reported since the last call.
   WheelStep take_wheel_step();
 
  private:

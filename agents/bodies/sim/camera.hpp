@@ -84,7 +84,7 @@ class Camera {
         : at(site_from_camera_pose.translation),
           site_from_camera(site_from_camera_pose.rotation.toRotationMatrix().cast<float>()) {}
   };
-  /// What is seen where a ray hits, and where that is.
+  /// The surface where a ray hits: what is seen of it, and where that is.
   struct Surface {
     float albedo = 0.0F;
     Eigen::Vector3f at = Eigen::Vector3f::Zero();
@@ -113,7 +113,7 @@ class Camera {
   }
 
   // camera_boxes.cpp
-  /// What a cell of the light grid shows of boxes, in the middle of the exposure.
+  /// The boxes that a cell of the light grid shows, in the middle of the exposure.
   enum class Shows : std::uint8_t {
     floor,   ///< no box
     mixed,   ///< perhaps a box
@@ -138,7 +138,7 @@ class Camera {
       light.on_wall(x, y, z, gain);
     }
   };
-  /// As a FaceJob wants them.
+  /// The places to paint, as a FaceJob wants them.
   struct PaintPlaces {
     std::array<double, kShadeCell> along_m{}, up_m{}, pixel_m{};
     void set(std::size_t i, const Eigen::Vector2d& in_face, double pixel_size_m) {
@@ -158,7 +158,7 @@ class Camera {
   Shows& shows(int u, int v) {
     return shows_[static_cast<std::size_t>((v / kShadeCell) * (columns_ - 1) + u / kShadeCell)];
   }
-  /// What the cell's upper left corner shows.
+  /// Returns what the cell's upper left corner shows.
   const BoxHit& corner_hit(int u, int v) const {
     return node_hits_[static_cast<std::size_t>((v / kShadeCell) * columns_ + u / kShadeCell)];
   }

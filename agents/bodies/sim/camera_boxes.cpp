@@ -12,8 +12,8 @@ constexpr double kFarthestBoxM = 6.0;
 
 }  // namespace
 
-/// Where a box may be seen: a line of sight to a node in or next to the cell passes over one; an edge may pass
-/// between two nodes.
+/// Marks the cells in which a box may be seen: a line of sight to a node in or next to the cell passes over one; an
+/// edge may pass between two nodes.
 void Camera::mark_cells(const FloorShot& shot) {
   shows_.clear();
   const Eigen::Vector3d& middle = shot.site_from_camera_mid.translation;

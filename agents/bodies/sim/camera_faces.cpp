@@ -144,7 +144,7 @@ void Camera::draw_lone(const FloorShot& shot) {
   }
 }
 
-/// Where an edge runs through a pixel, each subsample looks for itself; four pixels make a packet of rays.
+/// Draws the pixels through which an edge runs: each subsample looks for itself; four pixels make a packet of rays.
 void Camera::draw_edges(const FloorShot& shot) {
   constexpr std::size_t together = Scene::kPacket / kSubsamples;
   const double per_focal = 1.0 / camera_.fx;

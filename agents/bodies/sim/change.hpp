@@ -4,7 +4,7 @@
 
 #include "core/geometry/pose2.hpp"
 
-/// What is no longer as it was when the robots were taught: [change] of a site file.
+/// The changes of a site since the robots were taught: [change] of a site file.
 namespace weft::agents::sim {
 
 /// A dark rectangle on the floor, with soft rims; it may swing to and fro along its length.

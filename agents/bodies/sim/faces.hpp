@@ -1,12 +1,12 @@
 #pragma once
 #include <cstdint>
 
-/// What the faces of boxes look like. Plain types only, as in floor/kernels.hpp, where the loop over them is chosen.
+/// The looks of the faces of boxes. Plain types only, as in floor/kernels.hpp, where the loop over them is chosen.
 namespace weft::agents::sim {
 
 enum class FaceLook : std::uint8_t { rack, plain, wall, pillar };
 
-/// What was looked at last: neighbouring pixels mostly share it. Changes no result.
+/// A memo of what was looked at last: neighbouring pixels mostly share it. Changes no result.
 struct FaceMemo {
   /// Corners of a cell of noise; the cell's place as whole numbers.
   struct Cell {

@@ -15,7 +15,7 @@ class Hand {
   static Result<Hand> along(const std::vector<SitePoint>& line, const Site& site, const Pose2& site_from_robot,
                             Random random);
 
-  /// What he asks of the base now. Zero once at the end.
+  /// Returns what the hand asks of the base now. Zero once at the end.
   Twist command(const Pose2& site_from_robot, double time_s);
   bool at_end() const { return at_end_; }
 

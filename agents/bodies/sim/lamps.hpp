@@ -6,7 +6,7 @@
 
 namespace weft::agents::sim {
 
-/// How bright each of the site's lamps is in a run, against what the site file says: within
+/// Returns how bright each of the site's lamps is in a run, against what the site file says: within
 /// `Disturbances::light_change` of 1, as `random` makes it; 0 for the nearest whole number to `Change::lamps_failed`
 /// of them, drawn by `Change::seed`.
 std::vector<double> lamps_now(const Site& site, Random random);

@@ -9,7 +9,7 @@
 
 namespace weft::agents::sim {
 
-/// What throws the shadow: an upright cylinder.
+/// The body that throws the shadow: an upright cylinder.
 struct ShadowBody {
   double x = 0.0, y = 0.0;
   double radius_m = 0.28;

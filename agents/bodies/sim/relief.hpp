@@ -7,7 +7,7 @@
 
 namespace weft::agents::sim {
 
-/// How far a floor lies above its plane: smooth bumps with wavelengths of 0.3 to 3 m, a function of place and seed.
+/// The height of a floor above its plane: smooth bumps with wavelengths of 0.3 to 3 m, a function of place and seed.
 /// Long waves are higher in proportion, so that waves of all lengths are equally steep.
 class Relief {
  public:

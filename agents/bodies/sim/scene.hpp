@@ -9,7 +9,7 @@
 
 namespace weft::agents::sim {
 
-/// Where a ray meets a box first.
+/// The first point in which a ray meets a box.
 struct BoxHit {
   std::int32_t box = -1;  ///< index into the site's boxes; -1: none
   std::int32_t face = 0;  ///< 0..3: the sides at +x, +y, -x, -y of the box's frame; 4: its top
@@ -24,7 +24,7 @@ struct FacePlane {
   Eigen::Vector2d along;   ///< site frame; `along_m` of a FaceJob counts this way
   bool top = false;        ///< its `up_m` lies across `along` on the floor
 
-  /// How far away a ray of this direction meets the plane, in lengths of it.
+  /// Returns how far away a ray of this direction meets the plane, in lengths of it.
   float distance(const Eigen::Vector3f& direction) const {
     return ahead / (normal.x() * direction.x() + normal.y() * direction.y() + normal.z() * direction.z());
   }
@@ -47,7 +47,7 @@ class Scene {
   static constexpr std::size_t kPacket = 16;
   /// Rays from one eye (site frame), at most kPacket of them; `hits` has as many.
   void cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions, std::span<BoxHit> hits) const;
-  /// Likewise, each from an eye of its own.
+  /// Casts rays likewise, each from an eye of its own.
   void cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,
             std::span<BoxHit> hits) const;
 

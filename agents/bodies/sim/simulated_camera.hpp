@@ -13,9 +13,9 @@
 
 namespace weft::agents::sim {
 
-/// When and where an image is taken.
+/// The time and place at which an image is taken.
 struct Moment {
-  /// Where a camera with this mount is so many seconds from now, all that shakes it included.
+  /// Returns where a camera with this mount is so many seconds from now, all that shakes it included.
   std::function<Pose3(const Pose3& robot_from_camera, double from_now_s)> site_from_camera;
   Pose2 site_from_robot;
   double time_s = 0.0;
@@ -23,23 +23,23 @@ struct Moment {
   std::uint64_t noise_seed = 0;
 };
 
-/// What a body sees with.
+/// A camera that a body sees with.
 class SimulatedCamera {
  public:
   virtual ~SimulatedCamera() = default;
   virtual std::string name() const = 0;
-  /// As agents are told; the true one differs.
+  /// Returns the camera model as agents are told it; the true one differs.
   virtual const CameraModel& given() const = 0;
   /// Another run: each lamp as bright as `random` makes it.
   virtual void light_up(Random random) = 0;
   virtual Image look(const Moment& moment) = 0;
-  /// Of the image looked at last; none: not known.
+  /// Returns the exposure of the image looked at last; none: not known.
   virtual std::optional<Exposure> exposed() const { return std::nullopt; }
-  /// From the next image on. False: it cannot be told.
+  /// Sets the exposure from the next image on. False: it cannot be told.
   virtual bool expose(const Exposure&) { return false; }
 };
 
-/// Whose eye it is: the calibration's name and errors.
+/// The owner of a camera, by which its calibration has its name and errors.
 struct CameraOwner {
   std::string robot;
   std::uint64_t day = 0;

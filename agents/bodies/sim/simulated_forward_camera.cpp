@@ -9,7 +9,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Of the exposure, in time order: the middles of its quarters.
+/// Times of the samples as shares of the exposure, from its middle, in order: the middles of its quarters.
 constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125, 0.375};
 
 /// A focal length from a data sheet and where it was screwed on; its lens nobody has measured, on any day.

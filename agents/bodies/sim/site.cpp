@@ -182,7 +182,7 @@ CameraSetup camera_in(const Table& table) {
   return c;
 }
 
-/// As often as the floor's camera, if it does not say otherwise.
+/// Reads the forward camera; it takes images as often as the floor's camera, if it does not say otherwise.
 ForwardCameraSetup forward_camera_in(const Table& table, const CameraSetup& floor) {
   ForwardCameraSetup c;
   c.width = static_cast<int>(table.integer("width_px", c.width, 64, 4096));

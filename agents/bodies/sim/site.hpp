@@ -77,7 +77,7 @@ struct ForwardCameraSetup {
   double fps = 30.0, fps_at_rest = 2.0;
 };
 
-/// What the floor camera does not see of a hall.
+/// The part of a hall that the floor camera does not see.
 struct HallSetup {
   double ceiling_m = 7.0;
   double ceiling_grey = 95.0, wall_grey = 125.0;  ///< under mean light

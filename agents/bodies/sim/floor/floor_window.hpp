@@ -19,7 +19,7 @@ class FloorWindow {
 
   /// The tile is in the window afterwards; another one a window's length away is not.
   void need(int level, TileKey key);
-  /// To sample around tile `origin`; its lower corner is the origin of sampling coordinates.
+  /// Returns the pixels to sample around tile `origin`; its lower corner is the origin of sampling coordinates.
   LevelPixels level(int level, TileKey origin) const;
   std::size_t bytes() const;
   const TileCache& cache() const { return cache_; }

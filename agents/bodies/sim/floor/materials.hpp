@@ -5,9 +5,9 @@
 
 namespace weft::agents::sim {
 
-/// What a kind of floor is made of. Amplitudes are grey levels, sizes metres, densities a square metre.
+/// The make of a kind of floor. Amplitudes are grey levels, sizes metres, densities a square metre.
 struct Material {
-  /// What is laid in pieces under everything else.
+  /// The kind of pieces that are laid under everything else.
   enum class Pieces : unsigned char { none, tiles, planks };
 
   std::string name;

@@ -39,7 +39,7 @@ Random random_of(std::uint64_t seed, std::int64_t row, std::int64_t piece, std::
       .fork(stream);
 }
 
-/// Where piece `piece` of a row begins; rows are shifted against each other.
+/// Returns where piece `piece` of a row begins, m; rows are shifted against each other.
 double begin_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
   const double shift = random_of(seed, row, 0, 1).uniform(0.0, kPitchM);
   return shift + static_cast<double>(piece) * kPitchM + random_of(seed, row, piece, 2).uniform(0.0, kJitterM);
@@ -122,7 +122,7 @@ float grain_at(const Plank& plank, int node, float share, double across) {
   return (1.0F - share) * (near[0] + between * (near[1] - near[0])) + share * (far[0] + between * (far[1] - far[0]));
 }
 
-/// What is the same for all rows of a canvas, for each column on a plank.
+/// The part that is the same for all rows of a canvas, for each column on a plank.
 struct Columns {
   int first = 0;
   std::vector<double> along, drift;  ///< from the plank's begin; of the grain

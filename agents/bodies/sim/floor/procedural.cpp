@@ -57,8 +57,8 @@ float ProceduralFloor::amplitude(int level, Channel channel) const {
   return level >= 5 ? static_cast<float>(0.12 * material_.warmth_spread) : 0.0F;
 }
 
-/// From one cell a tile down to one a texel: each lattice is the coarser one, doubled smoothly, plus noise of its
-/// own.
+/// Makes the lattices of a tile from one cell a tile down to one a texel: each is the coarser one, doubled smoothly,
+/// plus noise of its own.
 std::vector<float> ProceduralFloor::lattice(TileKey key, Channel channel) const {
   std::vector<float> coarse;
   std::vector<float> fine;
@@ -159,7 +159,7 @@ void ProceduralFloor::draw_tyre(Random& random, double x, double y, const Layer&
   }
 }
 
-/// From its middle both ways, jagged, getting finer; here and there a fine crack leaves it.
+/// Draws a fissure from its middle both ways, jagged, getting finer; here and there a fine crack leaves it.
 void ProceduralFloor::draw_fissure(Random& random, double x, double y, const Layer& layer) const {
   constexpr double kStepM = 0.02;
   const double along = random.uniform(0.0, 2.0 * std::numbers::pi);

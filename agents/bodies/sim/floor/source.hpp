@@ -18,7 +18,7 @@ struct TileKey {
   auto operator<=>(const TileKey&) const = default;
 };
 
-/// What the floor looks like.
+/// The texture of a floor.
 class FloorSource {
  public:
   virtual ~FloorSource() = default;

@@ -18,11 +18,12 @@ class ExposureControl {
   double amplified() const;   ///< >= 1
   /// Grey levels of an image for what would be 1 at the exposure that sites are lit for.
   double gain() const { return told_ ? told_->light_s() / lit_for_s() : asked_; }
-  /// As agents are told.
+  /// Returns the present exposure as agents are told it.
   Exposure now() const;
   /// `mean_light`: of the image just taken, what its grey levels would be at gain 1.
   void taken(double mean_light);
-  /// From the next image on, within what it can. False: it exposes as the site is lit for, whatever the light.
+  /// Sets the exposure from the next image on, within what the camera can. False: it exposes as the site is lit for,
+  /// whatever the light.
   bool tell(const Exposure& exposure);
 
  private:

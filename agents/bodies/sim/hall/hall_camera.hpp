@@ -48,7 +48,7 @@ class HallCamera {
   HallImage take(const HallShot& shot);
 
  private:
-  /// What moves, where it is when an image is taken.
+  /// The things that move, where they are when an image is taken.
   struct Moving {
     struct Sphere {
       Eigen::Vector3f middle = Eigen::Vector3f::Zero();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kLampGrey = 12.0F;  // of a lamp's own face against a lit floor under it
 
-/// What a lamp at `lamp` that shines down gives a surface, 1 on the floor below it.
+/// Returns the light that a lamp at `lamp` that shines down gives a surface, 1 on the floor below it.
 float falloff(const Eigen::Vector3f& lamp, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
   constexpr float sideways = 0.15F;  // of its light that a lamp gives to what is beside or above it
   const Eigen::Vector3f way = lamp - point;

@@ -6,7 +6,7 @@
 
 namespace weft::agents::sim {
 
-/// Where it is at a time: to and fro along its way at its speed, heading as it goes.
+/// Returns where a mover is at a time, s: to and fro along its way at its speed, heading as it goes.
 Pose2 pose_of(const Mover& mover, double time_s);
 
 /// A person or forklift as boxes that look like one, at a time; `who` tells one from another.

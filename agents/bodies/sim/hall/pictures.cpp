@@ -38,7 +38,7 @@ class Picture {
     cv::line(grey_, {static_cast<int>(x0), static_cast<int>(y0)}, {static_cast<int>(x1), static_cast<int>(y1)},
              cv::Scalar(grey), thickness, cv::LINE_AA);
   }
-  /// With the grain of paper and paint.
+  /// Returns the picture with the grain of paper and paint.
   Texture done(Random& random) const {
     std::vector<std::uint8_t> texels;
     for (int y = 0; y < kSide; ++y)

@@ -5,7 +5,7 @@
 
 namespace weft::agents::sim {
 
-/// What a surface is made of; each has textures of its own.
+/// The material of a surface; each has textures of its own.
 enum class Stuff : std::uint8_t { floor, wall, ceiling, steel, load, pallet, sign, vehicle, clothing, lamp };
 inline constexpr std::size_t kStuffs = 10;
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-/// What eight rays see of a face, in two builds: one for any x86-64 and one for AVX2, chosen at run time. Both give
-/// the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
+/// Shading of what eight rays see of a face, in two builds: one for any x86-64 and one for AVX2, chosen at run time.
+/// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
 inline constexpr int kShaded = 8;
@@ -14,7 +14,7 @@ struct TexelLevels {
   int top = 0;
 };
 
-/// What shading a face needs. Its coordinates u, v are in [0, 1].
+/// A face as shading needs it. Its coordinates u, v are in [0, 1].
 struct ShadedFace {
   TexelLevels levels;
   float per_u = 1.0F, per_v = 1.0F, at_u = 0.0F, at_v = 0.0F;  ///< texels

@@ -35,7 +35,7 @@ using Ints [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
   return within < back ? within : back;
 }
 
-/// Of a texture at (x, y) texels of level 0, from the level whose texels are as large as `texels` of those.
+/// Returns the texels at (x, y), in texels of level 0, from the level whose texels are as large as `texels` of those.
 [[gnu::always_inline]] inline Floats texel(const TexelLevels& levels, const Floats& x, const Floats& y,
                                            const Floats& texels) {
   const Floats at_least_one = texels > 1.0F ? texels : Floats{} + 1.0F;

@@ -48,7 +48,7 @@ struct Slot {
   double x, z, width_m, height_m;
 };
 
-/// What stands on one pallet's place, if anything.
+/// Adds what stands on one pallet's place, if anything.
 void add_load(Rack& rack, const Box& box, const Slot& slot, Random random) {
   if (random.chance(0.12)) return;
   const double set_back = random.uniform(0.0, 0.12);
@@ -64,7 +64,8 @@ void add_load(Rack& rack, const Box& box, const Slot& slot, Random random) {
            look(Stuff::load, random.uniform(85.0, 150.0), static_cast<std::uint32_t>(random.next())));
 }
 
-/// What decides on the load of a place: the rack, or the last time that it changed.
+/// Returns the random numbers that decide on the load of a place: those of the rack, or of the last time that it
+/// changed.
 Random stocked(const Box& box, const Site& site, std::uint64_t place) {
   const Random of_change = Random(site.change.seed ^ hash_of(box.name));
   constexpr std::uint64_t times = 1ULL << 40U;  // beyond all places

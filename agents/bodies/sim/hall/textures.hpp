@@ -30,7 +30,7 @@ class Texture {
 /// Textures of a stuff in place of those that are drawn; none is empty.
 using Photographed = std::map<Stuff, std::vector<Texture>>;
 
-/// What each stuff looks like. A texture of cloth, concrete or the like has its size in metres and goes on from quad
+/// The textures of each stuff. A texture of cloth, concrete or the like has its size in metres and goes on from quad
 /// to quad; the picture of a load or a sign fills its quad.
 class Textures {
  public:
