@@ -8,7 +8,7 @@
 
 #include "core/result.hpp"
 
-/// What charts and the pictures of studies are drawn with. Lengths in pixels, y downwards.
+/// The canvas that charts and the pictures of studies are drawn on. Lengths in pixels, y downwards.
 namespace weft::charts {
 
 struct Colour {

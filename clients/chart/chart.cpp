@@ -38,7 +38,7 @@ Range widened(Range range, double share) {
   return {range.low - margin, range.high + margin};
 }
 
-/// Where a chart is on the canvas, and what it shows.
+/// The frame of a chart: where it is on the canvas, and what range it shows.
 struct Frame {
   double left, top, wide, tall;
   Range x, y;

@@ -9,7 +9,7 @@
 
 namespace weft::charts {
 
-/// In the chart's units, y upwards.
+/// A curve in the chart's units, y upwards.
 struct Curve {
   enum class Look { line, dashed, dots, steps };
   std::string name;  ///< in the legend; empty: not there
@@ -29,7 +29,7 @@ struct Chart {
   bool y_from_zero = false;
 };
 
-/// Of each chart, pixels.
+/// The size of each chart, pixels.
 struct ChartSize {
   double wide = 560.0;
   double tall = 330.0;

@@ -10,7 +10,7 @@
 
 namespace weft::cli {
 
-/// Where a labelled place lies in a frame of the site: that of a floor plan, or of an exported file.
+/// The position of a labelled place in a frame of the site: that of a floor plan, or of an exported file.
 struct Anchor {
   std::string label;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< metres

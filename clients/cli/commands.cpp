@@ -13,7 +13,7 @@ constexpr Duration kReach = 10s;  ///< discovery across vendors takes seconds on
 constexpr Duration kSoon = 15s;
 constexpr Duration kAMinute = 60s;
 
-/// What the server is asked: who asks it, and how long an answer may take when nobody says.
+/// A command that asks the server: the function that does it, and how long an answer may take when nobody says.
 struct Asking {
   Command command;
   Exit (*run)(Session&, const Invocation&, const Output&);

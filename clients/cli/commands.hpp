@@ -9,7 +9,7 @@
 
 namespace weft::cli {
 
-/// Where a command's words go. With --json exactly one document goes to `out`, errors included.
+/// The streams that a command's words go to. With --json exactly one document goes to `out`, errors included.
 struct Output {
   std::ostream& out;
   std::ostream& err;
@@ -20,7 +20,8 @@ Exit run(Session& session, const Invocation& invocation, const Output& output);
 
 /// Whether a command talks to a server; the others are done by `run_offline`.
 bool needs_server(Invocation::Command command);
-/// As whom a command speaks: an import as the robot whose runs it says they are, so that importing again is a repeat.
+/// Returns the peer as whom a command speaks: an import as the robot whose runs it says they are, so that importing
+/// again is a repeat.
 PeerId identity(const Invocation& invocation, const PeerId& otherwise);
 Exit run_offline(const Invocation& invocation, const Output& output);
 /// Makes a snapshot the map of a store's directory.
@@ -42,9 +43,9 @@ Exit report_offline(const Error& error, bool json, const Output& output);
 // One family of commands each; connected already.
 Exit run_robots(Session& session, const Invocation& invocation, const Output& output);
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output);
-/// How what a robot was taught will be found again, as a table and a picture.
+/// Shows how what a robot was taught will be found again, as a table and a picture.
 Exit run_teach_report(Session& session, const Invocation& invocation, const Output& output);
-/// How often a robot found where it is, and what it refused.
+/// Shows how often a robot found where it is, and what it refused.
 Exit run_counts(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
 /// The log of revisions, and what two of them differ in.
@@ -57,15 +58,16 @@ Result<Window> network_at(Session& session, const Invocation& invocation, Sessio
 Exit run_map_work(Session& session, const Invocation& invocation, const Output& output);
 /// Two stretches are different floors, or a list of all that are.
 Exit run_apart(Session& session, const Invocation& invocation, const Output& output);
-/// Of the map as it was then; 0: as it is.
+/// Asks for the aparts of the map as it was at that revision; 0: as it is.
 Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision);
-/// What is to be done to the map. invalid: what the command line names is nothing that could be meant.
+/// Makes the request for what is to be done to the map. invalid: what the command line names is nothing that could be
+/// meant.
 Result<msg::OperatorRequest> map_work(const Invocation& invocation);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);
 Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);
 
-/// What was asked of the invocation's --timeout, or what suits the command.
+/// Returns the --timeout that the invocation asks for, or what suits the command.
 Duration patience(const Invocation& invocation);
 Result<msg::QueryReply> query_robots(Session& session, Duration at_most);
 Names names_of(const std::vector<msg::RobotRow>& robots);

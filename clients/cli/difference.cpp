@@ -10,7 +10,7 @@ bool is_stitch(const Edge& edge) {
   return edge.origin == Origin::stitch;
 }
 
-/// Where both have a key, the value of `to`. Linear: nothing is put into the middle.
+/// Merges two maps; where both have a key, the value of `to` counts. Linear: nothing is put into the middle.
 template <class Map>
 Map merged(const Map& from, const Map& to) {
   Map both;

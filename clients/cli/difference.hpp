@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// What two revisions of the network differ in; each list sorted.
+/// The differences between two revisions of the network; each list sorted.
 struct NetworkDifference {
   Revision from, to;
   std::vector<PlaceId> places_added, places_removed;

@@ -175,7 +175,7 @@ std::string standing(const msg::RobotRow& row) {
   return text;
 }
 
-/// What is known about a goal or a robot, newest last: its own history, the robot's word, and the events.
+/// Shows what is known about a goal or a robot, newest last: its own history, the robot's word, and the events.
 Exit why(Session& session, const Goals& goals, const Invocation& invocation, const Output& output) {
   const auto robot = std::find_if(goals.robots.begin(), goals.robots.end(), [&](const msg::RobotRow& row) {
     return row.description.name == invocation.goal || to_string(row.description.header.sender) == invocation.goal;

@@ -14,7 +14,7 @@ using Command = Invocation::Command;
 
 constexpr std::uint64_t kMostDrawnWhole = 20'000;  ///< places
 
-/// Who asked, by name where it is one of the fleet's robots.
+/// Returns who asked, by name where it is one of the fleet's robots.
 std::string asker(const std::string& who, const Names& names) {
   for (const auto& [id, name] : names) {
     if (to_string(id) == who) return name;

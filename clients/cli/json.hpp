@@ -33,7 +33,7 @@ nlohmann::json to_json(const Pose2& pose);
 
 /// "2026-11-21T10:40:03.250Z"
 std::string to_text(WallTime time);
-/// From when it was asked for until its end, or until now.
+/// Returns how long the goal has taken, from when it was asked for until its end, or until now.
 double duration_s(const Goal& goal, WallTime now);
 
 }  // namespace weft::cli

@@ -33,7 +33,7 @@ WallTime wall_now() {
   return WallTime{std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())};
 }
 
-/// Who asks, as events show it.
+/// Returns the name of who asks, as events show it.
 std::string operator_name() {
   const std::string user = from_environment("USER");
   return user.empty() ? "uid" + std::to_string(getuid()) : as_utf8(user, kLongestName);

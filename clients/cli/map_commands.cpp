@@ -50,7 +50,7 @@ Result<Laid> lay(Window network, const Invocation& invocation) {
   return Laid{std::move(held->network), std::move(held->layout), std::move(caption)};
 }
 
-/// What of the command line does not go together.
+/// Checks that the parts of the command line go together. invalid: what does not.
 Result<void> check(const Invocation& invocation) {
   const bool draws = invocation.command == Command::map_draw;
   if (draws && invocation.anchors.empty() != invocation.floor_plan.empty()) {

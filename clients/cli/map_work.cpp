@@ -62,7 +62,7 @@ std::optional<EdgeId> parse_stitch(const std::string& text) {
   return EdgeId{*a, *b};
 }
 
-/// What is nothing else is an experience's name or id.
+/// Reads what the map work is about; what is nothing else is an experience's name or id. invalid: it is none of them.
 Result<void> put_what(const std::string& what, msg::OperatorRequest& request) {
   if (const auto stitch = parse_stitch(what); stitch.has_value()) {
     request.work.what.stitches = {*stitch};

@@ -29,7 +29,7 @@ inline constexpr double kDetailWords = 14.0;  // size, below the title
 inline constexpr std::size_t kMostRunsListed = 12;  ///< in the legend, and named on the drawing
 inline constexpr std::size_t kMostLabels = 1000;    ///< named; others are marked only
 
-/// What is to be drawn.
+/// The subject of a drawing.
 struct Subject {
   Window network;
   Layout layout;

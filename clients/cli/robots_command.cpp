@@ -22,7 +22,7 @@ std::string doing(const msg::RobotState& state) {
   return "-";
 }
 
-/// What its window and its contents took on the wire since the server started.
+/// Returns what the robot's window and its contents took on the wire since the server started, MiB.
 std::string sent_to(const msg::RobotRow& row) {
   return fixed(static_cast<double>(row.window_bytes) / bytes_a_mib, 1) + " + " +
          fixed(static_cast<double>(row.content_bytes) / bytes_a_mib, 1) + " MiB";

@@ -15,7 +15,7 @@
 
 namespace weft::cli {
 
-/// What a session needs of the world; a test gives it a virtual one.
+/// The clocks and the wait that a session needs of the world; a test gives it a virtual one.
 struct World {
   std::function<SteadyTime()> now;
   std::function<WallTime()> wall;

@@ -32,7 +32,8 @@ inline Box around(const Point& at, double radius) {
 
 inline constexpr double kSheetMargin = 60.0;
 
-/// From the drawing's metres to the sheet's units; y turned round. Title above, the network, the legend below it.
+/// The sheet of a drawing: maps the drawing's metres to the sheet's units, y turned round. Title above, the network,
+/// the legend below it.
 struct Sheet {
   double scale = 1.0;       ///< units a metre
   double left = 0.0;        ///< the drawing's x at the margin

@@ -31,7 +31,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// With so many digits after the point.
+/// Formats a number with so many digits after the point.
 std::string fixed(double value, int digits);
 inline constexpr double bytes_a_mib = 1024.0 * 1024.0;
 

@@ -9,11 +9,12 @@
 
 namespace weft::cli {
 
-/// How a condition is called in sentences: "in half the light"; of one that this program does not know, its name.
+/// Returns what a condition is called in sentences: "in half the light"; of one that this program does not know, its
+/// name.
 std::string words_for(const std::string& condition);
 
-/// What to do before the robot leaves: a sentence for each run of stretches that will not be found, with its metres,
-/// under the mildest condition under which that is so. Empty: nothing needs to be done.
+/// Returns what to do before the robot leaves: a sentence for each run of stretches that will not be found, with its
+/// metres, under the mildest condition under which that is so. Empty: nothing needs to be done.
 std::vector<std::string> advice_of(const std::vector<msg::TaughtStretch>& report);
 
 /// A row a stretch, and the advice.

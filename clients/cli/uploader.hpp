@@ -18,7 +18,7 @@ class Uploader {
   /// msg::kChunkBytes each.
   Uploader(const std::vector<Batch>& batches, const std::map<ContentHash, Bytes>& contents);
 
-  /// What to send now; headers are the caller's.
+  /// Returns what is to be sent now; headers are the caller's.
   std::vector<msg::Message> due(SteadyTime now);
   /// refused: the server will not have a batch; the message has its words.
   Result<void> hear(const msg::BatchAck& ack);
