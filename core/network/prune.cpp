@@ -95,8 +95,8 @@ bool Pruner::step() {
   return true;
 }
 
-/// Leaves a stitched place in the middle of a run as a junction, and queues what lies to either side of it, for a run
-/// that is missed as a whole.
+/// Splits a run that cannot go as a whole: a stitched place in its middle stays as a junction, and what lies to
+/// either side of it is queued to be tried.
 void Pruner::try_around_a_junction(const Stretch& run) {
   const auto& ends = snapshot_.experience(run.experience)->stitch_ends;
   const auto first = std::lower_bound(ends.begin(), ends.end(), Experience::StitchEnd{run.first, 0});
@@ -107,7 +107,8 @@ void Pruner::try_around_a_junction(const Stretch& run) {
   if (junction > run.first) runs_.push_back({run.experience, run.first, junction - 1});
 }
 
-/// Looks at the next places of the experience; after the last one the runs of covered places are ready to be tried.
+/// Finds what covers the next places of the experience; after the last one queues the runs of covered places to be
+/// tried.
 void Pruner::look_at_places() {
   const std::size_t end = std::min(next_place_ + kPlacesAStep, current_->places.size());
   for (; next_place_ < end; ++next_place_) {

@@ -59,8 +59,8 @@ class Pruner {
   std::uint64_t total_ = 0;
 };
 
-/// Returns the part of a pruner's findings that can still go from a later snapshot: nothing that was joined to others
-/// since the pruner's own, and nothing of `keep`.
+/// Returns the runs of a pruner's findings that can still go from a later snapshot: none with a place whose edges
+/// have changed since, that has a label by now, or that is in `keep`.
 Removal still_unneeded(const Pruner& pruner, const Snapshot& now, const std::set<PlaceId>& keep);
 
 /// Whether nothing of `before` has left.

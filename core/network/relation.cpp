@@ -75,7 +75,7 @@ double turn_rad(const Relation& relation) {
   return heading_rad(relation);
 }
 
-/// Returns how `project` moves with xi in a_from_b * se3_exp(xi), read in the planar frame of b.
+/// Returns the Jacobian of `project` by xi in a_from_b * se3_exp(xi), read in the planar frame of b.
 Eigen::Matrix<double, 3, 6> projection_jacobian(const Pose3& a_from_b) {
   const Eigen::Matrix3d rotation = a_from_b.rotation.toRotationMatrix();
   const double heading = project(a_from_b).heading;

@@ -55,7 +55,7 @@ class Preparing final : public Work {
   Phase phase = Phase::number;
   Preparation made;
   Snapshot::Experiences::const_iterator next_experience;
-  /// The number of each place in the layout, by the place's index; from the cuts on, its node.
+  /// Numbers of an experience's places, by the place's index: in the layout at first, from the cuts on their nodes.
   FlatMap<ExperienceId, std::shared_ptr<std::vector<Node>>> numbers;
   Layout layout;
   std::uint32_t next_place = 0;

@@ -59,7 +59,7 @@ Overlay read_overlay(ByteReader& in) {
   return overlay;
 }
 
-/// The contents of the bytes, before they are held against the network.
+/// A preparation as the bytes state it, before it is held against the network.
 struct Written {
   Preparation made;
   std::vector<std::uint64_t> fingerprints;

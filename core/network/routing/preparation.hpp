@@ -53,9 +53,9 @@ struct BaseCell {
   bool operator==(const BaseCell&) const = default;
 };
 
-/// A cell as those see it who drive through it: the cost from each place where one can come in to each where one can
-/// go out, on ways that stay within. The overlay of Delling, Goldberg, Pajor, Werneck, "Customizable Route Planning
-/// in Road Networks" (2017), section 3.
+/// The costs of driving through a cell: from each place where one can come in to each where one can go out, on ways
+/// that stay within. The overlay of Delling, Goldberg, Pajor, Werneck, "Customizable Route Planning in Road Networks"
+/// (2017), section 3.
 struct Overlay {
   std::vector<std::uint32_t> children;        ///< cells one level below; none at level 0
   std::vector<Node> entries;                  ///< ascending
