@@ -26,7 +26,7 @@ struct LatticeCloud {
   std::uint32_t quantum_um = 0;
 };
 
-/// Returns the bytes that are hashed: the same ones for the same points in any order. Each coordinate x is kept
+/// Returns the bytes of a cloud that are hashed: the same for the same points in any order. Each coordinate x is kept
 /// within quantum / 2 + |x| 2^-24, values exactly; the order of the points is not kept. invalid, with the point and
 /// the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite or beyond 2^23 quanta, a
 /// cloud of 2^21 quanta or more on an axis, values that are not one a point. exhausted: more than kLargestContent

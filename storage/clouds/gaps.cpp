@@ -36,7 +36,7 @@ Split split_gap(std::uint64_t gap) {
   return {static_cast<std::uint8_t>(4 * (k - 1) + ((gap >> (k - 2)) & 3U)), k - 2};
 }
 
-/// The meaning of a token: its gap is the base and some bits of the tail.
+/// The gap that a token stands for: `base` plus the next `tail_bits` bits of the tails.
 struct Meaning {
   std::uint64_t base = 0;
   std::uint64_t tail_mask = 0;

@@ -93,7 +93,7 @@ class MemoryCompaction {
     thin(batch.learned, revision);
   }
 
-  /// Drops what was known of places between the first time and the last, except where a kept map has it.
+  /// Drops versions of places between the first and the last, except those that a kept map has.
   void thin(std::vector<Place>& known_anew, Revision revision) {
     std::erase_if(known_anew, [&](const Place& place) {
       const bool is_latest = known_.try_emplace(place.id, retention_).first->second.keeps(revision.value);

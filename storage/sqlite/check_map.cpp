@@ -134,7 +134,7 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
   std::optional<PlaceId> last_;
 };
 
-/// The check of what is known anew of places.
+/// The check of later versions of places, as they have become known anew (place_anew).
 class PlaceAnewCheck final : public MapCheck<PlaceRow> {
  public:
   using MapCheck::MapCheck;

@@ -175,8 +175,8 @@ class DeletePlaces final : public CompactPart {
   std::optional<Stretch> now_;
 };
 
-/// Deletes what was known of places between the first time and the last, where no kept map has it. From the newest
-/// row of a place to the oldest.
+/// Deletes versions of places between the first and the last that no kept map has. From the newest row of a place to
+/// the oldest.
 class DeletePlacesAnew final : public CompactPart {
  public:
   DeletePlacesAnew(Scan scan, Lookup lookup, Statement drop)
@@ -223,7 +223,8 @@ class DeletePlacesAnew final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Deletes what a label meant before its last meaning in every kept map. From the newest to the oldest.
+/// Deletes meanings of a label that have been replaced by a later one in every kept map. From the newest to the
+/// oldest.
 class DeleteLabels final : public CompactPart {
  public:
   DeleteLabels(Scan scan, Statement drop) : scan_(std::move(scan)), drop_(std::move(drop)) {}
@@ -261,8 +262,8 @@ class DeleteLabels final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Deletes what was vouched for before the last word on it in every kept map, and words on stretches that are not
-/// stored any more. From the newest word to the oldest. Few: all in one piece.
+/// Deletes operators' words on what is apart that a later word has replaced in every kept map, and words on stretches
+/// that are not stored any more. From the newest word to the oldest. Few: all in one piece.
 class DeleteAparts final : public CompactPart {
  public:
   explicit DeleteAparts(Statement drop) : drop_(std::move(drop)) {}

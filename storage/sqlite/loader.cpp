@@ -51,8 +51,8 @@ Result<void> load_places(const Database& database, const Scope& scope, const Lin
                          });
 }
 
-/// Loads places as they were known anew, in the order of revisions, after the places themselves. One that is damaged
-/// leaves what was known before.
+/// Loads later versions of places, in the order of revisions, after the places themselves. One that is damaged leaves
+/// the version before.
 Result<void> load_places_anew(const Database& database, const Scope& scope, const Lineage& lineage,
                               NetworkBuilder& builder) {
   return for_each_row_of(scope, database, "SELECT experience, place, row, revision FROM place_anew", "experience",

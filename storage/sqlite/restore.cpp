@@ -14,7 +14,7 @@ namespace {
 
 using namespace sqlite;
 
-/// Epochs to skip where that of the replaced map cannot be read: more than any server has had.
+/// Epoch that the replaced map is taken to have where its own cannot be read: more than any server has had.
 constexpr std::uint64_t kEpochsUnknown = 1U << 20U;
 constexpr std::size_t kNamed = 10;
 

@@ -181,7 +181,8 @@ class SqliteStore final : public MapStore {
     return fail(ErrorCode::corrupt, name + " is damaged and quarantined: " + read.error().message);
   }
 
-  /// Remembers a transaction's changes for what goes on between this commit and the next.
+  /// Notes what a committed transaction has changed for work that goes on between commits: contents that are whole
+  /// again, contents that a compaction must keep, moves.
   void remember(const Transaction& transaction) const {
     const auto used = parts_->used_meanwhile.lock();
     for (const auto& change : transaction.changes) {
