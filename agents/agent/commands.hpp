@@ -7,7 +7,7 @@
 
 namespace weft::agents {
 
-/// The name of a command: numbers alone need not be unique across starts of the server.
+/// The identity of a command: its number alone need not be unique across starts of the server.
 struct CommandKey {
   Epoch epoch;
   std::uint64_t command = 0;

@@ -34,7 +34,7 @@ class Spooler {
   static Result<Spooler> open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now);
 
   void begin(ExperienceId experience, const std::string& name);
-  /// Adds a place to the experience that it is of, which is open. exhausted and other errors of the spool: that
+  /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
   /// experience ends before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
   /// Places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the spool

@@ -22,8 +22,8 @@ class Across {
  public:
   explicit Across(const StitchConfig& config) : config_(config) {}
 
-  /// Returns, for each direction that is due, the place whose middle is predicted nearest to the robot's, nearest
-  /// first; at most three. `around` and `driven_m` are of the kept place.
+  /// Returns, for each direction (a quarter of a turn) that is due, the place whose middle is predicted nearest to
+  /// the robot's, nearest first; at most three. `around` and `driven_m` are of the kept place.
   std::vector<Candidate> worth_comparing(const std::vector<Candidate>& around, const Eigen::Vector2d& gaze_in_robot,
                                          double driven_m) const;
   void joined(const Relation& place_from_kept, double driven_m);

@@ -50,7 +50,8 @@ class Belief {
   const std::optional<Fix>& proposed() const { return proposed_; }
 
  private:
-  /// Returns what a fix leaves of the common errors in what was predicted.
+  /// Returns the part of the common errors that a fix leaves in what was predicted; along a path it learns from the
+  /// fix.
   CommonErrors left_of_common(const Relation& predicted, const Fix& fix, const Relation& believed);
 
   BeliefConfig config_;

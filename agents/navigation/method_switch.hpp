@@ -11,8 +11,8 @@
 /// Rules by which a robot that sees by several methods changes from one to another (docs/decisions/027).
 namespace weft::agents {
 
-/// Returns the method of an edge between a place of each method: it needs both of a robot, whichever way it is
-/// driven. A name like any method's: who can drive it says so, nobody else has to know that it is two.
+/// Returns the method of an edge between a place of each of two methods: a robot needs both to drive it, either way.
+/// A name like any method's: who can drive it says so, nobody else has to know that it is two.
 std::string change_between(std::string_view one, std::string_view other);
 
 /// Returns where the robot is by the map of another method: relative to the nearest place of `method`, if that is

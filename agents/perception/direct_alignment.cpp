@@ -87,7 +87,7 @@ Eigen::Matrix3d homography_of(const CameraModel& camera, const PlanarState& stat
   return camera_from_floor(camera, state.attitude_b) * planar * camera_from_floor(camera, state.attitude_a).inverse();
 }
 
-/// Returns how normalised coordinates of b follow those of a around a point.
+/// Returns the Jacobian of normalised coordinates of b by those of a around a point.
 Eigen::Matrix2d slope_of(const Eigen::Matrix3d& homography, const Eigen::Vector2d& in_a) {
   const Eigen::Vector3d h = homography * in_a.homogeneous();
   const Eigen::Vector2d b = h.head<2>() / h.z();
@@ -131,7 +131,7 @@ class LevelAlignment {
   }
 
  private:
-  /// Derives how each point's grey value in b follows the state, by the gradient in a.
+  /// Computes how each point's grey value in b changes with the state, from the gradient in a.
   void linearise(const PlanarState& state) {
     const Eigen::Matrix3d homography = homography_of(camera_, state);
     rows_.resize(points_.size());

@@ -23,7 +23,7 @@ double factor_at(double i) {
   return std::exp2(kStep * (i - static_cast<double>(kAsItIs)));
 }
 
-/// Returns how much a difference of grey levels will tell at each factor.
+/// Returns how much each difference of grey levels will tell once light is multiplied by each factor.
 std::array<std::array<float, kFactors>, kGreys> told_by_difference(double noise_grey) {
   constexpr double scale = 0.25;  // 1 over the grey levels from where on more tells little more
   std::array<std::array<float, kFactors>, kGreys> told{};
@@ -37,7 +37,7 @@ std::array<std::array<float, kFactors>, kGreys> told_by_difference(double noise_
   return told;
 }
 
-/// Counts how many factors, the lowest first, leave a grey level below white.
+/// Counts, for each grey level, how many factors, the lowest first, leave it below white.
 std::array<std::size_t, kGreys> factors_below_white(double white_grey) {
   std::array<std::size_t, kGreys> many{};
   for (std::size_t grey = 0; static_cast<double>(grey) < white_grey; ++grey)

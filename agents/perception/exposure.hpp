@@ -15,8 +15,8 @@ struct ExposureConfig {
 /// Returns the factor by which the next image is to have more light than this one so that it shows most for matching;
 /// 1: it is well as it is. An image shows as much as gradients tell above the noise, on a scale of logarithms (Shim,
 /// Lee & Kweon 2014, "Auto-adjusting camera exposure for outdoor robotics using gradient information", eq. 1), each
-/// part of it the less the more of it is white. Unlike there other exposures are foretold as a sensor makes them, in
-/// proportion up to white (docs/decisions/028-exposure-for-matching.md). `gain`: how amplified the image is, 1 if
+/// part of it the less the more of it is white. Unlike there, other exposures are predicted as a sensor makes them,
+/// in proportion up to white (docs/decisions/028-exposure-for-matching.md). `gain`: how amplified the image is, 1 if
 /// nobody knows. Within [1/4, 4]. The image is whole (`is_whole`).
 double exposure_factor(const Image& image, double gain, const ExposureConfig& config);
 

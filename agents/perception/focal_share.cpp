@@ -95,7 +95,8 @@ class Solver {
     return FocalShare{share, variance};
   }
 
-  /// The rise of a thing in a view that is left beside what is expected, and its derivatives.
+  /// The residual of a thing's rise in a view, and its derivatives by how near the thing is and how much further the
+  /// robot.
   struct Expected {
     double left = 0.0;
     double by_near = 0.0;

@@ -7,7 +7,7 @@
 
 namespace weft::agents {
 
-/// The share by which a robot's focal length is larger than that of another camera, beside what is said of both.
+/// The share by which a robot's focal length is larger than that of another camera, beyond what is stated of both.
 struct FocalShare {
   double share = 0.0;
   double variance = 0.0;

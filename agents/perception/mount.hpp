@@ -88,8 +88,8 @@ class MountWatch {
   double seen_m_ = 0.0;
 };
 
-/// The lever of the camera: where it is on its robot as seen from above, from motions of a base that does not slide
-/// sideways (u_y = 0 in the middle of each arc). Straight drives show the yaw, turns how far ahead it sits.
+/// Corrections to a mount as seen from above, found from motions of a base that does not slide sideways (u_y = 0 in
+/// the middle of each arc): straight drives show the yaw, turns how far ahead the camera sits.
 struct MountLever {
   double yaw_rad = 0.0;    ///< to be added to the mount's
   double forward_m = 0.0;  ///< likewise

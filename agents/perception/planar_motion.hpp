@@ -31,7 +31,7 @@ struct PlanarState {
   Attitude attitude_b;
 };
 
-/// The attitudes as they are known before the points are looked at: mean and information of (attitude_a, attitude_b),
+/// The prior of both attitudes, before the points are looked at: mean and information of (attitude_a, attitude_b),
 /// each (pitch, roll, height).
 struct AttitudePrior {
   Vector6d mean = Vector6d::Zero();
@@ -53,7 +53,7 @@ struct PlanarFit {
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 
-/// The point in b that a sees at `in_a`, and its derivative by (xi, attitude_a, attitude_b).
+/// The point that a sees at `in_a` as it appears in b, and its derivative by (xi, attitude_a, attitude_b).
 struct Reprojection {
   Eigen::Vector2d in_b;
   Matrix29d jacobian;

@@ -8,7 +8,7 @@ namespace weft::agents {
 
 /// The longest wait for a piece of the map; then what there is has to do.
 inline constexpr Duration kMapAtMost = std::chrono::seconds(20);
-/// The longest time that a robot looks for itself; then the search was in vain.
+/// The longest search of a robot for where it is; then the search was in vain.
 inline constexpr Duration kSearchAtMost = std::chrono::seconds(60);
 /// The map around a seed before looking for oneself there.
 inline constexpr std::uint32_t kSeedHops = 3;

@@ -113,7 +113,7 @@ class Camera {
   }
 
   // camera_boxes.cpp
-  /// The boxes that a cell of the light grid shows, in the middle of the exposure.
+  /// The classes of cells of the light grid, by what they show of boxes in the middle of the exposure.
   enum class Shows : std::uint8_t {
     floor,   ///< no box
     mixed,   ///< perhaps a box

@@ -39,7 +39,7 @@ class SimulatedCamera {
   virtual bool expose(const Exposure&) { return false; }
 };
 
-/// The owner of a camera, by which its calibration has its name and errors.
+/// The owner of a camera; the calibration's name and errors follow from it.
 struct CameraOwner {
   std::string robot;
   std::uint64_t day = 0;

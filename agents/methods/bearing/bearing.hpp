@@ -87,10 +87,10 @@ class Bearing {
   Belief begin(const Chart& chart, const Estimate& seed) const;
   /// Cameras are still those that they were.
   Belief begin(const Chart& chart, const Estimate& seed, const Belief& before) const;
-  /// Finds the robot along the path and its heading. How much nearer things are than in each of the places before and
-  /// behind tells how far along the path it is, once the focal lengths of those that taught are taken into account,
-  /// which are found out on the way (other_cameras.hpp); what most of these places show, its heading. Refusals:
-  /// nothing_near, headings_differ, and those of `relate` when none of them tells a heading.
+  /// Finds the robot's distance along the path and its heading. How much nearer things are than in each of the places
+  /// before and behind tells how far along the path it is, once the focal lengths of those that taught are taken into
+  /// account, which are found out on the way (other_cameras.hpp); what most of these places show, its heading.
+  /// Refusals: nothing_near, headings_differ, and those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
   /// Returns the belief once navigation has weighed the last fix: the position is that of `estimate`; what the view

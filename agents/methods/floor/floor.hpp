@@ -49,7 +49,7 @@ class Floor {
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Attitude keyframe_attitude;
-    /// The keyframe's attitude as the fits before told it, beyond what is known of every view: information and its
+    /// Information on the keyframe's attitude that earlier fits gave, beyond what is known of every view, and its
     /// product with the mean.
     Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
     Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();

@@ -65,8 +65,8 @@ Result<void> check_drive(const Played& played, const MountDriveConfig& config) {
   return {};
 }
 
-/// What a wrong focal length leaves wrong of distances when the height has been found with it: another mixture of
-/// straights and bends than that drive's (docs/decisions/024-odometry-candidates.md).
+/// Share of the focal length's error that distances keep when the height has been found with it: another drive is
+/// another mixture of straights and bends (docs/decisions/024-odometry-candidates.md).
 constexpr double kScaleByFocal = 0.15;
 
 struct Height {

@@ -17,7 +17,7 @@ Eigen::Matrix3d carried(const Eigen::Matrix3d& of_a_from_b, const Pose2& b_from_
   return transport * of_a_from_b * transport.transpose();
 }
 
-/// Returns the part of a symmetric matrix that is positive.
+/// Returns a symmetric matrix with its negative eigenvalues set to zero.
 Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(0.5 * (matrix + matrix.transpose()));
   const Eigen::Matrix3d& axes = parts.eigenvectors();

@@ -13,8 +13,8 @@ namespace weft::agents {
 
 inline constexpr double kAnywhereM = std::numeric_limits<double>::infinity();
 
-/// The best fit of a stretch of floor on other floor of the same view when it is moved rigidly. Where it fits well,
-/// as tiles do, what is seen there has been seen in two places.
+/// The rigid motion by which a stretch of floor fits best on other floor of the same view. Where it fits well, as
+/// tiles do, what is seen there has been seen in two places.
 struct Repetition {
   Pose2 moved;               ///< the best such motion, in the robot's frame
   std::size_t agreeing = 0;  ///< features of the stretch that meet their like

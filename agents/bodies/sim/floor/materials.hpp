@@ -5,7 +5,7 @@
 
 namespace weft::agents::sim {
 
-/// The make of a kind of floor. Amplitudes are grey levels, sizes metres, densities a square metre.
+/// A kind of floor by what it is made of. Amplitudes are grey levels, sizes metres, densities a square metre.
 struct Material {
   /// The kind of pieces that are laid under everything else.
   enum class Pieces : unsigned char { none, tiles, planks };

@@ -13,8 +13,8 @@ constexpr double kForgetsAfterS = 2.0;
 ExposureControl::ExposureControl(const ForwardCameraSetup& setup, double exposure_s)
     : setup_(setup), nominal_s_(exposure_s) {}
 
-/// Returns the exposure time for which sites are lit. A camera without blur has images like those of one that takes
-/// as long as others.
+/// Returns the exposure time, s, that the site is lit for. A camera whose images are not to blur has images as light
+/// as those of one that takes as long as others.
 double ExposureControl::lit_for_s() const {
   return nominal_s_ > 0.0 ? nominal_s_ : Disturbances{}.exposure_s;
 }
