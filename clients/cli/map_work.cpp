@@ -62,7 +62,8 @@ std::optional<EdgeId> parse_stitch(const std::string& text) {
   return EdgeId{*a, *b};
 }
 
-/// Reads what the map work is about; what is nothing else is an experience's name or id. invalid: it is none of them.
+/// Puts what the work is about into the request: a stitch, places, or else the name or id of an experience. invalid:
+/// it looks like a stitch or places, and is none.
 Result<void> put_what(const std::string& what, msg::OperatorRequest& request) {
   if (const auto stitch = parse_stitch(what); stitch.has_value()) {
     request.work.what.stitches = {*stitch};

@@ -9,7 +9,7 @@
 
 namespace weft::cli {
 
-/// A line now and then on how far long work is, and what it has found as soon as that is known.
+/// Shows how far long work is, a line now and then, and what it has found as soon as that is known.
 class ProgressLine {
  public:
   ProgressLine(std::ostream& out, std::function<SteadyTime()> now);
