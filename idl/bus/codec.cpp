@@ -1,9 +1,16 @@
 #include <fastcdr/Cdr.h>
 #include <fastcdr/exceptions/Exception.h>
 
+#include <algorithm>
+#include <array>
+
 #include "idl/bus/link.hpp"
 #include "idl/bus/topics.hpp"
-#include "idl/convert/messages.hpp"
+#include "idl/convert/answers.hpp"
+#include "idl/convert/driving.hpp"
+#include "idl/convert/network.hpp"
+#include "idl/convert/requests.hpp"
+#include "idl/convert/session.hpp"
 
 namespace weft::bus {
 namespace {
@@ -24,7 +31,7 @@ Bytes serialised(const Wire& wire) {
   return bytes;
 }
 
-template <class Wire>
+template <class M, class Wire>
 Result<msg::Message> decoded(const Topic& topic, ByteView bytes) {
   Wire wire;
   try {
@@ -40,41 +47,60 @@ Result<msg::Message> decoded(const Topic& topic, ByteView bytes) {
   } catch (const std::exception&) {  // Fast CDR's, or bad_alloc and length_error on absurd lengths
     return fail(ErrorCode::invalid, std::string(topic.type) + " is not well-formed CDR");
   }
-  auto value = convert::from_idl(wire);
+  constexpr std::string_view kNamespace = "weft::idl::";
+  auto value = convert::from_idl<M>(wire, topic.type.substr(kNamespace.size()));
   if (!value) return fail(std::move(value.error()));
   return msg::Message(std::move(*value));
 }
 
-/// Where a message of each type goes. Types that travel both ways are told apart by who sends.
-struct Route {
-  msg::Role sender;
-  TopicId operator()(const msg::Hello&) const { return TopicId::hello; }
-  TopicId operator()(const msg::RobotDescription&) const { return TopicId::robot_description; }
-  TopicId operator()(const msg::RobotState&) const { return TopicId::robot_state; }
-  TopicId operator()(const msg::ExperienceBatch&) const { return TopicId::experience_batch; }
-  TopicId operator()(const msg::BatchAck&) const { return TopicId::batch_ack; }
-  TopicId operator()(const msg::Chunk&) const {
-    return sender == msg::Role::server ? TopicId::chunk_down : TopicId::chunk_up;
-  }
-  TopicId operator()(const msg::ContentRequest&) const {
-    return sender == msg::Role::server ? TopicId::content_request_down : TopicId::content_request_up;
-  }
-  TopicId operator()(const msg::WindowRequest&) const { return TopicId::window_request; }
-  TopicId operator()(const msg::WindowPatch&) const { return TopicId::window_patch; }
-  TopicId operator()(const msg::Recognise&) const { return TopicId::recognise; }
-  TopicId operator()(const msg::Recognised&) const { return TopicId::recognised; }
-  TopicId operator()(const msg::RouteOrder&) const { return TopicId::route_order; }
-  TopicId operator()(const msg::RouteProgress&) const { return TopicId::route_progress; }
-  TopicId operator()(const msg::AgentCommand&) const { return TopicId::agent_command; }
-  TopicId operator()(const msg::AgentReply&) const { return TopicId::agent_reply; }
-  TopicId operator()(const msg::OperatorRequest&) const { return TopicId::operator_request; }
-  TopicId operator()(const msg::OperatorReply&) const { return TopicId::operator_reply; }
-  TopicId operator()(const msg::Query&) const { return TopicId::query; }
-  TopicId operator()(const msg::QueryReply&) const { return TopicId::query_reply; }
-  TopicId operator()(const msg::EventNote&) const { return TopicId::event_note; }
-  TopicId operator()(const msg::ClockProbe&) const { return TopicId::clock_probe; }
-  TopicId operator()(const msg::ClockReply&) const { return TopicId::clock_reply; }
+/// Turns the messages of a topic into bytes and back.
+struct Codec {
+  std::size_t type;  ///< index among the alternatives of msg::Message
+  Bytes (*encode)(const msg::Message& message);
+  Result<msg::Message> (*decode)(const Topic& topic, ByteView cdr);
 };
+
+template <class M, class... Ms>
+constexpr std::size_t index_of(const std::variant<Ms...>* /*of*/) {
+  std::size_t index = 0;
+  static_cast<void>(((std::is_same_v<M, Ms> || (++index, false)) || ...));
+  return index;
+}
+
+template <class M, class Wire>
+constexpr Codec codec() {
+  return {index_of<M>(static_cast<const msg::Message*>(nullptr)),
+          [](const msg::Message& message) { return serialised(convert::to_idl<Wire>(std::get<M>(message))); },
+          decoded<M, Wire>};
+}
+
+constexpr std::array<Codec, kTopics> kCodecs = {{
+#define WEFT_TOPIC(Id, Name, ...) codec<msg::Name, idl::Name>(),
+#include "idl/bus/message_list.hpp"
+}};
+
+constexpr bool has_topic(std::size_t type) {
+  return std::any_of(kCodecs.begin(), kCodecs.end(), [&](const Codec& codec) { return codec.type == type; });
+}
+constexpr bool all_have_topics() {
+  for (std::size_t type = 0; type < std::variant_size_v<msg::Message>; ++type) {
+    if (!has_topic(type)) return false;
+  }
+  return true;
+}
+static_assert(all_have_topics(), "each message of core/protocol/messages.hpp has a row in idl/bus/message_list.hpp");
+
+/// Returns the topic that a message goes to. Types that travel both ways are told apart by who sends. A sender that
+/// may write to none of a type's topics gets the first one, which check_publish then refuses.
+const Topic& topic_for(const msg::Message& message, msg::Role sender) {
+  const Topic* first = nullptr;
+  for (const Topic& candidate : topics()) {
+    if (kCodecs[static_cast<std::size_t>(candidate.id)].type != message.index()) continue;
+    if (candidate.writers.has(sender)) return candidate;
+    if (first == nullptr) first = &candidate;
+  }
+  return *first;
+}
 
 template <class M>
 PeerId addressee(const M& message) {
@@ -85,71 +111,26 @@ PeerId addressee(const M& message) {
 }  // namespace
 
 Result<Encoded> encode(const msg::Message& message, msg::Role sender) {
+  const Topic& to = topic_for(message, sender);
   Encoded encoded;
-  encoded.topic = std::visit(Route{sender}, message);
+  encoded.topic = to.id;
   encoded.to = std::visit([](const auto& m) { return addressee(m); }, message);
-  encoded.cdr = std::visit([](const auto& m) { return serialised(convert::to_idl(m)); }, message);
-  if (Result<void> may = check_publish(topic(encoded.topic), sender, encoded.to, encoded.cdr); !may) {
+  encoded.cdr = kCodecs[static_cast<std::size_t>(to.id)].encode(message);
+  if (Result<void> may = check_publish(to, sender, encoded.to, encoded.cdr); !may) {
     return fail(std::move(may.error()));
   }
   return encoded;
 }
 
 Result<msg::Message> decode(TopicId id, ByteView cdr) {
+  const auto index = static_cast<std::size_t>(id);
+  if (index >= kTopics) return fail(ErrorCode::invalid, "topic " + std::to_string(index) + " does not exist");
   const Topic& from = topic(id);
   if (cdr.size() > from.max_bytes) {
     return fail(ErrorCode::invalid,
                 std::string(from.type) + " is larger than " + std::to_string(from.max_bytes) + " bytes");
   }
-  switch (id) {
-    case TopicId::hello:
-      return decoded<idl::Hello>(from, cdr);
-    case TopicId::robot_description:
-      return decoded<idl::RobotDescription>(from, cdr);
-    case TopicId::robot_state:
-      return decoded<idl::RobotState>(from, cdr);
-    case TopicId::experience_batch:
-      return decoded<idl::ExperienceBatch>(from, cdr);
-    case TopicId::batch_ack:
-      return decoded<idl::BatchAck>(from, cdr);
-    case TopicId::chunk_up:
-    case TopicId::chunk_down:
-      return decoded<idl::Chunk>(from, cdr);
-    case TopicId::content_request_up:
-    case TopicId::content_request_down:
-      return decoded<idl::ContentRequest>(from, cdr);
-    case TopicId::window_request:
-      return decoded<idl::WindowRequest>(from, cdr);
-    case TopicId::window_patch:
-      return decoded<idl::WindowPatch>(from, cdr);
-    case TopicId::recognise:
-      return decoded<idl::Recognise>(from, cdr);
-    case TopicId::recognised:
-      return decoded<idl::Recognised>(from, cdr);
-    case TopicId::route_order:
-      return decoded<idl::RouteOrder>(from, cdr);
-    case TopicId::route_progress:
-      return decoded<idl::RouteProgress>(from, cdr);
-    case TopicId::agent_command:
-      return decoded<idl::AgentCommand>(from, cdr);
-    case TopicId::agent_reply:
-      return decoded<idl::AgentReply>(from, cdr);
-    case TopicId::operator_request:
-      return decoded<idl::OperatorRequest>(from, cdr);
-    case TopicId::operator_reply:
-      return decoded<idl::OperatorReply>(from, cdr);
-    case TopicId::query:
-      return decoded<idl::Query>(from, cdr);
-    case TopicId::query_reply:
-      return decoded<idl::QueryReply>(from, cdr);
-    case TopicId::event_note:
-      return decoded<idl::EventNote>(from, cdr);
-    case TopicId::clock_probe:
-      return decoded<idl::ClockProbe>(from, cdr);
-    case TopicId::clock_reply:
-      return decoded<idl::ClockReply>(from, cdr);
-  }
-  return fail(ErrorCode::invalid, "topic " + std::to_string(static_cast<unsigned>(id)) + " does not exist");
+  return kCodecs[index].decode(from, cdr);
 }
 
 }  // namespace weft::bus

@@ -48,7 +48,7 @@ std::string row(const Topic& topic) {
 
 constexpr std::string_view kHead = R"(# The wire
 
-Made by `weft-wire-doc` from idl/bus/topics.cpp and the bounds in core/protocol/messages.hpp and
+Made by `weft-wire-doc` from idl/bus/message_list.hpp and the bounds in core/protocol/messages.hpp and
 idl/convert/limits.hpp. Change those, then run `weft-wire-doc > docs/wire.md`; a test compares.
 
 Agents and clients (peers) talk to the server alone. The types are in idl/messages; a message is its type in XCDR1,
@@ -94,33 +94,12 @@ reader for 10 s.
 |---|---|---|---|---|---|---|---|---|
 )";
 
-std::string bound(std::string_view what, std::uint64_t most) {
-  return "| " + std::string(what) + " | " + std::to_string(most) + " |\n";
-}
-
 std::string bounds() {
-  using namespace convert;
-  return "\n## Bounds\n\n| what | at most |\n|---|---|\n" + bound("data of a chunk, bytes", msg::kChunkBytes) +
-         bound("a content or cloud, bytes", msg::kContentBytes) +
-         bound("places, edges and removals in one part of a patch", msg::kPatchEntities) +
-         bound("labels in one part of a patch", kLabels) + bound("places in a batch", kBatchPlaces) +
-         bound("edges in a batch", kBatchEdges) + bound("hashes in an acknowledgement or a request", kHashes) +
-         bound("numbers of a signature of what is seen", msg::kSignatureNumbers) +
-         bound("places proposed for a signature", msg::kRecognisedPlaces) +
-         bound("places known already when others are asked for", msg::kRecognisedRank) +
-         bound("stretches in a report on what was taught", msg::kReportRows) +
-         bound("conditions in each of them", msg::kReportConditions) +
-         bound("places of a route", kRoutePlaces) + bound("points of a line to teach along", kLinePoints) +
-         bound("hops of a window", kHops) + bound("places of a window", kWindowCap) +
-         bound("parts of a patch or an answer", kParts) +
-         bound("robots, goals or routes in one part of an answer", kRows) +
-         bound("events in one part of an answer", kEvents) + bound("events in a goal's history", kHistory) +
-         bound("counters in an answer", kCounters) + bound("methods of a robot", kMethods) +
-         bound("cameras of a robot", kCameras) + bound("diagnostics of a robot", kDiagnostics) +
-         bound("names and labels, bytes", kNameLength) +
-         bound("reasons and other sentences, bytes", kTextLength) +
-         bound("a camera's calibration, bytes", kCalibrationLength) +
-         bound("a header's signature, bytes", kSignatureBytes) + bound("answers in a server's hello", msg::kAnswers);
+  std::string text = "\n## Bounds\n\n| what | at most |\n|---|---|\n";
+  for (const convert::Bound& bound : convert::kBounds) {
+    text += "| " + std::string(bound.what) + " | " + std::to_string(bound.most) + " |\n";
+  }
+  return text;
 }
 
 }  // namespace

@@ -12,32 +12,14 @@ namespace weft::bus {
 
 /// One a message and direction. The order is of no meaning on the wire.
 enum class TopicId : std::uint8_t {
-  hello,
-  robot_description,
-  robot_state,
-  experience_batch,
-  batch_ack,
-  chunk_up,
-  chunk_down,
-  content_request_up,
-  content_request_down,
-  window_request,
-  window_patch,
-  recognise,
-  recognised,
-  route_order,
-  route_progress,
-  agent_command,
-  agent_reply,
-  operator_request,
-  operator_reply,
-  query,
-  query_reply,
-  event_note,
-  clock_probe,
-  clock_reply,
+#define WEFT_TOPIC(Id, ...) Id,
+#include "idl/bus/message_list.hpp"
 };
-inline constexpr std::size_t kTopics = 24;
+inline constexpr std::array kTopicIds = {
+#define WEFT_TOPIC(Id, ...) TopicId::Id,
+#include "idl/bus/message_list.hpp"
+};
+inline constexpr std::size_t kTopics = kTopicIds.size();
 
 /// Which processes: a set of msg::Role.
 class Roles {
@@ -64,21 +46,21 @@ enum class Delivering : std::uint8_t {
 
 struct Topic {
   TopicId id{};
-  std::string_view name;
-  std::string_view type;   ///< IDL name
+  std::string_view type;  ///< IDL name
+  std::string_view name{};
+  Roles writers{};
+  Roles readers{};
   bool keyed = false;      ///< by the octet[16] that it begins with
   bool addressed = false;  ///< to one peer: its own DDS partition, named by the peer's id in hex
   bool bulk = false;       ///< small and urgent ones never wait behind it
   Delivering delivering = Delivering::prompt;
   std::uint32_t depth = 64;  ///< messages kept by a writer
   Duration lifespan{};  ///< how long an addressed message waits for a reader that is not there yet; 0: not at all
-  Roles writers;
-  Roles readers;
   std::uint32_t max_bytes = 0;  ///< of a serialised message with its encapsulation header; larger is refused
-  std::string_view rate;        ///< expected, for people
+  std::string_view rate{};      ///< expected, for people
 };
 
-/// THE table: every topic that Weft speaks, in the order of TopicId.
+/// Every topic that Weft speaks, in the order of TopicId: what message_list.hpp says.
 std::span<const Topic, kTopics> topics();
 const Topic& topic(TopicId id);
 

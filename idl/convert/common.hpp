@@ -1,77 +1,179 @@
 #pragma once
-#include "core/network/goal.hpp"
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/network/network.hpp"
+#include "core/network/removal.hpp"
 #include "core/protocol/messages.hpp"
-#include "idl/convert/reading.hpp"
+#include "idl/convert/limits.hpp"
+#include "idl/convert/visitor.hpp"
 #include "wire/common.h"
 
-/// Conversions of what several messages share. `from_idl` complains to `reading` about the first field out of bounds.
+/// Visitors of what several messages share.
 namespace weft::convert {
 
-idl::Header to_idl(const msg::Header& header);
-msg::Header from_idl(const idl::Header& header, Reading reading);
+void describe(Writing& io, const Relation& value, idl::Relation& wire);
+void describe(Reading& io, Relation& value, const idl::Relation& wire);
 
-idl::PlaceId to_idl(const PlaceId& id);
-/// May be none.
-PlaceId from_idl(const idl::PlaceId& id);
-
-idl::Relation to_idl(const Relation& relation);
-Relation from_idl(const idl::Relation& relation, Reading reading);
-
-idl::Place to_idl(const Place& place);
-Place from_idl(const idl::Place& place, Reading reading);
-
-idl::EdgeId to_idl(const EdgeId& id);
-EdgeId from_idl(const idl::EdgeId& id, Reading reading);
-idl::Edge to_idl(const Edge& edge);
-Edge from_idl(const idl::Edge& edge, Reading reading);
-
-idl::Stretch to_idl(const Stretch& stretch);
-Stretch from_idl(const idl::Stretch& stretch, Reading reading);
-idl::Apart to_idl(const Apart& apart);
-Apart from_idl(const idl::Apart& apart, Reading reading);
-
-idl::Route to_idl(const Route& route);
-Route from_idl(const idl::Route& route, Reading reading);
-
-std::vector<idl::SitePoint> to_idl(const std::vector<msg::AgentCommand::Point>& line);
-std::vector<msg::AgentCommand::Point> from_idl(const std::vector<idl::SitePoint>& line, Reading reading);
-
-idl::Diagnostic to_idl(const Diagnostic& diagnostic);
-Diagnostic from_idl(const idl::Diagnostic& wire, Reading reading);
-idl::TaughtStretch to_idl(const msg::TaughtStretch& stretch);
-msg::TaughtStretch from_idl(const idl::TaughtStretch& wire, Reading reading);
-
-/// Element by element.
-template <class Wire, class T>
-std::vector<Wire> list_to_idl(const std::vector<T>& values) {
-  std::vector<Wire> list;
-  list.reserve(values.size());
-  for (const T& value : values) list.push_back(to_idl(value));
-  return list;
+template <class Io>
+void describe(Io& io, Value<Io, msg::Header>& value, Wire<Io, idl::Header>& wire) {
+  io.some("sender", value.sender, wire.sender());
+  io.any(value.incarnation, wire.incarnation());
+  io.any(value.epoch, wire.epoch());
+  io.any(value.sequence, wire.sequence_number());
+  io.list("signature", value.signature, wire.signature(), kSignatureBytes);
 }
-template <class T, class Wire>
-std::vector<T> list_from_idl(const std::vector<Wire>& values, Reading& reading, std::string_view field,
-                             std::size_t most) {
-  std::vector<T> list;
-  if (values.size() > most) {
-    reading.list(field, values, most);
-    return list;
-  }
-  list.reserve(values.size());
-  for (std::size_t i = 0; i < values.size() && reading.ok(); ++i) {
-    list.push_back(from_idl(values[i], reading.in(field, i)));
-  }
-  return list;
-}
-std::vector<idl::Label> labels_to_idl(const std::map<std::string, PlaceId>& labels);
-std::map<std::string, PlaceId> labels_from_idl(const std::vector<idl::Label>& wire, Reading reading);
 
-/// Numbers with names for people.
-using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
-std::vector<idl::NamedCount> counts_to_idl(const Counts& counts);
-Counts counts_from_idl(const std::vector<idl::NamedCount>& counts, Reading& reading, std::string_view field);
-std::vector<PlaceId> places_from_idl(const std::vector<idl::PlaceId>& ids, Reading& reading, std::string_view field,
-                                     std::size_t most);
+/// Describes which part of a patch or an answer a message is.
+template <class Io, class Message, class WireMessage>
+void part_of(Io& io, Message& value, WireMessage& wire) {
+  io.any(value.part, wire.part());
+  io.between("parts", value.parts, wire.parts(), 1, kParts);
+  io.require(value.part < value.parts, "part", "must be below parts");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, PlaceId>& value, Wire<Io, idl::PlaceId>& wire) {
+  io.any(value.experience, wire.experience());
+  io.any(value.index, wire.index());
+}
+
+template <class Io>
+void places(Io& io, std::string_view field, Value<Io, std::vector<PlaceId>>& value,
+            Wire<Io, std::vector<idl::PlaceId>>& wire, std::size_t most) {
+  const std::size_t size = io.entries(field, value, wire, most);
+  for (std::size_t i = 0; i < size; ++i) io.some(field, value[i], wire[i]);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Place>& value, Wire<Io, idl::Place>& wire) {
+  io.some("id", value.id, wire.id());
+  io.any(value.entity_version, wire.entity_version());
+  io.text("method", value.method, wire.method(), kNameLength);
+  io.any(value.content_format, wire.content_format());
+  io.some("content_hash", value.content.hash, wire.content_hash());
+  io.any(value.content.size, wire.content_size());
+  io.require(value.content.size <= msg::kContentBytes, "content_size", "is larger than the largest content");
+  io.some("robot", value.robot, wire.robot());
+  io.any(value.frame, wire.frame());
+  io.any(value.seen_at, wire.seen_at_ns());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, EdgeId>& value, Wire<Io, idl::EdgeId>& wire) {
+  io.some("a", value.a, wire.a());
+  io.some("b", value.b, wire.b());
+  io.require(value.a != value.b, "b", "must not be the edge's other end");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Edge>& value, Wire<Io, idl::Edge>& wire) {
+  io.in("id", value.id, wire.id());
+  io.any(value.entity_version, wire.entity_version());
+  io.in("a_from_b", value.a_from_b, wire.a_from_b());
+  io.choice("origin", value.origin, wire.origin(), Origin::odometry, Origin::stitch);
+  io.text("method", value.method, wire.method(), kNameLength);
+  io.choice("drivable", value.drivable, wire.drivable(), Drivable::none, Drivable::both);
+  io.any(value.inliers, wire.inliers());
+  io.share("overlap", value.overlap, wire.overlap());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Stretch>& value, Wire<Io, idl::Stretch>& wire) {
+  io.some("experience", value.experience, wire.experience());
+  io.any(value.first, wire.first());
+  io.any(value.last, wire.last());
+  io.require(value.first <= value.last, "last", "must not be before first");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Apart>& value, Wire<Io, idl::Apart>& wire) {
+  io.in("one", value.one, wire.one());
+  io.in("other", value.other, wire.other());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, std::pair<std::string, PlaceId>>& value, Wire<Io, idl::Label>& wire) {
+  io.some("place", value.second, wire.place());
+  io.text("name", value.first, wire.name(), kNameLength);
+}
+
+template <class Io>
+void labels(Io& io, Value<Io, std::map<std::string, PlaceId>>& value, Wire<Io, std::vector<idl::Label>>& wire,
+            std::size_t most) {
+  std::vector<std::pair<std::string, PlaceId>> list(value.begin(), value.end());
+  const std::size_t size = io.entries("labels", list, wire, most);
+  for (std::size_t i = 0; i < size; ++i) {
+    io.in("labels", list[i], wire[i]);
+    if constexpr (Io::kReads) {
+      io.require(value.insert(std::move(list[i])).second, "labels.name", "must not stand twice");
+    }
+  }
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Route>& value, Wire<Io, idl::Route>& wire) {
+  io.any(value.goal, wire.goal());
+  io.some("id", value.id, wire.id());
+  io.any(value.version, wire.version());
+  io.any(value.made_of, wire.made_of());
+  io.some("robot", value.robot, wire.robot());
+  places(io, "places", value.places, wire.places(), kRoutePlaces);
+  io.each("relations", value.relations, wire.relations(), kRoutePlaces);
+  const std::size_t size = value.places.size();
+  io.require(value.relations.size() == (size == 0 ? 0 : size - 1), "relations", "must be one fewer than places");
+  io.any(value.released, wire.released());
+  io.require(value.released < size || (size == 0 && value.released == 0), "released", "must be the index of a place");
+  io.any(value.ended, wire.ended());
+  io.text("reason", value.reason, wire.reason(), kTextLength);
+}
+
+/// Describes numbers with names for people.
+template <class Io>
+void counts(Io& io, std::string_view field, Value<Io, std::vector<std::pair<std::string, std::uint64_t>>>& value,
+            Wire<Io, std::vector<idl::NamedCount>>& wire) {
+  const std::size_t size = io.entries(field, value, wire, kCounters);
+  for (std::size_t i = 0; i < size; ++i) {
+    io.text(field, value[i].first, wire[i].name(), kTextLength);
+    io.any(value[i].second, wire[i].count());
+  }
+}
+
+/// Describes a line to teach along.
+template <class Io>
+void describe(Io& io, Value<Io, std::vector<msg::AgentCommand::Point>>& value,
+              Wire<Io, std::vector<idl::SitePoint>>& wire) {
+  const std::size_t size = io.entries("points", value, wire, kLinePoints);
+  for (std::size_t i = 0; i < size; ++i) {
+    io.finite("x", value[i].x, wire[i].x());
+    io.finite("y", value[i].y, wire[i].y());
+  }
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Diagnostic>& value, Wire<Io, idl::Diagnostic>& wire) {
+  io.text("name", value.name, wire.name(), kNameLength);
+  io.finite("value", value.value, wire.value());
+  io.not_negative("sigma", value.sigma, wire.sigma());
+  io.finite("bound", value.bound, wire.bound());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::TaughtStretch>& value, Wire<Io, idl::TaughtStretch>& wire) {
+  io.not_negative("from_m", value.from_m, wire.from_m());
+  io.not_negative("to_m", value.to_m, wire.to_m());
+  io.require(value.from_m <= value.to_m, "to_m", "must not be before from_m");
+  io.any(value.places, wire.places());
+  io.some("first", value.first, wire.first());
+  io.each("found", value.found, wire.found(), msg::kReportConditions);
+  for (std::size_t i = 0; i < value.found.size(); ++i) {
+    const double share = value.found[i].value;
+    io.require(share >= 0.0 && share <= 1.0, "found[" + std::to_string(i) + "].value", "must be from 0 to 1");
+  }
+  io.not_negative("sigma_m", value.sigma_m, wire.sigma_m());
+  io.text("reason", value.reason, wire.reason(), kNameLength);
+}
 
 }  // namespace weft::convert

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
-/// The bounds that from_idl holds every message to, besides those of core/protocol/messages.hpp. docs/wire.md lists
-/// them from here.
+#include "core/protocol/messages.hpp"
+
+/// The bounds that from_idl holds every message to, besides those of core/protocol/messages.hpp.
 namespace weft::convert {
 
 inline constexpr std::size_t kSignatureBytes = 64;
@@ -29,5 +31,42 @@ inline constexpr std::size_t kCounters = 1000;
 inline constexpr std::uint32_t kParts = 100'000;
 inline constexpr std::uint32_t kHops = 1'000'000;
 inline constexpr std::uint32_t kWindowCap = 1'000'000;
+
+struct Bound {
+  std::string_view what;
+  std::uint64_t most;
+};
+/// The bounds that docs/wire.md lists.
+inline constexpr Bound kBounds[] = {
+    {"data of a chunk, bytes", msg::kChunkBytes},
+    {"a content or cloud, bytes", msg::kContentBytes},
+    {"places, edges and removals in one part of a patch", msg::kPatchEntities},
+    {"labels in one part of a patch", kLabels},
+    {"places in a batch", kBatchPlaces},
+    {"edges in a batch", kBatchEdges},
+    {"hashes in an acknowledgement or a request", kHashes},
+    {"numbers of a signature of what is seen", msg::kSignatureNumbers},
+    {"places proposed for a signature", msg::kRecognisedPlaces},
+    {"places known already when others are asked for", msg::kRecognisedRank},
+    {"stretches in a report on what was taught", msg::kReportRows},
+    {"conditions in each of them", msg::kReportConditions},
+    {"places of a route", kRoutePlaces},
+    {"points of a line to teach along", kLinePoints},
+    {"hops of a window", kHops},
+    {"places of a window", kWindowCap},
+    {"parts of a patch or an answer", kParts},
+    {"robots, goals or routes in one part of an answer", kRows},
+    {"events in one part of an answer", kEvents},
+    {"events in a goal's history", kHistory},
+    {"counters in an answer", kCounters},
+    {"methods of a robot", kMethods},
+    {"cameras of a robot", kCameras},
+    {"diagnostics of a robot", kDiagnostics},
+    {"names and labels, bytes", kNameLength},
+    {"reasons and other sentences, bytes", kTextLength},
+    {"a camera's calibration, bytes", kCalibrationLength},
+    {"a header's signature, bytes", kSignatureBytes},
+    {"answers in a server's hello", msg::kAnswers},
+};
 
 }  // namespace weft::convert

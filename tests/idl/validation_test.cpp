@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "idl/bus/link.hpp"
+#include "idl/bus/topics.hpp"
 #include "tests/idl/examples.hpp"
 
 namespace weft::bus {
@@ -173,6 +174,12 @@ TEST(Encode, RefusesWhatTheTopicDoesNotTake) {
   const Result<Encoded> wrong_role = encode(msg::BatchAck{}, msg::Role::agent);
   ASSERT_FALSE(wrong_role);
   EXPECT_EQ(wrong_role.error().message, "weft/1/batch_ack is not written by this role");
+}
+
+TEST(Decode, RefusesATopicThatDoesNotExist) {
+  const Result<msg::Message> decoded = decode(TopicId{kTopics}, Bytes(4));
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error().message, "topic " + std::to_string(kTopics) + " does not exist");
 }
 
 // A robot is known by its hello before it has described itself: its row is still an answer.

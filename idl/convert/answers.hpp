@@ -1,0 +1,140 @@
+#pragma once
+#include "idl/convert/session.hpp"
+#include "wire/operating.h"
+
+/// Answers to queries, and events.
+namespace weft::convert {
+
+template <class Io>
+void describe(Io& io, Value<Io, GoalEvent>& value, Wire<Io, idl::GoalEvent>& wire) {
+  io.any(value.at, wire.at_ns());
+  io.choice("state", value.state, wire.state(), GoalState::pending, GoalState::rejected);
+  io.text("cause", value.cause, wire.cause(), kTextLength);
+  io.text("who", value.who, wire.who(), kNameLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Goal>& value, Wire<Io, idl::Goal>& wire) {
+  io.some("id", value.id, wire.id());
+  io.text("label", value.label, wire.label(), kNameLength);
+  io.any(value.to, wire.destination());
+  io.maybe("wanted", value.wanted, wire.has_wanted(), wire.wanted());
+  io.maybe("robot", value.robot, wire.has_robot(), wire.robot());
+  io.choice("state", value.state, wire.state(), GoalState::pending, GoalState::rejected);
+  io.any(value.number, wire.number());
+  io.maybe("route", value.route, wire.has_route(), wire.route());
+  io.any(value.route_version, wire.route_version());
+  io.each("history", value.history, wire.history(), kHistory);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::Event>& value, Wire<Io, idl::Event>& wire) {
+  io.any(value.at, wire.at_ns());
+  io.text("kind", value.kind, wire.kind(), kNameLength);
+  io.any(value.robot, wire.robot());
+  io.any(value.goal, wire.goal());
+  io.text("cause", value.cause, wire.cause(), kTextLength);
+  io.text("who", value.who, wire.who(), kNameLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RevisionNote>& value, Wire<Io, idl::RevisionNote>& wire) {
+  io.any(value.revision, wire.revision());
+  io.any(value.base, wire.base());
+  io.require(value.base < value.revision, "base", "must be before the revision");
+  io.any(value.at, wire.at_ns());
+  io.text("kind", value.kind, wire.kind(), kNameLength);
+  io.text("who", value.who, wire.who(), kNameLength);
+  io.text("cause", value.cause, wire.cause(), kTextLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& wire) {
+  if (io.is_there(bool(value.description.header.sender), wire.has_description())) {
+    io.in("description", value.description, wire.description());
+  }
+  if (io.is_there(bool(value.state.header.sender), wire.has_state())) io.in("state", value.state, wire.state());
+  io.not_negative("silent_s", value.silent_s, wire.silent_s());
+  io.any(value.is_heard, wire.is_heard());
+  io.text("vendor", value.vendor, wire.vendor(), kNameLength);
+  io.text("software", value.software, wire.software(), kNameLength);
+  io.finite("clock_skew_s", value.clock_skew_s, wire.clock_skew_s());
+  io.text("occupies", value.occupies, wire.occupies(), kTextLength);
+  io.any(value.window_bytes, wire.window_bytes());
+  io.any(value.content_bytes, wire.content_bytes());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::ExperienceRow>& value, Wire<Io, idl::ExperienceRow>& wire) {
+  io.some("id", value.id, wire.id());
+  io.text("name", value.name, wire.name(), kNameLength);
+  io.any(value.robot, wire.robot());
+  io.text("method", value.method, wire.method(), kNameLength);
+  io.any(value.sealed, wire.sealed());
+  io.any(value.places, wire.places());
+  io.not_negative("metres", value.metres, wire.metres());
+  io.any(value.begun, wire.begun_ns());
+  io.texts("labels", value.labels, wire.labels(), msg::kPatchEntities, kNameLength);
+  const std::size_t joined = io.entries("joined", value.joined, wire.joined(), msg::kJoinedTold);
+  for (std::size_t i = 0; i < joined; ++i) io.any(value.joined[i], wire.joined()[i]);
+  io.any(value.joined_count, wire.joined_count());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::MapInfo>& value, Wire<Io, idl::MapInfo>& wire) {
+  io.any(value.revision, wire.revision());
+  io.any(value.epoch, wire.epoch());
+  io.any(value.experiences, wire.experiences());
+  io.any(value.places, wire.places());
+  io.any(value.stitches, wire.stitches());
+  io.any(value.contents, wire.contents());
+  io.any(value.content_bytes, wire.content_bytes());
+  io.any(value.batches_acknowledged, wire.batches_acknowledged());
+  io.any(value.batches_refused, wire.batches_refused());
+  io.any(value.disk_free_bytes, wire.disk_free_bytes());
+  io.text("software", value.software, wire.software(), kNameLength);
+  io.text("vendor", value.vendor, wire.vendor(), kNameLength);
+  io.text("engine", value.engine, wire.engine(), kNameLength);
+  io.text("stopped", value.stopped, wire.stopped(), kTextLength);
+  io.text("unjoined", value.unjoined, wire.unjoined(), kTextLength);
+  counts(io, "counters", value.counters, wire.counters());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, NetworkPage>& value, Wire<Io, idl::NetworkPage>& wire) {
+  io.any(value.revision, wire.revision());
+  io.require_at_most(wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size(),
+                     msg::kPatchEntities, "places, edges, labels and aparts", " together");
+  io.each("places", value.places, wire.places(), msg::kPatchEntities);
+  io.each("edges", value.edges, wire.edges(), msg::kPatchEntities);
+  labels(io, value.labels, wire.labels(), msg::kPatchEntities);
+  io.each("aparts", value.aparts, wire.aparts(), msg::kPatchEntities);
+  io.any(value.total, wire.total());
+  io.any(value.is_last, wire.is_last());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryReply>& wire) {
+  io.in("header", value.header, wire.header());
+  io.some("to", value.to, wire.to());
+  io.any(value.request, wire.request());
+  part_of(io, value, wire);
+  io.each("robots", value.robots, wire.robots(), kRows);
+  io.each("goals", value.goals, wire.goals(), kRows);
+  io.each("routes", value.routes, wire.routes(), kRows);
+  io.each("events", value.events, wire.events(), kEvents);
+  io.in("info", value.info, wire.info());
+  io.each("log", value.log, wire.log(), kRows);
+  io.in("network", value.network, wire.network());
+  io.each("experiences", value.experiences, wire.experiences(), kRows);
+  io.choice("outcome", value.outcome, wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
+  io.text("message", value.message, wire.message(), kTextLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::EventNote>& value, Wire<Io, idl::EventNote>& wire) {
+  io.in("header", value.header, wire.header());
+  io.in("event", value.event, wire.event());
+}
+
+}  // namespace weft::convert
