@@ -179,5 +179,40 @@ class Words(unittest.TestCase):
         self.assertNotEqual(run('check_words.py', {}, '## Words that are not used\n')[0], 0)
 
 
+class MessagesOnce(unittest.TestCase):
+    TREE = {'idl/bus/message_list.hpp': '// rows\nWEFT_TOPIC(hello, Hello, .depth = 1)\nWEFT_TOPIC(\n    chunk_up, Chunk, .depth = 1)\n'
+                                        'WEFT_TOPIC(chunk_down, Chunk, .depth = 2)\n#undef WEFT_TOPIC\n',
+            'idl/messages/session.idl': 'module idl {\n@final struct Hello {};\n@final struct Chunk {};\nstruct ChunkOfAnother {};\n};\n',
+            'idl/convert/session.hpp': 'void describe(msg::Hello&, idl::Hello&);  // not idl::Chunk\nvoid describe(msg::Chunk&, idl::Chunk&);\n',
+            'idl/bus/link.cpp': 'void greet(const msg::Hello&);\nmsg::Header header;\n',
+            'server/s.cpp': 'void on(const msg::Chunk&);\n'}
+
+    def check(self, files):
+        return run('check_messages_once.py', {**self.TREE, **files}, '')
+
+    def test_each_message_once_passes(self):
+        self.assertEqual(self.check({}), (0, ''))
+
+    def test_a_second_list_is_found_where_it_is(self):
+        for text in ('case 1: return decoded<idl::Chunk>();', 'TopicId operator()(const msg::Chunk&);', '&weft_idl_Chunk_desc,'):
+            code, said = self.check({'idl/bus/other.cpp': '\n' + text + '\n'})
+            self.assertEqual((code, said), (1, 'idl/bus/other.cpp:2: lists Chunk by hand: fold idl/bus/message_list.hpp\n'), text)
+
+    def test_a_message_has_one_visitor_and_one_structure(self):
+        code, said = self.check({'idl/convert/more.cpp': 'idl::Chunk to_idl(const msg::Chunk&);\n'})
+        self.assertEqual(code, 1)
+        self.assertIn('the visitor of Chunk in idl/convert stands 2 times, not once: idl/convert/more.cpp:1, idl/convert/session.hpp:2', said)
+        code, said = self.check({'idl/messages/session.idl': '@final struct Hello {};\n'})
+        self.assertEqual((code, said), (1, 'the structure of Chunk in idl/messages stands 0 times, not once\n'))
+
+    def test_programs_do_not_know_what_the_idl_makes(self):
+        code, said = self.check({'server/t.cpp': 'idl::Chunk chunk;\n'})
+        self.assertEqual(code, 1)
+        self.assertIn('server/t.cpp:1: knows what the IDL makes of Chunk', said)
+
+    def test_an_empty_list_is_no_free_pass(self):
+        self.assertNotEqual(self.check({'idl/bus/message_list.hpp': '// nothing\n'})[0], 0)
+
+
 if __name__ == '__main__':
     unittest.main()
