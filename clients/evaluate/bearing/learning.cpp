@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "clients/evaluate/bearing/days.hpp"
 #include "clients/evaluate/bearing/rows.hpp"
 #include "clients/evaluate/bearing/trials.hpp"
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/table.hpp"
 
@@ -65,14 +65,14 @@ Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint
 }
 
 std::string csv_of(const std::vector<RowOfDay>& rows) {
-  std::ostringstream text;
-  text << "days,seed,learns,number,day,votes,told,error_m,end_m,learned_places,ended\n";
+  CsvText csv({"days", "seed", "learns", "number", "day", "votes", "told", "error_m", "end_m", "learned_places", "ended"});
   for (const RowOfDay& row : rows) {
-    text << row.days << ',' << row.seed << ',' << row.learns << ',' << row.number << ",\"" << row.day << "\","
-         << row.score.votes << ',' << row.score.told << ',' << row.score.error_m << ',' << row.score.end_m << ','
-         << row.score.learned_places << ",\"" << row.score.ended << "\"\n";
+    const DayScore& score = row.score;
+    csv.value(row.days).value(row.seed).value(row.learns).value(row.number).words(row.day);
+    csv.value(score.votes).value(score.told).value(score.error_m).value(score.end_m).value(score.learned_places);
+    csv.words(score.ended).end_row();
   }
-  return text.str();
+  return csv.text();
 }
 
 /// Means over the seeds, with learning beside without.

@@ -1,11 +1,11 @@
 #include "clients/evaluate/bearing/rows.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "clients/evaluate/bearing/bounds.hpp"
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::bearing {
 namespace {
@@ -16,10 +16,6 @@ constexpr const char* kCsv = "bearing.csv";
 
 json json_of(const Study& study) {
   return {{"software", study.software}, {"scenes_sha256", study.scenes_sha256}};
-}
-
-double number_from(const json& number) {
-  return number.is_null() ? Score::kNothing : number.get<double>();
 }
 
 Score score_from(const json& row) {
@@ -42,24 +38,13 @@ json json_of(const Judged& judged) {
 }  // namespace
 
 Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) {
-  const std::filesystem::path file = folder / kJson;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Rows{};
   Rows rows;
-  try {
-    const json document = json::parse(in);
-    const std::string differs = difference(document.at("study"), json_of(study));
-    if (!differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the rows of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(folder / kJson, json_of(study), "rows", [&](const json& document) {
     for (const json& row : document.at("rows"))
       rows.insert_or_assign({row.at("trial").get<std::string>(), row.at("seed").get<std::uint64_t>()},
                             score_from(row));
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -79,13 +64,12 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
 }
 
 Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
-  std::ostringstream text;
-  text << "trial,seed,loop,error_m\n";
+  CsvText csv({"trial", "seed", "loop", "error_m"});
   for (const auto& [key, score] : rows) {
     for (std::size_t loop = 0; loop < score.after_loop_m.size(); ++loop)
-      text << '"' << key.first << "\"," << key.second << ',' << loop + 1 << ',' << score.after_loop_m[loop] << '\n';
+      csv.words(key.first).value(key.second).value(loop + 1).value(score.after_loop_m[loop]).end_row();
   }
-  return write_text(folder / kCsv, text.str());
+  return write_text(folder / kCsv, csv.text());
 }
 
 }  // namespace weft::evaluate::bearing

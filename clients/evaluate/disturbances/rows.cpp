@@ -1,13 +1,11 @@
 #include "clients/evaluate/disturbances/rows.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate {
 namespace {
@@ -25,10 +23,7 @@ json json_of(const Study& study) {
 
 Score score_of(const json& row) {
   Score score;
-  for (const Column& column : columns()) {
-    const json& cell = row.at(column.name);
-    score.*column.value = cell.is_null() ? std::numeric_limits<double>::quiet_NaN() : cell.get<double>();
-  }
+  for (const Column& column : columns()) score.*column.value = number_from(row.at(column.name));
   return score;
 }
 
@@ -50,25 +45,14 @@ const std::vector<Column>& columns() {
 }
 
 Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) {
-  const std::filesystem::path file = folder / kJson;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Rows{};
   Rows rows;
-  try {
-    const json document = json::parse(in);
-    const std::string differs = difference(document.at("study"), json_of(study));
-    if (!differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the rows of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(folder / kJson, json_of(study), "rows", [&](const json& document) {
     for (const json& row : document.at("rows")) {
       rows.insert_or_assign({row.at("variant").get<std::string>(), row.at("seed").get<std::uint64_t>()},
                             score_of(row));
     }
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -84,22 +68,17 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
 
 Result<void> write_csv(const std::filesystem::path& folder, const std::vector<std::string>& variants,
                        const Rows& rows) {
-  std::ostringstream text;
-  text << "variant,seed";
-  for (const Column& column : columns()) text << ',' << column.name;
-  text << '\n';
+  std::vector<std::string> names = {"variant", "seed"};
+  for (const Column& column : columns()) names.emplace_back(column.name);
+  CsvText csv(names);
   for (const std::string& variant : variants) {
     for (auto at = rows.lower_bound({variant, 0}); at != rows.end() && at->first.first == variant; ++at) {
-      text << '"' << variant << "\"," << at->first.second;
-      for (const Column& column : columns()) {
-        const double value = at->second.*column.value;
-        text << ',';
-        if (std::isfinite(value)) text << value;
-      }
-      text << '\n';
+      csv.words(variant).value(at->first.second);
+      for (const Column& column : columns()) csv.number(at->second.*column.value);
+      csv.end_row();
     }
   }
-  return write_text(folder / kCsv, text.str());
+  return write_text(folder / kCsv, csv.text());
 }
 
 }  // namespace weft::evaluate

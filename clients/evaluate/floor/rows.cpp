@@ -1,12 +1,11 @@
 #include "clients/evaluate/floor/rows.hpp"
 
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -17,10 +16,7 @@ constexpr const char* kCsv = "floor.csv";
 
 Score score_from(const json& row) {
   Score score;
-  for (const Column& column : columns()) {
-    const json& number = row.at(column.name);
-    score.*column.value = number.is_null() ? Score::kNothing : number.get<double>();
-  }
+  for (const Column& column : columns()) score.*column.value = number_from(row.at(column.name));
   score.blind_distances_m = row.at("blind_distances_m").get<std::vector<double>>();
   score.refusals = row.at("refusals").get<std::map<std::string, std::uint64_t>>();
   return score;
@@ -55,26 +51,15 @@ json json_of(const Judged& judged) {
 }  // namespace
 
 Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) {
-  const std::filesystem::path file = folder / kJson;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Rows{};
   Rows rows;
-  try {
-    const json document = json::parse(in);
-    const std::string differs = difference(document.at("study"), json_of(study));
-    if (!differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the rows of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(folder / kJson, json_of(study), "rows", [&](const json& document) {
     for (const json& row : document.at("rows")) {
       rows.insert_or_assign(RowKey{row.at("floor").get<std::string>(), row.at("part").get<std::string>(),
                                    row.at("seed").get<std::uint64_t>()},
                             score_from(row));
     }
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -93,22 +78,19 @@ Result<void> write_rows(const std::filesystem::path& folder, const Study& study,
 }
 
 Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
-  std::ostringstream text;
-  text << "floor,part,seed";
-  for (const Column& column : columns()) text << ',' << column.name;
-  text << ",refusals\n";
+  std::vector<std::string> names = {"floor", "part", "seed"};
+  for (const Column& column : columns()) names.emplace_back(column.name);
+  names.emplace_back("refusals");
+  CsvText csv(names);
   for (const auto& [key, score] : rows) {
-    text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed;
-    for (const Column& column : columns()) {
-      text << ',';
-      if (std::isfinite(score.*column.value)) text << score.*column.value;
-    }
-    text << ",\"";
+    csv.words(key.kind).words(key.part).value(key.seed);
+    for (const Column& column : columns()) csv.number(score.*column.value);
+    std::string refusals;
     for (const char* between = ""; const auto& [reason, times] : score.refusals)
-      text << std::exchange(between, "; ") << reason << ' ' << times;
-    text << "\"\n";
+      refusals += std::exchange(between, "; ") + reason + ' ' + std::to_string(times);
+    csv.words(refusals).end_row();
   }
-  return write_text(folder / kCsv, text.str());
+  return write_text(folder / kCsv, csv.text());
 }
 
 json json_of(const Study& study) {

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
 
 namespace weft::evaluate::floor {
@@ -35,24 +35,13 @@ std::string row_of(const Moment& moment) {
          text_of(moment.fix->believed);
 }
 
-std::vector<std::string> fields_of(const std::string& row) {
-  std::vector<std::string> fields;
-  std::size_t from = 0;
-  for (std::size_t comma = row.find(','); comma != std::string::npos; comma = row.find(',', from)) {
-    fields.push_back(row.substr(from, comma - from));
-    from = comma + 1;
-  }
-  fields.push_back(row.substr(from));
-  return fields;
-}
-
 Pose2 pose_at(const std::vector<std::string>& fields, std::size_t at) {
   return {std::stod(fields[at]), std::stod(fields[at + 1]), std::stod(fields[at + 2])};
 }
 
 /// Throws what std::stod throws.
 std::optional<Moment> moment_of(const std::string& row) {
-  const std::vector<std::string> fields = fields_of(row);
+  const std::vector<std::string> fields = csv_cells(row);
   if (fields.size() != kFields) return std::nullopt;
   Moment moment;
   moment.frame = std::stoull(fields[0]);

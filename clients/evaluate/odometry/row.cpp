@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/floor/measures.hpp"
 #include "clients/evaluate/table.hpp"
@@ -85,19 +85,16 @@ Row row_of(const std::string& kind, std::uint64_t seed, const std::string& drive
 }
 
 std::string csv_of(const std::vector<Row>& rows) {
-  std::ostringstream text;
-  text << "floor,seed,drive,observer,speed_percent,drift_mm,drift_deg,blind_percent,held_1m_percent,held_10m_percent,"
-          "ms_a_view\n";
+  CsvText csv({"floor", "seed", "drive", "observer", "speed_percent", "drift_mm", "drift_deg", "blind_percent",
+               "held_1m_percent", "held_10m_percent", "ms_a_view"});
   for (const Row& row : rows) {
-    text << '"' << row.kind << "\"," << row.seed << ",\"" << row.drive << "\",\"" << row.observer << '"';
+    csv.words(row.kind).value(row.seed).words(row.drive).words(row.observer);
     for (const double value : {row.speed_percent, row.drift_mm, row.drift_deg, row.blind_percent,
-                               floor::held_percent(row.over_1m), floor::held_percent(row.over_10m), row.ms_a_view}) {
-      text << ',';
-      if (std::isfinite(value)) text << value;
-    }
-    text << '\n';
+                               floor::held_percent(row.over_1m), floor::held_percent(row.over_10m), row.ms_a_view})
+      csv.number(value);
+    csv.end_row();
   }
-  return text.str();
+  return csv.text();
 }
 
 std::string table_of(const std::vector<Row>& rows) {

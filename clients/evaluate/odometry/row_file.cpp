@@ -1,34 +1,26 @@
 #include "clients/evaluate/odometry/row_file.hpp"
 
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::odometry {
 namespace {
 
 using nlohmann::json;
 
-json number(double value) {
-  return std::isfinite(value) ? json(value) : json();
-}
-double number_from(const json& value) {
-  return value.is_null() ? floor::Score::kNothing : value.get<double>();
-}
-
 json json_of_row(const Row& row) {
   return {{"floor", row.kind},
           {"seed", row.seed},
           {"drive", row.drive},
           {"observer", row.observer},
-          {"speed_percent", number(row.speed_percent)},
-          {"drift_mm", number(row.drift_mm)},
-          {"drift_deg", number(row.drift_deg)},
-          {"blind_percent", number(row.blind_percent)},
-          {"ms_a_view", number(row.ms_a_view)},
+          {"speed_percent", row.speed_percent},
+          {"drift_mm", row.drift_mm},
+          {"drift_deg", row.drift_deg},
+          {"blind_percent", row.blind_percent},
+          {"ms_a_view", row.ms_a_view},
           {"over_1m", row.over_1m},
           {"over_10m", row.over_10m}};
 }
@@ -54,21 +46,11 @@ std::filesystem::path rows_in(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<std::vector<Row>> read_odometry_rows(const std::filesystem::path& folder, const floor::Study& study) {
-  const std::filesystem::path file = rows_in(folder);
-  std::ifstream in(file, std::ios::binary);
   std::vector<Row> rows;
-  if (!in) return rows;
-  try {
-    const json document = json::parse(in);
-    if (const std::string differs = difference(document.at("study"), floor::json_of(study)); !differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the rows of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(rows_in(folder), floor::json_of(study), "rows", [&](const json& document) {
     for (const json& row : document.at("rows")) rows.push_back(row_from(row));
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 

@@ -1,10 +1,10 @@
 #include "clients/evaluate/bearing/relocalise/led_rows.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::bearing {
 namespace {
@@ -47,17 +47,8 @@ std::filesystem::path led_in(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<LedRows> read_led(const std::filesystem::path& folder, const Study& study) {
-  const std::filesystem::path file = led_in(folder);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return LedRows{};
   LedRows rows;
-  try {
-    const LedJson document = LedJson::parse(in);
-    const std::string differs = difference(document.at("study"), led_study(study));
-    if (!differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the trials of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(led_in(folder), led_study(study), "trials", [&](const LedJson& document) {
     for (const LedJson& row : document.at("rows")) {
       std::vector<Led>& trials =
           rows.trials[LedKey{row.at("kind").get<std::string>(), row.at("light").get<std::string>(),
@@ -68,10 +59,8 @@ Result<LedRows> read_led(const std::filesystem::path& folder, const Study& study
       rows.pairs[{row.at("loads").get<std::string>(), row.at("seed").get<std::uint64_t>()}] = {
           row.at("tried").get<std::size_t>(), row.at("voted").get<std::size_t>(),
           row.at("related").get<std::size_t>()};
-  } catch (const LedJson::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -92,22 +81,21 @@ Result<void> write_led(const std::filesystem::path& folder, const Study& study, 
 }
 
 Result<void> write_led_csv(const std::filesystem::path& folder, const LedRows& rows) {
-  std::ostringstream text;
-  text << "kind,light,seed,x,y,heading,found_m,right,along_m,aside_m,turned_rad,sigma_m,refused\n";
+  CsvText csv({"kind", "light", "seed", "x", "y", "heading", "found_m", "right", "along_m", "aside_m", "turned_rad",
+               "sigma_m", "refused"});
   for (const auto& [key, trials] : rows.trials) {
     for (const Led& led : trials) {
       const Pose2& at = led.site_from_robot;
-      text << key.kind << ',' << key.light << ',' << key.seed << ',' << at.x << ',' << at.y << ',' << at.heading
-           << ',';
+      csv.value(key.kind).value(key.light).value(key.seed).value(at.x).value(at.y).value(at.heading);
       if (led.found_m) {
-        text << *led.found_m << ',' << (is_right(led) ? 1 : 0) << ',' << led.along_m << ',' << led.aside_m << ','
-             << led.turned_rad << ',' << led.sigma_m << ",\n";
+        csv.value(*led.found_m).value(is_right(led) ? 1 : 0).value(led.along_m).value(led.aside_m);
+        csv.value(led.turned_rad).value(led.sigma_m).empty().end_row();
       } else {
-        text << ",,,,,," << led.refused << '\n';
+        csv.empty(6).value(led.refused).end_row();
       }
     }
   }
-  return write_text(folder / "relocalise.csv", text.str());
+  return write_text(folder / "relocalise.csv", csv.text());
 }
 
 }  // namespace weft::evaluate::bearing

@@ -1,11 +1,8 @@
 #include "clients/evaluate/floor/attempts/attempt_rows.hpp"
 
-#include <cmath>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/study_in.hpp"
 
@@ -61,11 +58,8 @@ Tally tally_from(const json& row) {
     recall.at("tried_by_heading").get_to(into.tried_by_heading);
     recall.at("right_by_heading").get_to(into.right_by_heading);
   }
-  const auto number = [](const json& value) {
-    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-  };
   for (const json& one : row.at("wrong")) {
-    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number(one.at("off_m")), number(one.at("off_rad")),
+    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number_from(one.at("off_m")), number_from(one.at("off_rad")),
                                 pose_from(one.at("site_from_robot")), pose_from(one.at("site_from_place")),
                                 pose_from(one.at("place_from_robot"))});
   }
@@ -79,25 +73,15 @@ std::filesystem::path json_in(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<AttemptRows> read_attempts(const std::filesystem::path& folder, const AttemptsStudy& study) {
-  const std::filesystem::path file = json_in(folder);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return AttemptRows{};
   AttemptRows rows;
-  try {
-    const json document = json::parse(in);
-    if (const std::string differs = difference(document.at("study"), json_of(study)); !differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the attempts of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(json_in(folder), json_of(study), "attempts", [&](const json& document) {
     for (const json& row : document.at("rows")) {
       rows.insert_or_assign(RowKey{row.at("floor").get<std::string>(), row.at("light").get<std::string>(),
                                    row.at("seed").get<std::uint64_t>()},
                             tally_from(row));
     }
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -121,13 +105,11 @@ Result<void> write_attempts(const std::filesystem::path& folder, const AttemptsS
 }
 
 Result<void> write_attempts_csv(const std::filesystem::path& folder, const AttemptRows& rows) {
-  std::ostringstream text;
-  text << "floor,light,seed,attempt,outcome,count\n";
+  CsvText csv({"floor", "light", "seed", "attempt", "outcome", "count"});
   for (const auto& [key, tally] : rows) {
     const auto line = [&](const std::string& sort, const std::string& outcome, std::size_t count) {
       if (count == 0) return;
-      text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed << ",\"" << sort << "\",\"" << outcome
-           << "\"," << count << '\n';
+      csv.words(key.kind).words(key.part).value(key.seed).words(sort).words(outcome).value(count).end_row();
     };
     for (const auto& [sort, outcomes] : tally.sorts) {
       line(sort, "right", outcomes.right);
@@ -135,7 +117,7 @@ Result<void> write_attempts_csv(const std::filesystem::path& folder, const Attem
       for (const auto& [reason, count] : outcomes.refused) line(sort, reason, count);
     }
   }
-  return write_text(folder / "attempts.csv", text.str());
+  return write_text(folder / "attempts.csv", csv.text());
 }
 
 }  // namespace weft::evaluate::floor

@@ -1,9 +1,8 @@
 #include "clients/evaluate/floor/relocalise/trial_rows.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/study_in.hpp"
 
@@ -40,25 +39,15 @@ std::filesystem::path trials_in(const std::filesystem::path& folder) {
 }  // namespace
 
 Result<TrialRows> read_trials(const std::filesystem::path& folder, const Study& study) {
-  const std::filesystem::path file = trials_in(folder);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return TrialRows{};
   TrialRows rows;
-  try {
-    const json document = json::parse(in);
-    if (const std::string differs = difference(document.at("study"), json_of(study)); !differs.empty()) {
-      return fail(ErrorCode::conflict, file.string() + ": holds the trials of another study (other " + differs +
-                                           "); give another --out, or remove the file");
-    }
+  const Result<void> read = read_rows_of(trials_in(folder), json_of(study), "trials", [&](const json& document) {
     for (const json& row : document.at("rows")) {
       std::vector<Trial>& trials = rows[RowKey{row.at("floor").get<std::string>(), row.at("light").get<std::string>(),
                                                row.at("seed").get<std::uint64_t>()}];
       for (const json& trial : row.at("trials")) trials.push_back(trial_from(trial));
     }
-  } catch (const json::exception& problem) {
-    return fail(ErrorCode::corrupt, file.string() + ": not what weft-evaluate wrote (" + problem.what() +
-                                        "); give another --out, or remove the file");
-  }
+  });
+  if (!read) return fail(read.error());
   return rows;
 }
 
@@ -77,18 +66,17 @@ Result<void> write_trials(const std::filesystem::path& folder, const Study& stud
 }
 
 Result<void> write_trials_csv(const std::filesystem::path& folder, const TrialRows& rows) {
-  std::ostringstream text;
-  text << "floor,light,seed,along,x,y,heading,found_m,wrong,refused\n";
+  CsvText csv({"floor", "light", "seed", "along", "x", "y", "heading", "found_m", "wrong", "refused"});
   for (const auto& [key, trials] : rows) {
     for (const Trial& trial : trials) {
       const Pose2& at = trial.site_from_robot;
-      text << '"' << key.kind << "\",\"" << key.part << "\"," << key.seed << ',' << name_of(trial.along) << ','
-           << at.x << ',' << at.y << ',' << at.heading << ',';
-      if (trial.found_m) text << *trial.found_m;
-      text << ',' << (trial.is_wrong ? 1 : 0) << ',' << trial.refused << '\n';
+      csv.words(key.kind).words(key.part).value(key.seed).value(name_of(trial.along));
+      csv.value(at.x).value(at.y).value(at.heading);
+      trial.found_m ? csv.value(*trial.found_m) : csv.empty();
+      csv.value(trial.is_wrong ? 1 : 0).value(trial.refused).end_row();
     }
   }
-  return write_text(folder / "relocalise.csv", text.str());
+  return write_text(folder / "relocalise.csv", csv.text());
 }
 
 }  // namespace weft::evaluate::floor
