@@ -33,6 +33,13 @@ Result<void> read_rows_of(const std::filesystem::path& file, const nlohmann::jso
                                        "); give another --out, or remove the file");
 }
 
+Result<void> write_series(const std::filesystem::path& folder, const std::string& name,
+                          const nlohmann::json& document) {
+  const std::filesystem::path series = folder / "series";
+  if (const Result<void> made = make_folder(series); !made) return made;
+  return write_text(series / (name + ".json"), document.dump() + "\n");
+}
+
 double number_from(const nlohmann::json& number) {
   return number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
 }

@@ -1,13 +1,16 @@
 #include "clients/evaluate/bearing/study.hpp"
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "clients/evaluate/bearing/bounds.hpp"
 #include "clients/evaluate/bearing/chosen.hpp"
-#include "clients/evaluate/bearing/figures.hpp"
+#include "clients/evaluate/bearing/shown.hpp"
 #include "clients/evaluate/bearing/trials.hpp"
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::bearing {
 namespace {
@@ -112,6 +115,17 @@ Result<Ended> measure_all(const std::vector<Trial>& some, const Scenes& scenes, 
   return Ended::complete;
 }
 
+/// For pictures: the trials in their order, and the seeds asked for.
+Result<void> write_trials(const BearingOptions& options) {
+  nlohmann::json document = {{"seeds", {options.seeds.first, options.seeds.last}},
+                             {"trials", nlohmann::json::array()}};
+  for (const Trial& trial : trials()) {
+    const bool is_ablation = trial.parts == Parts::profile_only || trial.parts == Parts::vision_only;
+    document["trials"].push_back({{"name", trial.name}, {"about", trial.about}, {"is_ablation", is_ablation}});
+  }
+  return write_series(options.out, "bearing", document);
+}
+
 }  // namespace
 
 Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& around) {
@@ -126,14 +140,10 @@ Result<Ended> study_bearing(const BearingOptions& options, const Surroundings& a
   const Result<Ended> measured = measure_all(*some, *scenes, options, study, *rows, around);
   if (!measured || *measured == Ended::stopped) return measured;
   if (const Result<void> csv = write_csv(options.out, *rows); !csv) return fail(csv.error());
-  AllShown shown;
-  for (const Trial& trial : trials()) {
-    if (auto found = read_shown(series_of(options, study), trial.name)) shown.emplace(trial.name, std::move(*found));
-  }
-  const Result<std::vector<std::string>> drawn = draw_figures(shown, *rows, options.seeds, options.out);
-  if (!drawn) return fail(drawn.error());
+  if (const Result<void> kept = write_trials(options); !kept) return fail(kept.error());
+  const std::vector<std::string> pictures = draw_pictures("bearing", options.out, around);
   around.out << tables_of(*rows, options.seeds) << std::flush;
-  around.progress << "weft-evaluate: bearing.csv, bearing.json and " << drawn->size() << " pictures are in "
+  around.progress << "weft-evaluate: bearing.csv, bearing.json and " << words_of(pictures) << " are in "
                   << options.out.string() << '\n';
   return is_any_missed(judge(*rows, options.seeds)) ? Ended::missed : Ended::complete;
 }

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/disturbances/lead.hpp"
-#include "clients/evaluate/disturbances/picture.hpp"
 #include "clients/evaluate/disturbances/rows.hpp"
+#include "clients/evaluate/disturbances/summary.hpp"
 #include "clients/evaluate/disturbances/switches.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/line.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate {
 namespace {
@@ -93,16 +96,19 @@ std::vector<std::string> disturbances_of(const std::vector<Variant>& variants) {
   return names;
 }
 
-Result<void> report(const Subject& subject, const DisturbancesOptions& options, const Rows& rows, std::ostream& out) {
+Result<void> report(const Subject& subject, const DisturbancesOptions& options, const Rows& rows,
+                    const Surroundings& around) {
   if (const Result<void> csv = write_csv(options.out, names_of(subject.all), rows); !csv) return csv;
   const std::string about = "site " + subject.site.name + ", method floor, two runs over " +
                             std::to_string(std::lround(options.metres)) + " m, " + words_of(options.seeds);
-  const std::filesystem::path picture = options.out / "disturbances.png";
-  const std::vector<std::string> drawn_ones = disturbances_of(subject.chosen);
-  if (const Result<void> drawn = draw_disturbances(rows, drawn_ones, options.seeds, about, picture); !drawn) {
-    return drawn;
-  }
-  out << table_of(rows, names_of(subject.chosen), options.seeds) << std::flush;
+  const nlohmann::json series = {{"about", about},
+                                 {"seeds", {options.seeds.first, options.seeds.last}},
+                                 {"disturbances", disturbances_of(subject.chosen)}};
+  if (const Result<void> kept = write_series(options.out, "disturbances", series); !kept) return kept;
+  const std::vector<std::string> pictures = draw_pictures("disturbances", options.out, around);
+  around.out << table_of(rows, names_of(subject.chosen), options.seeds) << std::flush;
+  around.progress << "weft-evaluate: disturbances.csv, .json and " << words_of(pictures) << " are in "
+                  << options.out.string() << '\n';
   return {};
 }
 
@@ -118,8 +124,7 @@ Result<Ended> study_disturbances(const DisturbancesOptions& options, const Surro
   if (!rows) return fail(rows.error());
   const Result<Ended> ended = measure_all(*subject, options, *rows, around);
   if (!ended || *ended == Ended::stopped) return ended;
-  if (const Result<void> told = report(*subject, options, *rows, around.out); !told) return fail(told.error());
-  around.progress << "weft-evaluate: disturbances.csv, .json and .png are in " << options.out.string() << '\n';
+  if (const Result<void> told = report(*subject, options, *rows, around); !told) return fail(told.error());
   return Ended::complete;
 }
 

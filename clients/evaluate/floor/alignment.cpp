@@ -15,7 +15,7 @@ double yaw_of(const Eigen::Quaterniond& rotation) {
   return std::atan2(forward.y(), forward.x());
 }
 
-Eigen::Vector3d mean_of(const std::vector<Eigen::Vector3d>& points) {
+Eigen::Vector3d centre_of(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : points) sum += point;
   return sum / static_cast<double>(points.size());
@@ -39,8 +39,8 @@ std::optional<Pose3> at_time(const formats::Trajectory& trajectory, double time_
 }
 
 Pose3 a_from_b_of(const std::vector<Eigen::Vector3d>& in_a, const std::vector<Eigen::Vector3d>& in_b) {
-  const Eigen::Vector3d mean_a = mean_of(in_a);
-  const Eigen::Vector3d mean_b = mean_of(in_b);
+  const Eigen::Vector3d mean_a = centre_of(in_a);
+  const Eigen::Vector3d mean_b = centre_of(in_b);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < in_a.size(); ++i) covariance += (in_a[i] - mean_a) * (in_b[i] - mean_b).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);

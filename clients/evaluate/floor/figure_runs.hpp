@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "clients/evaluate/floor/figures.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
+#include "clients/evaluate/floor/shown.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate::floor {

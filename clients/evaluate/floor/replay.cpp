@@ -10,11 +10,12 @@
 
 #include "agents/bodies/replay/replay_body.hpp"
 #include "agents/perception/camera_model.hpp"
-#include "clients/chart/chart.hpp"
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/alignment.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
 #include "clients/evaluate/floor/measures.hpp"
+#include "clients/evaluate/study_file.hpp"
 #include "clients/evaluate/table.hpp"
 #include "clients/evaluate/taught_map.hpp"
 #include "storage/formats/trajectory.hpp"
@@ -23,7 +24,6 @@ namespace weft::evaluate::floor {
 namespace {
 
 using namespace agents;
-using namespace charts;
 
 constexpr ExperienceId kMapped{1};
 constexpr RobotId kRecorder{{1}};
@@ -184,49 +184,31 @@ std::vector<Number> numbers_of(const Pass& mapped, const Pass& localised, const 
   return numbers;
 }
 
-std::vector<Dot> path_of(const Trace& trace, Pose2 Moment::*pose) {
-  std::vector<Dot> dots;
-  for (const Moment& moment : trace.moments) dots.push_back({(moment.*pose).x, (moment.*pose).y});
-  return dots;
+nlohmann::json path_of(const Trace& trace, Pose2 Moment::*pose) {
+  nlohmann::json points = nlohmann::json::array();
+  for (const Moment& moment : trace.moments) points.push_back({(moment.*pose).x, (moment.*pose).y});
+  return points;
 }
 
-Result<void> draw(const ReplayOptions& options, const Pass& mapped, const Pass& localised,
-                  const std::optional<Associated>& truth) {
-  Chart path{"path, by odometry", "x, m", "y, m", {}, true, {}, false};
-  if (truth)
-    path.curves.push_back(
-        {"trajectory file, aligned", path_of(truth->trace, &Moment::site_from_robot), kInk, Curve::Look::line, 2.4});
-  path.curves.push_back(
-      {"odometry", path_of(mapped.trace, &Moment::start_from_robot), kVermilion, Curve::Look::line, 1.3});
+/// For the picture. Seconds since the first image of each pass, metres.
+Result<void> write_passes(const ReplayOptions& options, const Pass& mapped, const Pass& localised,
+                          const std::optional<Associated>& truth) {
+  nlohmann::json series = {{"recording", options.recording.filename().string()},
+                           {"about", "method floor, camera " + options.camera},
+                           {"odometry", path_of(mapped.trace, &Moment::start_from_robot)}};
+  for (const char* const name : {"trajectory", "matches", "fixes", "speeds"}) series[name] = nlohmann::json::array();
   const double began_s = mapped.trace.moments.front().sensor_s;
-  Chart matches{"matches", "time, s", "matches a view", {}, false, {}, true};
-  Curve counted{"while mapping", {}, kBlue, Curve::Look::line, 1.0};
-  for (const Moment& moment : mapped.trace.moments) {
-    counted.dots.push_back({moment.sensor_s - began_s, static_cast<double>(moment.matches)});
-  }
-  matches.curves = {counted};
-  Chart speed{"speed over 5 frames", "time, s", "speed, m/s", {}, false, {}, true};
-  if (truth) {
-    Curve true_speed{"trajectory file", {}, kInk, Curve::Look::line, 2.2};
-    Curve inferred{"inferred", {}, kVermilion, Curve::Look::line, 1.1};
-    for (const SpeedWindow& window : speed_windows(truth->trace)) {
-      true_speed.dots.push_back({window.true_s - began_s, window.v_true_m_s});
-      inferred.dots.push_back({window.true_s - began_s, window.v_m_s});
-    }
-    speed.curves = {true_speed, inferred};
-  }
-  Chart fixed{"place that it found itself at", "time, s", "number of the place", {}, false, {}, true};
-  Curve places{"fixes", {}, kOrange, Curve::Look::dots, 1.6};
+  for (const Moment& moment : mapped.trace.moments)
+    series["matches"].push_back({moment.sensor_s - began_s, moment.matches});
   const double query_began_s = localised.trace.moments.front().sensor_s;
-  for (const Moment& moment : localised.trace.moments) {
-    if (moment.fix)
-      places.dots.push_back({moment.sensor_s - query_began_s, static_cast<double>(moment.fix->place.index)});
+  for (const Moment& moment : localised.trace.moments)
+    if (moment.fix) series["fixes"].push_back({moment.sensor_s - query_began_s, moment.fix->place.index});
+  if (truth) {
+    series["trajectory"] = path_of(truth->trace, &Moment::site_from_robot);
+    for (const SpeedWindow& window : speed_windows(truth->trace))
+      series["speeds"].push_back({window.true_s - began_s, window.v_m_s, window.v_true_m_s});
   }
-  fixed.curves = {places};
-  std::vector<Chart> charts = {path, matches, fixed};
-  if (truth) charts.push_back(speed);
-  return draw_charts("Replayed: " + options.recording.filename().string(), "method floor, camera " + options.camera,
-                     charts, 2, options.out / "replay.png");
+  return write_series(options.out, "replay", series);
 }
 
 Result<void> report(const ReplayOptions& options, const std::vector<Number>& numbers, const Pass& localised,
@@ -241,9 +223,12 @@ Result<void> report(const ReplayOptions& options, const std::vector<Number>& num
     document["refusals"][reason] = count;
     rows.push_back({"refused while localising: " + reason, std::to_string(count)});
   }
+  if (const Result<void> kept = write_text(options.out / "replay.json", document.dump(1) + "\n"); !kept) return kept;
+  const std::vector<std::string> pictures = draw_pictures("replay", options.out, around);
   around.out << markdown_table(rows, 1) << std::flush;
-  around.progress << "weft-evaluate: replay.json and replay.png are in " << options.out.string() << '\n';
-  return write_text(options.out / "replay.json", document.dump(1) + "\n");
+  around.progress << "weft-evaluate: replay.json and " << words_of(pictures) << " are in " << options.out.string()
+                  << '\n';
+  return {};
 }
 
 }  // namespace
@@ -270,7 +255,7 @@ Result<Ended> replay_floor(const ReplayOptions& options, const Surroundings& aro
     }
   }
   const std::vector<Number> numbers = numbers_of(**mapped, **localised, map, map_truth, query_truth);
-  if (const Result<void> drawn = draw(options, **mapped, **localised, map_truth); !drawn) return fail(drawn.error());
+  if (const auto kept = write_passes(options, **mapped, **localised, map_truth); !kept) return fail(kept.error());
   if (const Result<void> told = report(options, numbers, **localised, around); !told) return fail(told.error());
   return Ended::complete;
 }

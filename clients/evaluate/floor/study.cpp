@@ -6,14 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/floor/figure_runs.hpp"
-#include "clients/evaluate/floor/figures.hpp"
 #include "clients/evaluate/floor/measurement.hpp"
 #include "clients/evaluate/floor/other_promises.hpp"
 #include "clients/evaluate/floor/rows.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
+#include "clients/evaluate/floor/shown.hpp"
 #include "clients/evaluate/floor/subject.hpp"
 #include "clients/evaluate/floor/tables.hpp"
 
@@ -89,6 +90,8 @@ Result<Ended> show_all(const Subject& subject, const FloorOptions& options, Pict
     if (!was_there) progress.row(kind + ", for the pictures");
     pictured.kinds.push_back(std::move(**shown));
   }
+  pictured.lights = subject.lights;
+  pictured.seeds = options.seeds;
   pictured.camera_height_m = subject.stage.site.camera.height_m;
   pictured.about =
       "site " + subject.stage.site.name + ", method floor, " + std::to_string(std::lround(options.metres)) + " m";
@@ -112,14 +115,14 @@ Rows asked_for(const Rows& rows, const Subject& subject, Seeds seeds) {
 Result<Ended> report(const Subject& subject, const FloorOptions& options, const std::vector<Judged>& others,
                      const Rows& rows, const Pictured& pictured, const Surroundings& around) {
   if (const Result<void> csv = write_csv(options.out, rows); !csv) return fail(csv.error());
-  const Result<void> json = write_rows(options.out, subject.study, rows, promises_of(rows, options.seeds, others));
-  if (!json) return fail(json.error());
+  const Result<void> written = write_rows(options.out, subject.study, rows, promises_of(rows, options.seeds, others));
+  if (!written) return fail(written.error());
   const Rows asked = asked_for(rows, subject, options.seeds);
-  const Result<std::vector<std::string>> drawn = draw_figures(pictured, asked, options.seeds, options.out);
-  if (!drawn) return fail(drawn.error());
+  if (const Result<void> kept = write_pictured(options.out, pictured); !kept) return fail(kept.error());
+  const std::vector<std::string> pictures = draw_pictures("floor", options.out, around);
   const std::vector<Judged> promises = promises_of(asked, options.seeds, others);
   around.out << tables_of(promises, asked, options.seeds) << std::flush;
-  around.progress << "weft-evaluate: floor.csv, floor.json and " << drawn->size() << " pictures are in "
+  around.progress << "weft-evaluate: floor.csv, floor.json and " << words_of(pictures) << " are in "
                   << options.out.string() << '\n';
   return is_any_missed(judge(asked, options.seeds)) ? Ended::missed : Ended::complete;
 }

@@ -53,8 +53,7 @@ TEST(StudyFile, RefusesAnotherStudyAndNamesWhatDiffers) {
 }
 
 TEST(StudyFile, RefusesWhatIsDamaged) {
-  for (const char* const text : {"", "{", "[]", R"({"study": 3})",
-                                 R"({"study": {"software": "1.0", "metres": 6.0}})",
+  for (const char* const text : {"", "{", "[]", R"({"study": 3})", R"({"study": {"software": "1.0", "metres": 6.0}})",
                                  R"({"study": {"software": "1.0", "metres": 6.0}, "rows": "many"})"}) {
     const TemporaryDirectory folder;
     const Read damaged = read(folder, text);

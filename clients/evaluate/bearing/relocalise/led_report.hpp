@@ -1,11 +1,9 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "clients/evaluate/bearing/relocalise/kinds.hpp"
 #include "clients/evaluate/bearing/relocalise/led_rows.hpp"
-#include "core/result.hpp"
 
 namespace weft::evaluate::bearing {
 
@@ -27,8 +25,5 @@ std::vector<LedGroup> judge(const LedRows& rows);
 
 /// A row a group, and one of all that are judged together; then a row for the pairs of each kind of loads.
 std::string tables_of(const LedRows& rows);
-
-/// DIR/bearing-relocalise.png: how many found themselves within so many metres, and where robots were wrong.
-Result<void> draw_led(const LedRows& rows, const std::string& about, const std::filesystem::path& folder);
 
 }  // namespace weft::evaluate::bearing

@@ -1,6 +1,7 @@
 #include "clients/evaluate/bearing/relocalise/led_study.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -9,7 +10,9 @@
 #include "clients/evaluate/bearing/relocalise/kinds.hpp"
 #include "clients/evaluate/bearing/relocalise/led_report.hpp"
 #include "clients/evaluate/bearing/relocalise/led_rows.hpp"
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::bearing {
 namespace {
@@ -161,6 +164,16 @@ LedRows asked_for(const Trying& trying) {
   return asked;
 }
 
+/// For the picture: the kinds in their order, and those of which no answer is right.
+Result<void> write_kinds(const std::filesystem::path& out, const std::string& about) {
+  nlohmann::json series = {{"about", about}, {"led_m", kLedM}, {"kinds", nlohmann::json::array()}};
+  for (const LookAlikes& kind : look_alikes()) {
+    const bool is_without_answer = kind.where == LookAlikes::Where::not_taught;
+    series["kinds"].push_back({{"name", kind.name}, {"is_without_answer", is_without_answer}});
+  }
+  return write_series(out, "bearing-relocalise", series);
+}
+
 Result<Ended> report_led(const Trying& trying) {
   const LedRows asked = asked_for(trying);
   const std::filesystem::path& out = trying.options.out;
@@ -170,9 +183,10 @@ Result<Ended> report_led(const Trying& trying) {
   for (const LedGroup& group : groups) count += group.trials();
   const std::string about =
       "method bearing, " + words_of(trying.options.seeds) + ", " + std::to_string(count) + " trials";
-  if (const Result<void> drawn = draw_led(asked, about, out); !drawn) return fail(drawn.error());
+  if (const Result<void> kept = write_kinds(out, about); !kept) return fail(kept.error());
+  const std::vector<std::string> pictures = draw_pictures("bearing-relocalise", out, trying.around);
   trying.around.out << tables_of(asked) << std::flush;
-  trying.around.progress << "weft-evaluate: relocalise.csv, relocalise.json and bearing-relocalise.png are in "
+  trying.around.progress << "weft-evaluate: relocalise.csv, relocalise.json and " << words_of(pictures) << " are in "
                          << out.string() << '\n';
   const bool all_met = std::all_of(groups.begin(), groups.end(), [](const LedGroup& group) { return group.met; });
   return all_met ? Ended::complete : Ended::missed;

@@ -59,9 +59,9 @@ Tally tally_from(const json& row) {
     recall.at("right_by_heading").get_to(into.right_by_heading);
   }
   for (const json& one : row.at("wrong")) {
-    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number_from(one.at("off_m")), number_from(one.at("off_rad")),
-                                pose_from(one.at("site_from_robot")), pose_from(one.at("site_from_place")),
-                                pose_from(one.at("place_from_robot"))});
+    tally.wrong_ones.push_back({one.at("sort").get<std::string>(), number_from(one.at("off_m")),
+                                number_from(one.at("off_rad")), pose_from(one.at("site_from_robot")),
+                                pose_from(one.at("site_from_place")), pose_from(one.at("place_from_robot"))});
   }
   return tally;
 }

@@ -1,10 +1,13 @@
 #include "clients/evaluate/floor/attempts/attempts_study.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/attempts/attempt_report.hpp"
 #include "clients/evaluate/floor/attempts/attempt_rows.hpp"
@@ -12,13 +15,15 @@
 #include "clients/evaluate/floor/attempts/navigating.hpp"
 #include "clients/evaluate/floor/attempts/passages.hpp"
 #include "clients/evaluate/floor/attempts/relating.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
 
 constexpr double kMostAsideM = 1.2;          // of the middles of what view and place see
 constexpr std::uint64_t kOtherPatch = 7919;  // added to a floor's seed
-constexpr std::size_t kOneInOther = 5;       // passages on another floor of the kind
+constexpr double kBinDegrees = 180.0 / std::numbers::pi * Recall::kBinRad;
+constexpr std::size_t kOneInOther = 5;  // passages on another floor of the kind
 
 /// Shared by all lights of a floor and seed.
 struct Ground {
@@ -146,9 +151,11 @@ Result<Ended> report(const std::vector<RowKey>& keys, const AttemptRows& rows, c
   if (const Result<void> csv = write_attempts_csv(options.out, asked); !csv) return fail(csv.error());
   const std::string about = "site " + subject.stage.site.name + ", method floor, " + words_of(options.seeds) + ", " +
                             std::to_string(all.attempts()) + " attempts, " + std::to_string(all.wrong()) + " wrong";
-  if (const Result<void> drawn = draw_attempts(asked, about, options.out); !drawn) return fail(drawn.error());
+  const nlohmann::json series = {{"about", about}, {"bin_m", Recall::kBinM}, {"bin_deg", kBinDegrees}};
+  if (const Result<void> kept = write_series(options.out, "floor-attempts", series); !kept) return fail(kept.error());
+  const std::vector<std::string> pictures = draw_pictures("floor-attempts", options.out, around);
   around.out << tables_of(asked) << std::flush;
-  around.progress << "weft-evaluate: attempts.csv, attempts.json and floor-attempts.png are in "
+  around.progress << "weft-evaluate: attempts.csv, attempts.json and " << words_of(pictures) << " are in "
                   << options.out.string() << '\n';
   if (all.wrong() == 0) return Ended::complete;
   return fail(ErrorCode::refused, std::to_string(all.wrong()) + " of " + std::to_string(all.attempts()) +

@@ -1,15 +1,18 @@
 #include "clients/evaluate/floor/relocalise/relocalise_study.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "clients/evaluate/charts/draw.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/floor/relocalise/hall.hpp"
 #include "clients/evaluate/floor/relocalise/trial.hpp"
 #include "clients/evaluate/floor/relocalise/trial_report.hpp"
 #include "clients/evaluate/floor/relocalise/trial_rows.hpp"
+#include "clients/evaluate/study_file.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -100,6 +103,13 @@ Result<Ended> try_all(const Trials& study) {
   return Ended::complete;
 }
 
+/// For the picture: the taught way, and how far robots are pushed.
+Result<void> write_line(const Trials& study, const std::string& about) {
+  nlohmann::json series = {{"about", about}, {"push_m", kPushM}, {"line", nlohmann::json::array()}};
+  for (const agents::SitePoint& point : study.subject.stage.line) series["line"].push_back({point.x, point.y});
+  return write_series(study.options.out, "floor-relocalise", series);
+}
+
 Result<Ended> report_trials(const Trials& study, const Surroundings& around) {
   TrialRows asked;
   std::size_t count = 0;
@@ -121,10 +131,11 @@ Result<Ended> report_trials(const Trials& study, const Surroundings& around) {
   const std::string about = "site " + study.subject.stage.site.name + "'s robots, method floor, " +
                             std::to_string(static_cast<int>(study.options.metres)) + " m of network, " +
                             words_of(study.options.seeds) + ", " + std::to_string(count) + " trials";
-  if (const auto drawn = draw_trials(asked, study.subject.stage.line, about, out); !drawn) return fail(drawn.error());
+  if (const Result<void> kept = write_line(study, about); !kept) return fail(kept.error());
+  const std::vector<std::string> pictures = draw_pictures("floor-relocalise", out, around);
   around.out << tables_of(asked) << std::flush;
-  around.progress << "weft-evaluate: relocalise.csv, relocalise.json and floor-relocalise.png are in " << out.string()
-                  << '\n';
+  around.progress << "weft-evaluate: relocalise.csv, relocalise.json and " << words_of(pictures) << " are in "
+                  << out.string() << '\n';
   const std::vector<TrialGroup> groups = judge(asked);
   const bool all_met = std::all_of(groups.begin(), groups.end(), [](const TrialGroup& group) { return group.met; });
   if (wrong == 0) return all_met ? Ended::complete : Ended::missed;

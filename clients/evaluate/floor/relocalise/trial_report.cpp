@@ -1,21 +1,14 @@
 #include "clients/evaluate/floor/relocalise/trial_report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
-#include "clients/chart/chart.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/floor/scenario.hpp"
 #include "clients/evaluate/table.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
-
-using namespace charts;
-
-constexpr std::array kTrialInks = {kBlue, kVermilion, kGreen, kOrange, kPurple, kSky, kInk, kQuiet};
 
 bool found_rightly(const Trial& trial) {
   return trial.found_m && !trial.is_wrong;
@@ -44,51 +37,6 @@ double middle_m(const std::vector<Trial>& trials) {
     if (found_rightly(trial)) metres.push_back(*trial.found_m);
   }
   return median_worst(std::move(metres)).median;
-}
-
-/// A curve a floor: x metres pushed, y the share found.
-Chart found_chart(const std::map<std::string, std::vector<Trial>>& kinds, Along along) {
-  Chart chart{std::string("pushed ") + name_of(along) + " along the way",
-              "pushed, m",
-              "share found",
-              {},
-              false,
-              Dot{0.0, 1.02},
-              false};
-  std::size_t i = 0;
-  for (const auto& [kind, all] : kinds) {
-    const std::vector<Trial> trials = going(all, along);
-    std::vector<double> metres;
-    for (const Trial& trial : trials) {
-      if (found_rightly(trial)) metres.push_back(*trial.found_m);
-    }
-    std::sort(metres.begin(), metres.end());
-    Curve curve{kind, {{0.0, 0.0}}, kTrialInks.at(i++ % kTrialInks.size()), Curve::Look::steps, 1.8};
-    for (std::size_t k = 0; k < metres.size(); ++k)
-      curve.dots.push_back({metres[k], static_cast<double>(k + 1) / static_cast<double>(trials.size())});
-    curve.dots.push_back({kPushM, static_cast<double>(metres.size()) / static_cast<double>(trials.size())});
-    chart.curves.push_back(std::move(curve));
-  }
-  return chart;
-}
-
-Chart failure_map(const std::string& kind, const std::vector<Trial>& trials,
-                  const std::vector<agents::SitePoint>& line) {
-  Curve way{"taught", {}, kQuiet, Curve::Look::line, 1.0};
-  for (const agents::SitePoint& point : line) way.dots.push_back({point.x, point.y});
-  Curve lost{"not found", {}, kOrange, Curve::Look::dots, 3.5};
-  Curve wrong{"WRONG", {}, kInk, Curve::Look::dots, 5.0};
-  for (const Trial& trial : trials) {
-    const Dot at{trial.site_from_robot.x, trial.site_from_robot.y};
-    if (trial.is_wrong) {
-      wrong.dots.push_back(at);
-    } else if (!trial.found_m) {
-      lost.dots.push_back(at);
-    }
-  }
-  const std::string title = kind + ": " + std::to_string(lost.dots.size()) + " of " + std::to_string(trials.size()) +
-                            " not found, " + std::to_string(wrong.dots.size()) + " wrong";
-  return {title, "x, m", "y, m", {way, lost, wrong}, true, {}, false};
 }
 
 }  // namespace
@@ -129,17 +77,6 @@ std::string tables_of(const TrialRows& rows) {
                      std::to_string(count_wrong(group.trials))});
   }
   return markdown_table(cells, 4);
-}
-
-Result<void> draw_trials(const TrialRows& rows, const std::vector<agents::SitePoint>& line, const std::string& about,
-                         const std::filesystem::path& folder) {
-  std::map<std::string, std::vector<Trial>> kinds;
-  for (const auto& [key, trials] : rows) kinds[key.kind].insert(kinds[key.kind].end(), trials.begin(), trials.end());
-  std::vector<Chart> charts;
-  for (const Along along : kBothWays) charts.push_back(found_chart(kinds, along));
-  for (const auto& [kind, trials] : kinds) charts.push_back(failure_map(kind, trials, line));
-  return draw_charts("Robots that know nothing, pushed until they know where they are", about, charts, 2,
-                     folder / "floor-relocalise.png");
 }
 
 }  // namespace weft::evaluate::floor

@@ -1,11 +1,8 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "agents/bodies/body.hpp"
 #include "clients/evaluate/floor/relocalise/trial_rows.hpp"
-#include "core/result.hpp"
 
 namespace weft::evaluate::floor {
 
@@ -26,9 +23,5 @@ std::vector<TrialGroup> judge(const TrialRows& rows);
 
 /// A row a group: the share that found itself, median and worst over the seeds, against what is promised.
 std::string tables_of(const TrialRows& rows);
-
-/// DIR/floor-relocalise.png: the share found within so many metres, and where robots did not find themselves.
-Result<void> draw_trials(const TrialRows& rows, const std::vector<agents::SitePoint>& line, const std::string& about,
-                         const std::filesystem::path& folder);
 
 }  // namespace weft::evaluate::floor

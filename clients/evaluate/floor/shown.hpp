@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "clients/evaluate/floor/score.hpp"
 #include "clients/evaluate/floor/trace.hpp"
 #include "clients/evaluate/surroundings.hpp"
 #include "core/result.hpp"
@@ -24,14 +23,15 @@ struct Shown {
 /// What belongs to all pictures.
 struct Pictured {
   std::vector<Shown> kinds;
+  std::vector<std::string> lights;
+  Seeds seeds;  ///< of the distribution of blind distances; all else is of the first one
   double camera_height_m = 0.6;
   std::string about;     ///< a line below each title: what was driven,
   std::string of_first;  ///< and what of it most pictures show
 };
 
-/// PNGs in the folder, one for each of the paper's figures 6 to 10 and their parts; their names.
-/// `rows`: for the distribution of blind distances over all seeds.
-Result<std::vector<std::string>> draw_figures(const Pictured& pictured, const Rows& rows, Seeds seeds,
-                                              const std::filesystem::path& folder);
+/// Writes DIR/series/floor.json: what the runs come to, as pictures show it. Metres and radians in the site's frame,
+/// true seconds. unavailable: names the file.
+Result<void> write_pictured(const std::filesystem::path& folder, const Pictured& pictured);
 
 }  // namespace weft::evaluate::floor
