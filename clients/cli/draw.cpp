@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "clients/cli/canvas.hpp"
 #include "clients/cli/paint_legend.hpp"
 #include "clients/cli/paint_robots.hpp"
+#include "clients/cli/paint_sheet.hpp"
 #include "clients/cli/plan_paint.hpp"
 #include "clients/cli/run_colour.hpp"
 
@@ -13,20 +13,20 @@ namespace {
 
 class Drawing {
  public:
-  Drawing(Canvas& canvas, const Subject& subject) : canvas_(canvas), subject_(subject) {}
+  Drawing(drawing::Canvas& canvas, const Sheet& sheet, const Subject& subject)
+      : canvas_(canvas), sheet_(sheet), subject_(subject) {}
 
   Result<void> ground(const Ground& ground) {
-    const Sheet& sheet = canvas_.sheet();
-    const Point origin = sheet(Pose2{});
+    const Point origin = sheet_(Pose2{});
     cairo_matrix_t sheet_from_plan{};
-    cairo_matrix_init(&sheet_from_plan, sheet.scale, 0.0, 0.0, -sheet.scale, origin.x, origin.y);
+    cairo_matrix_init(&sheet_from_plan, sheet_.scale, 0.0, 0.0, -sheet_.scale, origin.x, origin.y);
     return paint(canvas_.pen(), ground.plan, sheet_from_plan);
   }
 
   void held() {
     constexpr double least = 14.0;
     for (const RobotMark& robot : robots()) {
-      const double wide = std::max(least, 2.0 * robot.radius_m * canvas_.sheet().scale);
+      const double wide = std::max(least, 2.0 * robot.radius_m * sheet_.scale);
       paint_held(canvas_, points_of(robot.held), wide, robot.is_held_whole);
     }
   }
@@ -44,19 +44,18 @@ class Drawing {
     const Window& network = subject_.network;
     for (const auto& [id, edge] : network.edges) {
       if (edge.origin == Origin::stitch) continue;
-      canvas_.stroke(at(id.a), at(id.b), run_colour(id.a.experience), kThickRun, edge.origin == Origin::blind);
+      canvas_.stroke(at(id.a), at(id.b), run_colour(id.a.experience), {kThickRun, edge.origin == Origin::blind});
     }
     for (const auto& [id, place] : network.places) canvas_.dot(at(id), kPlaceRadius, run_colour(id.experience));
     for (const auto& [id, edge] : network.edges) {
       if (edge.origin != Origin::stitch) continue;
-      canvas_.stroke(at(id.a), at(id.b), kStitch, edge.drivable == Drivable::none ? kThinStitch : kThickStitch,
-                     false);
+      canvas_.stroke(at(id.a), at(id.b), kStitch, {edge.drivable == Drivable::none ? kThinStitch : kThickStitch});
     }
   }
 
   void labelled_places() {
     for (const auto& [label, place] : subject_.network.labels) {
-      if (subject_.layout.drawing_from_place.contains(place)) canvas_.ring(at(place), kInk);
+      if (subject_.layout.drawing_from_place.contains(place)) paint_ring(canvas_, at(place), kInk);
     }
   }
 
@@ -64,12 +63,12 @@ class Drawing {
     for (const RobotMark& robot : robots()) {
       if (!robot.drawing_from_robot.has_value()) continue;
       const Pose2& pose = *robot.drawing_from_robot;
-      paint_robot(canvas_, canvas_.sheet()(pose), pose.heading, robot.look);
+      paint_robot(canvas_, sheet_(pose), pose.heading, robot.look);
     }
   }
 
  private:
-  Point at(const PlaceId& id) const { return canvas_.sheet()(subject_.layout.drawing_from_place.at(id)); }
+  Point at(const PlaceId& id) const { return sheet_(subject_.layout.drawing_from_place.at(id)); }
 
   std::vector<Point> points_of(const std::vector<PlaceId>& places) const {
     std::vector<Point> points;
@@ -82,7 +81,8 @@ class Drawing {
     return subject_.robots.has_value() ? subject_.robots->drawn : none;
   }
 
-  Canvas& canvas_;
+  drawing::Canvas& canvas_;
+  const Sheet& sheet_;
   const Subject& subject_;
 };
 
@@ -90,20 +90,21 @@ class Drawing {
 
 Result<void> draw(const Subject& subject, const std::string& file) {
   const Picture picture = compose(subject, text_widths());
-  Result<Canvas> canvas = Canvas::make(file, picture.sheet);
+  const Sheet& sheet = picture.sheet;
+  Result<drawing::Canvas> canvas = drawing::Canvas::make(file, sheet.width, sheet.height);
   if (!canvas) return fail(canvas.error());
-  Drawing drawing(*canvas, subject);
+  Drawing drawing(*canvas, sheet, subject);
   if (subject.ground.has_value()) {
     if (const Result<void> painted = drawing.ground(*subject.ground); !painted) return painted;
   }
-  canvas->head(picture.title, picture.detail);
+  paint_head(*canvas, sheet, picture.title, picture.detail);
   drawing.held();
   drawing.network();
   drawing.ahead();
   drawing.labelled_places();
   drawing.robot_arrows();
-  canvas->tags(picture.tags);
-  paint_legend(*canvas, picture.legend, picture.legend_layout);
+  paint_tags(*canvas, picture.tags);
+  paint_legend(*canvas, picture.legend, picture.legend_layout, sheet.legend_top);
   return canvas->finish();
 }
 

@@ -1,9 +1,9 @@
 #include "clients/cli/draw_difference.hpp"
 
-#include "clients/cli/canvas.hpp"
 #include "clients/cli/difference.hpp"
 #include "clients/cli/layout.hpp"
 #include "clients/cli/paint_legend.hpp"
+#include "clients/cli/paint_sheet.hpp"
 
 namespace weft::cli {
 namespace {
@@ -56,15 +56,15 @@ class TwoRevisions {
   const NetworkDifference& difference() const { return difference_; }
 
   /// Paints what changed upon what did not.
-  void paint(Canvas& canvas) const {
-    const auto at = [&](const PlaceId& id) { return canvas.sheet()(layout_.drawing_from_place.at(id)); };
+  void paint(drawing::Canvas& canvas, const Sheet& sheet) const {
+    const auto at = [&](const PlaceId& id) { return sheet(layout_.drawing_from_place.at(id)); };
     for (const bool changed : {false, true}) {
       for (const auto& [id, edge] : both_.edges) {
         const bool was = from_.edges.value(id) != nullptr;
         const bool is = to_.edges.value(id) != nullptr;
         if ((was != is) != changed) continue;
         const double thick = edge.origin == Origin::stitch ? kThickStitch : kThickRun;
-        canvas.stroke(at(id.a), at(id.b), ink_of(was, is), thick, !is);
+        canvas.stroke(at(id.a), at(id.b), ink_of(was, is), {thick, !is});
       }
       for (const auto& [id, place] : both_.places) {
         const bool was = from_.place(id) != nullptr;
@@ -114,14 +114,14 @@ Result<void> draw_difference(const Window& from, const Window& to, const std::st
   const LegendLayout legend_layout = lay_legend(legend, wide, width);
   place(tags, {}, points, sheet, legend_layout.height);
 
-  Result<Canvas> canvas = Canvas::make(file, sheet);
+  Result<drawing::Canvas> canvas = drawing::Canvas::make(file, sheet.width, sheet.height);
   if (!canvas) return fail(canvas.error());
-  canvas->head("Weft network, revision " + revision(from) + " to " + revision(to),
-               elided(difference_detail(both.difference(), note), kDetailWords, wide, width));
-  both.paint(*canvas);
-  for (const Tag& tag : tags) canvas->ring(tag.wish.anchor, tag.ink);
-  canvas->tags(tags);
-  paint_legend(*canvas, legend, legend_layout);
+  paint_head(*canvas, sheet, "Weft network, revision " + revision(from) + " to " + revision(to),
+             elided(difference_detail(both.difference(), note), kDetailWords, wide, width));
+  both.paint(*canvas, sheet);
+  for (const Tag& tag : tags) paint_ring(*canvas, tag.wish.anchor, tag.ink);
+  paint_tags(*canvas, tags);
+  paint_legend(*canvas, legend, legend_layout, sheet.legend_top);
   return canvas->finish();
 }
 

@@ -3,20 +3,22 @@
 #include <array>
 #include <numbers>
 
+#include "clients/cli/picture.hpp"
+
 namespace weft::cli {
 namespace {
 
 constexpr Colour kGone = {0.66, 0.68, 0.71};
 constexpr Colour kLostRim = {0.84, 0.20, 0.00};
 
-void trace(Canvas& canvas, const std::vector<Point>& points) {
+void trace(drawing::Canvas& canvas, const std::vector<Point>& points) {
   cairo_new_path(canvas.pen());
   for (const Point& point : points) cairo_line_to(canvas.pen(), point.x, point.y);
 }
 
 }  // namespace
 
-void paint_held(Canvas& canvas, const std::vector<Point>& points, double wide, bool is_whole) {
+void paint_held(drawing::Canvas& canvas, const std::vector<Point>& points, double wide, bool is_whole) {
   cairo_t* const pen = canvas.pen();
   cairo_set_source_rgba(pen, kHeld.r, kHeld.g, kHeld.b, 0.5);
   if (points.size() > 1 && is_whole) {
@@ -31,7 +33,7 @@ void paint_held(Canvas& canvas, const std::vector<Point>& points, double wide, b
   }
 }
 
-void paint_ahead(Canvas& canvas, const std::vector<Point>& points) {
+void paint_ahead(drawing::Canvas& canvas, const std::vector<Point>& points) {
   cairo_t* const pen = canvas.pen();
   const std::array<double, 2> bars = {2.0, 6.0};
   cairo_save(pen);
@@ -44,12 +46,12 @@ void paint_ahead(Canvas& canvas, const std::vector<Point>& points) {
   cairo_restore(pen);
 }
 
-void paint_goal(Canvas& canvas, const Point& at) {
+void paint_goal(drawing::Canvas& canvas, const Point& at) {
   canvas.dot(at, 14.0, kInk);
   canvas.dot(at, 11.5, kHeld);
 }
 
-void paint_robot(Canvas& canvas, const Point& at, double heading, RobotMark::Look look) {
+void paint_robot(drawing::Canvas& canvas, const Point& at, double heading, RobotMark::Look look) {
   cairo_t* const pen = canvas.pen();
   cairo_save(pen);
   cairo_translate(pen, at.x, at.y);

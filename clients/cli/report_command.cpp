@@ -1,12 +1,12 @@
-#include "clients/chart/canvas.hpp"
 #include "clients/cli/commands.hpp"
 #include "clients/cli/teach_report.hpp"
+#include "drawing/canvas.hpp"
 
 namespace weft::cli {
 
 Exit run_teach_report(Session& session, const Invocation& invocation, const Output& output) {
   if (!invocation.file.empty()) {
-    const Result<void> named = charts::check_picture_name(invocation.file);
+    const Result<void> named = drawing::check_picture_name(invocation.file);
     if (!named) return report(named.error(), invocation.json, output);
   }
   msg::OperatorRequest request;

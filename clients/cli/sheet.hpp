@@ -2,22 +2,15 @@
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
+#include "drawing/ink.hpp"
 
 namespace weft::cli {
 
-struct Colour {
-  double r = 0.0, g = 0.0, b = 0.0;
-  bool operator==(const Colour&) const = default;
-};
-inline constexpr Colour kInk = {0.13, 0.15, 0.18};
-inline constexpr Colour kQuiet = {0.50, 0.53, 0.57};
-inline constexpr Colour kWhite = {1.0, 1.0, 1.0};
-
-/// Units of the sheet, y downwards.
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
+using drawing::Colour;
+using drawing::kInk;
+using drawing::kQuiet;
+using drawing::kWhite;
+using drawing::Point;
 
 /// A rectangle of the sheet.
 struct Box {

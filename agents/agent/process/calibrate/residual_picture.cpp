@@ -1,22 +1,19 @@
-#include <cairo.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <numbers>
 
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/words.hpp"
+#include "drawing/canvas.hpp"
 
 namespace weft::agents {
 namespace {
 
-struct Ink {
-  double r, g, b;
-};
-constexpr Ink kInk = {0.13, 0.15, 0.18};
-constexpr Ink kQuiet = {0.50, 0.53, 0.57};
+using drawing::Canvas;
+using drawing::kInk;
+using drawing::kQuiet;
+using Ink = drawing::Colour;
+
 constexpr Ink kRed = {0.80, 0.15, 0.12};
 constexpr double kWide = 1240.0;
 constexpr double kMargin = 40.0;
@@ -45,55 +42,6 @@ double rounded(double px) {
   return best;
 }
 
-class Sheet {
- public:
-  explicit Sheet(double height)
-      : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kWide), static_cast<int>(height))),
-        pen_(cairo_create(surface_.get())) {
-    cairo_set_source_rgb(pen_.get(), 1.0, 1.0, 1.0);
-    cairo_paint(pen_.get());
-    cairo_select_font_face(pen_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_line_cap(pen_.get(), CAIRO_LINE_CAP_ROUND);
-  }
-  void words(double x, double y, const std::string& what, double size, const Ink& ink) {
-    colour(ink);
-    cairo_set_font_size(pen_.get(), size);
-    cairo_move_to(pen_.get(), x, y);
-    cairo_show_text(pen_.get(), what.c_str());
-  }
-  void line(double x0, double y0, double x1, double y1, const Ink& ink, double thick) {
-    colour(ink);
-    cairo_set_line_width(pen_.get(), thick);
-    cairo_move_to(pen_.get(), x0, y0);
-    cairo_line_to(pen_.get(), x1, y1);
-    cairo_stroke(pen_.get());
-  }
-  void box(double x, double y, double w, double h, const Ink& ink, bool filled) {
-    colour(ink);
-    cairo_set_line_width(pen_.get(), 1.0);
-    cairo_rectangle(pen_.get(), x, y, w, h);
-    filled ? cairo_fill(pen_.get()) : cairo_stroke(pen_.get());
-  }
-  void dot(double x, double y, double radius, const Ink& ink) {
-    colour(ink);
-    cairo_arc(pen_.get(), x, y, radius, 0.0, 2.0 * std::numbers::pi);
-    cairo_fill(pen_.get());
-  }
-  cairo_status_t save(const std::string& file) {
-    cairo_surface_flush(surface_.get());
-    return cairo_surface_write_to_png(surface_.get(), file.c_str());
-  }
-
- private:
-  void colour(const Ink& ink) { cairo_set_source_rgb(pen_.get(), ink.r, ink.g, ink.b); }
-  struct Free {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* pen) const { cairo_destroy(pen); }
-  };
-  std::unique_ptr<cairo_surface_t, Free> surface_;
-  std::unique_ptr<cairo_t, Free> pen_;
-};
-
 /// The scales from which the drawing's sizes follow.
 struct Scale {
   double image = 1.0;        ///< sheet units a pixel
@@ -114,8 +62,8 @@ Scale scale_of(const CameraFit& fit) {
   return scale;
 }
 
-void draw_arrows(Sheet& sheet, const CameraFit& fit, const Scale& scale) {
-  sheet.box(kMargin, kPlotTop, kPlotWide, scale.image * fit.camera.height, kQuiet, false);
+void draw_arrows(Canvas& sheet, const CameraFit& fit, const Scale& scale) {
+  sheet.box({kMargin, kPlotTop}, kPlotWide, scale.image * fit.camera.height, kQuiet, false);
   for (const ImageFit& image : fit.images) {
     for (std::size_t i = 0; i < image.pixels.size() && image.used; ++i) {
       const double x = kMargin + scale.image * (image.pixels[i].x() + 0.5);
@@ -123,51 +71,51 @@ void draw_arrows(Sheet& sheet, const CameraFit& fit, const Scale& scale) {
       const Eigen::Vector2d& e = image.error_px[i];
       const double units = scale.arrow_units * std::min(1.0, 2.0 * scale.full_px / std::max(e.norm(), 1e-9));
       const Ink ink = heat(e.norm() / scale.full_px);
-      sheet.line(x, y, x + units * e.x(), y + units * e.y(), ink, 1.3);
-      sheet.dot(x, y, 1.6, ink);
+      sheet.stroke({x, y}, {x + units * e.x(), y + units * e.y()}, ink, {1.3});
+      sheet.dot({x, y}, 1.6, ink);
     }
   }
 }
 
-void draw_legend(Sheet& sheet, const Scale& scale, double top) {
+void draw_legend(Canvas& sheet, const Scale& scale, double top) {
   const double shown = rounded(scale.full_px);
-  sheet.line(kMargin, top, kMargin + scale.arrow_units * shown, top, kInk, 2.0);
-  sheet.dot(kMargin, top, 2.5, kInk);
-  sheet.words(kMargin + 60.0, top + 5.0,
-              text("%g px; from where a point was seen, dot, along its residual (seen - predicted)", shown), 13.0,
-              kInk);
+  sheet.stroke({kMargin, top}, {kMargin + scale.arrow_units * shown, top}, kInk, {2.0});
+  sheet.dot({kMargin, top}, 2.5, kInk);
+  sheet.text({kMargin + 60.0, top + 5.0},
+             text("%g px; from where a point was seen, dot, along its residual (seen - predicted)", shown), 13.0,
+             kInk);
   constexpr int kSteps = 60;
   for (int i = 0; i < kSteps; ++i)
-    sheet.box(kMargin + 3.0 * i, top + 22.0, 3.5, 12.0, heat(static_cast<double>(i) / (kSteps - 1)), true);
-  sheet.words(kMargin, top + 50.0, "0", 12.0, kInk);
-  sheet.words(kMargin + 3.0 * kSteps - 30.0, top + 50.0, text("%.2f px", scale.full_px), 12.0, kInk);
-  sheet.words(kMargin + 3.0 * kSteps + 30.0, top + 33.0,
-              "size of the residual; 5 % are larger, drawn at most twice as long", 12.0, kQuiet);
+    sheet.box({kMargin + 3.0 * i, top + 22.0}, 3.5, 12.0, heat(static_cast<double>(i) / (kSteps - 1)), true);
+  sheet.text({kMargin, top + 50.0}, "0", 12.0, kInk);
+  sheet.text({kMargin + 3.0 * kSteps - 30.0, top + 50.0}, text("%.2f px", scale.full_px), 12.0, kInk);
+  sheet.text({kMargin + 3.0 * kSteps + 30.0, top + 33.0},
+             "size of the residual; 5 % are larger, drawn at most twice as long", 12.0, kQuiet);
 }
 
 /// A bar an image; what is four times as large as usual, or more, fills the width.
-void draw_bars(Sheet& sheet, const CameraFit& fit, double row) {
+void draw_bars(Canvas& sheet, const CameraFit& fit, double row) {
   double most = fit.rms_px;
   for (const ImageFit& image : fit.images) most = std::max(most, image.rms_px);
   const double unit = kBarLongest / std::min(most, 4.0 * fit.rms_px);
   const double left = kBarsLeft + 110.0;
-  sheet.words(kBarsLeft, kPlotTop - 6.0, "RMS of each image, px", 13.0, kInk);
+  sheet.text({kBarsLeft, kPlotTop - 6.0}, "RMS of each image, px", 13.0, kInk);
   double y = kPlotTop + 8.0;
   for (const ImageFit& image : fit.images) {
     const double length = std::min(kBarLongest, unit * image.rms_px);
     const bool is_long = image.name.size() > 15;
     const double size = std::min(12.0, 0.8 * row);
-    sheet.words(kBarsLeft, y + 0.72 * row, is_long ? ".." + image.name.substr(image.name.size() - 13) : image.name,
-                size, kInk);
-    sheet.box(left, y + 0.12 * row, std::max(1.0, length), 0.7 * row, image.used ? heat(0.45) : kRed, true);
+    sheet.text({kBarsLeft, y + 0.72 * row}, is_long ? ".." + image.name.substr(image.name.size() - 13) : image.name,
+               size, kInk);
+    sheet.box({left, y + 0.12 * row}, std::max(1.0, length), 0.7 * row, image.used ? heat(0.45) : kRed, true);
     const double inside = length > kBarLongest - 40.0 ? -34.0 : 6.0;
-    sheet.words(left + length + inside, y + 0.72 * row, text("%.2f", image.rms_px), size,
-                inside < 0.0 ? Ink{1.0, 1.0, 1.0} : kInk);
+    sheet.text({left + length + inside, y + 0.72 * row}, text("%.2f", image.rms_px), size,
+               inside < 0.0 ? drawing::kWhite : kInk);
     y += row;
   }
-  sheet.line(left + unit * fit.rms_px, kPlotTop + 4.0, left + unit * fit.rms_px, y + 4.0, kInk, 1.0);
-  sheet.words(kBarsLeft, y + 22.0, text("line: all images that were used, %.3f px", fit.rms_px), 12.0, kInk);
-  sheet.words(kBarsLeft, y + 40.0, "red: disagrees with the others, left out", 12.0, kRed);
+  sheet.stroke({left + unit * fit.rms_px, kPlotTop + 4.0}, {left + unit * fit.rms_px, y + 4.0}, kInk, {1.0});
+  sheet.text({kBarsLeft, y + 22.0}, text("line: all images that were used, %.3f px", fit.rms_px), 12.0, kInk);
+  sheet.text({kBarsLeft, y + 40.0}, "red: disagrees with the others, left out", 12.0, kRed);
 }
 
 }  // namespace
@@ -177,18 +125,18 @@ Result<void> draw_residuals(const CameraFit& fit, const std::string& title, cons
   const double plot = scale.image * fit.camera.height;
   const double row = std::clamp((plot - 20.0) / static_cast<double>(fit.images.size()), 11.0, 22.0);
   const double bars = row * static_cast<double>(fit.images.size()) + 60.0;
-  Sheet sheet(kPlotTop + std::max(plot + 80.0, bars) + 20.0);
-  sheet.words(kMargin, 44.0, "What the calibration does not explain", 22.0, kInk);
-  sheet.words(kMargin, 68.0,
-              title + text("; %s, %d x %d pixels, %.3f px RMS", to_string(fit.camera.lens), fit.camera.width,
-                           fit.camera.height, fit.rms_px),
-              13.0, kQuiet);
+  Result<Canvas> canvas = Canvas::make(file, kWide, kPlotTop + std::max(plot + 80.0, bars) + 20.0);
+  if (!canvas) return fail(canvas.error());
+  Canvas& sheet = *canvas;
+  sheet.text({kMargin, 44.0}, "What the calibration does not explain", 22.0, kInk);
+  sheet.text({kMargin, 68.0},
+             title + text("; %s, %d x %d pixels, %.3f px RMS", to_string(fit.camera.lens), fit.camera.width,
+                          fit.camera.height, fit.rms_px),
+             13.0, kQuiet);
   draw_arrows(sheet, fit, scale);
   draw_legend(sheet, scale, kPlotTop + plot + 24.0);
   draw_bars(sheet, fit, row);
-  const cairo_status_t status = sheet.save(file);
-  if (status == CAIRO_STATUS_SUCCESS) return {};
-  return fail(ErrorCode::exhausted, file + ": " + cairo_status_to_string(status) + "; is the folder there?");
+  return canvas->finish();
 }
 
 }  // namespace weft::agents
