@@ -4,16 +4,10 @@
 
 #include "core/network/called.hpp"
 #include "core/network/codec.hpp"
+#include "core/overloaded.hpp"
 
 namespace weft::storage {
 namespace {
-
-template <class... Cases>
-struct Match : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Match(Cases...) -> Match<Cases...>;
 
 std::string name_of(const Batch& batch) {
   return "batch " + std::to_string(batch.sequence) + " of experience " + called(batch);
@@ -266,7 +260,7 @@ std::string count_of(const Removal& removal) {
 
 Needs needs_of(const Transaction& transaction) {
   Needs needs;
-  const Match collect{
+  const Overloaded collect{
       [&](const PutContent& put) { needs.contents.insert(put.hash); },
       [&](const AppendBatch& append) {
         needs.experiences.insert(append.batch.experience);
@@ -327,7 +321,7 @@ RevisionNote note_of(const Transaction& transaction, Revision newest) {
     note.kind = kind;
     note.cause += (note.cause.empty() ? "" : "; ") + cause;
   };
-  const Match explain{
+  const Overloaded explain{
       [&](const AppendBatch& append) {
         const Batch& batch = append.batch;
         const auto stitches = std::ranges::count(batch.edges, Origin::stitch, &Edge::origin);

@@ -12,27 +12,6 @@
 
 namespace weft::agents {
 
-/// A content being put together from chunks in any order, any number of times, as it travels: coded.
-class Assembly {
- public:
-  explicit Assembly(std::uint64_t total, msg::Coding coding = msg::Coding::raw) : coding_(coding), bytes_(total) {}
-
-  /// invalid: the chunk's coding or total differs or it reaches beyond it; nothing is taken of it.
-  Result<void> add(const msg::Chunk& chunk);
-  /// Everything before it is there: where to resume.
-  std::uint64_t contiguous() const;
-  bool complete() const { return contiguous() == bytes_.size(); }
-  /// The chunk is of the same form.
-  bool is_of(const msg::Chunk& chunk) const { return chunk.coding == coding_ && chunk.total == bytes_.size(); }
-  /// Returns the bytes, valid when complete; not verified.
-  const Bytes& bytes() const { return bytes_; }
-
- private:
-  msg::Coding coding_;
-  Bytes bytes_;
-  std::map<std::uint64_t, std::uint64_t> have_;  ///< begin -> end, disjoint, not touching
-};
-
 /// Contents on their way out, cut into chunks, oldest request first.
 class ChunkQueue {
  public:

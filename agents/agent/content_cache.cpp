@@ -119,7 +119,7 @@ bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
   if (!incoming.assembly->add(chunk)) return false;  // possible, so it is taken
   incoming.wait = kFetchAgain;
   incoming.ask_at = now + incoming.wait;
-  if (!incoming.assembly->complete()) return false;
+  if (!incoming.assembly->is_complete()) return false;
   std::optional<Bytes> bytes = expand(chunk, incoming);
   if (!bytes.has_value()) {
     incoming.assembly.reset();

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "agents/agent/chunks.hpp"
 #include "agents/agent/session.hpp"
 #include "agents/navigation/map_view.hpp"
 #include "core/network/network.hpp"
+#include "core/protocol/assembly.hpp"
 #include "core/protocol/messages.hpp"
 #include "storage/content_coder.hpp"
 

@@ -17,14 +17,14 @@
 namespace weft::msg {
 
 inline constexpr std::uint16_t kProtocolVersion = 1;
-inline constexpr std::size_t kChunkBytes = 65'536;            ///< most data in one chunk
-inline constexpr std::uint64_t kContentBytes = 64ULL << 20U;  ///< largest content or cloud
-inline constexpr std::size_t kPatchEntities = 500;            ///< most places + edges + removals in one patch part
-inline constexpr std::size_t kSignatureNumbers = 1024;        ///< longest signature of what a robot sees
-inline constexpr std::size_t kRecognisedPlaces = 200;         ///< most places that are proposed for one signature
-inline constexpr std::size_t kRecognisedRank = 10'000;        ///< no place behind so many likelier ones is proposed
-inline constexpr std::size_t kReportRows = 1000;              ///< most stretches in a report on what was taught
-inline constexpr std::size_t kReportConditions = 4;           ///< most conditions in each of them
+inline constexpr std::size_t kChunkBytes = 65'536;               ///< most data in one chunk
+inline constexpr std::uint64_t kContentBytes = kLargestContent;  ///< largest content or cloud
+inline constexpr std::size_t kPatchEntities = 500;               ///< most places + edges + removals in one patch part
+inline constexpr std::size_t kSignatureNumbers = 1024;           ///< longest signature of what a robot sees
+inline constexpr std::size_t kRecognisedPlaces = 200;            ///< most places that are proposed for one signature
+inline constexpr std::size_t kRecognisedRank = 10'000;  ///< no place behind so many likelier ones is proposed
+inline constexpr std::size_t kReportRows = 1000;        ///< most stretches in a report on what was taught
+inline constexpr std::size_t kReportConditions = 4;    ///< most conditions in each of them
 
 /// On every message that claims authority.
 struct Header {

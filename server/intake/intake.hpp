@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/protocol/assembly.hpp"
 #include "core/protocol/messages.hpp"
 #include "server/base/context.hpp"
-#include "server/intake/assembly.hpp"
 
 namespace weft::server {
 

@@ -1,16 +1,10 @@
 #include <utility>
 
 #include "agents/agent/robot/robot_agent.hpp"
+#include "core/overloaded.hpp"
 
 namespace weft::agents {
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 msg::ClockReply answer(const msg::ClockProbe& probe, WallTime wall) {
   return {.header = {}, .probe = probe.probe, .probe_sent = probe.sent, .received = wall, .replied = wall};

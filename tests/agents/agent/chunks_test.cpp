@@ -3,56 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "core/network/codec.hpp"
+#include "core/protocol/assembly.hpp"
 #include "tests/agents/agent/rig.hpp"
 
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;
-
-msg::Chunk piece(const Bytes& bytes, std::uint64_t offset, std::uint64_t size) {
-  msg::Chunk chunk;
-  chunk.hash = hash_bytes(bytes);
-  chunk.total = bytes.size();
-  chunk.offset = offset;
-  chunk.data.assign(bytes.begin() + static_cast<std::ptrdiff_t>(offset),
-                    bytes.begin() + static_cast<std::ptrdiff_t>(offset + size));
-  return chunk;
-}
-
-TEST(Assembly, AnyOrderOverlapAndRepeatsGiveTheBytes) {
-  const Bytes bytes = some_content(1, 1000);
-  Assembly assembly(1000);
-  ASSERT_TRUE(assembly.add(piece(bytes, 600, 400)).has_value());
-  EXPECT_EQ(assembly.contiguous(), 0U);
-  ASSERT_TRUE(assembly.add(piece(bytes, 0, 300)).has_value());
-  ASSERT_TRUE(assembly.add(piece(bytes, 0, 300)).has_value());
-  EXPECT_EQ(assembly.contiguous(), 300U);
-  EXPECT_FALSE(assembly.complete());
-  ASSERT_TRUE(assembly.add(piece(bytes, 200, 500)).has_value());
-  ASSERT_TRUE(assembly.complete());
-  EXPECT_EQ(assembly.bytes(), bytes);
-}
-
-TEST(Assembly, ChunkBeyondTheContentIsRefused) {
-  const Bytes bytes = some_content(1, 1000);
-  Assembly assembly(900);
-  EXPECT_EQ(assembly.add(piece(bytes, 0, 100)).error().code, ErrorCode::invalid);
-  msg::Chunk beyond = piece(bytes, 900, 100);
-  beyond.total = 900;
-  EXPECT_FALSE(assembly.add(beyond).has_value());
-  EXPECT_EQ(assembly.contiguous(), 0U);
-}
-
-TEST(Assembly, ChunkOfAnotherFormIsRefused) {
-  const Bytes bytes = some_content(1, 100);
-  Assembly assembly(100, msg::Coding::zstd);
-  msg::Chunk chunk = piece(bytes, 0, 100);
-  EXPECT_FALSE(assembly.is_of(chunk));
-  EXPECT_EQ(assembly.add(chunk).error().code, ErrorCode::invalid);
-  chunk.coding = msg::Coding::zstd;
-  EXPECT_TRUE(assembly.is_of(chunk));
-  EXPECT_TRUE(assembly.add(chunk));
-}
 
 TEST(ChunkQueue, KeepsToItsBudgetAndPutsTheContentOutWhole) {
   const Bytes bytes = some_content(3, 5 * msg::kChunkBytes + 17);
@@ -78,7 +34,7 @@ TEST(ChunkQueue, KeepsToItsBudgetAndPutsTheContentOutWhole) {
               2.0 * msg::kChunkBytes + 4.0 * msg::kChunkBytes * seconds(now.time_since_epoch()) + 1);
   }
   EXPECT_EQ(sent, bytes.size());
-  EXPECT_TRUE(assembly.complete());
+  EXPECT_TRUE(assembly.is_complete());
   EXPECT_EQ(assembly.bytes(), bytes);
   EXPECT_GE(seconds(now.time_since_epoch()), 0.7);
 }

@@ -1,19 +1,19 @@
-#include "server/intake/assembly.hpp"
+#include "core/protocol/assembly.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/network/codec.hpp"
 
-namespace weft::server {
+namespace weft {
 
 Result<void> Assembly::add(const msg::Chunk& chunk) {
-  const std::uint64_t total = bytes_.size();
-  if (chunk.total != total || chunk.data.size() > total || chunk.offset > total - chunk.data.size()) {
-    return fail(ErrorCode::invalid, "chunk at " + std::to_string(chunk.offset) + " of " +
-                                        std::to_string(chunk.data.size()) + " bytes, content of " +
-                                        std::to_string(chunk.total) + " bytes; promised were " +
-                                        std::to_string(total));
+  if (!is_of(chunk) || chunk.offset > chunk.total || chunk.data.size() > chunk.total - chunk.offset) {
+    return fail(ErrorCode::invalid, "chunk of " + to_string(chunk.hash) + ": " + std::to_string(chunk.data.size()) +
+                                        " bytes at " + std::to_string(chunk.offset) + " of " +
+                                        std::to_string(chunk.total) + ", expected " + std::to_string(bytes_.size()) +
+                                        " in all, or of another coding");
   }
   if (chunk.data.empty()) return {};
   std::copy(chunk.data.begin(), chunk.data.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(chunk.offset));
@@ -30,9 +30,9 @@ Result<void> Assembly::add(const msg::Chunk& chunk) {
   return {};
 }
 
-bool Assembly::is_complete() const {
-  if (bytes_.empty()) return true;
-  return have_.size() == 1 && have_.begin()->first == 0 && have_.begin()->second == bytes_.size();
+std::uint64_t Assembly::contiguous() const {
+  const auto first = have_.begin();
+  return first == have_.end() || first->first != 0 ? 0 : first->second;
 }
 
 Result<Bytes> Assembly::take(const ContentHash& promised) && {
@@ -43,4 +43,4 @@ Result<Bytes> Assembly::take(const ContentHash& promised) && {
   return std::move(bytes_);
 }
 
-}  // namespace weft::server
+}  // namespace weft
