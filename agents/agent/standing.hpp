@@ -17,7 +17,7 @@ struct Standing {
   const std::string& teaching_failure;  ///< why teaching ended by itself
   std::string searches;                 ///< how it looks for itself; empty: it does not
   const std::string& route_waits_for;   ///< why its route is not followed yet
-  std::string notice;            ///< of what people should look at
+  std::string notice;                   ///< of what people should look at
 };
 
 msg::RobotMode mode_of(const Standing& standing);

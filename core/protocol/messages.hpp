@@ -24,7 +24,7 @@ inline constexpr std::size_t kSignatureNumbers = 1024;           ///< longest si
 inline constexpr std::size_t kRecognisedPlaces = 200;            ///< most places that are proposed for one signature
 inline constexpr std::size_t kRecognisedRank = 10'000;  ///< no place behind so many likelier ones is proposed
 inline constexpr std::size_t kReportRows = 1000;        ///< most stretches in a report on what was taught
-inline constexpr std::size_t kReportConditions = 4;    ///< most conditions in each of them
+inline constexpr std::size_t kReportConditions = 4;     ///< most conditions in each of them
 
 /// On every message that claims authority.
 struct Header {
@@ -386,6 +386,15 @@ struct RevisionNote {
   bool operator==(const RevisionNote&) const = default;
 };
 
+/// Describes a robot that stands with a route, and cannot have the next piece of it.
+struct RobotWait {
+  PlaceId at;                    ///< none: it does not wait
+  PlaceId needs;                 ///< the first place that it cannot have; none: its wait is not for a place
+  std::vector<RobotId> held_by;  ///< all that have to leave before it goes on
+  WallTime since{};
+};
+inline constexpr std::size_t kHoldersTold = 1000;
+
 struct RobotRow {
   RobotDescription description;
   RobotState state;
@@ -397,6 +406,8 @@ struct RobotRow {
   std::string occupies;             ///< for people: from place to place
   std::uint64_t window_bytes = 0;   ///< sent to it since the server started: its window's patches
   std::uint64_t content_bytes = 0;  ///< the same of contents
+  RobotWait wait;
+  std::string standstill;  ///< that it is in or waits behind, and what would help; empty: there is none
 };
 
 struct MapInfo {

@@ -49,6 +49,15 @@ void describe(Io& io, Value<Io, msg::RevisionNote>& value, Wire<Io, idl::Revisio
 }
 
 template <class Io>
+void describe(Io& io, Value<Io, msg::RobotWait>& value, Wire<Io, idl::RobotWait>& wire) {
+  io.any(value.at, wire.at());
+  io.any(value.needs, wire.needs());
+  const std::size_t holders = io.entries("held_by", value.held_by, wire.held_by(), msg::kHoldersTold);
+  for (std::size_t i = 0; i < holders; ++i) io.some("held_by", value.held_by[i], wire.held_by()[i].robot());
+  io.any(value.since, wire.since_ns());
+}
+
+template <class Io>
 void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& wire) {
   if (io.is_there(bool(value.description.header.sender), wire.has_description())) {
     io.in("description", value.description, wire.description());
@@ -62,6 +71,8 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.text("occupies", value.occupies, wire.occupies(), kTextLength);
   io.any(value.window_bytes, wire.window_bytes());
   io.any(value.content_bytes, wire.content_bytes());
+  io.in("wait", value.wait, wire.wait());
+  io.text("standstill", value.standstill, wire.standstill(), kTextLength);
 }
 
 template <class Io>

@@ -156,7 +156,12 @@ msg::QueryReply query_reply() {
   made.part = 0;
   made.parts = 2;
   made.robots = {{description(), state(), 0.5, true, "cyclonedds", "0.1.0", -0.001,
-                  "0000000000000001:5 to 0000000000000002:0", 70'000, 4'000'000}};
+                  "0000000000000001:5 to 0000000000000002:0", 70'000, 4'000'000,
+                  msg::RobotWait{place_id(0xabcdef, 0),
+                                 place_id(0xabcdef, 2),
+                                 {example_addressee()},
+                                 WallTime(std::chrono::seconds(1'700'000'100))},
+                  "r1 and r2 wait for one another"}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};

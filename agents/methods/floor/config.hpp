@@ -77,7 +77,7 @@ struct FloorConfig {
   double inlier_sigmas = 3.0;          ///< [1, 10]
   double kappa = 0.15;                 ///< [0, 1] overlap: the share of b's view seen in a
   double most_tilt_rad = 0.03;         ///< [1e-6, 0.2] between two contents; beyond it the relation is not_rigid
-  double most_height_offset_m = 0.03;           ///< [1e-6, 0.2]
+  double most_height_offset_m = 0.03;  ///< [1e-6, 0.2]
   double eta_px = 100.0;               ///< [0.1, 1000] Huber threshold of h_distance
   double most_residual = 16.0;         ///< [1e-6, 1e4] h_distance
   double most_repeated = 0.7;          ///< [0, 10] features that meet their like elsewhere, against the inliers

@@ -65,7 +65,8 @@ Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint
 }
 
 std::string csv_of(const std::vector<RowOfDay>& rows) {
-  CsvText csv({"days", "seed", "learns", "number", "day", "votes", "told", "error_m", "end_m", "learned_places", "ended"});
+  CsvText csv(
+      {"days", "seed", "learns", "number", "day", "votes", "told", "error_m", "end_m", "learned_places", "ended"});
   for (const RowOfDay& row : rows) {
     const DayScore& score = row.score;
     csv.value(row.days).value(row.seed).value(row.learns).value(row.number).words(row.day);
