@@ -20,17 +20,25 @@ struct Anchor {
 /// "LABEL=X,Y" or "LABEL=X,Y,HEADING". invalid: anything else, naming what is wrong.
 Result<Anchor> parse_anchor(std::string_view text);
 
+/// An anchor that lies elsewhere than all others say.
+struct Contradicting {
+  std::string label;
+  double off_m = 0.0;
+};
+
 /// A network moved into the site's frame: the part of it that the anchors hold.
 struct Anchored {
   Window network;
-  Layout layout;             ///< in the site's frame
-  double worst_m = 0.0;      ///< how far the farthest anchored place lies from where it was said to be
-  std::size_t left_out = 0;  ///< places in parts that no anchor holds
+  Layout layout;         ///< in the site's frame
+  double worst_m = 0.0;  ///< how far the farthest anchored place lies from where it was said to be
+  std::vector<Contradicting> contradicting;  ///< anchors that were left out
+  std::size_t left_out = 0;                  ///< places in parts that no anchor holds
 };
 
-/// One anchor needs a heading; of several the positions alone are fitted, by least squares, turned and moved but
-/// never stretched. not_found: a label that the network does not have; invalid: no anchors, one without a heading,
-/// anchors in parts of the network that nothing joins, or all in one point.
+/// Moves a network by its anchors (core/network/site_frame.hpp): one needs a heading; of several the positions alone
+/// are fitted, turned and moved but never stretched, and of four or more those that contradict the others are left
+/// out. not_found: a label that the network does not have; invalid: no anchors, one without a heading, anchors in
+/// parts of the network that nothing joins, or all within a metre.
 Result<Anchored> anchored(const Window& network, const Layout& layout, const std::vector<Anchor>& anchors);
 
 /// "the anchors fit within 0.12 m", for people.

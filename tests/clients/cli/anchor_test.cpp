@@ -62,6 +62,25 @@ TEST(Anchored, SeveralAreFittedAndTheResidualIsSaid) {
   EXPECT_EQ(to_text(result, 2).substr(0, 24), "2 anchors fit within 0.2");
 }
 
+TEST(Anchored, AnAnchorThatContradictsTheOthersIsNamedAndLeftOut) {
+  Window network = two_parts(true);
+  const Layout layout = lay_out(network);
+  std::vector<Anchor> anchors;
+  for (const std::uint32_t index : {0U, 6U, 12U, 18U, 24U}) {
+    const std::string label = "p" + std::to_string(index);
+    network.labels.insert_or_assign(label, PlaceId{{0xA1}, index});
+    anchors.push_back({label, layout.drawing_from_place.at({{0xA1}, index}).translation(), std::nullopt});
+  }
+  anchors[3].position.x() += 2.0;
+  const auto result = anchored(network, layout, anchors);
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  ASSERT_EQ(result->contradicting.size(), 1U);
+  EXPECT_EQ(result->contradicting[0].label, "p18");
+  EXPECT_NEAR(result->contradicting[0].off_m, 2.0, 1e-6);
+  EXPECT_NEAR(result->worst_m, 0.0, 1e-6);
+  EXPECT_EQ(to_text(*result, 5), "4 anchors fit within 0.00 m, p18 contradicts the others by 2.00 m and is left out");
+}
+
 TEST(Anchored, PartsThatNoAnchorHoldsAreLeftOut) {
   const Window network = two_parts(false);
   const Anchored result = held(network, {{"start", {0.0, 0.0}, 0.0}});

@@ -1,0 +1,142 @@
+#include "core/network/site_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+namespace {
+
+constexpr double kContradicts = 4.0;  // sigma
+constexpr std::size_t kFewestToJudge = 4;
+
+Eigen::Vector2d in_layout(const SitePick& pick) {
+  return pick.layout_from_place * pick.in_place;
+}
+double weight_of(const SitePick& pick) {
+  return 1.0 / (pick.sigma_m * pick.sigma_m);
+}
+
+using Chosen = std::vector<const SitePick*>;
+
+/// The picks' weighted middles, and what turns and stretches one cloud into the other about them.
+struct Moments {
+  Eigen::Vector2d layout = Eigen::Vector2d::Zero();
+  Eigen::Vector2d plan = Eigen::Vector2d::Zero();
+  double weight = 0.0;
+  double cosine = 0.0;
+  double sine = 0.0;
+  double spread = 0.0;  ///< of the layout: weighted sum of squares
+};
+
+Moments moments_of(const Chosen& picks) {
+  Moments m;
+  for (const SitePick* pick : picks) m.weight += weight_of(*pick);
+  for (const SitePick* pick : picks) {
+    m.layout += weight_of(*pick) / m.weight * in_layout(*pick);
+    m.plan += weight_of(*pick) / m.weight * pick->on_plan;
+  }
+  for (const SitePick* pick : picks) {
+    const Eigen::Vector2d from = in_layout(*pick) - m.layout;
+    const Eigen::Vector2d to = pick->on_plan - m.plan;
+    m.cosine += weight_of(*pick) * from.dot(to);
+    m.sine += weight_of(*pick) * (from.x() * to.y() - from.y() * to.x());
+    m.spread += weight_of(*pick) * from.squaredNorm();
+  }
+  return m;
+}
+
+Pose2 fit(const Chosen& picks) {
+  const Moments m = moments_of(picks);
+  const Pose2 turned{0.0, 0.0, std::atan2(m.sine, m.cosine)};
+  const Eigen::Vector2d moved = m.plan - turned * m.layout;
+  return {moved.x(), moved.y(), turned.heading};
+}
+
+double off(const Pose2& plan_from_layout, const SitePick& pick) {
+  return (plan_from_layout * in_layout(pick) - pick.on_plan).norm();
+}
+
+/// How far the points lie from where they were picked, each way; of three degrees of freedom that were fitted.
+double spread_of(const Pose2& plan_from_layout, const Chosen& picks) {
+  if (picks.size() < 2) return 0.0;
+  double sum = 0.0;
+  for (const SitePick* pick : picks) sum += std::pow(off(plan_from_layout, *pick), 2);
+  const auto free = static_cast<double>(2 * picks.size() - 3);
+  return std::sqrt(sum / free);
+}
+
+bool lie_apart(const std::vector<SitePick>& picks) {
+  for (const SitePick& a : picks) {
+    const auto is_apart = [&](const SitePick& b) {
+      return (in_layout(a) - in_layout(b)).norm() >= kPicksApart_m && (a.on_plan - b.on_plan).norm() >= kPicksApart_m;
+    };
+    if (std::any_of(picks.begin(), picks.end(), is_apart)) return true;
+  }
+  return false;
+}
+
+/// Index into `chosen` of the pick that contradicts the others most; none: none does.
+std::optional<std::size_t> contradicting(const Chosen& chosen) {
+  std::optional<std::size_t> worst;
+  double most = kContradicts;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    Chosen others = chosen;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const Pose2 without = fit(others);
+    const double sigma = std::hypot(chosen[i]->sigma_m, spread_of(without, others));
+    const double sigmas = off(without, *chosen[i]) / sigma;
+    if (sigmas <= most) continue;
+    most = sigmas;
+    worst = i;
+  }
+  return worst;
+}
+
+Result<SiteFrame> held_by_one(const SitePick& only) {
+  if (!only.heading) {
+    return fail(ErrorCode::invalid, "one pick needs a heading: " + only.name +
+                                        "=X,Y,HEADING; or pick a second place " + "at least 1 m away");
+  }
+  SiteFrame frame;
+  const double turn = *only.heading - only.layout_from_place.heading;
+  const Eigen::Vector2d moved = only.on_plan - Pose2{0.0, 0.0, turn} * in_layout(only);
+  frame.plan_from_layout = {moved.x(), moved.y(), wrap_angle(turn)};
+  frame.off_m = {0.0};
+  frame.sigma_m = only.sigma_m;
+  return frame;
+}
+
+}  // namespace
+
+Result<SiteFrame> fit_site_frame(const std::vector<SitePick>& picks) {
+  if (picks.empty()) return fail(ErrorCode::invalid, "nothing is picked on the plan: pick two places or more");
+  for (const SitePick& pick : picks) {
+    if (!(pick.sigma_m >= 0.001 && pick.sigma_m <= 10.0))
+      return fail(ErrorCode::invalid, "pick " + pick.name + ": its sigma must be from 0.001 to 10 m");
+  }
+  if (picks.size() == 1) return held_by_one(picks.front());
+  if (!lie_apart(picks))
+    return fail(ErrorCode::invalid, "the picks lie within 1 m of one another: pick places that lie further apart");
+
+  Chosen chosen;
+  for (const SitePick& pick : picks) chosen.push_back(&pick);
+  SiteFrame frame;
+  while (chosen.size() >= kFewestToJudge) {
+    const std::optional<std::size_t> worst = contradicting(chosen);
+    if (!worst) break;
+    frame.left_out.push_back(static_cast<std::size_t>(chosen[*worst] - picks.data()));
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(*worst));
+  }
+  frame.plan_from_layout = fit(chosen);
+  const Moments m = moments_of(chosen);
+  if (m.spread > 0.0) frame.scale = std::hypot(m.cosine, m.sine) / m.spread;
+  for (const SitePick& pick : picks) frame.off_m.push_back(off(frame.plan_from_layout, pick));
+  // What the points scatter by beyond their stated sigmas is the layout's.
+  const double stated = std::sqrt(static_cast<double>(chosen.size()) / m.weight);
+  const double grown = std::max(1.0, spread_of(frame.plan_from_layout, chosen) / stated);
+  frame.sigma_m = grown / std::sqrt(m.weight);
+  if (m.spread > 0.0) frame.sigma_rad = grown / std::sqrt(m.spread);
+  return frame;
+}
+
+}  // namespace weft
