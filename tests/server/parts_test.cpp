@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "server/fleet/incarnations.hpp"
-#include "server/intake/assembly.hpp"
 #include "server/windows/patch_parts.hpp"
 
 namespace weft::server {
