@@ -12,6 +12,7 @@
 #include "server/base/context.hpp"
 #include "server/contents/content_server.hpp"
 #include "server/dispatcher/dispatcher.hpp"
+#include "server/dispatcher/standstills.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/answers.hpp"
@@ -50,8 +51,9 @@ class FleetMapServer final : public Service {
         routes_(context_),
         dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
+        standstills_(context_, fleet_, dispatcher_),
         requests_(context_, fleet_, traffic_, dispatcher_),
-        answers_(context_, fleet_, traffic_, unjoined_, dispatcher_.book(), intake_),
+        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_.book(), intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       writer_.note(
@@ -92,7 +94,8 @@ class FleetMapServer final : public Service {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
          {fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(), recognition_.next(),
-          dispatcher_.next(), requests_.next(), answers_.next(), traffic_.next(), routes_.next()}) {
+          dispatcher_.next(), standstills_.next(), requests_.next(), answers_.next(), traffic_.next(),
+          routes_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -130,6 +133,7 @@ class FleetMapServer final : public Service {
     }
     unjoined_.tick(now);
     dispatcher_.tick(now);
+    standstills_.tick(now);
   }
 
   void say_hello(SteadyTime now) {
@@ -279,6 +283,7 @@ class FleetMapServer final : public Service {
   UnjoinedWatch unjoined_;
   Routes routes_;
   Dispatcher dispatcher_;
+  Standstills standstills_;
   OperatorRequests requests_;
   Answers answers_;
   std::map<PeerId, std::string> clients_;

@@ -199,7 +199,9 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   assignment.has_latest_order = false;
   assignment.latest_report.reset();
   assignment.missing_since.reset();
-  assignment.traffic_looked = 0;
+  assignment.look_at_release = true;
+  assignment.stands_at_end = false;
+  assignment.waits_since.reset();
   release(robot, assignment, now);
 }
 

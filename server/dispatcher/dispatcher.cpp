@@ -152,7 +152,7 @@ Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& 
     return fail(stored.error());
   }
   assignment->second.send_at = now.steady;
-  assignment->second.traffic_looked = 0;
+  assignment->second.look_at_release = true;
   return "its goal " + to_string(goal->id) + " goes on";
 }
 

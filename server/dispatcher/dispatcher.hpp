@@ -14,6 +14,7 @@
 #include "server/fleet/fleet.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
+#include "server/traffic/waits.hpp"
 
 namespace weft::server {
 
@@ -61,6 +62,13 @@ class Dispatcher {
   /// Returns the goal that keeps the robot busy; none when it is free for another.
   const Goal* goal_of(const RobotId& robot) const;
 
+  // waiting.cpp
+  /// Returns the robots that stand at the end of what they were released, and for whom.
+  std::vector<Wait> waits();
+  /// Returns why the robot does not move by itself; none: it may.
+  std::optional<Stays> stays(const RobotId& robot) const;
+  bool has_assignments() const { return !assignments_.empty(); }
+
  private:
   /// Holds what the server and a robot still have to settle about one route.
   struct RouteAssignment {
@@ -77,8 +85,11 @@ class Dispatcher {
     bool is_closed = false;   ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
-    std::uint64_t traffic_looked = 0;  ///< its version when the release was last tried
-    Traffic::Way noted_way;            ///< what it waits for, as it was told
+    bool look_at_release = true;     ///< it is worth while to ask traffic for more
+    Traffic::Way way;                ///< as traffic said last
+    Traffic::Way noted_way;          ///< what it waits for, as it was told
+    std::optional<Now> waits_since;  ///< that it was released no farther
+    bool stands_at_end = false;      ///< the robot said so of its latest order
   };
 
   // assign.cpp
@@ -119,6 +130,7 @@ class Dispatcher {
   bool is_told(const RobotId& robot, const Route& route) const;
   void release(const RobotId& robot, RouteAssignment& assignment, Now now);
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
+  std::string names_of(const std::set<RobotId>& robots) const;
   std::string why_it_waits(const Traffic::Way& way) const;
   std::string why_it_goes_on(const Traffic::Way& way) const;
   void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);

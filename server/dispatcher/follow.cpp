@@ -39,10 +39,9 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   const bool told = is_told(robot, route);
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   if (told && route.released == last) return;
-  if (assignment.traffic_looked == traffic_.version()) return;
-  assignment.traffic_looked = traffic_.version();
+  if (!std::exchange(assignment.look_at_release, false)) return;
   const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
-  const std::string reason = way.blocked_by                           ? "waits for " + fleet_.name_of(*way.blocked_by)
+  const std::string reason = !way.blocked_by.empty()                  ? "waits for " + names_of(way.blocked_by)
                              : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
                                                                       : "";
   const bool waits_for_another = told && !way.through && route.reason != reason;
@@ -63,23 +62,37 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
     storage::Transaction transaction;
     for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
     if (!book_.write(next, std::move(transaction), now)) {
-      assignment.traffic_looked = 0;
+      assignment.look_at_release = true;
       return;
     }
     traffic_.committed(claims);
     assignment.has_latest_order = false;
+    assignment.stands_at_end = false;
+    assignment.waits_since.reset();
     assignment.wait = Duration{};
     send_order(robot, assignment, now.steady);
   }
+  assignment.way = way;
+  if (!assignment.waits_since) assignment.waits_since = now;
   note_waiting(robot, assignment, way, now);
+}
+
+std::string Dispatcher::names_of(const std::set<RobotId>& robots) const {
+  std::string names;
+  std::size_t left = robots.size();
+  for (const RobotId& robot : robots) {
+    names += fleet_.name_of(robot);
+    if (--left > 0) names += left > 1 ? ", " : " and ";
+  }
+  return names;
 }
 
 std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
   switch (way.end) {
     case Traffic::Way::End::held:
-      return fleet_.name_of(*way.blocked_by) + " has left its way";
+      return names_of(way.blocked_by) + (way.blocked_by.size() > 1 ? " have" : " has") + " left its way";
     case Traffic::Way::End::one_at_once:
-      return fleet_.name_of(*way.blocked_by) +
+      return names_of(way.blocked_by) +
              " has arrived: robots are in parts of the map that nothing joins, and one drives at a time";
     default:
       return "it is laid out where the places of the map lie";
@@ -89,10 +102,9 @@ std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
 std::string Dispatcher::why_it_goes_on(const Traffic::Way& way) const {
   switch (way.end) {
     case Traffic::Way::End::held:
-      return fleet_.name_of(*way.blocked_by) + " has left the way";
+      return names_of(way.blocked_by) + (way.blocked_by.size() > 1 ? " have" : " has") + " left the way";
     case Traffic::Way::End::one_at_once:
-      return fleet_.name_of(*way.blocked_by) +
-             " is not on its way any more, or all robots are in one part of the map";
+      return names_of(way.blocked_by) + " is not on its way any more, or all robots are in one part of the map";
     default:
       return "it is laid out where the places of the map lie";
   }
@@ -155,6 +167,7 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   assignment.missing_since.reset();
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
   assignment.has_latest_order = progress.released >= route->released;
+  assignment.stands_at_end = assignment.has_latest_order && progress.phase == msg::RoutePhase::waiting;
   traffic_.freed(robot, route->id, progress.freed);
   const std::string who = fleet_.name_of(robot);
   if (progress.phase == msg::RoutePhase::arrived) {
@@ -270,18 +283,22 @@ void Dispatcher::on_restart(const RobotId& robot) {
 
 bool Dispatcher::has_to_send(const RobotId& robot, const RouteAssignment& assignment) const {
   if (assignment.ending || assignment.recalled) return true;
+  if (assignment.has_latest_order || assignment.route_lost) return false;
   const bool is_paused = book_.find(assignment.goal)->state == GoalState::paused;
-  return !assignment.has_latest_order && !assignment.route_lost && !is_paused &&
-         is_told(robot, *book_.route(assignment.goal));
+  return !is_paused && is_told(robot, *book_.route(assignment.goal));
 }
 
 void Dispatcher::tick(Now now) {
   if (!std::exchange(routes_checked_, true)) {
     for (auto& [robot, assignment] : assignments_) reroute(robot, assignment, now);
   }
+  for (const RobotId& robot : traffic_.take_woken()) {
+    const auto woken = assignments_.find(robot);
+    if (woken != assignments_.end()) woken->second.look_at_release = true;
+  }
   for (auto& [robot, assignment] : assignments_) {
-    if (!assignment.route_lost) release(robot, assignment, now);
-    if (has_to_send(robot, assignment) && assignment.send_at <= now.steady) send_order(robot, assignment, now.steady);
+    if (assignment.look_at_release && !assignment.route_lost) release(robot, assignment, now);
+    if (assignment.send_at <= now.steady && has_to_send(robot, assignment)) send_order(robot, assignment, now.steady);
   }
   if (!look_again_ || look_at_ > now.steady) return;
   look_again_ = false;
@@ -307,6 +324,7 @@ std::optional<SteadyTime> Dispatcher::next() const {
     return book_.find(entry.second)->state == GoalState::pending;
   });
   if (look_again_ && anybody_waits) sooner(look_at_);
+  if (traffic_.has_woken()) sooner(SteadyTime{});
   return next;
 }
 

@@ -43,7 +43,7 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
   const std::optional<std::uint32_t> broken =
       first_broken(context_.snapshots.current(), route, told ? traffic_.held(robot)->from : 0);
   if (!broken) {
-    if (std::exchange(assignment.cut_short, false)) assignment.traffic_looked = 0;
+    if (std::exchange(assignment.cut_short, false)) assignment.look_at_release = true;
     return;
   }
   if (!told) {
@@ -92,7 +92,9 @@ void Dispatcher::replan_ahead(const RobotId& robot, RouteAssignment& assignment,
   assignment.cut_short = false;
   assignment.has_latest_order = false;
   assignment.latest_report.reset();
-  assignment.traffic_looked = 0;
+  assignment.look_at_release = true;
+  assignment.stands_at_end = false;
+  assignment.waits_since.reset();
   assignment.wait = Duration{};
   send_order(robot, assignment, now.steady);
 }

@@ -94,6 +94,13 @@ Answers::Parts Answers::robots(SteadyTime now) const {
     row.occupies = occupies(id);
     row.window_bytes = robot.window_bytes;
     row.content_bytes = robot.content_bytes;
+    if (const Wait* const wait = standstills_.wait_of(id)) {
+      row.wait = {.at = wait->at,
+                  .needs = wait->needs,
+                  .held_by = {wait->held_by.begin(), wait->held_by.end()},
+                  .since = wait->since.wall};
+    }
+    row.standstill = clipped(standstills_.text_of(id));
     parts.back().robots.push_back(std::move(row));
   }
   return parts;

@@ -6,6 +6,7 @@
 #include "core/protocol/messages.hpp"
 #include "server/base/context.hpp"
 #include "server/dispatcher/goal_book.hpp"
+#include "server/dispatcher/standstills.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/past_maps.hpp"
@@ -18,11 +19,12 @@ namespace weft::server {
 class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
-          const GoalBook& book, const Intake& intake)
+          const Standstills& standstills, const GoalBook& book, const Intake& intake)
       : context_(context),
         fleet_(fleet),
         traffic_(traffic),
         unjoined_(unjoined),
+        standstills_(standstills),
         book_(book),
         intake_(intake),
         past_maps_(context) {}
@@ -48,6 +50,7 @@ class Answers {
   const Fleet& fleet_;
   const Traffic& traffic_;
   const UnjoinedWatch& unjoined_;
+  const Standstills& standstills_;
   const GoalBook& book_;
   const Intake& intake_;
   PastMaps past_maps_;

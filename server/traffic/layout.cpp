@@ -51,8 +51,10 @@ void Layout::lay_around(const Network& network, const PlaceId& root, std::size_t
 
 void Layout::start(Network network, std::vector<PlaceId> roots) {
   const double keep_share = keep_share_;
+  const std::uint64_t moves = moves_ + 1;
   *this = Layout();
   keep_share_ = keep_share;
+  moves_ = moves;
   network_ = std::move(network);
   fresh_.assign(roots.begin(), roots.end());
 }
@@ -89,6 +91,7 @@ void Layout::edited(Network network, const Snapshot& before) {
 
 void Layout::take_out(const std::set<Index>& parts) {
   if (parts.empty()) return;
+  ++moves_;
   for (Laid& place : places_) {
     if (place.part != kNone && parts.contains(place.part)) place = Laid{};
   }

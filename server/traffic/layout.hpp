@@ -61,6 +61,8 @@ class Layout {
   bool are_near(const Spot& a, const Spot& b, double reach_m) const;
 
   std::uint64_t laid() const { return laid_; }  ///< places that can be asked for
+  /// Counts up when places that could be asked for lie elsewhere now.
+  std::uint64_t moves() const { return moves_; }
   /// Holds places of a part that cannot be asked for yet.
   std::uint64_t under_way() const { return is_new_ ? size_of(part_) : 0; }
   std::vector<PlaceId> roots() const;
@@ -127,6 +129,7 @@ class Layout {
   std::vector<Index> free_;
   std::map<Index, Part> parts_;
   std::uint64_t laid_ = 0;
+  std::uint64_t moves_ = 0;
 
   Network network_;                     ///< null: there is nothing to do
   std::deque<PlaceId> fresh_;           ///< where parts may begin, to be looked at first

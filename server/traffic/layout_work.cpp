@@ -210,6 +210,7 @@ void Layout::end_branches() {
   }
   for (const auto& [index, laid] : branches_) {
     const Index before = places_[index].part;
+    if (before != kNone) ++moves_;
     places_[index] = laid;
     branch_of_[index] = kNone;
     if (before == part_) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <set>
+#include <utility>
 
 #include "core/network/search.hpp"
 
@@ -37,8 +38,7 @@ Nearness::Found Nearness::search(const TrafficMap& map, const PlaceId& centre) c
     PlaceId place;
     Relation centre_from_place;
   };
-  Found found;
-  found.near = {{.place = centre, .clearance_m = 0.0}};
+  std::vector<Near> near = {{.place = centre, .clearance_m = 0.0}};
   std::set<PlaceId> seen = {centre};
   std::deque<Open> open = {{.place = centre, .centre_from_place = Metric2{}}};
   while (!open.empty() && seen.size() < kMostPlaces) {
@@ -50,39 +50,42 @@ Nearness::Found Nearness::search(const TrafficMap& map, const PlaceId& centre) c
       const Relation edge_relation = relation_from(edge, here.place);
       const Relation relation = here.place == centre ? edge_relation : compose(here.centre_from_place, edge_relation);
       const double clearance = clearance_m(relation);
-      if (clearance <= radius_m_) found.near.push_back({.place = next, .clearance_m = clearance});
+      if (clearance <= radius_m_) near.push_back({.place = next, .clearance_m = clearance});
       if (clearance <= search_radius_m(radius_m_)) open.push_back({.place = next, .centre_from_place = relation});
     });
   }
-  found.seen = {seen.begin(), seen.end()};
-  std::sort(found.near.begin(), found.near.end(), [](const Near& a, const Near& b) { return a.place < b.place; });
-  return found;
+  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.place < b.place; });
+  return {.near = std::make_shared<const std::vector<Near>>(std::move(near)), .seen = {seen.begin(), seen.end()}};
 }
 
-const std::vector<Near>& Nearness::around(const TrafficMap& map, const PlaceId& place) {
+Nearness::Places Nearness::around(const TrafficMap& map, const PlaceId& place) {
   const auto known = found_.find(place);
   if (known != found_.end()) return known->second.near;
-  static const std::vector<Near> nothing;
-  if (!map.has(place)) return nothing;
+  if (!map.has(place)) return std::make_shared<const std::vector<Near>>();
   return found_.emplace(place, search(map, place)).first->second.near;
 }
 
-void Nearness::joined(const Batch& batch) {
+std::vector<PlaceId> Nearness::joined(const Batch& batch) {
   std::set<PlaceId> touched;
   for (const Edge& edge : batch.edges) {
     touched.insert(edge.id.a);
     touched.insert(edge.id.b);
   }
+  std::vector<PlaceId> forgotten;
   std::erase_if(found_, [&](const auto& entry) {
-    return std::any_of(touched.begin(), touched.end(),
-                       [&](const PlaceId& place) { return holds(entry.second.seen, place); });
+    const bool is_touched = std::any_of(touched.begin(), touched.end(),
+                                        [&](const PlaceId& place) { return holds(entry.second.seen, place); });
+    if (is_touched) forgotten.push_back(entry.first);
+    return is_touched;
   });
+  return forgotten;
 }
 
-void Nearness::grow_radius(double radius_m) {
-  if (radius_m <= radius_m_) return;
+bool Nearness::grow_radius(double radius_m) {
+  if (radius_m <= radius_m_) return false;
   radius_m_ = radius_m;
   found_.clear();
+  return true;
 }
 
 }  // namespace weft::server

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "core/network/change.hpp"
@@ -20,19 +21,20 @@ class Nearness {
  public:
   explicit Nearness(double radius_m) : radius_m_(radius_m) {}
 
-  /// Returns places sorted by id; the place itself is among them. Empty when the map does not have the place. Valid
+  using Places = std::shared_ptr<const std::vector<Near>>;
+  /// Returns places sorted by id; the place itself is among them. Empty when the map does not have the place. True
   /// until the next change of the network or of the radius.
-  const std::vector<Near>& around(const TrafficMap& map, const PlaceId& place);
-  /// Forgets what may be different since the batch has joined the network.
-  void joined(const Batch& batch);
+  Places around(const TrafficMap& map, const PlaceId& place);
+  /// Forgets what may be different since the batch has joined the network. Returns around which places.
+  std::vector<PlaceId> joined(const Batch& batch);
   /// Forgets everything: the network, or what is remembered of its history, was edited.
   void forget() { found_.clear(); }
-  /// Lets the search look at least that far; growing it forgets what was found.
-  void grow_radius(double radius_m);
+  /// Lets the search look at least that far. Returns true when it looks farther now, and has forgotten what it found.
+  bool grow_radius(double radius_m);
 
  private:
   struct Found {
-    std::vector<Near> near;
+    Places near;
     std::vector<PlaceId> seen;  ///< everything the search came by, sorted: an edge there may change the result
   };
   Found search(const TrafficMap& map, const PlaceId& centre) const;

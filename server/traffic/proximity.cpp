@@ -18,28 +18,27 @@ bool sees(const LocatedPlace& from, const PlaceId& other, double room_m) {
   return found != nullptr && found->clearance_m <= room_m;
 }
 
-double room_m(const LocatedPlace& a, const LocatedPlace& b) {
-  return a.touched.reach_m + b.touched.reach_m + kMargin_m;
-}
-
 bool overlap_around(const LocatedPlace& a, const LocatedPlace& b) {
   if (a.touched.place == b.touched.place) return true;
   return sees(a, b.touched.place, room_m(a, b)) || sees(b, a.touched.place, room_m(a, b));
 }
 
-/// Returns where any part of the robot may be.
+}  // namespace
+
+double room_m(const LocatedPlace& a, const LocatedPlace& b) {
+  return a.touched.reach_m + b.touched.reach_m + kMargin_m;
+}
+
 Eigen::AlignedBox2d box_of(const Spot& spot, double reach_m) {
   const double most_m = kLayoutSigmas * spot.sigma_m * (1.0 + spot.bend) + reach_m;
   const Eigen::Vector2d position = spot.part_from_place.translation();
   return {position - Eigen::Vector2d::Constant(most_m), position + Eigen::Vector2d::Constant(most_m)};
 }
 
-}  // namespace
-
-void Proximity::joined(const Layout::Network& network, const Batch& batch) {
-  nearness_.joined(batch);
+std::vector<PlaceId> Proximity::joined(const Layout::Network& network, const Batch& batch) {
   local_layouts_.joined(batch);
   layout_.joined(network, batch);
+  return nearness_.joined(batch);
 }
 
 void Proximity::edited(const Layout::Network& network, const Snapshot& before) {
@@ -59,7 +58,7 @@ const std::vector<Anchor>& Proximity::anchors(const TrafficMap& map, const Place
 }
 
 LocatedPlace Proximity::locate(const TrafficMap& map, const Touched& touched) {
-  LocatedPlace located{.touched = touched, .around = &nearness_.around(map, touched.place), .spots = {}};
+  LocatedPlace located{.touched = touched, .around = nearness_.around(map, touched.place), .spots = {}};
   if (map.is_in(touched.place)) {
     const std::optional<Spot> spot = layout_.spot(touched.place);
     located.is_laid = spot.has_value();
@@ -118,6 +117,22 @@ bool Proximity::overlap(const TrafficMap& map, const std::vector<Touched>& a, co
   return std::any_of(a.begin(), a.end(), [&](const Touched& one) { return overlap(map, locate(map, one), others); });
 }
 
+std::optional<double> Proximity::clearance_m(const LocatedPlace& a, const LocatedPlace& b) const {
+  if (a.touched.place == b.touched.place) return 0.0;
+  std::optional<double> least_m;
+  const auto may_be = [&least_m](double clearance_m) {
+    least_m = std::min(least_m.value_or(clearance_m), clearance_m);
+  };
+  if (const Near* const near = found_in(*a.around, b.touched.place)) may_be(near->clearance_m);
+  if (const Near* const near = found_in(*b.around, a.touched.place)) may_be(near->clearance_m);
+  for (const Spot& of_a : a.spots) {
+    for (const Spot& of_b : b.spots) {
+      if (of_a.part == of_b.part) may_be(layout_.clearance_m(of_a, of_b));
+    }
+  }
+  return least_m;
+}
+
 std::optional<std::uint32_t> Proximity::part_of(const TrafficMap& map, const PlaceId& place) {
   if (map.is_in(place)) return layout_.part_of(place);
   for (const Anchor& anchor : anchors(map, place)) {
@@ -128,7 +143,8 @@ std::optional<std::uint32_t> Proximity::part_of(const TrafficMap& map, const Pla
 
 std::optional<double> Proximity::farthest_m(const TrafficMap& map, const PlaceId& place, const PlaceId& other) {
   if (place == other) return 0.0;
-  if (const Near* const found = found_in(nearness_.around(map, place), other)) return found->clearance_m;
+  const Nearness::Places around = nearness_.around(map, place);
+  if (const Near* const found = found_in(*around, other)) return found->clearance_m;
   const std::optional<Spot> a = layout_.spot(place);
   const std::optional<Spot> b = layout_.spot(other);
   if (!a || !b || a->part != b->part) return std::nullopt;

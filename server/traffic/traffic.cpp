@@ -11,9 +11,6 @@ namespace {
 constexpr double kUnknownFootprint_m = 0.6;
 /// Bounds the move of a nearest place within which a standing robot is still at the place it was at.
 constexpr double kSameStand_m = 0.2;
-/// Is left free before a robot in the way: it may have to go back to a place behind it to set off, and two robots
-/// must not each wait for the other's first step.
-constexpr double kRoomToSetOff_m = 0.5;
 
 storage::PutOccupancy standing_at(const RobotId& robot, const PlaceId& place, Revision revision) {
   storage::PutOccupancy occupancy;
@@ -45,6 +42,7 @@ Traffic::Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stor
   load_history(now);
   proximity_.layout().lay(context_.snapshots.shared_current());
   lay_out_at_once();
+  for (const auto& [robot, held] : holders_) hold(robot, held);
 }
 
 /// Loads the maps of stretches that were given out before an edit of the map, and held when the server ended.
@@ -88,6 +86,7 @@ void Traffic::drop_history() {
   if (history_.empty() || holds_what_is_out()) return;
   history_.clear();
   proximity_.forget();
+  holdings_.refresh_all(map(), proximity_);
 }
 
 Traffic::Holder& Traffic::holder(const RobotId& robot) {
@@ -110,61 +109,26 @@ void Traffic::set_footprint(const RobotId& robot, double radius_m) {
   Holder& known = holder(robot);
   if (known.footprint_m == radius_m) return;
   known.footprint_m = radius_m;
-  proximity_.grow_radius(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m);
-  ++version_;
-}
-
-std::vector<Traffic::Other> Traffic::others_of(const RobotId& robot) {
-  std::vector<Other> others;
-  for (const auto& [other, holder] : holders_) {
-    if (other == robot) continue;
-    others.push_back({other, proximity_.locate(map(), touched(holder))});
+  if (proximity_.grow_radius(2 * (radius_m + 2 * kLeastSlack_m) + kMargin_m)) {
+    holdings_.refresh_all(map(), proximity_);
   }
-  return others;
+  hold(robot, known);
+  watches_.wake_all();
 }
 
-std::optional<RobotId> Traffic::holder_near(const std::vector<Other>& others, const LocatedPlace& here) {
-  const auto found = std::find_if(others.begin(), others.end(),
-                                  [&](const Other& other) { return proximity_.overlap(map(), here, other.touched); });
-  if (found == others.end()) return std::nullopt;
-  return found->robot;
+std::set<RobotId> Traffic::holders_near(const LocatedPlace& here, const RobotId& except) {
+  return holdings_.near(map(), proximity_, here, except);
 }
 
-/// Leaves room to set off before the robot in the way. The place where a route begins is the robot's in any case.
-void Traffic::leave_room(const Route& route, std::uint32_t from, Way& way) {
-  double room_m = 0.0;
-  while (way.through && room_m<kRoomToSetOff_m&& * way.through> 0) {
-    room_m += distance_m(route.relations[*way.through - 1]);
-    way.through = *way.through > from ? std::optional(*way.through - 1) : std::nullopt;
+/// Takes in that the robot holds something else than before, and wakes those who wait for what it has given up.
+void Traffic::hold(const RobotId& robot, const Holder& holder) {
+  holdings_.put(map(), proximity_, robot, touched(holder));
+  for (const Watches::Watch& watch : watches_.on(robot)) {
+    const LocatedPlace needs = proximity_.locate(map(), watch.needs);
+    if (!holdings_.holds_near(map(), proximity_, robot, needs)) watches_.wake(watch.waiter);
   }
-}
-
-/// Returns what keeps the robot where it is wherever it is going.
-Traffic::Way Traffic::held_back(const RobotId& robot, const std::vector<Other>& others) {
-  const auto is_laid = [](const LocatedPlace& place) { return place.is_laid; };
-  const bool are_laid = std::all_of(others.begin(), others.end(), [&](const Other& other) {
-    return std::all_of(other.touched.places.begin(), other.touched.places.end(), is_laid);
-  });
-  if (!are_laid) return {.through = {}, .end = Way::End::not_laid, .blocked_by = {}};
-  if (context_.config.unjoined != Unjoined::one_drives || by_part().size() < 2) return {};
-  const std::optional<RobotId> driver = other_that_drives(robot);
-  return {.through = {}, .end = driver ? Way::End::one_at_once : Way::End::free, .blocked_by = driver};
-}
-
-Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
-  const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
-  const std::vector<Other> others = others_of(route.robot);
-  Way way = held_back(route.robot, others);
-  const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
-  for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
-    const LocatedPlace here = proximity_.locate(map(), wanted[i]);
-    way.blocked_by = holder_near(others, here);
-    if (way.blocked_by) way.end = Way::End::held;
-    if (!here.is_laid) way.end = Way::End::not_laid;
-    if (way.end == Way::End::free) way.through = from + i;
-  }
-  if (way.end != Way::End::free) leave_room(route, from, way);
-  return way;
+  if (holder.moves_away) watches_.wake(robot);
+  watches_.wake_those_for_everybody();
 }
 
 std::vector<storage::PutOccupancy> Traffic::claim(const Route& route, std::uint32_t from,
@@ -181,9 +145,15 @@ std::vector<storage::PutOccupancy> Traffic::claim(const Route& route, std::uint3
 void Traffic::committed(const std::vector<storage::PutOccupancy>& occupancies) {
   for (const storage::PutOccupancy& occupancy : occupancies) {
     Holder& known = holder(occupancy.robot);
+    const bool is_other = known.occupancy.held.id != occupancy.held.id;
     known.occupancy = occupancy;
     known.is_stored = true;
-    if (occupancy.held.id) known.cleared_at.reset();
+    if (occupancy.held.id) {
+      known.cleared_at.reset();
+      known.intruding.reset();  // it holds where it stands by its route
+    }
+    if (is_other) ++parts_version_;
+    hold(occupancy.robot, known);
   }
   drop_history();
 }
@@ -195,7 +165,7 @@ void Traffic::freed(const RobotId& robot, const RouteId& route, std::uint32_t fr
   // The robot stays at least at the end of what it was given.
   held.from = std::min(from, held.to);
   known.is_stored = false;
-  ++version_;
+  hold(robot, known);
   drop_history();
 }
 
@@ -224,7 +194,7 @@ void Traffic::follow_lead(Holder& known, const msg::RobotState& state) {
                            : known.led_on.has_value() == led_on.has_value();
   if (is_same) return;
   known.led_on = led_on;
-  ++version_;
+  hold(state.header.sender, known);
 }
 
 void Traffic::stands(const msg::RobotState& state, Now now) {
@@ -232,12 +202,7 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
   Holder& known = holder(state.header.sender);
   follow_lead(known, state);
   if (known.cleared_at == state.place) return;
-  if (known.intruding) {
-    const bool nothing_new = known.intruding->place == state.place && known.intruding_looked == version_;
-    if (nothing_new) return;
-  } else if (is_there_still(known, state)) {
-    return;
-  }
+  if (!known.intruding && is_there_still(known, state)) return;
   // A place that was taught a moment ago and is not here yet cannot be held.
   if (context_.snapshots.current().place(state.place) == nullptr) return;
   known.cleared_at.reset();
@@ -246,30 +211,31 @@ void Traffic::stands(const msg::RobotState& state, Now now) {
 
 void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState& state, Now now) {
   const Touched here = standing(state, known.footprint_m);
-  const std::optional<RobotId> other = holder_near(others_of(robot), proximity_.locate(map(), here));
-  if (!other || !known.intruding || known.intruding->place != here.place) {
+  const std::set<RobotId> others = holders_near(proximity_.locate(map(), here), robot);
+  if (others.empty() || !known.intruding || known.intruding->place != here.place) {
     // Stored also where somebody else holds that: nobody is released towards it, after a restart neither.
     const Revision revision = context_.snapshots.current().revision();
     if (!store(robot, known, standing_at(robot, state.place, revision), now)) return;
-    ++version_;
+    ++parts_version_;
   }
-  if (!other) {
+  if (others.empty()) {
     known.intruding.reset();
+    hold(robot, known);
     drop_history();
     return;
   }
   if (!known.intruding) {
-    context_.writer.note(
-        {.at = {},
-         .kind = "traffic.too_close",
-         .robot = robot,
-         .goal = {},
-         .cause = "it stands at " + to_string(state.place) + ", within what robot " + to_string(*other) + " holds",
-         .who = "server"},
-        now);
+    context_.writer.note({.at = {},
+                          .kind = "traffic.too_close",
+                          .robot = robot,
+                          .goal = {},
+                          .cause = "it stands at " + to_string(state.place) + ", within what robot " +
+                                   to_string(*others.begin()) + " holds",
+                          .who = "server"},
+                         now);
   }
   known.intruding = here;
-  known.intruding_looked = version_;
+  hold(robot, known);
 }
 
 bool Traffic::store(const RobotId& robot, Holder& known, storage::PutOccupancy next, Now now) {
@@ -304,7 +270,8 @@ Result<std::string> Traffic::clear(const RobotId& robot, const std::string& who,
   known.intruding.reset();
   known.led_on.reset();
   known.cleared_at = at;
-  ++version_;
+  ++parts_version_;
+  hold(robot, known);
   drop_history();
   return "nothing is held for it any more, from " + to_string(at) + " on";
 }
@@ -333,7 +300,8 @@ Result<std::string> Traffic::clear_route(const RobotId& robot, const std::option
   }
   known.occupancy = std::move(next);
   known.is_stored = true;
-  ++version_;
+  ++parts_version_;
+  hold(robot, known);
   drop_history();
   return "its route is free; " + stays;
 }

@@ -8,15 +8,18 @@
 
 #include "core/protocol/messages.hpp"
 #include "server/base/context.hpp"
+#include "server/traffic/holdings.hpp"
 #include "server/traffic/proximity.hpp"
 #include "server/traffic/stretch.hpp"
+#include "server/traffic/watches.hpp"
 #include "storage/map_store.hpp"
 
 namespace weft::server {
 
 /// Decides who may touch what. A robot holds a stretch of the network: of its route what is released and not yet
-/// freed, else the place where it stands. What two robots hold never overlaps. A stretch is given up by its holder's
-/// report or by an operator, never because time has passed. A robot that never knew where it is holds nothing.
+/// freed, else the place where it stands. What two robots are given never overlaps, but where one of them stands
+/// within what the other holds, and moves away from it. A stretch is given up by its holder's report or by an
+/// operator, never because time has passed. A robot that never knew where it is holds nothing.
 class Traffic {
  public:
   Traffic(Context& context, std::map<RobotId, storage::PutOccupancy> stored, Now now);
@@ -31,10 +34,18 @@ class Traffic {
     };
     std::optional<std::uint32_t> through;  ///< none: not even its first place is free
     End end = End::free;
-    std::optional<RobotId> blocked_by;  ///< held, one_at_once: by whom
+    std::set<RobotId> blocked_by;  ///< held, one_at_once: by whom, all of them
+    Touched needs;                 ///< held, not_laid: the first place that it cannot have
     bool ends_alike(const Way& other) const { return end == other.end && blocked_by == other.blocked_by; }
   };
+  /// Tells how far the route can be released from that place on. When it ends early, `take_woken` names the robot
+  /// once it is worth while to ask again.
   Way way(const Route& route, std::uint32_t from);
+  /// Returns who may be released farther than it was when `way` was asked last.
+  std::set<RobotId> take_woken() { return watches_.take_woken(); }
+  bool has_woken() const { return watches_.has_woken(); }
+  /// Returns who is in that way now.
+  std::set<RobotId> holders_of(const RobotId& robot, const Way& way);
 
   /// Returns what has to be committed with a release: the new stretch, and what others have given up meanwhile.
   /// Nothing changes here until `committed`.
@@ -70,36 +81,40 @@ class Traffic {
   /// Returns what the robot holds; null: nothing.
   const storage::PutOccupancy* held(const RobotId& robot) const;
   bool holds_route(const RobotId& robot, const RouteId& route) const;
-  /// Counts up whenever somebody gave something up or the network changed: waiting routes are to be looked at again.
-  std::uint64_t version() const { return version_; }
+  /// Counts up whenever a robot may have come to another part of the map.
+  std::uint64_t parts_version() const { return parts_version_; }
 
  private:
   struct Holder {
     storage::PutOccupancy occupancy;  ///< empty places: nothing
     double footprint_m = 0.0;
-    bool is_stored = true;               ///< the store has it like this
-    std::optional<Touched> intruding;    ///< where it stands although somebody else holds that
-    std::uint64_t intruding_looked = 0;  ///< version at which that was looked at
-    std::optional<Touched> led_on;       ///< where it may be, as it names a place that has not come yet
-    std::optional<PlaceId> cleared_at;   ///< where an operator says that it is not
+    bool is_stored = true;              ///< the store has it like this
+    std::optional<Touched> intruding;   ///< where it stands although somebody else holds that
+    std::optional<Touched> led_on;      ///< where it may be, as it names a place that has not come yet
+    std::optional<PlaceId> cleared_at;  ///< where an operator says that it is not
+    bool moves_away = false;            ///< out of what somebody else holds, a piece at a time
   };
 
-  struct Other {
-    RobotId robot;
-    LocatedPlaces touched;
-  };
+  // traffic_way.cpp
+  Way held_back(const RobotId& robot);
+  void go_on(const Route& route, std::uint32_t from, Way& way);
+  bool move_away(const Route& route, std::uint32_t from, Way& way);
+  static bool has_driven(const Holder& holder, std::uint32_t stand);
+  std::optional<std::uint32_t> away_through(const Route& route, std::uint32_t stand,
+                                            const std::vector<Touched>& ahead, const std::set<RobotId>& inside);
+  std::vector<double> clearances_m(const std::set<RobotId>& robots, const LocatedPlace& here) const;
+  void watch(const RobotId& robot, const Way& way);
+  std::optional<RobotId> other_that_drives(const RobotId& robot) const;
 
-  Way held_back(const RobotId& robot, const std::vector<Other>& others);
   void lay_out_at_once();
-  static void leave_room(const Route& route, std::uint32_t from, Way& way);
   Holder& holder(const RobotId& robot);
   std::vector<Touched> touched(const Holder& holder) const;
   TrafficMap map() const { return {context_.snapshots.current(), history_}; }
   void load_history(Now now);
   void drop_history();
-  std::vector<Other> others_of(const RobotId& robot);
-  std::optional<RobotId> holder_near(const std::vector<Other>& others, const LocatedPlace& here);
-  std::optional<RobotId> other_that_drives(const RobotId& robot) const;
+  std::set<RobotId> holders_near(const LocatedPlace& here, const RobotId& except);
+  void hold(const RobotId& robot, const Holder& holder);
+  void map_changed();
   void tell_of_layout(Now now);
   void follow_lead(Holder& holder, const msg::RobotState& state);
   bool is_there_still(const Holder& holder, const msg::RobotState& state);
@@ -110,7 +125,10 @@ class Traffic {
   Proximity proximity_;
   std::map<RobotId, Holder> holders_;
   TrafficMap::History history_;  ///< that have what is held and out of the map; usually none
-  std::uint64_t version_ = 1;
+  Holdings holdings_;
+  Watches watches_;
+  std::uint64_t laid_moves_ = 0;  ///< of the layout, when holdings were looked up in it last
+  std::uint64_t parts_version_ = 1;
   SteadyTime next_piece_;             ///< of laying out the map
   std::uint64_t laid_told_ = 0;       ///< places, when that was told last
   bool is_layout_announced_ = false;  ///< it takes a while: people are told how far it is

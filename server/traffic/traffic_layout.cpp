@@ -17,32 +17,37 @@ constexpr Duration kBetweenPieces = 2ms;
 /// A layout of so many places takes longer than a moment: it is told, and so often how far it is.
 constexpr std::uint64_t kWorthTelling = 20'000;
 constexpr std::uint64_t kTimesTold = 5;
-/// Bounds how far beyond its own size a robot may drive and not count as on its way.
-constexpr double kStandsWithin_m = 1.0;
-
-double length_m(const storage::PutOccupancy& held) {
-  double length = 0.0;
-  for (std::uint32_t i = held.from; i < held.to; ++i) length += distance_m(held.held.relations[i]);
-  return length;
-}
 
 }  // namespace
 
 void Traffic::lay_out_at_once() {
   proximity_.layout().work(kPlacesAtOnce);
-  ++version_;
+  map_changed();
+}
+
+/// Looks up again what is held, as far as the map or its layout says something else of it now, and wakes everybody.
+void Traffic::map_changed() {
+  if (std::exchange(laid_moves_, proximity_.layout().moves()) != laid_moves_) {
+    holdings_.refresh_all(map(), proximity_);
+  } else {
+    holdings_.refresh_unlaid(map(), proximity_);
+  }
+  watches_.wake_all();
+  ++parts_version_;
 }
 
 void Traffic::edited(const Snapshot& before) {
   if (holds_what_is_out()) history_.push_back(std::make_shared<const Snapshot>(before));
   proximity_.edited(context_.snapshots.shared_current(), before);
+  holdings_.refresh_all(map(), proximity_);
   lay_out_at_once();
 }
 
 void Traffic::joined(const Batch& batch) {
-  proximity_.joined(context_.snapshots.shared_current(), batch);
+  const std::vector<PlaceId> looks_different = proximity_.joined(context_.snapshots.shared_current(), batch);
   proximity_.layout().work(kPlacesOfPiece);
-  ++version_;
+  holdings_.refresh(map(), proximity_, looks_different);
+  map_changed();
 }
 
 void Traffic::tick(Now now) {
@@ -50,7 +55,7 @@ void Traffic::tick(Now now) {
   if (next_piece_ > now.steady) return;
   next_piece_ = now.steady + kBetweenPieces;
   tell_of_layout(now);
-  if (proximity_.layout().work(kPlacesOfPiece)) ++version_;
+  if (proximity_.layout().work(kPlacesOfPiece)) map_changed();
   tell_of_layout(now);
 }
 
@@ -92,15 +97,6 @@ std::vector<std::vector<RobotId>> Traffic::by_part() {
   for (auto& [part, of_part] : robots) parts.push_back(std::move(of_part));
   std::sort(parts.begin(), parts.end());
   return parts;
-}
-
-std::optional<RobotId> Traffic::other_that_drives(const RobotId& robot) const {
-  const auto found = std::find_if(holders_.begin(), holders_.end(), [&](const auto& entry) {
-    const auto& [other, holder] = entry;
-    return other != robot && length_m(holder.occupancy) > 2 * holder.footprint_m + kStandsWithin_m;
-  });
-  if (found == holders_.end()) return std::nullopt;
-  return found->first;
 }
 
 }  // namespace weft::server

@@ -29,8 +29,8 @@ std::string warning_of(const std::vector<std::vector<RobotId>>& parts, const Fle
 }  // namespace
 
 void UnjoinedWatch::tick(Now now) {
-  if (looked_ == traffic_.version() || traffic_.is_laying_out()) return;
-  looked_ = traffic_.version();
+  if (looked_ == traffic_.parts_version() || traffic_.is_laying_out()) return;
+  looked_ = traffic_.parts_version();
   const bool was_told = !warning_.empty();
   warning_ = warning_of(traffic_.by_part(), fleet_, context_.config.unjoined);
   if (was_told == !warning_.empty()) return;

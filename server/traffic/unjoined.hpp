@@ -22,7 +22,7 @@ class UnjoinedWatch {
   Context& context_;
   const Fleet& fleet_;
   Traffic& traffic_;
-  std::uint64_t looked_ = 0;  ///< version of the traffic
+  std::uint64_t looked_ = 0;  ///< version of who is in which part
   std::string warning_;
 };
 

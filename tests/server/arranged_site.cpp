@@ -83,6 +83,11 @@ Edge stitch(const PlaceId& older, const PlaceId& newer, double x, double y) {
   return edge;
 }
 
+Edge turned(Edge stitch, double heading_rad) {
+  std::get<Metric2>(stitch.a_from_b).a_from_b.heading = heading_rad;
+  return stitch;
+}
+
 Site::Site(std::shared_ptr<storage::MemoryDisk> on, Signers signers)
     : disk(std::move(on)), signers_(std::move(signers)) {
   start_server();

@@ -54,6 +54,8 @@ class TaughtRun {
 };
 /// older_from_newer: `newer` lies at (x, y) of `older`.
 Edge stitch(const PlaceId& older, const PlaceId& newer, double x = 0.0, double y = 0.0);
+/// The same with the newer place turned by so much.
+Edge turned(Edge stitch, double heading_rad);
 
 class Site {
  public:

@@ -55,12 +55,13 @@ class SurveyedSite {
     return batch.experience.value;
   }
   /// Teaches nothing: what a localisation found, with its own uncertainty.
-  void stitch(const PlaceId& a, const PlaceId& b) {
+  Edge stitch(const PlaceId& a, const PlaceId& b) {
     Batch batch;
     batch.experience = b.experience;
     batch.edges.push_back(edge(a, b, pose(a).inverse() * pose(b)));
     batch.edges.back().origin = Origin::stitch;
     network_ = with(network_, batch);
+    return batch.edges.back();
   }
 
   const Pose2& pose(const PlaceId& place) const { return truth_[place.experience.value - 1][place.index]; }

@@ -126,20 +126,61 @@ TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
   EXPECT_EQ(released, 20U);
 }
 
-TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOff) {
-  site.say(site.state(r1, run.place(10)));
-  site.say(site.state(r2, run.place(11)));
+TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOffTowardsTheOther) {
+  site.say(site.state(r1, run.place(11)));
+  site.say(site.state(r2, run.place(10)));
   EXPECT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
   site.send_goal(1, "end", "r2");
   EXPECT_FALSE(order_to(r2));
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
   expect_apart();
   site.say(site.state(r1, run.place(4)));
-  site.say(site.state(r2, run.place(11)));
+  site.say(site.state(r2, run.place(10)));
   site.pass(1s);
   ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->released, 48U);
+  EXPECT_EQ(order_to(r2)->released, 49U);
   expect_apart();
+}
+
+TEST_F(TrafficTest, RobotThatStandsTooCloseMayMoveAway) {
+  site.say(site.state(r1, run.place(10)));
+  site.say(site.state(r2, run.place(11)));
+  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
+  site.send_goal(1, "end", "r2");
+  site.pass(1s);
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_EQ(order_to(r2)->released, 48U) << "a piece, and from there nobody is in the way";
+}
+
+TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  site.say(site.state(r2, run.place(20)));
+  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
+  site.send_goal(2, "end", "r2");
+  EXPECT_FALSE(order_to(r2));
+  EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has left its way"));
+}
+
+TEST_F(TrafficTest, RobotMovesAwayNoFartherThanAPieceWithinWhatAnotherOneHolds) {
+  // A lane that leaves the other one.
+  TaughtRun aside(r2, 11);
+  Handed lane = aside.next(60);
+  lane.batch.edges.push_back(turned(stitch(run.place(10), aside.place(0)), 0.5));
+  site.hand_in(r2, lane);
+  site.label("aside", aside.place(59));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  ASSERT_TRUE(order_to(r1));
+  site.say(site.state(r2, aside.place(2)));
+  site.send_goal(2, "aside", "r2");
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_EQ(order_to(r2)->released, 3U);
+  site.pass(1s);
+  EXPECT_EQ(order_to(r2)->released, 3U) << "it has not driven that yet";
+  site.progress(r2, *order_to(r2), msg::RoutePhase::waiting, 2);
+  site.pass(1s);
+  EXPECT_EQ(order_to(r2)->released, 57U) << "another piece, and it is clear of the other lane";
 }
 
 TEST_F(TrafficTest, RobotThatStandsTooCloseIsInTheWayAfterARestartToo) {
@@ -156,8 +197,8 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseIsInTheWayAfterARestartToo) {
 }
 
 TEST_F(TrafficTest, RobotMovedBeforeItSetOffIsPlannedAnew) {
-  site.say(site.state(r1, run.place(10)));
-  site.say(site.state(r2, run.place(11)));
+  site.say(site.state(r1, run.place(11)));
+  site.say(site.state(r2, run.place(10)));
   site.send_goal(1, "end", "r2");
   EXPECT_FALSE(order_to(r2));
   r2.incarnation = 2;

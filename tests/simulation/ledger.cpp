@@ -1,5 +1,6 @@
 #include "tests/simulation/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "agents/navigation/config.hpp"
@@ -108,6 +109,22 @@ bool Ledger::are_close(const PlaceId& a, const PlaceId& b) const {
   return here && there && (here->translation() - there->translation()).norm() < apart_m;
 }
 
+/// Whether the robot stands within what another one was given, and the place is no nearer to that: out of there it
+/// may.
+bool Ledger::moves_away(const Robot& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const {
+  constexpr double same_m = 0.15;
+  const auto nearest_m = [&](const Eigen::Vector2d& at) {
+    double least_m = 1e9;
+    for (std::uint32_t k = from; k <= theirs.released && k < theirs.places.size(); ++k) {
+      if (const auto held = truth_of(theirs.places[k]))
+        least_m = std::min(least_m, (held->translation() - at).norm());
+    }
+    return least_m;
+  };
+  const auto there = truth_of(place);
+  return there && nearest_m(there->translation()) > nearest_m(robot.body->site_from_robot().translation()) - same_m;
+}
+
 /// A new piece of released route keeps clear of every other robot that the server knows the place of.
 void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
   const auto before = held_.find(route.robot);
@@ -121,6 +138,7 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
       if (other == route.robot) continue;
       for (std::uint32_t k = stretch.from; k <= stretch.route.released && k < stretch.route.places.size(); ++k) {
         if (!are_close(route.places[i], stretch.route.places[k])) continue;
+        if (moves_away(mine, route.places[i], stretch.route, stretch.from)) continue;
         broken("occupancy", mine.name + " was released to " + to_string(route.places[i]) + " which " +
                                 robots.at(other).name + " holds at " + to_string(stretch.route.places[k]));
         break;
@@ -137,6 +155,9 @@ void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snap
     if (&standing == &robot || held_.contains(other)) continue;
     if (!known.localised || known.mode != msg::RobotMode::idle || known.route) continue;
     if (snapshot.place(known.place) == nullptr || !are_close(place, known.place)) continue;
+    Route stands;
+    stands.places = {known.place};
+    if (moves_away(robot, place, stands, 0)) continue;
     broken("occupancy", robot.name + " was released to " + to_string(place) + " where " + standing.name +
                             " stands, at " + to_string(known.place));
   }
@@ -175,6 +196,7 @@ void Ledger::agent_took(const RobotId& robot) {
     for (std::uint32_t i = begin; i <= route->released; ++i) {
       for (std::uint32_t k = from; k <= theirs->released; ++k) {
         if (!are_close(route->places[i], theirs->places[k])) continue;
+        if (moves_away(mine, route->places[i], *theirs, from)) continue;
         broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +
                                 " to " + to_string(theirs->places[k]));
         return;

@@ -78,6 +78,7 @@ class Ledger {
   void broken(const std::string& invariant, const std::string& what);
   std::optional<Pose2> truth_of(const PlaceId& place) const;
   bool are_close(const PlaceId& a, const PlaceId& b) const;
+  bool moves_away(const Robot& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const;
   std::uint32_t ahead_from(const Robot& robot, const Route& route) const;
   void check_release(const Route& route, const Snapshot& snapshot);
   void check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot);

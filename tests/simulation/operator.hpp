@@ -60,6 +60,7 @@ class Operator {
   void look_around();
   void help_waiting(const GoalId& id, Open& open);
   bool waits_for(std::size_t robot, const std::string& other) const;
+  std::optional<std::size_t> blocker_of(const Goal& goal) const;
   std::vector<std::string> free_stations() const;
   std::string free_station();
   std::optional<std::size_t> robot_named(const std::string& name) const;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "tests/simulation/operator.hpp"
@@ -10,17 +11,20 @@ constexpr double kRoom_m = 2.5;
 constexpr Duration kPatience = std::chrono::minutes(4);
 constexpr Duration kFaceToFace = std::chrono::seconds(40);
 
-/// Who the goal waits for, by the last that its history says of it: "A waits until B has left its way".
-std::string blocker_of(const Goal& goal) {
+/// Who the goal waits for, by the last that its history says of it: "A waits until B, C and D have left its way".
+std::vector<std::string> blockers_of(const Goal& goal) {
   static const std::string before = " waits until ";
-  static const std::string after = " has left its way";
   for (auto event = goal.history.rbegin(); event != goal.history.rend(); ++event) {
-    const auto begin = event->cause.find(before);
-    const auto end = event->cause.find(after);
-    if (begin != std::string::npos && end != std::string::npos) {
-      return event->cause.substr(begin + before.size(), end - begin - before.size());
+    const std::string& cause = event->cause;
+    if (cause.ends_with(" left the way")) return {};
+    const auto begin = cause.find(before);
+    if (begin == std::string::npos || !cause.ends_with(" left its way")) continue;
+    std::istringstream words(cause.substr(begin + before.size()));
+    std::vector<std::string> names;
+    for (std::string word; words >> word && word != "has" && word != "have";) {
+      if (word != "and") names.push_back(word.substr(0, word.find(',')));
     }
-    if (event->cause.ends_with(" has left the way")) return {};
+    return names;
   }
   return {};
 }
@@ -142,15 +146,29 @@ void Operator::look_around() {
 
 bool Operator::waits_for(std::size_t robot, const std::string& other) const {
   return std::any_of(open_.begin(), open_.end(), [&](const auto& entry) {
-    return entry.second.goal.robot == fleet_.id_of(robot) && blocker_of(entry.second.goal) == other;
+    if (entry.second.goal.robot != fleet_.id_of(robot)) return false;
+    const std::vector<std::string> blockers = blockers_of(entry.second.goal);
+    return std::find(blockers.begin(), blockers.end(), other) != blockers.end();
   });
+}
+
+/// Of those in the goal's way, one that has nothing to do; else the first.
+std::optional<std::size_t> Operator::blocker_of(const Goal& goal) const {
+  const std::vector<std::string> names = blockers_of(goal);
+  std::optional<std::size_t> first;
+  for (const std::string& name : names) {
+    const std::optional<std::size_t> robot = robot_named(name);
+    if (robot && is_idle(*robot) && !has_errand(*robot)) return robot;
+    if (!first) first = robot;
+  }
+  return first;
 }
 
 /// Who stands in the way with nothing to do is sent away. Who waits for long all the same gives up, and a hand takes
 /// it on a little: two robots that stand too close each keep the other from setting off. Of two that stand face to
 /// face, each on the other's way, one is taken out of it.
 void Operator::help_waiting(const GoalId& id, Open& open) {
-  const std::optional<std::size_t> blocker = robot_named(blocker_of(open.goal));
+  const std::optional<std::size_t> blocker = blocker_of(open.goal);
   if (!blocker) return;
   if (is_idle(*blocker) && fleet_.state(*blocker).localised && !has_errand(*blocker)) {
     if (const std::string label = free_station(); !label.empty()) send_goal(label, fleet_.name(*blocker));

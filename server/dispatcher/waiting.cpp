@@ -1,0 +1,48 @@
+#include "server/dispatcher/dispatcher.hpp"
+
+/// Tells which robots wait for which, and which do not move at all: by what is stored, and what they answered to
+/// that.
+namespace weft::server {
+
+std::vector<Wait> Dispatcher::waits() {
+  std::vector<Wait> all;
+  for (const auto& [robot, assignment] : assignments_) {
+    const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost || assignment.cut_short;
+    if (is_over || assignment.way.end == Traffic::Way::End::free || !assignment.waits_since) continue;
+    if (book_.find(assignment.goal)->state == GoalState::paused) continue;
+    const Route& route = *book_.route(assignment.goal);
+    const bool told = is_told(robot, route);
+    const bool drives = told && (!assignment.stands_at_end || route.released + 1 == route.places.size());
+    if (drives) continue;
+    Wait wait{.robot = robot,
+              .at = route.places[told ? route.released : 0],
+              .needs = assignment.way.needs.place,
+              .held_by = traffic_.holders_of(robot, assignment.way),
+              .since = *assignment.waits_since};
+    const bool is_free = assignment.way.end == Traffic::Way::End::held && wait.held_by.empty();
+    if (!is_free) all.push_back(std::move(wait));
+  }
+  return all;
+}
+
+std::optional<Stays> Dispatcher::stays(const RobotId& robot) const {
+  const Robot* const known = fleet_.find(robot);
+  if (known == nullptr || known->silent || !known->state) return Stays::silent;
+  if (known->incarnations.twins()) return Stays::paused;
+  const msg::RobotState& state = *known->state;
+  if (state.mode == msg::RobotMode::teaching) return std::nullopt;
+  if (state.mode == msg::RobotMode::faulted) return Stays::faulted;
+  if (state.mode == msg::RobotMode::lost || !state.localised) return Stays::lost;
+  const auto found = assignments_.find(robot);
+  if (found == assignments_.end()) {
+    if (state.mode == msg::RobotMode::stopped) return Stays::paused;
+    return state.mode == msg::RobotMode::idle ? std::optional(Stays::idle) : std::nullopt;
+  }
+  const RouteAssignment& assignment = found->second;
+  if (assignment.ending) return std::nullopt;
+  if (book_.find(assignment.goal)->state == GoalState::paused) return Stays::paused;
+  if (assignment.cut_short || assignment.route_lost) return Stays::no_way;
+  return std::nullopt;
+}
+
+}  // namespace weft::server

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "server/base/now.hpp"
+
+namespace weft::server {
+
+/// Describes a robot that stands with a route and cannot have the next piece of it: it goes on when all that hold
+/// that have left.
+struct Wait {
+  RobotId robot;
+  PlaceId at;
+  PlaceId needs;  ///< the first place that it cannot have; none: its wait is not for a place
+  std::set<RobotId> held_by;
+  Now since;
+};
+
+/// Tells why a robot will not move by itself.
+enum class Stays : std::uint8_t {
+  idle,     ///< it has no goal
+  paused,   ///< by an operator, or as two of its id are heard
+  lost,     ///< it does not know where it is
+  faulted,  ///< its agent says that it cannot work
+  silent,   ///< it is not heard
+  no_way,   ///< it has a goal and no route there
+};
+
+/// Names robots that wait and will not go on: those of a cycle, or one that will not move, and who waits for them.
+struct Standstill {
+  std::vector<RobotId> core;    ///< each waits for the next one, the last one for the first; or the one that stays
+  std::optional<Stays> stays;   ///< why the one stays; none: it is a cycle
+  std::vector<RobotId> behind;  ///< who waits for them, or for one of these; nearest first
+  bool operator==(const Standstill&) const = default;
+};
+
+/// Finds all standstills. Where a cycle waits for another one, or for a robot that stays, both are named. Robots that
+/// are in neither list move, and so does in the end who waits for those alone.
+std::vector<Standstill> standstills(const std::vector<Wait>& waits, const std::map<RobotId, Stays>& stays);
+
+}  // namespace weft::server
