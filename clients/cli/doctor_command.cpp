@@ -2,6 +2,7 @@
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/table.hpp"
+#include "clients/cli/wait_chain.hpp"
 
 namespace weft::cli {
 namespace {
@@ -114,6 +115,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
     for (Finding& finding : of_robot(row, info->info.software, info->info.places > 0))
       findings.push_back(std::move(finding));
   }
+  for (const std::string& text : standstills(robots->robots)) findings.push_back({"standstill", false, text});
   for (Finding& finding : of_goals(goals->goals, session.world().wall())) findings.push_back(std::move(finding));
   bool good = true;
   Table table;

@@ -4,6 +4,7 @@
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/table.hpp"
+#include "clients/cli/wait_chain.hpp"
 
 namespace weft::cli {
 namespace {
@@ -204,7 +205,8 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
     nlohmann::json document = {{"events", nlohmann::json::array()}};
     for (const msg::Event& event : events->events) document["events"].push_back(to_json(event, goals.names));
     if (goal.has_value()) document["goal"] = goals.document(*goal);
-    if (row != goals.robots.end()) document["robot"] = to_json(*row);
+    if (row != goals.robots.end()) document["robot"] = to_json(*row, goals.names);
+    document["waits"] = chain_json(goals.robots, who);
     output.out << printed(document) << '\n';
     return Exit::done;
   }
@@ -221,7 +223,9 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
   }
   const bool waits = goal.has_value() && !is_terminal(goal->state) && route != nullptr && !route->reason.empty();
   if (waits) output.out << "its route waits: " << route->reason << '\n';
-  if (row != goals.robots.end()) output.out << standing(*row) << '\n';
+  if (row == goals.robots.end()) return Exit::done;
+  output.out << standing(*row) << '\n' << chain_text(goals.robots, who, goals.seen_at);
+  if (!row->standstill.empty()) output.out << "standstill: " << row->standstill << '\n';
   return Exit::done;
 }
 

@@ -45,7 +45,17 @@ json to_json(const std::vector<Diagnostic>& diagnostics) {
   return list;
 }
 
-json to_json(const msg::RobotRow& row) {
+json to_json(const msg::RobotWait& wait, const std::string& robot, const Names& names) {
+  json holders = json::array();
+  for (const RobotId& holder : wait.held_by) holders.push_back(name_of(names, holder));
+  return {{"robot", robot},
+          {"at", to_string(wait.at)},
+          {"needs", wait.needs ? json(to_string(wait.needs)) : json()},
+          {"held_by", std::move(holders)},
+          {"since", to_text(wait.since)}};
+}
+
+json to_json(const msg::RobotRow& row, const Names& names) {
   const msg::RobotState& state = row.state;
   json object = {{"name", row.description.name},
                  {"id", to_string(row.description.header.sender)},
@@ -74,6 +84,8 @@ json to_json(const msg::RobotRow& row) {
   object["place_from_robot"] = state.place ? to_json(planar(state.place_from_robot)) : json();
   object["experience"] = state.experience ? json(to_string(state.experience)) : json();
   object["goal"] = state.goal ? json(to_string(state.goal)) : json();
+  object["waits"] = row.wait.at ? to_json(row.wait, row.description.name, names) : json();
+  object["standstill"] = row.standstill.empty() ? json() : json(row.standstill);
   return object;
 }
 

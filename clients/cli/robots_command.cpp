@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/table.hpp"
+#include "clients/cli/wait_chain.hpp"
 
 namespace weft::cli {
 namespace {
@@ -34,8 +35,11 @@ std::string held_by(const msg::RobotState& state) {
 }
 
 std::string why(const msg::RobotRow& row) {
-  if (row.state.mode != msg::RobotMode::lost) return row.state.reason;
-  return row.state.reason + "; needs help: weft localise " + row.description.name + " --at LABEL";
+  const std::string stands = row.standstill.empty()     ? ""
+                             : row.state.reason.empty() ? "in a standstill"
+                                                        : "; in a standstill";
+  if (row.state.mode != msg::RobotMode::lost) return row.state.reason + stands;
+  return row.state.reason + stands + "; needs help: weft localise " + row.description.name + " --at LABEL";
 }
 
 }  // namespace
@@ -53,7 +57,8 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
   std::ranges::stable_sort(rows, {}, [](const msg::RobotRow& row) { return row.description.name; });
   if (invocation.json) {
     nlohmann::json all = nlohmann::json::array();
-    for (const msg::RobotRow& row : rows) all.push_back(to_json(row));
+    const Names names = names_of(rows);
+    for (const msg::RobotRow& row : rows) all.push_back(to_json(row, names));
     output.out << printed(nlohmann::json{{"robots", std::move(all)}}) << '\n';
     return Exit::done;
   }
@@ -68,6 +73,7 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
                doing(row.state), fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), why(row)});
   }
   table.print(output.out);
+  for (const std::string& text : standstills(rows)) output.out << "standstill: " << text << '\n';
   return Exit::done;
 }
 

@@ -363,6 +363,47 @@ TEST(Commands, WhyAGoalThatIsOverSaysNothingOfWaiting) {
   EXPECT_EQ(why.out.find("waits: arrived"), std::string::npos) << why.out;
 }
 
+/// Its robot stands where it is, and another one in its way.
+struct BlockedRobot : OneRobot {
+  BlockedRobot() : r2(add_robot("r2")) {
+    r1.state.place = {first, 0};
+    r1.phase = msg::RoutePhase::waiting;
+    r2.state.localised = true;
+    r2.state.place = {first, 4};
+    run(1s);
+    goal = weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"}).json()["goal"];
+    run(4s);
+  }
+  Puppet& r2;
+  std::string goal;
+};
+
+TEST(Commands, WhyNamesTheChainThatARobotWaitsFor) {
+  BlockedRobot fleet;
+  const auto document = fleet.weft({"goal", "why", fleet.goal, "--json"}).json();
+  ASSERT_EQ(document["waits"].size(), 1U) << document.dump(1);
+  EXPECT_EQ(document["waits"][0]["robot"], "r1");
+  EXPECT_EQ(document["waits"][0]["held_by"], nlohmann::json::array({"r2"}));
+  EXPECT_TRUE(document["waits"][0]["needs"].is_string());
+  EXPECT_TRUE(document["waits"][0]["since"].is_string());
+  const Said said = fleet.weft({"goal", "why", "r1"});
+  EXPECT_NE(said.out.find("s at "), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find(" for r2, to have "), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("r2 is idle"), std::string::npos) << said.out;
+  EXPECT_EQ(fleet.weft({"goal", "why", "r2", "--json"}).json()["waits"].size(), 0U);
+}
+
+TEST(Commands, StandstillIsNamedByRobotsWhyAndDoctor) {
+  BlockedRobot fleet;
+  const std::string text = "r2 is idle and in the way of r1";
+  const Said robots = fleet.weft({"robots"});
+  EXPECT_NE(robots.out.find("standstill: " + text), std::string::npos) << robots.out;
+  EXPECT_NE(fleet.weft({"goal", "why", "r1"}).out.find("standstill: " + text), std::string::npos);
+  const Said doctor = fleet.weft({"doctor"});
+  EXPECT_EQ(doctor.exit, Exit::failed);
+  EXPECT_NE(doctor.out.find(text), std::string::npos) << doctor.out;
+}
+
 TEST(Commands, GoalToNowhereAndUnknownGoalsAreRefused) {
   OneRobot fleet;
   EXPECT_EQ(fleet.weft({"goal", "send", "--to", "nowhere"}).exit, Exit::refused);
