@@ -84,14 +84,14 @@ Fix fix_with(std::vector<Diagnostic> diagnostics) {
 TEST(DiagnosticWatches, SayOnceWhenANoticeBeginsAndWhenItEnds) {
   DiagnosticWatches watches({kHeight});
   std::vector<std::string> notes;
-  for (const double value : {-0.01, 0.0}) {
+  for (const double value : {0.0, -0.01, 0.0}) {
     for (int i = 0; i < 20; ++i) {
       std::string note = watches.add(fix_with({{"brightness", 9.0, 0.0, 0.0}, {"height_m", value, 0.001, 0.007}}));
       if (!note.empty()) notes.push_back(std::move(note));
     }
-    EXPECT_EQ(watches.notice().empty(), value == 0.0 && notes.size() == 2) << watches.notice();
+    EXPECT_EQ(watches.notice().empty(), value == 0.0) << watches.notice();
   }
-  EXPECT_THAT(notes, testing::ElementsAre("10 mm lower than its places say", "well again"));
+  EXPECT_THAT(notes, testing::ElementsAre(testing::StartsWith("10 mm lower than"), "well again"));
 }
 
 TEST(DiagnosticWatches, StateWhatIsMeasuredAndTheMediansWithTheirBounds) {
