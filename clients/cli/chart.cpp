@@ -19,8 +19,12 @@ constexpr double kAxisWords = 12.0;
 
 /// Where the chart is on the canvas, and what it shows.
 struct Frame {
-  double left, top, wide, tall;
-  Range x, y;
+  double left = 0.0;
+  double top = 0.0;
+  double wide = 0.0;
+  double tall = 0.0;
+  Range x = {};
+  Range y = {};
   drawing::Point at(const drawing::Point& point) const {
     return {left + wide * (point.x - x.low) / (x.high - x.low), top + tall * (y.high - point.y) / (y.high - y.low)};
   }

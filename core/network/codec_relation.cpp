@@ -4,7 +4,9 @@
 namespace weft {
 namespace {
 
-enum Kind : std::uint8_t { kMetric2 = 1, kMetric3 = 2, kAlongPath = 3 };
+constexpr std::uint8_t kMetric2 = 1;
+constexpr std::uint8_t kMetric3 = 2;
+constexpr std::uint8_t kAlongPath = 3;
 
 /// Lower triangle, row by row: the half that `check` looks at.
 template <class Matrix>

@@ -16,14 +16,14 @@ constexpr float kBetweenParts_m = 1000.0F;  ///< unconnected parts of a network 
 class Preparing final : public Work {
  public:
   Preparing(const Snapshot& snapshot, const std::set<std::string>& methods) {
-    made.of = snapshot;
-    made.methods = methods;
-    next_experience = made.of.experiences().begin();
+    made_.of = snapshot;
+    made_.methods = methods;
+    next_experience_ = made_.of.experiences().begin();
   }
 
   std::size_t piece() override;
   double share_done() const override;
-  Preparation take() override { return draft->take(); }
+  Preparation take() override { return draft_->take(); }
 
  private:
   /// A stretch of the order that is still to be cut, and the cells it lies in already.
@@ -47,66 +47,67 @@ class Preparing final : public Work {
   void close(const Task& task);
   void begin_cells();
   std::uint32_t number(const PlaceId& place) const {
-    const auto* const known = numbers.value(place.experience);
+    const auto* const known = numbers_.value(place.experience);
     return known == nullptr || place.index >= (*known)->size() ? kNoNode : (**known)[place.index];
   }
 
   enum class Phase { number, join, lay_out, cut, cells };
-  Phase phase = Phase::number;
-  Preparation made;
-  Snapshot::Experiences::const_iterator next_experience;
+  Phase phase_ = Phase::number;
+  Preparation made_;
+  Snapshot::Experiences::const_iterator next_experience_;
   /// Numbers of an experience's places, by the place's index: in the layout at first, from the cuts on their nodes.
-  FlatMap<ExperienceId, std::shared_ptr<std::vector<Node>>> numbers;
-  Layout layout;
-  std::uint32_t next_place = 0;
-  std::vector<Heading> headings;
-  std::vector<std::uint32_t> order;  ///< as laid out, breadth first; then as cut
-  std::uint32_t next_in_order = 0;
-  float rightmost = 0.0F;
-  std::vector<std::uint32_t> part_of;
-  std::uint32_t parts = 0;
-  std::size_t closed = 0;  ///< places in base cells
-  std::vector<Task> tasks;
-  std::optional<Bisection> bisection;          ///< of the last task
-  std::array<std::uint32_t, kLevels> cells{};  ///< so far
-  std::unique_ptr<Draft> draft;
+  FlatMap<ExperienceId, std::shared_ptr<std::vector<Node>>> numbers_;
+  Layout layout_;
+  std::uint32_t next_place_ = 0;
+  std::vector<Heading> headings_;
+  std::vector<std::uint32_t> order_;  ///< as laid out, breadth first; then as cut
+  std::uint32_t next_in_order_ = 0;
+  float rightmost_ = 0.0F;
+  std::vector<std::uint32_t> part_of_;
+  std::uint32_t parts_ = 0;
+  std::size_t closed_ = 0;  ///< places in base cells
+  std::vector<Task> tasks_;
+  std::optional<Bisection> bisection_;          ///< of the last task
+  std::array<std::uint32_t, kLevels> cells_{};  ///< so far
+  std::unique_ptr<Draft> draft_;
 };
 
 std::size_t Preparing::number_experience() {
-  if (next_experience == made.of.experiences().end()) {
-    phase = Phase::join;
-    layout.first_arc.reserve(layout.places.size() + 1);
+  if (next_experience_ == made_.of.experiences().end()) {
+    phase_ = Phase::join;
+    layout_.first_arc.reserve(layout_.places.size() + 1);
     return 1;
   }
   auto nodes = std::make_shared<std::vector<Node>>();
-  for (const Place& place : next_experience->second->places) {
+  for (const Place& place : next_experience_->second->places) {
     if (nodes->size() <= place.id.index) nodes->resize(place.id.index + 1, kNoNode);
-    (*nodes)[place.id.index] = static_cast<Node>(layout.places.size());
-    layout.places.push_back(place.id);
+    (*nodes)[place.id.index] = static_cast<Node>(layout_.places.size());
+    layout_.places.push_back(place.id);
   }
   nodes->shrink_to_fit();
   const std::size_t work = 1 + nodes->size() / 8;
-  numbers.emplace(next_experience->first, std::move(nodes));
-  ++next_experience;
+  numbers_.emplace(next_experience_->first, std::move(nodes));
+  ++next_experience_;
   return work;
 }
 
 std::size_t Preparing::join_place() {
-  layout.first_arc.push_back(static_cast<std::uint32_t>(layout.arcs.size()));
-  if (next_place == layout.places.size()) {
-    phase = Phase::lay_out;
-    next_place = 0;
-    layout.x.assign(layout.places.size(), 0.0F);
-    layout.y.assign(layout.places.size(), 0.0F);
-    headings.resize(layout.places.size());
-    part_of.assign(layout.places.size(), 0);
-    order.reserve(layout.places.size());
+  layout_.first_arc.push_back(static_cast<std::uint32_t>(layout_.arcs.size()));
+  if (next_place_ == layout_.places.size()) {
+    phase_ = Phase::lay_out;
+    next_place_ = 0;
+    layout_.x.assign(layout_.places.size(), 0.0F);
+    layout_.y.assign(layout_.places.size(), 0.0F);
+    headings_.resize(layout_.places.size());
+    part_of_.assign(layout_.places.size(), 0);
+    order_.reserve(layout_.places.size());
     return 1;
   }
-  const PlaceId here = layout.places[next_place++];
-  made.of.for_each_edge(here, [&](const Edge& edge) {
+  const PlaceId here = layout_.places[next_place_++];
+  made_.of.for_each_edge(here, [&](const Edge& edge) {
     const std::uint32_t there = number(other_end(edge, here));
-    if (there != kNoNode && can_drive(edge, here) && made.methods.contains(edge.method)) layout.arcs.push_back(there);
+    if (there != kNoNode && can_drive(edge, here) && made_.methods.contains(edge.method))
+      layout_.arcs.push_back(there);
   });
   return 1;
 }
@@ -114,114 +115,114 @@ std::size_t Preparing::join_place() {
 /// Breadth first over all edges; where loops do not close, the first way counts. Only how good the cells are depends
 /// on it.
 std::size_t Preparing::lay_out_place() {
-  if (next_in_order == order.size()) {
-    while (next_place < layout.places.size() && part_of[next_place] != 0) ++next_place;
-    if (next_place == layout.places.size()) {
-      phase = Phase::cut;
-      headings = {};
-      part_of.assign(layout.places.size(), 0);
-      if (!order.empty()) tasks.push_back({0, static_cast<std::uint32_t>(order.size()), kLevels, {}});
+  if (next_in_order_ == order_.size()) {
+    while (next_place_ < layout_.places.size() && part_of_[next_place_] != 0) ++next_place_;
+    if (next_place_ == layout_.places.size()) {
+      phase_ = Phase::cut;
+      headings_ = {};
+      part_of_.assign(layout_.places.size(), 0);
+      if (!order_.empty()) tasks_.push_back({0, static_cast<std::uint32_t>(order_.size()), kLevels, {}});
       return 1;
     }
-    part_of[next_place] = 1;
-    layout.x[next_place] = order.empty() ? 0.0F : rightmost + kBetweenParts_m;
-    order.push_back(next_place);
+    part_of_[next_place_] = 1;
+    layout_.x[next_place_] = order_.empty() ? 0.0F : rightmost_ + kBetweenParts_m;
+    order_.push_back(next_place_);
   }
-  const std::uint32_t here = order[next_in_order++];
-  rightmost = std::max(rightmost, layout.x[here]);
-  const PlaceId id = layout.places[here];
-  made.of.for_each_edge(id, [&](const Edge& edge) {
+  const std::uint32_t here = order_[next_in_order_++];
+  rightmost_ = std::max(rightmost_, layout_.x[here]);
+  const PlaceId id = layout_.places[here];
+  made_.of.for_each_edge(id, [&](const Edge& edge) {
     const std::uint32_t there = number(other_end(edge, id));
-    if (there == kNoNode || part_of[there] != 0) return;
-    part_of[there] = 1;
+    if (there == kNoNode || part_of_[there] != 0) return;
+    part_of_[there] = 1;
     const Pose2 step = planar(relation_from(edge, id));
-    const auto [c, s] = headings[here];
-    layout.x[there] = layout.x[here] + c * static_cast<float>(step.x) - s * static_cast<float>(step.y);
-    layout.y[there] = layout.y[here] + s * static_cast<float>(step.x) + c * static_cast<float>(step.y);
+    const auto [c, s] = headings_[here];
+    layout_.x[there] = layout_.x[here] + c * static_cast<float>(step.x) - s * static_cast<float>(step.y);
+    layout_.y[there] = layout_.y[here] + s * static_cast<float>(step.x) + c * static_cast<float>(step.y);
     const auto turn_c = static_cast<float>(std::cos(step.heading));
     const auto turn_s = static_cast<float>(std::sin(step.heading));
-    headings[there] = {c * turn_c - s * turn_s, s * turn_c + c * turn_s};
-    order.push_back(there);
+    headings_[there] = {c * turn_c - s * turn_s, s * turn_c + c * turn_s};
+    order_.push_back(there);
   });
   return 2;
 }
 
 std::size_t Preparing::cut() {
-  if (bisection) {
-    if (!bisection->step(parts + 1)) finish_cut();
+  if (bisection_) {
+    if (!bisection_->step(parts_ + 1)) finish_cut();
     return 1 + Bisection::kPortion / 16;
   }
-  if (tasks.empty()) {
+  if (tasks_.empty()) {
     begin_cells();
     return 1;
   }
-  Task& task = tasks.back();
+  Task& task = tasks_.back();
   const std::uint32_t size = task.last - task.first;
   while (task.level > 0 && size <= kCellPlaces[task.level - 1]) {
     --task.level;
-    task.cells[task.level] = cells[task.level]++;
+    task.cells[task.level] = cells_[task.level]++;
   }
   if (task.level == 0) {
     close(task);
-    tasks.pop_back();
+    tasks_.pop_back();
     return 1 + size / 4;
   }
-  bisection.emplace(layout, order, task.first, task.last, part_of);
+  bisection_.emplace(layout_, order_, task.first, task.last, part_of_);
   return 1;
 }
 
 /// The last task is cut in two; its first part comes first.
 void Preparing::finish_cut() {
-  ++parts;
-  Task first = tasks.back();
-  first.last = tasks.back().first = bisection->middle();
-  tasks.push_back(first);
-  bisection.reset();
+  ++parts_;
+  Task first = tasks_.back();
+  first.last = tasks_.back().first = bisection_->middle();
+  tasks_.push_back(first);
+  bisection_.reset();
 }
 
 /// Base cells come in the order of their numbers.
 void Preparing::close(const Task& task) {
   auto base = std::make_shared<BaseCell>();
-  const auto begin = order.begin() + task.first;
-  std::sort(begin, order.begin() + task.last);
+  const auto begin = order_.begin() + task.first;
+  std::sort(begin, order_.begin() + task.last);
   base->places.reserve(task.last - task.first);
-  for (auto at = begin; at != order.begin() + task.last; ++at) {
-    const PlaceId& place = layout.places[*at];
-    const auto cell = static_cast<std::uint32_t>(made.base.size());
-    (*(*numbers.find(place.experience)).second)[place.index] =
+  for (auto at = begin; at != order_.begin() + task.last; ++at) {
+    const PlaceId& place = layout_.places[*at];
+    const auto cell = static_cast<std::uint32_t>(made_.base.size());
+    (*(*numbers_.find(place.experience)).second)[place.index] =
         node_at(cell, static_cast<std::uint32_t>(base->places.size()));
     base->places.push_back(place);
   }
   base->first_arc.push_back(0);
-  made.base.push_back(std::move(base));
-  made.cells.push_back(task.cells);
-  closed += task.last - task.first;
+  made_.base.push_back(std::move(base));
+  made_.cells.push_back(task.cells);
+  closed_ += task.last - task.first;
 }
 
 void Preparing::begin_cells() {
-  phase = Phase::cells;
-  layout = {};
-  order = {};
-  part_of = {};
-  for (const auto& [id, nodes] : numbers) made.nodes.emplace(id, nodes);
-  numbers = {};
+  phase_ = Phase::cells;
+  layout_ = {};
+  order_ = {};
+  part_of_ = {};
+  for (const auto& [id, nodes] : numbers_) made_.nodes.emplace(id, nodes);
+  numbers_ = {};
   for (std::size_t level = 0; level < kLevels; ++level) {
-    std::vector<std::set<std::uint32_t>> children(cells[level]);
-    for (const auto& of_base : made.cells) {
+    std::vector<std::set<std::uint32_t>> children(cells_[level]);
+    for (const auto& of_base : made_.cells) {
       if (level > 0) children[of_base[level]].insert(of_base[level - 1]);
     }
     for (const std::set<std::uint32_t>& of_cell : children) {
       auto overlay = std::make_shared<Overlay>();
       overlay->children.assign(of_cell.begin(), of_cell.end());
-      made.overlays[level].push_back(std::move(overlay));
+      made_.overlays[level].push_back(std::move(overlay));
     }
   }
-  draft = std::make_unique<Draft>(std::move(made));
-  for (std::uint32_t cell = 0; cell < draft->preparation().base.size(); ++cell) draft->mark(cell);
+  draft_ = std::make_unique<Draft>(std::move(made_));
+  for (std::uint32_t cell = 0; cell < draft_->preparation().base.size(); ++cell) draft_->mark(cell);
 }
 
 std::size_t Preparing::piece() {
-  switch (phase) {
+  switch (phase_) {
     case Phase::number:
       return number_experience();
     case Phase::join:
@@ -233,21 +234,21 @@ std::size_t Preparing::piece() {
     case Phase::cells:
       break;
   }
-  return draft->step();
+  return draft_->step();
 }
 
 double Preparing::share_done() const {
-  const auto all = static_cast<double>(std::max<std::size_t>(1, layout.places.size()));
+  const auto all = static_cast<double>(std::max<std::size_t>(1, layout_.places.size()));
   double within = 0.0;
-  if (phase == Phase::join) within = next_place / all;
-  if (phase == Phase::lay_out) within = next_in_order / all;
-  if (phase == Phase::cut) within = static_cast<double>(closed) / all;
-  if (phase == Phase::cells) {
+  if (phase_ == Phase::join) within = next_place_ / all;
+  if (phase_ == Phase::lay_out) within = next_in_order_ / all;
+  if (phase_ == Phase::cut) within = static_cast<double>(closed_) / all;
+  if (phase_ == Phase::cells) {
     // Every base cell is made, and then looked at once more for its overlay; the levels above are few.
-    const auto cells_to_do = static_cast<double>(2 * std::max<std::size_t>(1, draft->preparation().base.size()));
-    within = 1.0 - std::min(1.0, static_cast<double>(draft->left_to_do()) / cells_to_do);
+    const auto cells_to_do = static_cast<double>(2 * std::max<std::size_t>(1, draft_->preparation().base.size()));
+    within = 1.0 - std::min(1.0, static_cast<double>(draft_->left_to_do()) / cells_to_do);
   }
-  return (static_cast<double>(phase) + within) / (1.0 + static_cast<double>(Phase::cells));
+  return (static_cast<double>(phase_) + within) / (1.0 + static_cast<double>(Phase::cells));
 }
 
 }  // namespace
