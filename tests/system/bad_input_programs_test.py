@@ -115,7 +115,7 @@ class Recordings(WithFolder):
         recording(self.folder, size=(640, 480))
         with Running(self.folder / 'log', *self.replay()) as agent:
             self.assertTrue(agent.says('recording is over after 3 images'), agent.text())
-            self.assertEqual(len(re.findall(r'\w\.png: is 752 x 480 pixels, sensor.yaml says 640 x 480', agent.text())), 3)
+            self.assertEqual(len(re.findall(r'\w\.png: is 752 x 480 pixels, its calibration says 640 x 480', agent.text())), 3)
             self.assertEqual(agent.stop(), 1)
 
     def test_a_calibration_without_focal_length_is_refused(self):
