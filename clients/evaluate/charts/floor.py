@@ -35,7 +35,7 @@ def blind_distances(rows, study):
 def plot_blind(axes, light, by_floor):
     """Shares of the blind stretches that are at least so long, as steps."""
     for i, (floor, distances) in enumerate(sorted(by_floor.items())):
-        shares = [1.0 - k / len(distances) for k in range(len(distances) + 1)]
+        shares = [1.0 - k / len(distances) for k in range(len(distances) + 1)] if distances else [0.0]  # never blind
         axes.step([0.0, *sorted(distances)], shares, where='post', color=colour(i), linewidth=1.8, label=floor)
     axes.set_ylim(0.0, 1.03)
     axes.set_xlim(left=0.0)

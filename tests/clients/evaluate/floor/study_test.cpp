@@ -86,7 +86,7 @@ TEST_F(StudyOfFloors, RowsThatAreThereAreNotMeasuredAgain) {
   EXPECT_NE(out.str().find("| epoxy | same, median"), std::string::npos) << out.str();
   EXPECT_NE(out.str().find("not measured (weft-evaluate floor-relocalise)"), std::string::npos) << out.str();
   EXPECT_TRUE(std::filesystem::exists(options.out / "floor.csv"));
-  EXPECT_EQ(pictures(), 10);
+  EXPECT_EQ(pictures(), 10) << progress.str();
 }
 
 TEST_F(StudyOfFloors, AShortWayIsTaughtAndRepeated) {
