@@ -37,8 +37,8 @@ TEST(PatchParts, EmptyPatchIsOnePart) {
   EXPECT_EQ(parts_of(Patch{}, 500).size(), 1U);
 }
 
-SteadyTime at(int seconds_) {
-  return SteadyTime(std::chrono::seconds(seconds_));
+SteadyTime at(int seconds_since) {
+  return SteadyTime(std::chrono::seconds(seconds_since));
 }
 
 TEST(Incarnations, RestartIsNotATwin) {
