@@ -6,20 +6,22 @@
 
 namespace weft::formats {
 namespace {
-enum : std::uint8_t { kNoEstimate = 0, kPlanarEstimate = 1, kSpatialEstimate = 2 };
-}
+constexpr std::uint8_t kNoEstimate = 0;
+constexpr std::uint8_t kPlanarEstimate = 1;
+constexpr std::uint8_t kSpatialEstimate = 2;
+}  // namespace
 
 Bytes encode(const ImportedContent& content) {
   ByteWriter out;
   out.number(content.key);
   if (!content.estimate.has_value()) {
-    out.number(std::uint8_t{kNoEstimate});
+    out.number(kNoEstimate);
   } else if (const auto* const planar = std::get_if<Pose2>(&*content.estimate)) {
-    out.number(std::uint8_t{kPlanarEstimate});
+    out.number(kPlanarEstimate);
     for (const double value : {planar->x, planar->y, planar->heading}) out.f64(value);
   } else {
     const auto& pose = std::get<Pose3>(*content.estimate);
-    out.number(std::uint8_t{kSpatialEstimate});
+    out.number(kSpatialEstimate);
     for (const double value : pose.translation) out.f64(value);
     for (const double value : {pose.rotation.w(), pose.rotation.x(), pose.rotation.y(), pose.rotation.z()}) {
       out.f64(value);
