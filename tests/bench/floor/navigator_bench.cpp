@@ -55,7 +55,7 @@ class Repeating {
   Repeating() {
     const std::vector<View> taught = rendered(0);
     const auto teacher = make_navigator(method_, NavigationConfig{});
-    teacher->begin_teach({kRun, kTeacher});
+    teacher->begin_teach({run_, teacher_});
     for (const View& view : taught)
       take(teacher->step({view.frame, time_of(view), {view}, motion_, true, false}, map_.view()).kept);
     take(teacher->end_teach(map_.view()));
@@ -85,12 +85,12 @@ class Repeating {
   }
   void take(const std::vector<Kept>& kept) {
     if (!kept.empty()) last_ = kept.back().place.id;
-    if (const auto taken = map_.take(kRun, kTeacher, Floor::name, kept); !taken)
+    if (const auto taken = map_.take(run_, teacher_, Floor::name, kept); !taken)
       throw std::runtime_error(taken.error().message);
   }
 
-  const ExperienceId kRun{1};
-  const RobotId kTeacher{{1}};
+  const ExperienceId run_{1};
+  const RobotId teacher_{{1}};
   Floor method_ = *Floor::make({}, test::paper_camera());
   Motion motion_ = motion_of_a_view();
   evaluate::TaughtMap map_;
