@@ -19,7 +19,7 @@
 namespace weft::bench {
 namespace {
 
-double resident_MB() {
+double resident_mb() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
     if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1e3;
@@ -49,7 +49,7 @@ void starting(benchmark::State& state, const std::filesystem::path& directory, R
   }
   state.counters["places"] = static_cast<double>(running.service->snapshot().place_count());
   state.counters["stitches"] = static_cast<double>(running.service->snapshot().stitch_count());
-  state.counters["resident_MB"] = resident_MB();
+  state.counters["resident_mb"] = resident_mb();
 }
 
 void reading_rows(benchmark::State& state, const std::filesystem::path& directory) {
@@ -73,7 +73,7 @@ void plain_search(benchmark::State& state, const Running& running) {
 /// Where all places lie, made in the pieces that the server makes it in; and how near two places are.
 void laying_out(benchmark::State& state, const Running& running) {
   const auto snapshot = std::make_shared<const Snapshot>(running.service->snapshot());
-  const double before_MB = resident_MB();
+  const double before_mb = resident_mb();
   server::Layout layout;
   Times pieces;
   for (auto _ : state) {
@@ -81,7 +81,7 @@ void laying_out(benchmark::State& state, const Running& running) {
     while (layout.has_work()) pieces.measure([&] { layout.work(250); });
   }
   pieces.report(state, "piece_");
-  state.counters["bytes_a_place"] = 1e6 * (resident_MB() - before_MB) / static_cast<double>(layout.laid());
+  state.counters["bytes_a_place"] = 1e6 * (resident_mb() - before_mb) / static_cast<double>(layout.laid());
   Random random(7);
   std::vector<server::Spot> spots;
   for (int i = 0; i < 1000; ++i) spots.push_back(*layout.spot(support::pick_place(random, *snapshot)));
@@ -119,7 +119,7 @@ void under_load(benchmark::State& state, Running& running, double seconds) {
   load.batches.report(state, "batch_");
   load.ticks.report(state, "tick_");
   state.counters["batches"] = static_cast<double>(load.batches_joined);
-  state.counters["resident_MB"] = resident_MB();
+  state.counters["resident_mb"] = resident_mb();
 }
 
 /// Two runs of so many places, the second one stitched to the first at every second place; 20 more are joined to it.

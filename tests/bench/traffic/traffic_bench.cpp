@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -144,7 +145,7 @@ void run(const Options& options) {
   }
 }
 
-int main(int argc, char** argv) {
+int measure_fleets(int argc, char** argv) {
   CLI::App app("Measures how well a fleet keeps moving; without MAP on a small warehouse of its own");
   Options options;
   app.add_option("MAP", options.map, "A floor as movingai writes it: type octile, height, width, map");
@@ -170,5 +171,10 @@ int main(int argc, char** argv) {
 }  // namespace weft::bench
 
 int main(int argc, char** argv) {
-  return weft::bench::main(argc, argv);
+  try {
+    return weft::bench::measure_fleets(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "traffic_bench: %s\n", error.what());
+    return 1;
+  }
 }
