@@ -21,7 +21,7 @@ class PlaceLearning {
     std::uint64_t frame = 0;
     SensorTime at{};
   };
-  /// Takes the learned_places that were learned upon contents that the window still has; any other one is void.
+  /// Takes what was learned upon contents that the window still has; the rest is void.
   /// Returns how many were taken.
   std::size_t take(std::vector<LearnedPlace> learned_places, const Window& window, const Seen& seen);
   /// Spools what has been learned when the robot does not drive, and on a long drive now and then. Returns a note for

@@ -216,7 +216,7 @@ class MultiMethodNavigator final : public Navigator {
     MethodNavigator& drives = navigators_[*next];
     active().navigator->stop();
     drives.navigator->follow(*route_, at);
-    // As fast as the robot rolls, and not before where it has been.
+    // It goes on at the speed of the robot and from where the route was left.
     drives.last.command = active().last.command;
     drives.last.following = active().last.following;
     drives.last.route_at = at;

@@ -16,10 +16,10 @@ class RockingCentre {
   /// Begins for a camera at that height; nothing is known yet but that the point lies between it and the floor.
   explicit RockingCentre(double camera_height_m = 0.6);
 
-  /// The motion between two views, both seen, as `Attitude` has it (rocking about the floor), the change of attitude,
-  /// and what moved the body meanwhile.
+  /// Learns from the motion between two views, both seen, as `Attitude` has it (rocking about the floor), the change
+  /// of attitude, and what moved the body meanwhile.
   void learn(const Pose2& previous_from_current, const Attitude& change, const Motion& motion);
-  /// That motion of the robot itself.
+  /// Returns the motion of the robot itself between two such views.
   Pose2 corrected(const Pose2& previous_from_current, const Attitude& change) const;
 
   /// Metres above the floor, and one sigma of it.

@@ -17,7 +17,7 @@ constexpr double kBelowChart = 50.0;
 constexpr double kChartWords = 11.0;  // sizes
 constexpr double kAxisWords = 12.0;
 
-/// Where the chart is on the canvas, and what it shows.
+/// The part of the canvas that the chart takes, and the ranges that it shows.
 struct Frame {
   double left = 0.0;
   double top = 0.0;

@@ -23,7 +23,7 @@ std::string names(const std::vector<msg::RobotRow>& robots, const std::vector<Ro
   return text;
 }
 
-/// What the end of a chain does instead of waiting.
+/// Says what the robot at the end of a chain does instead of waiting.
 std::string does(const msg::RobotRow& row) {
   return row.is_heard ? std::string("is ") + msg::to_string(row.state.mode) : "is not heard";
 }

@@ -131,7 +131,7 @@ Result<SiteFrame> fit_site_frame(const std::vector<SitePick>& picks) {
   const Moments m = moments_of(chosen);
   if (m.spread > 0.0) frame.scale = std::hypot(m.cosine, m.sine) / m.spread;
   for (const SitePick& pick : picks) frame.off_m.push_back(off(frame.plan_from_layout, pick));
-  // What the points scatter by beyond their stated sigmas is the layout's.
+  // Scatter beyond the stated sigmas comes from the layout.
   const double stated = std::sqrt(static_cast<double>(chosen.size()) / m.weight);
   const double grown = std::max(1.0, spread_of(frame.plan_from_layout, chosen) / stated);
   frame.sigma_m = grown / std::sqrt(m.weight);

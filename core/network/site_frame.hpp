@@ -20,7 +20,7 @@ struct SitePick {
   double sigma_m = 0.05;                               ///< [0.001, 10] of the point on the plan, each way
 };
 
-/// Where a layout lies on a floor plan.
+/// The place of a layout on a floor plan.
 struct SiteFrame {
   Pose2 plan_from_layout;
   double scale = 1.0;                 ///< metres of the plan for one of the layout, which fit best; never applied

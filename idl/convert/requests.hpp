@@ -2,7 +2,7 @@
 #include "idl/convert/common.hpp"
 #include "wire/operating.h"
 
-/// What operators ask, and answers to requests.
+/// Visitors of operators' requests and of the answers to them.
 namespace weft::convert {
 
 template <class Io>

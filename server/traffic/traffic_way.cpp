@@ -27,7 +27,7 @@ double length_m(const storage::PutOccupancy& held) {
 /// Leaves room to set off before the robot in the way. The place where a route begins is the robot's in any case.
 void leave_room(const Route& route, std::uint32_t from, Traffic::Way& way) {
   double room_m = 0.0;
-  while (way.through && room_m<kRoomToSetOff_m&& * way.through> 0) {
+  while (way.through.value_or(0) > 0 && room_m < kRoomToSetOff_m) {
     room_m += distance_m(route.relations[*way.through - 1]);
     way.through = *way.through > from ? std::optional(*way.through - 1) : std::nullopt;
   }

@@ -103,15 +103,21 @@ Result<CameraCalibration> calibration_of(const Options& options, const std::stri
                                       "; calibrate at the size that is driven with");
 }
 
+/// Returns whether --camera names several sensors: a calibration file then has all of them, by these names.
+bool names_several(const Options& options) {
+  return options.camera.find(',') != std::string::npos;
+}
+
 /// Returns what is known of the sensor that the body tells of. Of a stereo sensor the file holds both halves, by the
-/// names of --camera (cam0+cam1): the right one where its own mount says, or its place beside the one before it in a
-/// chain, or else where the body has it beside the left one.
+/// names of --camera (cam0+cam1), where that names several sensors those of this one: the right one where its own
+/// mount says, or its place beside the one before it in a chain, or else where the body has it beside the left one.
 Result<Sensor> calibrated(const Options& options, Sensor told, const std::function<void(const std::string&)>& warn) {
   const Pose3 left_from_right =
       told.right ? told.camera.robot_from_camera.inverse() * told.right->robot_from_camera : Pose3{};
-  const std::size_t plus = told.right ? options.camera.find('+') : std::string::npos;
+  const std::string names = names_several(options) ? told.id : options.camera;
+  const std::size_t plus = told.right ? names.find('+') : std::string::npos;
   if (options.calibration) {
-    const Result<CameraCalibration> left = calibration_of(options, options.camera.substr(0, plus), told.camera, warn);
+    const Result<CameraCalibration> left = calibration_of(options, names.substr(0, plus), told.camera, warn);
     if (!left) return fail(left.error());
     told.camera = camera_model_from(*left, told.camera.id, told.camera.robot_from_camera);
   }
@@ -119,8 +125,7 @@ Result<Sensor> calibrated(const Options& options, Sensor told, const std::functi
   if (!told.right) return told;
   Pose3 beside = left_from_right;
   if (options.calibration && plus != std::string::npos) {
-    const Result<CameraCalibration> right =
-        calibration_of(options, options.camera.substr(plus + 1), *told.right, warn);
+    const Result<CameraCalibration> right = calibration_of(options, names.substr(plus + 1), *told.right, warn);
     if (!right) return fail(right.error());
     told.right = camera_model_from(*right, told.right->id, {});
     if (right->previous_from_camera) beside = *right->previous_from_camera;
@@ -143,7 +148,7 @@ Result<std::vector<Equipped>> equip(const Options& options, const Body& body,
     Result<Rig> rig = choose(body.rig(), need_of(method), method, taken);
     if (!rig) return fail(rig.error());
     for (const Sensor& sensor : rig->sensors) taken.push_back(sensor.id);
-    if (all.empty()) {
+    if (all.empty() || names_several(options)) {
       Result<Sensor> sensor = calibrated(options, rig->sensors.front(), warn);
       if (!sensor) return fail(sensor.error());
       rig->sensors.front() = std::move(*sensor);

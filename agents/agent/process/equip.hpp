@@ -21,8 +21,9 @@ struct Equipped {
 };
 
 /// Returns the methods that the options name, each with the first sensors that are what it needs and that no method
-/// before it took. The calibration file of the options is the first one's; its mount is the body's when the file has
-/// none. not_found, invalid: of the file; its images would be of another size; the body lacks a sensor.
+/// before it took. The calibration file of the options is that of the first method's sensor or, where --camera names
+/// several sensors, has all of them by these names; a mount is the body's when the file has none. not_found, invalid:
+/// of the file; its images would be of another size; the body lacks a sensor.
 Result<std::vector<Equipped>> equip(const Options& options, const Body& body,
                                     const std::function<void(const std::string&)>& warn);
 

@@ -46,8 +46,10 @@ constexpr std::array kFlags = {
     Flag{"camera", Kind::text,
          "Which camera of a recording, or of a --calibration that has several: cam0; of a recording also several, "
          "cam0,cam1, or a stereo pair, cam0+cam1 [cam0]"},
-    Flag{"calibration", Kind::text,
-         "Camera file, as `weft calibrate` writes it, EuRoC's, Kalibr's or ROS's; replaces the body's"},
+    Flag{
+        "calibration", Kind::text,
+        "Camera file, as `weft calibrate` writes it, EuRoC's, Kalibr's or ROS's; replaces the body's. Where --camera "
+        "names several cameras, a Kalibr chain of all of them"},
     Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},
     Flag{"pace", Kind::number, "Simulated seconds a second at most; 0: as fast as it can [1]"},
 };

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <system_error>
 
 #include "agents/bodies/replay/text_file.hpp"
 
@@ -17,12 +20,23 @@ namespace fs = std::filesystem;
 
 constexpr double kLongestFocalPx = 1e5;
 
-std::vector<std::string> images_in(const fs::path& folder) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
-  return files;
+/// Images by the numbers that are their names, from 0: 000012.png is of the time in row 12.
+using Numbered = std::map<std::size_t, std::string>;
+
+Result<Numbered> images_in(const fs::path& folder) {
+  Numbered images;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().stem().string();
+    std::size_t number = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (read.ec != std::errc{} || read.ptr != name.data() + name.size())
+      return fail(ErrorCode::invalid, entry.path().string() + ": expected a number as its name, as in 000012.png");
+    images[number] = entry.path().string();
+  }
+  if (problem) return fail(ErrorCode::unavailable, folder.string() + ": " + problem.message());
+  if (images.empty()) return fail(ErrorCode::invalid, folder.string() + ": holds no image");
+  return images;
 }
 
 Result<std::vector<SensorTime>> parse_times(const std::string& text, const std::string& file) {
@@ -45,7 +59,8 @@ Result<std::vector<SensorTime>> parse_times(const std::string& text, const std::
   return times;
 }
 
-Result<std::vector<SensorTime>> times_of(const fs::path& folder, std::size_t images,
+/// Returns a time for each number up to `last`.
+Result<std::vector<SensorTime>> times_of(const fs::path& folder, std::size_t last,
                                          const std::function<void(const std::string&)>& warn) {
   const fs::path file = folder / "times.txt";
   if (fs::exists(file)) {
@@ -53,13 +68,13 @@ Result<std::vector<SensorTime>> times_of(const fs::path& folder, std::size_t ima
     if (!text) return fail(text.error());
     auto times = parse_times(*text, file.string());
     if (!times) return fail(times.error());
-    if (times->size() == images) return times;
-    return fail(ErrorCode::invalid, file.string() + ": has " + std::to_string(times->size()) + " times for " +
-                                        std::to_string(images) + " images");
+    if (times->size() > last) return times;
+    return fail(ErrorCode::invalid, file.string() + ": has " + std::to_string(times->size()) +
+                                        " times and none for image " + std::to_string(last));
   }
   if (warn) warn(file.string() + ": missing; taken as ten images a second");
   std::vector<SensorTime> times;
-  for (std::size_t i = 0; i < images; ++i) times.push_back(SensorTime{std::chrono::milliseconds(100 * (i + 1))});
+  for (std::size_t i = 0; i <= last; ++i) times.push_back(SensorTime{std::chrono::milliseconds(100 * (i + 1))});
   return times;
 }
 
@@ -107,14 +122,19 @@ Result<KittiCamera> read_kitti(const std::string& folder, const std::string& hal
   if (!projection) return fail(projection.error());
   const fs::path images = fs::path(folder) / half;
   if (!fs::is_directory(images)) return fail(ErrorCode::not_found, images.string() + ": missing");
-  const std::vector<std::string> files = images_in(images);
-  if (files.empty()) return fail(ErrorCode::invalid, images.string() + ": holds no image");
-  const auto times = times_of(folder, files.size(), half == "image_l" ? warn : nullptr);
+  const auto files = images_in(images);
+  if (!files) return fail(files.error());
+  constexpr std::size_t kMostImages = 1'000'000;
+  const std::size_t last = files->rbegin()->first;
+  if (last >= kMostImages)
+    return fail(ErrorCode::invalid, files->rbegin()->second + ": its number must be below 1000000");
+  const auto times = times_of(folder, last, half == "image_l" ? warn : nullptr);
   if (!times) return fail(times.error());
   KittiCamera camera;
-  for (std::size_t i = 0; i < files.size(); ++i) camera.images.push_back({(*times)[i], files[i]});
-  const cv::Mat first = cv::imread(files.front(), cv::IMREAD_GRAYSCALE);
-  if (first.empty()) return fail(ErrorCode::invalid, files.front() + ": missing or damaged");
+  for (const auto& [number, file] : *files) camera.images.push_back({(*times)[number], file});
+  const std::string& sample = files->begin()->second;
+  const cv::Mat first = cv::imread(sample, cv::IMREAD_GRAYSCALE);
+  if (first.empty()) return fail(ErrorCode::invalid, sample + ": missing or damaged");
   camera.model.id = fs::path(folder).filename().string() + "/" + half;
   camera.model.width = first.cols;
   camera.model.height = first.rows;

@@ -18,9 +18,10 @@ struct KittiCamera {
 /// Whether that folder is laid out so: calib.txt, image_l/ and image_r/.
 bool is_kitti(const std::string& folder);
 
-/// Reads image_l (P0 of calib.txt) or image_r (P1). Times are those of times.txt, seconds a row, one for each image
-/// by name; without the file ten images a second, which is warned of. not_found: there is no such half; invalid:
-/// names the file, and the line.
+/// Reads image_l (P0 of calib.txt) or image_r (P1). Images are numbered by their names from 0, so that one
+/// that is missing leaves its other half alone. Times are those of times.txt, seconds a row, the first of image 0;
+/// without the file ten images a second, which is warned of. not_found: there is no such half; invalid: names the
+/// file, and the line.
 Result<KittiCamera> read_kitti(const std::string& folder, const std::string& half,
                                const std::function<void(const std::string&)>& warn);
 

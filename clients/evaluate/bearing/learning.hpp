@@ -17,8 +17,8 @@ struct LearningOptions {
 
 namespace bearing {
 
-/// What it is worth that places learn: a way is taught and driven once a day (days.hpp), by a robot whose
-/// learned_places places take at the end of each day, and by one that learns nothing. Prints a table, writes
+/// Measures what learning of places is worth: a way is taught and driven once a day (days.hpp), by a robot from which
+/// the places learn at the end of each day, and by one that learns nothing. Prints a table, writes
 /// learning.csv. not_found, invalid: scene or days; refused: the way's end is not found to come back; unavailable: it
 /// cannot be written.
 Result<Ended> study_learning(const LearningOptions& options, const Surroundings& around);

@@ -12,8 +12,8 @@
 
 namespace weft::evaluate::floor {
 
-/// What is foretold while a robot is taught, against what another robot really finds. Each condition has a
-/// light or wear of the simulated body that it is about.
+/// Names the light or wear of the simulated body that a condition is about: teaching foretells what another robot
+/// finds under it, and the study holds that against what it really finds.
 const std::string& light_of(agents::Floor::Condition condition);
 
 /// A place of which both are known.

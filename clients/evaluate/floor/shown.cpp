@@ -31,7 +31,7 @@ ShownJson inferred_path(const Trace& trace) {
   return points;
 }
 
-/// Where the fixes of a repeat say that it was, by the true poses of the places.
+/// The path of a repeat as its fixes state it, by the true poses of the places.
 ShownJson fixed_path(const Trace& trace, const PlaceSet& places) {
   ShownJson points = ShownJson::array();
   for (const Moment& moment : trace.moments) {

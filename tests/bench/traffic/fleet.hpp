@@ -25,7 +25,7 @@ struct Robot {
   int stands_since = 0;
 };
 
-/// What the policies drive: robots with goals without end, the same ones for all policies of a seed.
+/// The robots that the policies drive: with goals without end, the same ones for all policies of a seed.
 class Fleet {
  public:
   Fleet(const Network& network, std::uint32_t robots, std::uint64_t seed);

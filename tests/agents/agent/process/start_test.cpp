@@ -159,6 +159,39 @@ TEST(AgentStart, MissingRecordingAndDamagedCalibrationAreNamed) {
   expect_refused(options, "sensor.yaml");
 }
 
+TEST(AgentStart, ACalibrationOfSeveralCamerasIsReadForEachByItsName) {
+  const Folder folder;
+  Options options = options_in(folder);
+  options.body = "replay";
+  options.camera = "cam1,cam0";
+  options.methods = {"floor", "bearing"};
+  options.recording = folder.file("rec");
+  const std::string sensor =
+      "camera_model: pinhole\nresolution: [32, 24]\nintrinsics: [30, 30, 15.5, 11.5]\ndistortion_model: none\n";
+  const std::string down =
+      "T_BS:\n  cols: 4\n  rows: 4\n  data: [0, -1, 0, 0.3, -1, 0, 0, 0, 0, 0, -1, 0.6, 0, 0, 0, 1]\n";
+  const std::string ahead =
+      "T_BS:\n  cols: 4\n  rows: 4\n  data: [0, 0, 1, 0.3, -1, 0, 0, 0, 0, -1, 0, 0.5, 0, 0, 0, 1]\n";
+  for (const std::string name : {"cam0", "cam1"}) {
+    std::filesystem::create_directories(folder.file("rec/mav0/" + name + "/data"));
+    folder.write("rec/mav0/" + name + "/data.csv", "1,1.png\n");
+    folder.write("rec/mav0/" + name + "/sensor.yaml", sensor + (name == "cam0" ? down : ahead));
+  }
+  const std::string chain =
+      "  camera_model: pinhole\n  resolution: [32, 24]\n  distortion_model: none\n  intrinsics: ";
+  folder.write("chain.yaml", "cam0:\n" + chain + "[40, 40, 15.5, 11.5]\ncam1:\n" + chain + "[50, 50, 15.5, 11.5]\n");
+  options.calibration = folder.file("chain.yaml");
+  const auto warn = [](const std::string&) {};
+  const auto body = make_body(options, warn);
+  ASSERT_TRUE(body) << body.error().message;
+  const auto equipped = equip(options, **body, warn);
+  ASSERT_TRUE(equipped) << equipped.error().message;
+  EXPECT_EQ(equipped->front().rig.sensors.front().id, "cam0");
+  EXPECT_EQ(equipped->front().rig.camera().fx, 40.0);
+  EXPECT_EQ(equipped->back().rig.sensors.front().id, "cam1");
+  EXPECT_EQ(equipped->back().rig.camera().fx, 50.0);
+}
+
 TEST(AgentStart, SettingsOfTheMethodAreChecked) {
   const Folder folder;
   Options options = options_in(folder);

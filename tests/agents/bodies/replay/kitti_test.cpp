@@ -89,7 +89,29 @@ TEST_F(KittiRecording, HasTheTimesThatItSays) {
   std::ofstream(folder_ / "times.txt") << "0.5\n0.4\n";
   EXPECT_THAT(make_replay_body(config_).error().message, HasSubstr("times.txt:2: expected seconds that increase"));
   std::ofstream(folder_ / "times.txt") << "0.5\n";
-  EXPECT_THAT(make_replay_body(config_).error().message, HasSubstr("has 1 times for 2 images"));
+  EXPECT_THAT(make_replay_body(config_).error().message, HasSubstr("has 1 times and none for image 1"));
+}
+
+TEST_F(KittiRecording, AMissingImageLeavesItsOtherHalfAloneAndNoOther) {
+  for (const char* half : {"image_l", "image_r"})
+    cv::imwrite((folder_ / half / "000002.png").string(), cv::Mat(24, 32, CV_8U, cv::Scalar(half[6] + 2)));
+  fs::remove(folder_ / "image_r" / "000001.png");
+  std::ofstream(folder_ / "times.txt") << "0.5\n0.7\n0.9\n";
+  auto body = make_replay_body(config_);
+  ASSERT_TRUE(body) << body.error().message;
+  EXPECT_EQ((*body)->step({})->views.size(), 1U);
+  EXPECT_TRUE((*body)->step({})->views.empty());
+  EXPECT_THAT(warnings_, HasSubstr("000001.png: its other half"));
+  const auto third = (*body)->step({});
+  ASSERT_EQ(third->views.size(), 1U);
+  const auto& pair = std::get<StereoPair>(third->views.front().data);
+  EXPECT_EQ(pair.left.pixels->at(0), 'l' + 2);
+  EXPECT_EQ(pair.right.pixels->at(0), 'r' + 2);
+}
+
+TEST_F(KittiRecording, AnImageWithoutANumberIsNamed) {
+  std::ofstream(folder_ / "image_l" / "notes.txt") << "x";
+  EXPECT_THAT(make_replay_body(config_).error().message, HasSubstr("notes.txt: expected a number as its name"));
 }
 
 TEST_F(KittiRecording, AWrongHalfAndAMissingMountAreNamed) {
