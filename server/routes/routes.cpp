@@ -18,7 +18,7 @@ constexpr Duration kCalm = 10s;  ///< without a change of the network
 constexpr Duration kLatestStoring = 2h;
 constexpr Duration kWordsHold = 1min;
 constexpr std::size_t kMostWords = 256;
-/// Cells of this many places in the mean were about half as large when they were cut.
+/// Bounds the mean places of a cell before cells are cut anew; they were about half as large when they were cut.
 constexpr std::uint64_t kOutgrown = 192;
 
 bool is_outgrown(const routing::Preparation& preparation) {

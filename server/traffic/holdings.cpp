@@ -7,7 +7,7 @@
 namespace weft::server {
 namespace {
 
-/// Is about what a robot's place takes up, with its uncertainty.
+/// Sets the edge of a cell of the index: about what a robot's place takes up, with its uncertainty.
 constexpr double kCell_m = 4.0;
 /// Bounds the cells that one place is kept in; one that may lie anywhere is looked at by everybody of its part.
 constexpr std::int64_t kMostCells = 64;

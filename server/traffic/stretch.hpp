@@ -17,7 +17,7 @@ struct Touched {
 /// Bounds from below how far from its nearest place a robot is reckoned to be, for paths that are not quite followed.
 /// Between two places it is nearer to one of them than half their distance.
 inline constexpr double kLeastSlack_m = 0.25;
-/// Is kept free between two robots besides what is uncertain.
+/// Sets the gap that is kept between two robots besides what is uncertain.
 inline constexpr double kMargin_m = 0.1;
 
 /// Returns what lies in route.places[from .. to] for a robot of that footprint.

@@ -6,8 +6,8 @@
 namespace weft::server {
 namespace {
 
-/// Is reckoned with until a robot has described itself. Larger than usual robots, so that a restart gives nothing
-/// away.
+/// Sets the footprint's radius that is assumed until a robot has described itself. Larger than usual robots, so that
+/// a restart of the server frees nothing that may still be touched.
 constexpr double kUnknownFootprint_m = 0.6;
 /// Bounds the move of a nearest place within which a standing robot is still at the place it was at.
 constexpr double kSameStand_m = 0.2;

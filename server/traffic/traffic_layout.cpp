@@ -14,7 +14,7 @@ constexpr std::size_t kPlacesAtOnce = 2000;
 /// Bounds a piece of work between two messages: about 1 ms on a large map.
 constexpr std::size_t kPlacesOfPiece = 250;
 constexpr Duration kBetweenPieces = 2ms;
-/// A layout of so many places takes longer than a moment: it is told, and so often how far it is.
+/// Bounds the places that are laid out without a note (more take longer than a moment), then: the notes on the way.
 constexpr std::uint64_t kWorthTelling = 20'000;
 constexpr std::uint64_t kTimesTold = 5;
 

@@ -6,8 +6,8 @@
 
 namespace weft::server {
 
-/// Is the network that traffic reckons with: as it is, and as it was when somebody was given a stretch that has been
-/// taken out of it since. An edit of the map moves no robot: what was near stays near. Refers to what it is made of.
+/// Keeps the network that traffic reckons with: as it is, and as it was when somebody was given a stretch that has
+/// been taken out of it since. An edit of the map moves no robot: what was near stays near. Refers to its sources.
 class TrafficMap {
  public:
   using History = std::vector<std::shared_ptr<const Snapshot>>;

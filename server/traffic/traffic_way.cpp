@@ -8,8 +8,8 @@
 namespace weft::server {
 namespace {
 
-/// Is left free before a robot in the way: it may have to go back to a place behind it to set off, and two robots
-/// must not each wait for the other's first step.
+/// Sets the room that is left before a robot in the way: it may have to go back to a place behind it to set off, and
+/// two robots must not each wait for the other's first step.
 constexpr double kRoomToSetOff_m = 0.5;
 /// Bounds how far beyond its own size a robot may drive and not count as on its way.
 constexpr double kStandsWithin_m = 1.0;
