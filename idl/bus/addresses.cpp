@@ -27,7 +27,7 @@ class UdpSocket {
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
 
-  /// errno, 0 when bound. Port 0: any.
+  /// Tries whether a UDP port is free on an address: returns 0 if it is, else errno. Port 0: any.
   int bind_to(const std::string& ipv4, std::uint16_t port) {
     sockaddr_in at{};
     at.sin_family = AF_INET;

@@ -19,7 +19,7 @@ using eprosima::fastcdr::Cdr;
 using eprosima::fastcdr::FastBuffer;
 constexpr std::size_t kEncapsulation = 4;
 
-/// XCDR1, little-endian on every machine: the same message is the same bytes.
+/// Returns the message as XCDR1, little-endian on every machine: the same message is the same bytes.
 template <class Wire>
 Bytes serialised(const Wire& wire) {
   Bytes bytes(kEncapsulation + Wire::getCdrSerializedSize(wire));

@@ -23,7 +23,7 @@ Bytes key_of(const Topic& topic, ByteView cdr) {
   return {key.begin(), key.end()};
 }
 
-/// Waiting mends an interface that has no address or carrier yet; an address that none has is most likely a slip.
+/// Rejects an address that no interface has: most likely a slip. One without carrier or address yet is waited for.
 Result<void> check_there(const LocalLink& link, const std::string& listen) {
   if (!link.interface.empty()) return {};
   return fail(ErrorCode::unavailable, "cannot listen on " + listen +

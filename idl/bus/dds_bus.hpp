@@ -11,9 +11,9 @@
 
 namespace weft::bus {
 
-/// A bus over one vendor's participant, which it replaces when the link comes up late, when the own address changes
-/// or when the server has moved. The keeper's thread watches and opens, so that nobody else waits for vendors or
-/// resolvers.
+/// Keeps a bus over one vendor's participant, which it replaces when the link comes up late, when the own address
+/// changes or when the server has moved. The keeper's thread watches and opens, so that nobody else waits for vendors
+/// or resolvers.
 class DdsBus final : public Bus {
  public:
   DdsBus(BusConfig config, std::span<const Topic, kTopics> table, std::string vendor, JoinDomain join);

@@ -9,7 +9,7 @@
 
 namespace weft::bus {
 
-/// Between the vendors' threads, which put, and the owner's, which takes. Putting never blocks longer than a copy.
+/// Queues messages from the vendors' threads, which put, to the owner's, which takes. A put lasts a copy at most.
 class Inbox {
  public:
   explicit Inbox(std::size_t messages);
@@ -17,14 +17,14 @@ class Inbox {
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
-  /// Any thread. Takes off the padding that vendors add; refuses and counts what is larger than its topic's bound.
+  /// Takes the vendors' padding off and queues; refuses and counts what exceeds its topic's bound. From any thread.
   void put(const Topic& topic, ByteView padded);
-  /// Any thread: the vendor refused a message on its own.
+  /// Counts a message that the vendor refused on its own. From any thread.
   void count_refused_by_vendor();
 
   std::optional<Delivery> take();
   bool wait(Duration at_most);
-  /// Any thread or signal handler.
+  /// Ends a wait(). From any thread or signal handler.
   void wake() const;
 
   void count_publish(const Result<void>& published, bool oversized);

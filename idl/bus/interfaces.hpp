@@ -5,7 +5,7 @@
 
 namespace weft::bus {
 
-/// An interface of this machine as it is now.
+/// Describes an interface of this machine as it is now.
 struct LocalLink {
   std::string interface;  ///< its name; empty: no interface has the address
   std::string ipv4;       ///< dotted; empty: the interface has none

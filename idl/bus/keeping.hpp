@@ -10,12 +10,12 @@
 
 namespace weft::bus {
 
-/// Everything that decides when a bus is opened and closed, at one moment.
+/// Holds everything that decides when a bus is opened and closed, as it is at one moment.
 struct Sight {
   SteadyTime now{};
   std::uint64_t received = 0;  ///< messages since the process began
   LocalLink link;              ///< of the interface that is listened on
-  /// Where the servers' names lead by the last answer of the resolver; none: it has not answered.
+  /// Says where the servers' names lead by the last answer of the resolver; none: it has not answered.
   std::optional<std::vector<ServerAddress>> servers;
   Duration unseen{};  ///< since the last look, as far as it passed while nothing was being done
 };
@@ -32,11 +32,11 @@ class Keeping {
     std::string notice;          ///< for the log; empty: none
   };
 
-  /// `listen`: as the configuration says, for notices.
+  /// Starts outside the domain. `listen`: the address or interface as configured, for notices only.
   explicit Keeping(std::string listen) : listen_(std::move(listen)) {}
 
   Decision next(const Sight& sight);
-  /// What came of a decision to join. Returns a notice when people were told that the link was not open.
+  /// Takes note that joining succeeded. Returns a notice when people were told that the link was not open.
   std::string joined(SteadyTime now, const Addresses& at);
   void failed(SteadyTime now, const std::string& why);
 
@@ -44,7 +44,7 @@ class Keeping {
   Decision outside(const Sight& sight);
   Decision inside(const Sight& sight);
   Decision leave(SteadyTime now, std::string why);
-  /// The text when it is new or has not been said for long.
+  /// Returns the text when it is new or has not been said for long, else nothing: so that logs do not fill.
   std::string said(SteadyTime now, std::string text);
 
   std::string listen_;

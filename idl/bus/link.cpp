@@ -12,7 +12,7 @@ constexpr std::size_t kTexts = 100;          ///< whole refusal texts kept until
 constexpr std::size_t kReasons = 256;        ///< kinds of refusals counted apart
 constexpr std::size_t kIncarnations = 4096;  ///< peers whose incarnation is remembered
 
-/// The reason without what differs from message to message: list indices and values.
+/// Returns the reason without what differs from message to message: list indices and values.
 std::string counted_reason(std::string_view text) {
   std::string reason;
   bool inside = false;

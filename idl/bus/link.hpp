@@ -12,21 +12,21 @@
 
 namespace weft::bus {
 
-/// core <-> wire for one process: encodes, decodes and validates (from_idl). A message that is malformed, oversized
-/// or of another protocol version is refused, its reason counted; it never reaches deciding code.
+/// Joins core to the wire for one process: encodes, decodes and validates (from_idl). A message that is malformed,
+/// oversized or of another protocol version is refused, its reason counted; it never reaches deciding code.
 class Link {
  public:
   explicit Link(std::unique_ptr<Bus> bus);
 
-  /// Bytes that went onto the wire.
+  /// Sends a message. Returns the bytes that went onto the wire.
   Result<std::size_t> send(const msg::Message& message);
-  /// The next valid message; none when nothing is there.
+  /// Returns the next valid message; none when nothing is there.
   std::optional<msg::Message> take();
   bool wait(Duration at_most) { return bus_->wait(at_most); }
   Bus& bus() { return *bus_; }
-  /// "<topic>: <reason>" -> how often.
+  /// Returns how often messages were refused, by "<topic>: <reason>".
   const std::map<std::string, std::uint64_t>& refusals() const { return refusals_; }
-  /// Last refusals with their whole text, for the log; cleared by the call.
+  /// Returns the last refusals with their whole text, for the log, and clears them.
   std::vector<std::string> drain_refusal_texts();
 
  private:
@@ -45,14 +45,14 @@ class Link {
 bool wait_until_open(Link& link, const std::function<bool()>& stop,
                      const std::function<void(const std::string&)>& tell);
 
-/// The pure halves, for golden bytes and fuzzing.
+/// Holds a message as it is sent. This and what follows are the link's pure halves, for golden bytes and fuzzing.
 struct Encoded {
   TopicId topic{};
   PeerId to;
   Bytes cdr;
 };
 Result<Encoded> encode(const msg::Message& message, msg::Role sender);
-/// invalid: names the message, the field and the bound.
+/// Decodes and validates a message. invalid: names the message, the field and the bound.
 Result<msg::Message> decode(TopicId topic, ByteView cdr);
 
 }  // namespace weft::bus

@@ -9,7 +9,7 @@
 
 namespace weft::bus {
 
-/// One vendor's membership in a DDS domain, at fixed addresses. Puts what comes into the inbox that it was given,
+/// Is one vendor's member of a DDS domain, at fixed addresses. Puts what comes into the inbox that it was given,
 /// from the vendor's threads; is called by one thread at a time. Destruction leaves the domain and says so to the
 /// others.
 class Participant {
@@ -22,11 +22,11 @@ class Participant {
   /// Does the same for each peer that has had no reader for `kReaderless`: what is kept for clients that are gone
   /// would make every later one dearer.
   virtual void forget_readerless(SteadyTime now) = 0;
-  /// How many it has the means to write to.
+  /// Returns how many peers it has the means to write to.
   virtual std::size_t peers() const = 0;
 };
 
-/// Longer than any addressed message waits for its reader.
+/// Bounds how long a peer may be without a reader; longer than any addressed message waits for its reader.
 inline constexpr Duration kReaderless = std::chrono::seconds(10);
 
 /// Remembers since when a peer has had no reader.

@@ -14,7 +14,7 @@ class ServerLookup {
   explicit ServerLookup(BusConfig config) : config_(std::move(config)) {}
   /// Begins to ask, unless the last question is still open.
   void ask();
-  /// The answer that came since the last call, if it is one.
+  /// Returns the addresses, if the resolver has found them since the last call; none: no answer, or an error.
   std::optional<std::vector<ServerAddress>> answer();
 
  private:

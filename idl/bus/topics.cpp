@@ -10,7 +10,7 @@ constexpr Roles kClient = msg::Role::client;
 constexpr Roles kPeers = kAgent | kClient;
 constexpr std::uint32_t kKiB = 1024;
 constexpr std::uint32_t kMiB = 1024 * kKiB;
-/// A chunk's data and what stands around it.
+/// Bounds a chunk's message in bytes: its data and the fields around it.
 constexpr std::uint32_t kChunkMessage = static_cast<std::uint32_t>(msg::kChunkBytes) + kKiB;
 
 constexpr std::array<Topic, kTopics> kTable = {{

@@ -10,7 +10,7 @@
 
 namespace weft::bus {
 
-/// One a message and direction. The order is of no meaning on the wire.
+/// Names the topics, one for each message and direction. The order is of no meaning on the wire.
 enum class TopicId : std::uint8_t {
 #define WEFT_TOPIC(Id, ...) Id,
 #include "idl/bus/message_list.hpp"
@@ -21,7 +21,7 @@ inline constexpr std::array kTopicIds = {
 };
 inline constexpr std::size_t kTopics = kTopicIds.size();
 
-/// Which processes: a set of msg::Role.
+/// Says which kinds of processes are meant: a set of msg::Role.
 class Roles {
  public:
   constexpr Roles() = default;
@@ -37,7 +37,7 @@ class Roles {
   std::uint8_t bits_ = 0;
 };
 
-/// How a topic treats its messages, told to both vendors in the same words.
+/// Tells how a topic treats its messages, for both vendors in the same words.
 enum class Delivering : std::uint8_t {
   state,    ///< reliable; late joiners get the last one of each key (transient local, keep last 1)
   prompt,   ///< reliable; keeps the last `depth`; writers never wait for readers
@@ -60,15 +60,15 @@ struct Topic {
   std::string_view rate{};      ///< expected, for people
 };
 
-/// Every topic that Weft speaks, in the order of TopicId: what message_list.hpp says.
+/// Returns every topic that Weft speaks, in the order of TopicId, as message_list.hpp lists them.
 std::span<const Topic, kTopics> topics();
 const Topic& topic(TopicId id);
 
-/// What every bus asks before it sends. invalid: the role does not write the topic, an addressee is missing, the
+/// Checks a message before any bus sends it. invalid: the role does not write the topic, an addressee is missing, the
 /// message is no CDR (shorter than its encapsulation header and key) or larger than the topic's bound.
 Result<void> check_publish(const Topic& topic, msg::Role role, const PeerId& to, ByteView cdr);
 
-/// docs/wire.md.
+/// Returns the text of docs/wire.md.
 std::string wire_document();
 
 }  // namespace weft::bus

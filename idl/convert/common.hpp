@@ -11,7 +11,7 @@
 #include "idl/convert/visitor.hpp"
 #include "wire/common.h"
 
-/// Visitors of what several messages share.
+/// Converts what several messages share: its visitors.
 namespace weft::convert {
 
 void describe(Writing& io, const Relation& value, idl::Relation& wire);

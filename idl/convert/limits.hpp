@@ -5,7 +5,7 @@
 
 #include "core/protocol/messages.hpp"
 
-/// The bounds that from_idl holds every message to, besides those of core/protocol/messages.hpp.
+/// Holds the bounds that from_idl puts on every message, besides those of core/protocol/messages.hpp.
 namespace weft::convert {
 
 inline constexpr std::size_t kSignatureBytes = 64;
@@ -36,7 +36,7 @@ struct Bound {
   std::string_view what;
   std::uint64_t most;
 };
-/// The bounds that docs/wire.md lists.
+/// Lists the bounds that docs/wire.md shows.
 inline constexpr Bound kBounds[] = {
     {"data of a chunk, bytes", msg::kChunkBytes},
     {"a content or cloud, bytes", msg::kContentBytes},

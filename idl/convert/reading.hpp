@@ -126,7 +126,7 @@ class Reading {
   void require(bool holds, std::string_view field, std::string_view bound) {
     if (!holds) complain(field, bound);
   }
-  /// `unit` ends the sentence, as in "must be at most 500 together".
+  /// Notes an error when the number is too large. `unit` ends its sentence, as in "must be at most 500 together".
   void require_at_most(std::uint64_t number, std::uint64_t most, std::string_view field, std::string_view unit = {});
   void complain(std::string_view field, std::string_view bound);
 

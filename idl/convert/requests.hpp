@@ -2,7 +2,7 @@
 #include "idl/convert/common.hpp"
 #include "wire/operating.h"
 
-/// Visitors of operators' requests and of the answers to them.
+/// Converts operators' requests and the answers to them: their visitors.
 namespace weft::convert {
 
 template <class Io>

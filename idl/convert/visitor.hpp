@@ -4,7 +4,7 @@
 #include "idl/convert/reading.hpp"
 #include "idl/convert/writing.hpp"
 
-/// core <-> IDL. Each structure of the wire has one visitor,
+/// Converts between core and IDL. Each structure of the wire has one visitor,
 ///
 ///     template <class Io>
 ///     void describe(Io& io, Value<Io, msg::ClockProbe>& value, Wire<Io, idl::ClockProbe>& wire);
@@ -13,10 +13,10 @@
 /// order in which the visitor lists them; a check of several fields (`io.require`) stands behind the last of them.
 namespace weft::convert {
 
-/// A structure as the inside of a process knows it: written to when a message is read.
+/// Is a structure as the inside of a process knows it: written to when a message is read.
 template <class Io, class T>
 using Value = std::conditional_t<Io::kReads, T, const T>;
-/// The same as idl/messages declares it: written to when a message is written.
+/// Is the same structure as idl/messages declares it: written to when a message is written.
 template <class Io, class T>
 using Wire = std::conditional_t<Io::kReads, const T, T>;
 
@@ -28,7 +28,7 @@ WireType to_idl(const T& value) {
   return wire;
 }
 
-/// invalid: names the message, the first field out of its bound, and the bound.
+/// Converts and validates a message. invalid: names the message, the first field out of its bound, and the bound.
 template <class T, class WireType>
 Result<T> from_idl(const WireType& wire, std::string_view name) {
   Reading io(name);

@@ -6,7 +6,7 @@
 namespace weft::bus::cyclonedds {
 namespace {
 
-/// A serialised sample of no type of its own: dds_writecdr makes one of the writer's type of its bytes.
+/// Holds a serialised sample without a type of its own: dds_writecdr makes one of the writer's type of its bytes.
 struct Blob : ddsi_serdata {
   Bytes bytes;
 };
@@ -28,7 +28,7 @@ constexpr ddsi_serdata_ops blob_ops() {
 }
 
 constexpr ddsi_serdata_ops kBlobOps = blob_ops();
-/// A version is all that Cyclone DDS asks of a foreign type.
+/// States a version, which is all that Cyclone DDS asks of a foreign type.
 constexpr ddsi_sertype_ops kTypeOps = [] {
   ddsi_sertype_ops ops{};
   ops.version = ddsi_sertype_v0;

@@ -5,13 +5,13 @@
 
 struct ddsi_serdata;
 
-/// Bytes past Cyclone DDS's C structs, by its internal interface (0.10.2).
+/// Passes bytes by Cyclone DDS's C structs, through its internal interface (0.10.2).
 namespace weft::bus::cyclonedds {
 
 /// Sends padded CDR; Cyclone DDS checks it against the topic's type first. Its return code.
 dds_return_t write_bytes(dds_entity_t writer, ByteView padded);
 
-/// The bytes of a sample, as long as this lives.
+/// Gives access to the bytes of a sample, as long as this lives.
 class SerialisedSample {
  public:
   /// Takes over the reference.

@@ -24,7 +24,7 @@ tl::unexpected<Error> refused(std::string_view what, dds_return_t code) {
               "Cyclone DDS refused to create " + std::string(what) + ": " + dds_strretcode(code));
 }
 
-/// Where a reader's samples go. Cyclone DDS's threads.
+/// Puts a reader's samples into the inbox. Runs in Cyclone DDS's threads.
 struct Sink {
   const Topic* topic = nullptr;
   Inbox* inbox = nullptr;
@@ -45,7 +45,7 @@ struct Sink {
   }
 };
 
-/// Cyclone DDS checks what comes in and says so in its log alone.
+/// Counts messages that Cyclone DDS itself has refused: it checks what comes in and says so in its log alone.
 void on_log(void* inbox, const dds_log_data_t* entry) {
   const std::string_view text(entry->message, entry->size);
   if (text.find("deserialization") != std::string_view::npos) static_cast<Inbox*>(inbox)->count_refused_by_vendor();
@@ -68,7 +68,7 @@ class CycloneParticipant final : public Participant {
 
  private:
   using Writers = std::map<TopicId, dds_entity_t>;
-  /// The server's means to write to one peer.
+  /// Holds the server's means to write to one peer.
   struct Peer {
     dds_entity_t publisher = 0;
     Writers writers;

@@ -5,7 +5,7 @@ struct dds_topic_descriptor;
 
 namespace weft::bus::cyclonedds {
 
-/// What idlc made of the type; null for a name that is not in idl/messages.
+/// Returns the descriptor that idlc made of the type; null for a name that is not in idl/messages.
 const dds_topic_descriptor* descriptor(std::string_view type);
 
 }  // namespace weft::bus::cyclonedds

@@ -5,9 +5,9 @@
 namespace weft::bus::cyclonedds {
 namespace {
 
-/// Bytes of a datagram that RTPS's own headers may take: what is left is a fragment's.
+/// Bounds the bytes of a datagram that RTPS's own headers may take: what is left is a fragment's.
 constexpr std::uint32_t kHeaders = 160;
-/// Unacknowledged bytes at which a writer waits: that many of the largest chunks.
+/// Bounds the unacknowledged bytes, beyond which a writer waits: that many of the largest chunks.
 constexpr std::uint32_t kUnacknowledged = 8U << 20U;
 
 Qos base_qos(const Topic& topic) {

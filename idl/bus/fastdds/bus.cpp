@@ -25,7 +25,7 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 
-/// Fast DDS's threads: moves what came to the inbox, nothing else. What the process itself wrote did not come.
+/// Moves what came into the inbox, but for what the process itself wrote. Runs in Fast DDS's threads.
 class Listener final : public dds::DataReaderListener {
  public:
   Listener(const Topic& topic, Inbox& inbox) : topic_(topic), inbox_(inbox) {}
@@ -60,7 +60,7 @@ class FastParticipant final : public Participant {
 
  private:
   using Writers = std::map<TopicId, dds::DataWriter*>;
-  /// The server's means to write to one peer.
+  /// Holds the server's means to write to one peer.
   struct Peer {
     dds::Publisher* publisher = nullptr;
     Writers writers;

@@ -7,13 +7,13 @@
 
 namespace weft::bus::fastdds {
 
-/// What Fast DDS hands back and forth: to write, a view of padded bytes; read, bytes of its own.
+/// Passes a message to and from Fast DDS: to be written, a view of padded bytes; as read, bytes of its own.
 struct Sample {
   ByteView view;
   Bytes bytes;
 };
 
-/// Any of our types as bytes. The key of keyed ones is read at its fixed place.
+/// Lets Fast DDS carry any of our types as bytes. The key of keyed ones is read at its fixed place.
 class BytesType final : public eprosima::fastdds::dds::TopicDataType {
  public:
   BytesType(const Topic& topic, Inbox& inbox);

@@ -6,7 +6,7 @@
 #include "idl/bus/addresses.hpp"
 #include "idl/bus/topics.hpp"
 
-/// The table's words in Fast DDS's.
+/// Translates the topic table's words into Fast DDS's.
 namespace weft::bus::fastdds {
 
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const BusConfig& config, const Addresses& addresses);

@@ -4,7 +4,7 @@
 
 namespace weft::bus {
 
-/// One life of one peer. After `detach` it is dumb and deaf.
+/// Serves one life of one peer. After `detach` it sends and receives nothing.
 class InProcessBus final : public Bus {
  public:
   InProcessBus(std::shared_ptr<InProcessNet::State> net, msg::Role role, const PeerId& self, std::uint64_t life)

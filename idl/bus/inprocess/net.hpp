@@ -8,8 +8,8 @@
 
 namespace weft::bus {
 
-/// What a simulated network does to messages. Reliable topics suffer too: a link is not reliable across restarts, and
-/// retries are the applications'.
+/// Sets what a simulated network does to messages. Reliable topics suffer too: a link is not reliable across
+/// restarts, and retries are the applications'.
 struct Faults {
   double loss = 0.0;                   ///< [0, 1], of each message and reader
   double duplication = 0.0;            ///< [0, 1], once more with a delay of its own
@@ -19,8 +19,8 @@ struct Faults {
   std::uint64_t bytes_per_second = 0;  ///< from each peer to each other; 0: no bound
 };
 
-/// The simulation's network: the same topics and bytes as over DDS, delivered when the caller's time has come, in an
-/// order that only the seed decides. One thread. Buses hold on to the network they are of.
+/// Simulates a network: the same topics and bytes as over DDS, delivered when the caller's time has come, in an order
+/// that only the seed decides. For one thread. Buses hold on to the network that they belong to.
 class InProcessNet {
  public:
   explicit InProcessNet(Random random);
@@ -28,12 +28,12 @@ class InProcessNet {
   InProcessNet& operator=(InProcessNet&&) noexcept;
   ~InProcessNet();
 
-  /// A peer comes up: gets the last message of each key on `state` topics, as late joiners do. At most one bus a peer
-  /// is alive; an older one of the same id is detached.
+  /// Brings up a peer, which gets the last message of each key on `state` topics, as late joiners do. At most one bus
+  /// a peer is alive; an older one of the same id is detached.
   std::unique_ptr<Bus> attach(msg::Role role, const PeerId& self);
-  /// The peer is gone at once, with what it sent and has not arrived, and what waits for it.
+  /// Takes a peer away at once, with what it sent and has not arrived, and what waits for it.
   void detach(const PeerId& peer);
-  /// Cut off: nothing to or from it from now on, what is under way included. Healed, readers get `state` topics anew.
+  /// Cuts a peer off: loses all to or from it, also what is under way. Once healed, readers get `state` topics anew.
   void partition(const PeerId& peer, bool cut);
   void set_faults(const Faults& faults);
 

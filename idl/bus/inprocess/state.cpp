@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kEncapsulation = 4;
 constexpr std::size_t kInbox = 100'000;
 
-/// A star: one of the two is the server.
+/// Returns whether the two may exchange messages: in a star, when one of them is the server.
 bool may_talk(msg::Role a, msg::Role b) {
   return (a == msg::Role::server) != (b == msg::Role::server);
 }

@@ -13,7 +13,7 @@
 
 namespace weft::bus {
 
-/// What the network knows of one peer that is up. `life` tells a peer from its earlier selves.
+/// Holds what the network knows of one peer that is up. `life` tells a peer from its earlier selves.
 struct Endpoint {
   msg::Role role = msg::Role::agent;
   std::uint64_t life = 0;
@@ -33,7 +33,7 @@ class InProcessNet::State {
   std::optional<SteadyTime> next_delivery() const;
   void deliver_until(SteadyTime now);
   void publish(const PeerId& from, const Topic& topic, const PeerId& to, ByteView cdr);
-  /// Null when that life of the peer is over.
+  /// Returns the peer's end of the network; null when that life of the peer is over.
   Endpoint* endpoint(const PeerId& peer, std::uint64_t life);
 
  private:
@@ -57,7 +57,7 @@ class InProcessNet::State {
       return std::tie(a.due, a.number) > std::tie(b.due, b.number);
     }
   };
-  /// One direction between two peers, for bulk and for the rest.
+  /// Names one direction between two peers; bulk has a lane of its own.
   struct LaneId {
     PeerId from, to;
     bool bulk = false;
