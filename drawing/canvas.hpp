@@ -8,14 +8,14 @@
 #include "core/result.hpp"
 #include "drawing/ink.hpp"
 
-/// All that the product draws is drawn with this; what is measured by studies is not (clients/evaluate/charts).
+/// Draws all pictures of the product; studies have their measurements drawn elsewhere (clients/evaluate/charts).
 namespace weft::drawing {
 
 /// Sets the letters that pictures are written in; none is moved to whole pixels, so that widths are the same for
 /// every kind of file.
 void choose_letters(cairo_t* pen);
 
-/// invalid: the name ends neither in .png nor in .svg.
+/// Checks that a picture can be written under this name. invalid: it ends neither in .png nor in .svg.
 Result<void> check_picture_name(const std::string& file);
 
 struct Line {
@@ -23,10 +23,10 @@ struct Line {
   bool dashed = false;
 };
 
-/// A white sheet that becomes a PNG or, of a file that ends in .svg, an SVG.
+/// Holds a white sheet to draw on; it becomes a PNG or, of a file that ends in .svg, an SVG.
 class Canvas {
  public:
-  /// invalid: as check_picture_name().
+  /// Makes a sheet of that size, in pixels. invalid: as check_picture_name().
   static Result<Canvas> make(const std::string& file, double wide, double tall);
   /// Writes the file; nothing is drawn afterwards. exhausted: it cannot be written.
   Result<void> finish();
@@ -42,7 +42,7 @@ class Canvas {
   void upright_text(const Point& middle, const std::string& words, double size, const Colour& ink);
   double width_of(const std::string& words, double size);
 
-  /// For what is drawn by nobody else.
+  /// Returns Cairo's own pen, for what only one picture draws.
   cairo_t* pen() const { return pen_.get(); }
 
  private:
