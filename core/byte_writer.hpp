@@ -49,7 +49,7 @@ class ByteWriter {
   }
 
   void reserve(std::size_t size) { bytes_.reserve(size); }
-  /// Empty again; its memory stays for what comes next.
+  /// Empties it; its memory stays for what comes next.
   void clear() { bytes_.clear(); }
   Bytes take() { return std::move(bytes_); }
   ByteView view() const { return bytes_; }

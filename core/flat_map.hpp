@@ -71,7 +71,7 @@ class FlatMap {
     keys_.reserve(count);
     values_.reserve(count);
   }
-  /// False, and nothing done, when the key is there already.
+  /// Adds an entry. Returns false, with nothing done, when the key is there already.
   bool emplace(const Key& key, Value value) {
     const std::size_t at = lower_bound(key);
     if (at < size() && keys_[at] == key) return false;
@@ -86,7 +86,7 @@ class FlatMap {
       insert(at, key, std::move(value));
     }
   }
-  /// All at once: linear, however many they are. Keys that are not there do not matter.
+  /// Erases all at once: linear, however many they are. Keys that are not there do not matter.
   void erase_all(std::vector<Key> keys) {
     if (keys.empty()) return;
     std::sort(keys.begin(), keys.end());

@@ -27,7 +27,7 @@ void read_camera_matrix(CameraKeys& keys, CameraCalibration& camera) {
   set_intrinsics(keys, *node, key, {k[0], k[4], k[2], k[5]}, camera);
 }
 
-/// Empty: the driver of a camera that nobody has calibrated leaves the name so, and gives no coefficients.
+/// Returns the model. Empty: a driver leaves the name so for a camera never calibrated, and gives no coefficients.
 std::string model_of(CameraKeys& keys) {
   const std::optional<YAML::Node> node = keys.need("distortion_model");
   if (!node.has_value() || node->IsNull()) return {};

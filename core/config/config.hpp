@@ -36,12 +36,12 @@ class Table {
   std::int64_t integer(std::string_view key, std::optional<std::int64_t> fallback, std::int64_t low,
                        std::int64_t high) const;
   bool boolean(std::string_view key, std::optional<bool> fallback) const;
-  /// At most `longest` bytes.
+  /// Returns a text of at most `longest` bytes.
   std::string text(std::string_view key, const std::optional<std::string>& fallback, std::size_t longest = 256) const;
   /// One of `allowed`, which is not empty; where the key is required and missing, the first of them.
   std::string choice(std::string_view key, const std::optional<std::string>& fallback,
                      const std::vector<std::string>& allowed) const;
-  /// Between `fewest` and `most` numbers, each in [low, high].
+  /// Returns between `fewest` and `most` numbers, each in [low, high].
   std::vector<double> numbers(std::string_view key, const std::optional<std::vector<double>>& fallback,
                               std::size_t fewest, std::size_t most, double low, double high) const;
   std::vector<std::string> texts(std::string_view key, const std::optional<std::vector<std::string>>& fallback,
@@ -58,7 +58,7 @@ class Table {
   std::vector<std::string> issues() const;
   /// invalid: all issues, one a line.
   Result<void> result() const;
-  /// All settings that were asked for, in the order of asking.
+  /// Returns all settings that were asked for, in the order of asking.
   std::vector<Setting> effective() const;
 
  private:

@@ -39,7 +39,7 @@ class PagedNetwork {
   /// stale: of another revision than the first one; invalid: no place, or one not after the last, and pages to come.
   Result<void> add(NetworkPage page);
   bool is_whole() const { return is_whole_; }
-  /// After which the next page begins.
+  /// Returns the place after which the next page begins.
   PlaceId after() const {
     return window_.places.empty() ? PlaceId{} : window_.places.key_at(window_.places.size() - 1);
   }

@@ -56,7 +56,7 @@ double off(const Pose2& plan_from_layout, const SitePick& pick) {
   return (plan_from_layout * in_layout(pick) - pick.on_plan).norm();
 }
 
-/// How far the points lie from where they were picked, each way; of three degrees of freedom that were fitted.
+/// Returns how far the points lie from where they were picked, each way; three degrees of freedom were fitted.
 double spread_of(const Pose2& plan_from_layout, const Chosen& picks) {
   if (picks.size() < 2) return 0.0;
   double sum = 0.0;

@@ -83,7 +83,7 @@ Result<Window> apply(const Window& base, const Patch& patch);
 /// The patch in parts of at most `max_entities` (>= 1) places, edges, labels and removals; all parts share base,
 /// target and digest. At least one part.
 std::vector<Patch> split(const Patch& patch, std::size_t max_entities);
-/// All parts in one. corrupt: none, or parts of different patches.
+/// Joins all parts into one. corrupt: none, or parts of different patches.
 Result<Patch> join(const std::vector<Patch>& parts);
 
 template <class Visit>

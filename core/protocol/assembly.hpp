@@ -22,10 +22,10 @@ class Assembly {
   /// Returns where to resume: everything before it is there.
   std::uint64_t contiguous() const;
   bool is_complete() const { return contiguous() == bytes_.size(); }
-  /// The chunk is of the same size and coding.
+  /// Returns whether the chunk is of the same size and coding.
   bool is_of(const msg::Chunk& chunk) const { return chunk.coding == coding_ && chunk.total == bytes_.size(); }
 
-  /// When complete; not verified.
+  /// Returns the bytes as they travel, of use once all are there; their hash has not been verified.
   const Bytes& bytes() const { return bytes_; }
   /// Gives the content away. corrupt: it is complete and not what was promised.
   Result<Bytes> take(const ContentHash& promised) &&;

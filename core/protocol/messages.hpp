@@ -12,8 +12,8 @@
 #include "core/network/removal.hpp"
 #include "core/network/window.hpp"
 
-/// What crosses the wire, as the inside of every process knows it. The IDL of the same names is in idl/; the wire
-/// carries nothing else. `to` names the peer that a message is for.
+/// Holds the messages that cross the wire, as the inside of every process knows them; nothing else crosses it. The
+/// IDL of the same names is in idl/. `to` names the peer that a message is for.
 namespace weft::msg {
 
 inline constexpr std::uint16_t kProtocolVersion = 1;
@@ -26,7 +26,7 @@ inline constexpr std::size_t kRecognisedRank = 10'000;  ///< no place behind so 
 inline constexpr std::size_t kReportRows = 1000;        ///< most stretches in a report on what was taught
 inline constexpr std::size_t kReportConditions = 4;     ///< most conditions in each of them
 
-/// On every message that claims authority.
+/// Says who speaks, and under which server's authority; stands in every message that claims authority.
 struct Header {
   PeerId sender;
   std::uint64_t incarnation = 0;  ///< random at each start of the sender: two live ones of one id raise an alarm
@@ -37,12 +37,12 @@ struct Header {
 
 enum class Role : std::uint8_t { server = 1, agent = 2, client = 3 };
 
-/// under_way: long work has come so far; another reply follows.
+/// Tells what came of a request. under_way: long work has come so far; another reply follows.
 enum class Outcome : std::uint8_t { done = 1, accepted = 2, refused = 3, failed = 4, under_way = 5 };
 
 inline constexpr std::size_t kAnswers = 32;  ///< challenges in a server's hello
 
-/// Frozen for ever: every version can read it. Late joiners get the last one of each peer.
+/// Introduces a peer. Frozen for ever: every version can read it. Late joiners get the last one of each peer.
 struct Hello {
   PeerId peer;
   std::uint64_t incarnation = 0;
@@ -53,9 +53,9 @@ struct Hello {
   std::string name;
   std::string software;  ///< version for people
   std::string vendor;    ///< fastdds | cyclonedds | inprocess, as the bus names itself
-  /// A peer's: a random number that a server's next hello is to answer; 0: none.
+  /// Asks the server to prove that it lives: random, to be repeated in its next hello. Of agents, clients; 0: none.
   std::uint64_t challenge = 0;
-  /// A server's: the challenges that it has heard last, at most kAnswers. Whoever answers lives, and hears the asker.
+  /// Repeats the challenges last heard, at most kAnswers; a server's only. Proves that it lives, and hears the asker.
   std::vector<std::uint64_t> answers{};
 };
 
@@ -128,11 +128,11 @@ struct BatchAck {
 
 enum class ContentKind : std::uint8_t { content = 1, cloud = 2 };
 
-/// How a content's bytes stand in a store, and how they travel from there: docs/formats/store.md. raw: as they are.
+/// Tells how a content's bytes are coded in a store and on the wire (docs/formats/store.md). raw: as they are.
 enum class Coding : std::uint8_t { raw = 0, zstd = 1, cloud = 2 };
 
-/// A piece of a content or cloud; any order, any number of times. Handed in raw, lent as the server keeps it: who
-/// gets it expands it and verifies the hash, which is that of the content itself.
+/// Carries a piece of a content or cloud; pieces come in any order, any number of times. Agents send raw bytes, the
+/// server those it keeps: who gets them expands them and verifies the hash, which is that of the content itself.
 struct Chunk {
   Header header;
   PeerId to;
@@ -144,7 +144,7 @@ struct Chunk {
   Bytes data;
 };
 
-/// "Send me these, from these offsets on", which count the bytes as they travel.
+/// Asks for contents, each from an offset on, which counts the bytes as they travel (coded).
 struct ContentRequest {
   struct Item {
     ContentHash hash;
@@ -163,7 +163,7 @@ struct WindowRequest {
   Digest held_digest;
 };
 
-/// A patch, or one of its parts: all parts of one patch share base, target and digest.
+/// Carries a patch of a window, or one of its parts: all parts of one patch share base, target and digest.
 struct WindowPatch {
   Header header;
   PeerId to;
@@ -173,7 +173,7 @@ struct WindowPatch {
   Patch patch;
 };
 
-/// A robot that does not know where it is has signed what it sees: which places of the whole network look like that?
+/// Asks which places of the whole network look like what a robot sees; it does not know where it is. Has a signature.
 struct Recognise {
   Header header;
   std::uint64_t request = 0;  ///< the asker's number for it; the answer carries it back
@@ -184,8 +184,8 @@ struct Recognise {
   std::uint32_t after = 0;  ///< the so many likeliest are known already: the ones behind them
 };
 
-/// Places to look at, the likeliest first and no two close together. Only those that are signed have been compared:
-/// a server that has just started, or just been given contents, has not signed all of them yet.
+/// Proposes places to look at, the likeliest first and no two close together. Only those that are signed were
+/// compared: a server that has just started, or just been given contents, has not signed all of them yet.
 struct Recognised {
   Header header;
   RobotId to;
@@ -219,7 +219,7 @@ struct RouteProgress {
   std::string reason;
 };
 
-/// Server to agent: what an operator wants of one robot. Repeats have the same id and are done once.
+/// Tells one robot what an operator wants of it; server to agent. Repeats have the same id and are done once.
 struct AgentCommand {
   enum class Kind : std::uint8_t {
     teach_start = 1,
@@ -239,13 +239,13 @@ struct AgentCommand {
   RobotId to;
   std::uint64_t command = 0;
   Kind kind = Kind::stop;
-  /// teach: the experience's label; keep_place: the label to be; teach_report: of which experience, empty: the last
+  /// teach: labels the experience; keep_place: the place; teach_report: names the experience, empty: the last
   std::string name;
   std::optional<PlaceId> seed;  ///< localise, teach: where the robot stands, roughly
   std::vector<Point> along;     ///< teach on a simulated body: the hand's polyline, metres, site frame
 };
 
-/// What a robot predicts of a stretch that it was taught: how well it will find itself there.
+/// Predicts how well a robot will find itself on a stretch that it was taught.
 struct TaughtStretch {
   double from_m = 0.0;  ///< along the experience
   double to_m = 0.0;
@@ -268,7 +268,7 @@ struct AgentReply {
   std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< counts: since the agent started, by name
 };
 
-/// What is to be done to the map; which fields count depends on the request's kind.
+/// Describes what is to be done to the map; which fields count depends on the request's kind.
 struct MapWork {
   Revision revision;        ///< rollback: to which; undo: which; compact: before which
   Removal what;             ///< undo, quarantine: when not by revision or name; apart: the two stretches
@@ -278,7 +278,7 @@ struct MapWork {
   std::string file;         ///< snapshot: where on the server's machine
 };
 
-/// Client to server. A repeat (same sender, same request) gets the same answer and is done once.
+/// Asks the server to do something. A repeat (same sender, same request) gets the same answer and is done once.
 struct OperatorRequest {
   enum class Kind : std::uint8_t {
     goal_send = 1,
@@ -302,7 +302,7 @@ struct OperatorRequest {
     stats = 19,         ///< what takes space
     teach_report = 20,  ///< how well a robot will find itself where it was taught
     robot_counts = 21,  ///< how often a robot found where it is, and what it refused, by reason
-    /// a snapshot that is then restored beside itself, checked, and compared with the map
+    /// takes a snapshot that is then restored beside itself, checked, and compared with the map
     snapshot_verified = 22,
     apart = 23,   ///< the two stretches are different floors
     forget = 24,  ///< a robot that is gone: what it taught stays
@@ -315,8 +315,8 @@ struct OperatorRequest {
   Kind kind = Kind::goal_send;
   std::string who;    ///< the operator's name, as events show it; empty: as the client's hello said
   std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
-  /// goal_send: where to; label, label_remove, label_rename, rename: its name; localise: a seed; teach: its name;
-  /// undo, quarantine, replace, teach_report: an experience's name or hex id
+  /// Names, by kind: goal_send: where to; label, label_remove, label_rename, rename: its name; localise: a seed;
+  /// teach: its name; undo, quarantine, replace, teach_report: an experience's name or hex id
   std::string label;
   std::string new_label;  ///< label_rename
   PlaceId place;          ///< label, localise: which place, when not by label
@@ -343,7 +343,7 @@ struct OperatorReply {
   std::vector<TaughtStretch> report;                          ///< teach_report: the robot's
 };
 
-/// Client to server: read only.
+/// Asks the server for something to read; client to server. Changes nothing.
 struct Query {
   enum class Kind : std::uint8_t {
     robots = 1,
@@ -375,7 +375,7 @@ struct Event {
   std::string who;
 };
 
-/// What a revision did, for people: the log of the map.
+/// Tells people what a revision did: a line of the map's log.
 struct RevisionNote {
   Revision revision;
   Revision base;      ///< what it stands on: the one before it, or the one that was gone back to
@@ -422,7 +422,7 @@ struct MapInfo {
   std::vector<std::pair<std::string, std::uint64_t>> counters;  ///< refused messages by reason, and the like
 };
 
-/// One experience of the map, for people.
+/// Describes one experience of the map for people.
 struct ExperienceRow {
   ExperienceId id;
   std::string name;  ///< may be empty
@@ -456,7 +456,7 @@ struct QueryReply {
   std::string message;
 };
 
-/// Something happened; for logs and watchers. Lost ones can be asked for again by Query.
+/// Announces to logs and watchers that something happened. Lost ones can be asked for again by Query.
 struct EventNote {
   Header header;
   Event event;

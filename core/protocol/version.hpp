@@ -7,14 +7,14 @@
 
 namespace weft::msg {
 
-/// The protocol versions that a program speaks, both ends included.
+/// Holds the protocol versions that a program speaks, both ends included.
 struct VersionRange {
   std::uint16_t min = kProtocolVersion;
   std::uint16_t max = kProtocolVersion;
 };
 
-/// The highest version that both speak. newer: the peer begins above `own`; stale: it ends below. The message says
-/// who speaks what and which of the two is to be updated.
+/// Returns the highest version that both speak. newer: the peer begins above `own`; stale: it ends below. The message
+/// says who speaks what and which of the two is to be updated.
 inline Result<std::uint16_t> negotiate(const VersionRange& own, const Hello& hello) {
   if (hello.protocol_min <= own.max && own.min <= hello.protocol_max) return std::min(own.max, hello.protocol_max);
   const auto range = [](std::uint16_t min, std::uint16_t max) {

@@ -26,8 +26,8 @@ class Bisection {
  public:
   static constexpr std::uint32_t kPortion = 2048;  ///< places
 
-  /// At least two places are given. `part_of` holds one number for the places of this stretch and others elsewhere.
-  /// All must outlive the bisection.
+  /// Takes at least two places. `part_of` holds one number for the places of this stretch and others elsewhere. All
+  /// must outlive the bisection.
   Bisection(const Layout& layout, std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t last,
             std::vector<std::uint32_t>& part_of);
 

@@ -20,9 +20,9 @@ class BlockSearch {
 
   /// Forgets the last search and begins at a place. Nothing beyond `farthest` is of interest.
   void start(Node from, double farthest = std::numeric_limits<double>::infinity());
-  /// Until the place is reached at the least cost; infinity: it cannot be reached.
+  /// Searches until the place is reached; returns its least cost, infinity when it cannot be reached.
   double run_to(Node to);
-  /// Until everything within reach is settled.
+  /// Searches until everything within reach is settled.
   void run();
   /// Returns the least cost to a place that lies in an opened cell or is an exit of its block; infinity: not reached.
   double cost(Node node) const;

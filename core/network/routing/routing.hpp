@@ -30,9 +30,9 @@ class Builder {
   bool step(std::size_t budget);
   /// [0, 1]
   double share_done() const;
-  /// Once, when it is done.
+  /// Gives the preparation away, once, when it is done.
   Preparation take();
-  /// All that is left, and takes it.
+  /// Does all that is left, and takes it.
   Preparation finish();
 
  private:

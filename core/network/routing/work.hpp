@@ -13,7 +13,7 @@ class Work {
   virtual std::size_t piece() = 0;
   /// [0, 1]
   virtual double share_done() const = 0;
-  /// Once, when nothing is left.
+  /// Gives the preparation away, once, when nothing is left.
   virtual Preparation take() = 0;
 };
 
