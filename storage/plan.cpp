@@ -145,7 +145,7 @@ class Planner {
     return found != plan_.experiences.end() && index < found->second.places;
   }
 
-  /// All of it.
+  /// Returns whether all of the stretch is deleted.
   bool is_deleted(const Stretch& stretch) const {
     const auto found = facts_.deleted.find(stretch.experience);
     return found != facts_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& gone) {

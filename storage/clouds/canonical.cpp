@@ -59,7 +59,7 @@ double quanta_per_metre(std::uint32_t quantum_um) {
   return 1.0 / (quantum_um * kMicrometres);
 }
 
-/// False for what is not finite.
+/// Returns whether the number is within the lattice; false for what is not finite.
 bool is_on_lattice(double quanta) {
   return std::abs(quanta) <= kLatticeBound - 1;
 }

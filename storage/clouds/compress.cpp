@@ -35,7 +35,7 @@ Result<Bytes> grow(ByteView frame, std::size_t size, const char* what) {
   return bytes;
 }
 
-/// All low bytes, then all high ones.
+/// Returns all low bytes, then all high ones.
 Bytes planes_from_values(ByteView values, std::size_t value_bytes) {
   Bytes planes(values.size());
   std::size_t to = 0;

@@ -72,7 +72,7 @@ bool CloudBuilder::has(Role role) const {
   return std::find(roles_.begin(), roles_.end(), role) != roles_.end();
 }
 
-/// Why the field is not taken, to stand behind its name; empty if it has no place in a cloud anyway.
+/// Gives the field a role. Returns why it has none, to stand behind its name; empty if clouds have no place for it.
 std::string CloudBuilder::give_role(const CloudField& field) {
   const Role role = role_of(field.name);
   const bool is_suited = role != Role::none && suits(field, role);

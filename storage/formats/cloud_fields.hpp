@@ -30,7 +30,7 @@ class CloudBuilder {
   Result<void> begin(const std::vector<CloudField>& fields, std::size_t points, std::string_view file,
                      Leftovers& leftovers);
   bool takes(std::size_t field) const { return roles_[field] != Role::none; }
-  /// False: the number cannot be one of this field (an infinite coordinate).
+  /// Puts a number. False: it cannot be one of this field (an infinite coordinate).
   bool put(std::size_t field, std::size_t point, double number);
   /// The same from a file's bytes.
   bool put(std::size_t field, std::size_t point, const std::uint8_t* bytes, bool big_endian);
@@ -42,7 +42,7 @@ class CloudBuilder {
   static bool suits(const CloudField& field, Role role);
   bool has(Role role) const;
   std::string give_role(const CloudField& field);
-  /// False: not all of the group are there, and those that are were dropped.
+  /// Drops a group of which not all are there. Returns false when it did.
   bool keep_if_all(std::initializer_list<Role> group);
   void drop(std::initializer_list<Role> group);
   bool put_colour(std::size_t field, std::size_t point, double number);

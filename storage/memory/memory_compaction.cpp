@@ -59,7 +59,7 @@ class MemoryCompaction {
            });
   }
 
-  /// All of it.
+  /// Returns whether all of the stretch is deleted.
   bool is_deleted(const Stretch& stretch) const {
     const auto found = disk_.deleted.find(stretch.experience);
     return found != disk_.deleted.end() && std::ranges::any_of(found->second, [&](const Stretch& gone) {

@@ -116,7 +116,7 @@ RowCheck::Look look_at_batches(const Parts& parts) {
   };
 }
 
-/// Without a gap from the oldest that is kept; older rows are there for rollbacks only.
+/// Looks for gaps from the oldest revision that is kept; older rows are there for rollbacks only.
 RowCheck::Look look_at_revisions(const Parts& parts) {
   return [&parts, last = std::optional<std::uint64_t>()](const Query& row, Findings& findings) mutable {
     const std::uint64_t id = row.number(0);

@@ -57,7 +57,7 @@ class Query {
     return *this << ByteView(id.bytes);
   }
 
-  /// True: a row is there. False: done.
+  /// Goes on to the next row. Returns true when there is one, false when done.
   Result<bool> step();
   /// Runs a statement that returns no rows.
   Result<void> run();
@@ -67,7 +67,7 @@ class Query {
   std::string text(int column) const;
   ByteView blob(int column) const;
   Value value(int column) const;
-  /// None when the column's size is not N.
+  /// Reads an id; zero when the column's size is not that of ids.
   template <class Id>
   Id id(int column) const {
     Id id;
@@ -93,8 +93,8 @@ class Database {
   Result<std::uint64_t> number(std::string_view sql) const;
   bool in_transaction() const;
 
-  /// After each commit: how many pages the log has. From now on it is emptied only when that says true, and when
-  /// somebody calls `empty_log`.
+  /// Calls `watch` after each commit with how many pages the log has. From now on the log is emptied only when that
+  /// returns true, and when somebody calls `empty_log`.
   void watch_log(std::function<bool(std::uint64_t pages)> watch);
   /// Asked again and again while a statement runs, by the thread that runs it. True: the statement ends as
   /// unavailable.
@@ -116,7 +116,7 @@ class Database {
 /// SQLite's online backup. What the source's own connection commits between the steps is carried along.
 class Backup {
  public:
-  /// Both outlive the backup; nobody else uses `to` meanwhile.
+  /// Begins a backup. Both outlive it; nobody else uses `to` meanwhile.
   static Result<Backup> begin(const Database& to, const Database& from);
   /// Copies up to `pages` pages. True: all are there.
   Result<bool> step(int pages);

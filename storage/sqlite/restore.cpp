@@ -53,7 +53,7 @@ class Restoring {
 
  private:
   bool stops() const { return options_.stops && options_.stops(); }
-  /// False: nobody wants it any more.
+  /// Reports progress. Returns false when nobody wants it any more.
   bool tell(const std::string& stage, std::uint64_t done, std::uint64_t total, const std::string& unit) const {
     if (options_.progress) options_.progress({stage, done, total, unit});
     return !stops();
