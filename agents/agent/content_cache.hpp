@@ -27,7 +27,7 @@ class ContentCache final : public Contents {
   void want(const std::vector<ContentRef>& nearest_first, SteadyTime now);
   /// One's own, just taught.
   void put(const ContentHash& hash, Bytes bytes);
-  /// True when it completed a content.
+  /// Takes in a chunk. Returns true when it completed a content.
   bool on_chunk(const msg::Chunk& chunk, SteadyTime now);
   /// Everything that is under way is asked for again.
   void server_restarted(SteadyTime now);

@@ -29,10 +29,10 @@ class Recogniser {
     std::vector<PlaceId> places;
     std::string note;  ///< for the log
   };
-  /// None: it answers nothing that is asked now.
+  /// Takes in an answer. None: it answers nothing that is asked now.
   std::optional<Heard> on_answer(const msg::Recognised& answer);
-  /// Among how many the proposed ones were found, for people: "of 4211 (300 more are not signed yet)"; empty: no
-  /// answer has come.
+  /// Returns among how many the proposed ones were found, for people: "of 4211 (300 more are not signed yet)"; empty:
+  /// no answer has come.
   const std::string& among() const { return among_; }
 
  private:

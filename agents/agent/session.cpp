@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kHelloUnheard = 2s;
 constexpr Duration kHelloHeard = 15s;
-/// While somebody claims to be the server; what is lost on the way is asked again this soon.
+/// Sets how soon a hello is said again while somebody claims to be the server: one may be lost on the way.
 constexpr Duration kHelloAsking = 500ms;
 constexpr Duration kConfirmedWithin = 3s;
 constexpr std::size_t kMostClaims = 4;

@@ -31,7 +31,7 @@ class Session {
 
   /// The server has answered something that this incarnation asked: what it says from here on it says to us.
   void answered(const msg::Header& header);
-  /// False for orders that may have been meant for an earlier incarnation of this robot and were late on the way.
+  /// Returns false for orders that may be late and have been meant for an earlier incarnation of this robot.
   bool is_meant_for_me(const msg::Header& header, SteadyTime now) const;
 
   /// Returns the header for the next message of this agent.
@@ -46,7 +46,7 @@ class Session {
 
   bool heard_server() const { return server_incarnation_.has_value(); }
   Epoch epoch() const { return epoch_; }
-  /// Why this agent cannot work with its server; empty when it can.
+  /// Returns why this agent cannot work with its server; empty when it can.
   const std::string& incompatible() const { return incompatible_; }
   const Counters& counters() const { return counters_; }
 

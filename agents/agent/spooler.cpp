@@ -215,7 +215,7 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   return heard;
 }
 
-/// Until the server has all that its edges name.
+/// Returns whether a batch has to wait until the server has all that its edges name.
 bool Spooler::waits(const Pending& pending) const {
   const Batch& batch = pending.batch;
   return std::any_of(batch.edges.begin(), batch.edges.end(), [&](const Edge& edge) {

@@ -55,7 +55,7 @@ class Spooler {
   Heard on_ack(const msg::BatchAck& ack, SteadyTime now);
   /// The server asks for (the rest of) a content.
   void on_request(const msg::ContentRequest& request, SteadyTime now);
-  /// Whatever was under way to the old server is sent again.
+  /// Sends again whatever was under way to the old server.
   void server_restarted(SteadyTime now);
 
   /// Closes an old batch, and gives the batches whose time to be sent has come.

@@ -44,7 +44,7 @@ struct Step {
   CommonErrors common = CommonErrors::Zero();
 };
 
-/// Why something was not accepted: a name that is counted and shown, the measured value and its bound.
+/// Tells why something was not accepted: a name that is counted and shown, the measured value and its bound.
 struct Refusal {
   std::string_view reason;  ///< static text, e.g. "few_inliers"
   double measured = 0.0;

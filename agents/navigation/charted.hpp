@@ -61,7 +61,7 @@ class Charted<M> {
     since_.reset();
   }
 
-  /// After `prepare`. The belief is the method's own; what the robot believes stays in agents' Belief.
+  /// Locates a view, after `prepare`. The belief is the method's own; what the robot believes is in agents' Belief.
   Located<Belief> locate(const Content& seen) {
     Located<Belief> located = method_->locate(*chart_, *belief_, since_.value_or(Step{Metric2{}, true, {}}), seen);
     belief_ = located.belief;

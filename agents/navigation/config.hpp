@@ -84,7 +84,7 @@ struct LearnConfig {
   double sure_m = 0.5;  ///< travelled since the fix before: a view that has shown less is not learned from; (0, 5]
 };
 
-/// All of teach, localise, follow. Checked once, fixed afterwards.
+/// Holds all settings of teach, localise, follow. Checked once, fixed afterwards.
 struct NavigationConfig {
   TeachConfig teach;
   BeliefConfig belief;

@@ -279,7 +279,7 @@ class Localiser {
     return false;
   }
 
-  /// True when this sample is done: a fix was found, believed or not.
+  /// Tries to find a fix at a place. Returns true when this sample is done: one was found, believed or not.
   bool try_place(const PlaceId& id, const Content& seen, const Window& map, const Contents& bytes,
                  DecodedContents<M>& decoded, std::uint32_t& tries, Outcome& outcome) {
     const Place* const place = map.place(id);

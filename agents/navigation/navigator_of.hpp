@@ -359,7 +359,7 @@ class NavigatorOf final : public Navigator {
     navigated.refusals.insert(navigated.refusals.end(), outcome.refusals.begin(), outcome.refusals.end());
   }
 
-  /// While it drives a route by itself and knows where it is.
+  /// Learns places while the robot drives a route by itself and knows where it is.
   void learn(bool hand, const MapView& map, Navigated& navigated) {
     if constexpr (Learns<M>) {
       if (hand || teacher_ || !follower_.route() || !estimate() || localiser_.seeking())

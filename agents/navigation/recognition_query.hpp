@@ -22,7 +22,7 @@ class RecognitionQuery {
   void ask(Signature seen, std::string_view method, std::uint32_t content_format);
   /// Asks on, as what was proposed was in vain: the same signature again, for the places behind those.
   void ask_on();
-  /// False: that question is not open.
+  /// Takes note of an answer. Returns false when that question is not open.
   bool answered(std::uint64_t number, std::size_t places);
 
   /// The answer had places, and there may be more.

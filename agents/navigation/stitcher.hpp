@@ -93,7 +93,7 @@ class Stitcher {
     Relation place_from_kept;
   };
 
-  /// All that may be seen from here, at any heading. Not what has just been driven.
+  /// Returns all places that may be seen from here, at any heading, but for what has just been driven.
   std::vector<Candidate> known_around(const Window& map, const Teacher& teacher, const PlaceId& kept,
                                       const Content& content) const {
     constexpr std::uint32_t everywhere = 100'000;  // hops; the number of places is bounded by the window's cap

@@ -19,7 +19,7 @@ class Teacher {
   void ask() { asked_ = true; }
   /// The run ends here: is this far enough from the last place to be one of its own?
   bool worth_an_end() const;
-  /// Since the last place, at all.
+  /// Returns whether there was any step since the last place.
   bool has_moved() const { return since_.has_value(); }
 
   /// Keeps a place here: its odometry edge is blind if any step since the last place was.

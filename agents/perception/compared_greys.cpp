@@ -15,8 +15,8 @@ struct Pair {
   cv::Point2d first, second;  ///< in halves of what a descriptor sees, (-1, 1)
 };
 
-/// Both points drawn about the middle (G II of the paper, a little wider); the same for ever, as maps hold what they
-/// gave.
+/// Draws both points of each pair about the middle (G II of the paper, a little wider); the same for ever, as maps
+/// hold what they gave.
 std::array<Pair, kComparisons> drawn_pairs() {
   constexpr double sigma = 0.42;
   Random random(7);

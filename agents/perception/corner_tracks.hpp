@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// True when the image holds width * height pixels.
+/// Returns whether the image holds width * height pixels.
 bool is_whole(const Image& image);
 
 /// An image prepared for tracking. Shares its levels; copying is cheap. Keeps its own pixels.

@@ -85,7 +85,7 @@ class Solver {
   }
 
  private:
-  /// Without what was held beforehand: who adds up several looks would count that with each of them.
+  /// Takes out what was held beforehand: who adds up several looks would count that with each of them.
   static std::optional<FocalShare> by_views_alone(const FocalShare& found) {
     constexpr double beforehand = kSaidTo * kSaidTo;
     if (found.variance > kHardlyTold * beforehand) return std::nullopt;

@@ -29,7 +29,7 @@ struct HeadingVote {
   std::vector<Match> agreeing = {};  ///< those that are its votes
 };
 
-/// Why nothing is said: few_features or no_majority; with the number and its bound.
+/// Tells why nothing is said: few_features or no_majority; with the number and its bound.
 struct Undecided {
   std::string_view reason;
   double measured = 0.0;

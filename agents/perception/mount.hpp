@@ -46,7 +46,7 @@ class MountFilter {
  public:
   MountFilter(const CameraModel& camera, const MountPrior& prior);
 
-  /// False: the views do not fit one plane, and nothing is learnt of them.
+  /// Learns from views. Returns false when they do not fit one plane, and nothing is learnt of them.
   bool add(const FloorViews& views);
 
   /// Forgets: keeps this share of what is known.
@@ -79,7 +79,7 @@ class MountWatch {
   void add(const FloorViews& views);
   /// Returns the tilt, as far as it is known by now.
   MountTilt tilt() const { return filter_.tilt(); }
-  /// None before 10 pairs of views.
+  /// Returns the report; none before 10 pairs of views.
   std::optional<MountReport> report() const;
 
  private:
@@ -96,7 +96,7 @@ struct MountLever {
   double yaw_sigma_rad = 0.0;
   double forward_sigma_m = 0.0;
 };
-/// None when there are fewer than 5 motions. `before`: 1 sigma of both corrections, which what is not seen keeps.
+/// Returns the corrections; none of fewer than 5 motions. `before`: 1 sigma of both, which what is not seen keeps.
 std::optional<MountLever> lever_from(const std::vector<Pose2>& a_from_b, double yaw_before_rad,
                                      double forward_before_m);
 

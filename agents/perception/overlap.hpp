@@ -15,7 +15,7 @@ Polygon counter_clockwise(Polygon polygon);
 
 /// The part of a convex polygon where normal . p + offset >= 0.
 Polygon clip_half_plane(const Polygon& polygon, const Eigen::Vector2d& normal, double offset);
-/// Both convex and counter-clockwise (Sutherland & Hodgman 1974).
+/// Returns the common part of two polygons, both convex and counter-clockwise (Sutherland & Hodgman 1974).
 Polygon intersection(const Polygon& a, const Polygon& b);
 
 /// The part of the floor that one camera sees: its footprint and how floor becomes image.

@@ -47,9 +47,9 @@ struct PlanarFit {
   bool converged = false;
 };
 
-/// All six degrees of freedom, then projected: Gauss-Newton on reprojection errors in b with Huber weights (threshold
-/// `huber` sigmas) and the prior, from `start`. Rigid planar motion alone turns a bump of 0.05 degrees into 9 % of
-/// speed; the prior keeps what one pair of views cannot know (common tilt, height) where it was.
+/// Fits all six degrees of freedom, then projects: Gauss-Newton on reprojection errors in b with Huber weights
+/// (threshold `huber` sigmas) and the prior, from `start`. Rigid planar motion alone turns a bump of 0.05 degrees
+/// into 9 % of speed; the prior keeps what one pair of views cannot know (common tilt, height) where it was.
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 

@@ -5,8 +5,8 @@
 
 namespace weft::agents {
 
-/// At most `count` of the corners, the strongest of each cell of a grid of `columns` x `rows` in turn: a corner in an
-/// empty stretch tells more than one more in a crowd.
+/// Returns at most `count` of the corners, the strongest of each cell of a grid of `columns` x `rows` in turn: a
+/// corner in an empty stretch tells more than one more in a crowd.
 std::vector<cv::KeyPoint> spread_corners(std::vector<cv::KeyPoint> found, const cv::Size& size, int columns, int rows,
                                          int count);
 

@@ -30,7 +30,7 @@ struct UprightConfig {
   double smoothing_cells = 0.1;   ///< [0.02, 1] of grey values before they are compared or differentiated
 };
 
-/// At least 3.
+/// Returns the side of a descriptor's cell, in pixels; at least 3.
 int cell_px(const UprightConfig& config, int width_px);
 
 /// AGAST corners (Mair et al. 2010), spread over the image, the strongest first of each part. None of an image that

@@ -33,7 +33,7 @@ class FollowMission {
   void tick(bool may_drive, SteadyTime now);
 
   void stop(SteadyTime now);
-  /// After a stop.
+  /// Lets the robot drive on after a stop.
   void resume(SteadyTime now) { at_latest_ = now; }
   void fail(const std::string& reason, SteadyTime now);
   /// A search for where the robot is begins: the route waits for its end.

@@ -111,7 +111,7 @@ std::string as_toml(const Flag& flag, const std::vector<std::string>& values) {
   return line + "\n";
 }
 
-/// Both sources at once: the file is asked for every key, so that its own mistakes show, the command line wins.
+/// Reads both sources at once: asks the file for every key, so that its own mistakes show; the command line wins.
 class Sources {
   template <class Read>
   auto pick(const char* key, Read read) const {

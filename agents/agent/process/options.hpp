@@ -12,7 +12,7 @@
 
 namespace weft::agents {
 
-/// All settings of the process. A flag wins over the file, the file over the default.
+/// Holds all settings of the process. A flag wins over the file, the file over the default.
 struct Options {
   std::string name;
   std::string state;                 ///< directory

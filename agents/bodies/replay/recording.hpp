@@ -28,7 +28,7 @@ struct RecordedWheels {
 /// Rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line and what is wrong.
 Result<std::vector<RecordedWheels>> parse_wheels(const std::string& text, const std::string& file_name);
 
-/// Between the rows around each time; none outside of them.
+/// Returns the wheels' motion, read between the rows around each of the two times; none outside of them.
 std::optional<WheelStep> wheels_between(const std::vector<RecordedWheels>& rows, SensorTime from, SensorTime to);
 
 }  // namespace weft::agents::replay

@@ -28,7 +28,7 @@ class Base {
   void advance(const Twist& command, double duration_s);
 
   const Pose2& site_from_robot() const { return site_from_robot_; }
-  /// True motion now; zero against a box.
+  /// Returns the true motion now; zero against a box.
   Twist velocity() const { return velocity_; }
   /// Nothing rolls and nothing that was commanded waits.
   bool at_rest() const;

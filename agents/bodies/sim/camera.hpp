@@ -89,7 +89,7 @@ class Camera {
     float albedo = 0.0F;
     Eigen::Vector3f at = Eigen::Vector3f::Zero();
   };
-  /// At a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
+  /// Holds the light at a pixel: developed grey = floor albedo * gain + add; of anything else, grey * camera_gain.
   struct PixelLight {
     float gain, add, camera_gain;
   };

@@ -123,7 +123,7 @@ void Camera::find_boxes(const FloorShot& shot) {
   cast_cells(shot);
 }
 
-/// Between images nothing is hit: clearing what was cast is cheaper than a whole picture.
+/// Clears what was hit, so that between images nothing is: cheaper than to clear a whole picture.
 void Camera::forget_boxes() {
   for (int v = 0; v < camera_.height; ++v) {
     for (int u = 0; u < camera_.width; u += kShadeCell) {

@@ -53,7 +53,7 @@ void Camera::light_grid(const FloorShot& shot) {
 
 namespace {
 
-/// Between a cell's corners: `s` to the right and `t` down, from `above` and the one after it to those `below`.
+/// Interpolates in a cell: `s` to the right and `t` down, from `above` and the one after it to those `below`.
 float between(const float* above, const float* below, float s, float t) {
   return (1 - t) * ((1 - s) * above[0] + s * above[1]) + t * ((1 - s) * below[0] + s * below[1]);
 }

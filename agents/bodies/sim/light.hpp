@@ -25,7 +25,7 @@ class Light {
   /// grey levels that the mirrored lamps add. `shadow_share` 0: no shadow. All spans of one length.
   void on_floor(std::span<const float> x, std::span<const float> y, const Eigen::Vector3d& eye,
                 const ShadowBody& body, double shadow_share, std::span<float> gain, std::span<float> shine) const;
-  /// On upright faces at points (x, y, z), without shadow or shine.
+  /// Lights upright faces at points (x, y, z), without shadow or shine.
   void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                std::span<float> gain) const;
   /// Lamps far from the robot are taken without shadow and shine. `time_s` is what moving shadows move by.

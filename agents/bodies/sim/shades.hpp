@@ -11,7 +11,7 @@ namespace weft::agents::sim {
 class Shades {
  public:
   explicit Shades(const Change& change);
-  /// Only those near (x, y) count from then on, at that time.
+  /// Lets only those near (x, y) count from then on, as they stand at that time.
   void look_around(double x, double y, double time_s);
   bool any_shadow() const { return !near_shadows_.empty(); }
   bool any_wet() const { return !near_wet_.empty(); }

@@ -48,7 +48,7 @@ struct TimedCamera {
   double last_s = 0.0;
 
   double period_s(bool at_rest) const { return 1.0 / (at_rest ? fps_at_rest : fps); }
-  /// Until its next image.
+  /// Returns the time until its next image, in seconds.
   double wait_s(double now_s, bool at_rest) const {
     return std::max(1e-3, last_s == now_s ? period_s(at_rest) : last_s + period_s(at_rest) - now_s);
   }

@@ -13,7 +13,7 @@
 namespace weft::agents {
 namespace {
 
-/// At the focal length that contents are of.
+/// Returns the image at the focal length that contents are of.
 Image resampled(const Image& image, double scale) {
   constexpr double same = 1e-3;
   if (std::abs(scale - 1.0) < same) return image;

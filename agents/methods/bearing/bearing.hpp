@@ -58,7 +58,7 @@ class Bearing {
   /// AlongPath, by the wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
 
-  /// None: it is not known how the view was exposed, or it is no image of the camera.
+  /// Returns the exposure to wish for. None: the view's own is not known, or it is no image of the camera.
   std::optional<Exposure> expose(const Odometry& odometry, const View& view) const;
 
   /// Refusals: not_an_image, wrong_size, few_features.
@@ -80,7 +80,7 @@ class Bearing {
   /// The velocity profile (III-B).
   static Twist driven(const Content& content) { return content.driving; }
 
-  /// None: corners that look alike are everywhere.
+  /// Returns none: corners that look alike are everywhere.
   std::optional<Signature> sign(const Content&) const { return std::nullopt; }
 
   Chart chart(const std::vector<ChartPlace<Content>>& around) const;

@@ -41,7 +41,7 @@ class Floor {
   enum class SeenBy { nothing, corners, grey_values, features };
   static std::string_view name_of(SeenBy by);
 
-  /// Between samples. Motion is measured against a keyframe some frames back: standing still adds no drift.
+  /// Is kept between samples. Motion is measured against a keyframe some frames back: standing still adds no drift.
   struct Odometry {
     TrackingImage newest;  ///< none: nothing has been seen since vision went blind
     Image keyframe_view;

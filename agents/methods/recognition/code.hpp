@@ -35,7 +35,7 @@ class UsualLevels {
 /// it, not with a code of it.
 class CodeQuery {
  public:
-  /// At most `longest_signature` finite numbers.
+  /// Takes a signature of at most `longest_signature` finite numbers.
   CodeQuery(const Signature& seen, const UsualLevels& usual);
 
   /// The likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike.

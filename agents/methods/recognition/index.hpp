@@ -24,7 +24,7 @@ class RecognitionIndex {
   };
   using ChunkKey = std::pair<ExperienceId, std::uint32_t>;  ///< index of the place / chunk_places
 
-  /// False, and nothing put: it has no number or too many, one is not finite, or not as many as those before it.
+  /// Puts a signature. False, nothing put: no number or too many, one is not finite, or not as many as those before.
   bool put(const PlaceId& id, const Signature& signature);
   bool has(const PlaceId& id) const;
   void forget(ExperienceId experience);
@@ -59,7 +59,7 @@ class RecognitionSearch {
   RecognitionSearch(const RecognitionIndex& index, const Signature& seen, std::size_t keep)
       : query_(seen, index.usual()), keep_(keep) {}
 
-  /// At most about `places` more. Of the likeliest only those that are in `now` count. False: it has seen all.
+  /// Compares about `places` more. Of the likeliest only those in `now` count. Returns false when it has seen all.
   bool step(const RecognitionIndex& index, const Snapshot& now, std::size_t places);
   /// The likeliest first, ties by id.
   std::vector<PlaceId> ranked() const;

@@ -36,8 +36,8 @@ struct Sighting {
   std::vector<Eigen::Vector2d> pixels;    ///< the centre of the first pixel at (0, 0)
 };
 
-/// None: the image does not show the whole chessboard, or fewer than 4 tags that lie as the board has them. Whole
-/// images only (`is_whole`).
+/// Finds the board. None: the image does not show the whole chessboard, or fewer than 4 tags that lie as the board
+/// has them. Whole images only (`is_whole`).
 std::optional<Sighting> find_board(const Image& image, const Board& board);
 
 }  // namespace weft::agents

@@ -39,7 +39,7 @@ class Textures {
   /// Procedural but for what was photographed; `floor` is what the site's floor cameras see, too.
   Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed);
 
-  /// Without its light, and valid as long as this is.
+  /// Returns a quad's face without its light. Valid as long as this is.
   ShadedFace of(const Quad& quad) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace weft::agents {
 
-/// None: the file cannot be read, is no image, or is damaged.
+/// Reads an image in grey. None: the file cannot be read, is no image, or is damaged.
 std::optional<Image> read_grey(const std::string& file);
 
 }  // namespace weft::agents
