@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// In the chart's units, y upwards.
+/// Describes a curve in the chart's units, y upwards.
 struct Curve {
   std::string name;                    ///< in the legend
   std::vector<drawing::Point> points;  ///< one that is not finite leaves a gap

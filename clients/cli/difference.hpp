@@ -22,7 +22,7 @@ NetworkDifference compare(const Window& from, const Window& to);
 /// Sorted lists, as a snapshot has them.
 void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found);
 
-/// Both at once, for laying out and drawing: places and edges of either; where both have one, that of `to`.
+/// Joins both for laying out and drawing: places and edges of either; where both have one, that of `to`.
 Window united(const Window& from, const Window& to);
 
 }  // namespace weft::cli

@@ -45,7 +45,7 @@ Legend difference_legend(const Window& from, const Window& to, const NetworkDiff
   return legend;
 }
 
-/// Both revisions as one network.
+/// Shows both revisions as one network.
 class TwoRevisions {
  public:
   TwoRevisions(const Window& from, const Window& to)

@@ -109,7 +109,7 @@ Exit info(const Invocation& invocation, const Output& output) {
   return Exit::done;
 }
 
-/// All that were read, as one; several only of pose graphs.
+/// Joins all contents that were read into one; several only of pose graphs.
 Result<Content> joined(std::vector<Content> contents) {
   if (contents.size() == 1) return std::move(contents.front());
   std::vector<formats::PoseGraph> graphs;

@@ -23,7 +23,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 template <class T>
 class Pieces {
  public:
-  /// True once all are there.
+  /// Adds a piece. Returns true once all are there.
   bool add(std::uint32_t part, std::uint32_t parts, const T& piece) {
     if (parts == 0 || part >= parts) return false;
     if (parts != parts_) {

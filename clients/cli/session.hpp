@@ -36,7 +36,7 @@ class Session {
   /// timed_out: no answer within `at_most`, and of long work no word for so long. What the request asked for may
   /// still happen.
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
-  /// All parts joined into one. refused, internal: in the server's words, why it has no answer.
+  /// Asks the server, and joins all parts of its answer. refused, internal: in the server's words, why it has none.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
   struct Wanted {
     Revision at = {};          ///< 0: as it is
@@ -46,8 +46,8 @@ class Session {
   /// The whole network, page by page, none of which may take longer than `at_most`.
   Result<Window> network(Wanted wanted, Duration at_most, const PageProgress& under_way = {});
 
-  /// Until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused: in the
-  /// server's words. What was acknowledged stays.
+  /// Uploads until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused:
+  /// in the server's words. What was acknowledged stays.
   Result<void> upload(Uploader& uploader, Duration quiet);
 
   GoalId new_goal();
