@@ -7,7 +7,7 @@
 namespace weft::evaluate {
 namespace {
 
-/// What every study of floors in simulation understands.
+/// Adds the flags that every study of floors in simulation understands.
 std::vector<CLI::Option*> flags_of_floors(CLI::App* sub, FloorOptions& options, const std::string& kept_seeds,
                                           std::string& seeds) {
   options.site = "deploy/sites/demo.toml";
@@ -25,7 +25,7 @@ std::vector<CLI::Option*> flags_of_floors(CLI::App* sub, FloorOptions& options, 
                  "[deploy/sites/demo.toml]")};
 }
 
-/// Of those that drive along a line of the site.
+/// Adds the flags of those studies that drive along a line of the site.
 std::vector<CLI::Option*> flags_of_line(CLI::App* sub, FloorOptions& options) {
   const auto option = flags_of(sub);
   return {option("--along", options.along, "FILE",
@@ -36,7 +36,7 @@ std::vector<CLI::Option*> flags_of_line(CLI::App* sub, FloorOptions& options) {
 
 }  // namespace
 
-/// What only one of the two understands is refused with the other.
+/// Adds `floor`, a study or a replay; flags that only one of the two understands are refused with the other.
 CLI::App* describe(CLI::App& app, FloorWords& words) {
   CLI::App* const sub = app.add_subcommand(
       "floor",

@@ -18,7 +18,7 @@ bool number_from(std::string_view text, std::uint64_t& into) {
   return problem == std::errc() && end == text.data() + text.size();
 }
 
-/// One line. CLI11 misses a subcommand before it looks at what stood in its place, which is what helps most.
+/// Puts a mistake into one line. CLI11 misses a subcommand before it sees what stood in its place: that helps most.
 NotRun mistake(const CLI::App& app, const std::string& what) {
   const std::vector<std::string> strays = app.remaining(true);
   std::string words = what;

@@ -20,7 +20,7 @@
 
 namespace weft::evaluate {
 
-/// A command line that is not to be run: help, or a mistake in one line.
+/// Answers a command line that is not to be run: help, or a mistake in one line.
 struct NotRun {
   int exit_code = 2;
   std::string text;
@@ -36,7 +36,7 @@ using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, 
                             HeadingOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
-/// "A..B", or one number. invalid: says what is wrong.
+/// Reads "A..B", or one number. invalid: says what is wrong.
 Result<Seeds> parse_seeds(std::string_view text);
 
 }  // namespace weft::evaluate

@@ -9,14 +9,14 @@
 
 namespace weft::evaluate {
 
-/// How a subcommand's flags are added.
+/// Returns what adds one flag after the other to a subcommand.
 inline auto flags_of(CLI::App* sub) {
   return [sub](const char* flag, auto& into, const char* unit, const std::string& help) {
     return sub->add_option(flag, into, help)->type_name(unit);
   };
 }
 
-/// The study in simulation, or a recording replayed.
+/// Holds the flags of `floor`: of the study in simulation, or of a recording to be replayed.
 struct FloorWords {
   FloorOptions study;
   std::string seeds;
@@ -39,7 +39,7 @@ struct BearingRelocaliseWords {
   bool is_quick = false;
 };
 
-/// Each adds its subcommand; flags write into what is given.
+/// Adds a subcommand to the program, one function each; its flags write into what is given.
 CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, FloorWords& words);
 CLI::App* describe(CLI::App& app, AttemptsOptions& options, std::string& seeds);

@@ -8,11 +8,11 @@
 
 namespace weft::evaluate {
 
-/// A teach line (docs/simulation.md): "x y" a row, metres in the site's frame, '#' begins a comment.
-/// invalid: names file and row.
+/// Reads a teach line (docs/simulation.md): "x y" a row, metres in the site's frame, '#' begins a comment. invalid:
+/// names file and row.
 Result<std::vector<agents::SitePoint>> parse_line(std::string_view text, const std::string& file);
 
-/// The line's beginning, this long. invalid: it is shorter.
+/// Returns the line's beginning, this long. invalid: it is shorter.
 Result<std::vector<agents::SitePoint>> first_metres(const std::vector<agents::SitePoint>& line, double metres,
                                                     const std::string& file);
 

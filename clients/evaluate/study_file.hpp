@@ -6,7 +6,7 @@
 
 #include "core/result.hpp"
 
-/// The JSON files that studies keep their rows in, and are resumed from.
+/// Reads and writes the JSON files that studies keep their rows in, and are resumed from.
 namespace weft::evaluate {
 
 using TakeDocument = std::function<void(const nlohmann::json& document)>;
@@ -25,7 +25,7 @@ Result<void> read_rows_of(const std::filesystem::path& file, const nlohmann::jso
 Result<void> write_series(const std::filesystem::path& folder, const std::string& name,
                           const nlohmann::json& document);
 
-/// NaN of null, which is what NaN is written as.
+/// Returns the number; NaN of null, which is what NaN is written as.
 double number_from(const nlohmann::json& number);
 
 }  // namespace weft::evaluate

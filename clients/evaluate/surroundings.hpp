@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-/// What every study is told and gives back.
+/// Holds the evaluation; here: what every study is told and gives back.
 namespace weft::evaluate {
 
 struct Seeds {
@@ -20,14 +20,14 @@ struct Surroundings {
   std::function<bool()> asked_to_stop;
 };
 
-/// `missed`: all was measured and written, and something that is promised does not hold; the table says what.
+/// Tells how a study ended. `missed`: all was measured and written, but a promise does not hold, as the table says.
 enum class Ended { complete, stopped, missed };
 
-/// Rows there are to measure, and how fast it goes.
+/// Counts the rows that there are to measure, and tells how fast it goes.
 class RowsMeasured {
  public:
   RowsMeasured(std::size_t all, std::size_t kept, const Surroundings& around);
-  /// One more is there.
+  /// Reports that one more row is there.
   void row(const std::string& what);
 
  private:

@@ -4,11 +4,11 @@
 
 namespace weft::evaluate {
 
-/// So many digits after the point; "-" for what is not finite.
+/// Returns the value with so many digits after the point; "-" for what is not finite.
 std::string cell(double value, int digits);
 
-/// Markdown with aligned columns: the first row is the heading, the first `words` columns are words, the others
-/// numbers.
+/// Returns Markdown with aligned columns: the first row is the heading, the first `words` columns are words, the
+/// others numbers.
 std::string markdown_table(const std::vector<std::vector<std::string>>& rows, std::size_t words);
 
 }  // namespace weft::evaluate

@@ -11,11 +11,11 @@
 
 namespace weft::evaluate {
 
-/// What the server does for navigation, without wire and store: takes in what was taught, checked as intake checks
-/// it, hands out the whole network as a window, plans routes on it.
+/// Does what the server does for navigation, without wire and store: takes in what was taught, checked as intake
+/// checks it, hands out the whole network as a window, plans routes on it.
 class TaughtMap final : public agents::Contents {
  public:
-  /// internal: a batch that the server would refuse.
+  /// Takes in a batch. internal: one that the server would refuse.
   Result<void> take(ExperienceId experience, RobotId robot, std::string_view method,
                     const std::vector<agents::Kept>& kept);
 
@@ -26,7 +26,7 @@ class TaughtMap final : public agents::Contents {
   agents::MapView view() const { return {window_, *this}; }
   const Snapshot& snapshot() const { return snapshot_; }
 
-  /// The shortest one, released to its end. Errors of shortest_path.
+  /// Returns the shortest route, released to its end. Errors of shortest_path.
   Result<Route> route(const PlaceId& from, const PlaceId& to, std::string_view method) const;
 
  private:

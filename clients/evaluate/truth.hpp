@@ -8,13 +8,13 @@
 
 namespace weft::evaluate {
 
-/// Where a simulated robot was at one frame.
+/// Tells where a simulated robot was at one frame.
 struct TrueMoment {
   double true_s = 0.0;  ///< of the simulation's clock
   Pose2 site_from_robot;
 };
 
-/// A truth file (docs/simulation.md) of one robot, by frame. unavailable: cannot be read; corrupt: names the line.
+/// Reads one robot's truth file (docs/simulation.md), by frame. unavailable: cannot be read; corrupt: names the line.
 Result<std::map<std::uint64_t, TrueMoment>> read_truth(const std::filesystem::path& file);
 
 }  // namespace weft::evaluate

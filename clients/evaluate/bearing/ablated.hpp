@@ -9,9 +9,9 @@
 
 namespace weft::evaluate::bearing {
 
-/// `bearing` with parts taken away, steered as Krajnik et al. 2018 do: turning as taught, and against the heading
-/// seen. The distance stays the wheels'; or (IV-B) the profile is replayed without looking, or the robot drives at a
-/// constant speed, steers by what it sees alone, and knows no bends.
+/// Drives by `bearing` with parts taken away, steered as Krajnik et al. 2018 do: turning as taught, and against the
+/// heading seen. The distance stays the wheels'; or (IV-B) the profile is replayed without looking, or the robot
+/// drives at a constant speed, steers by what it sees alone, and knows no bends.
 class Ablated {
  public:
   static constexpr std::string_view name = agents::Bearing::name;
@@ -83,7 +83,7 @@ class Ablated {
                          [&](const agents::Bearing::Stop& stop) { return stop.place == place; });
   }
 
-  /// Without vision, and never in doubt.
+  /// Returns where the wheels alone take the robot to be; never in doubt.
   static agents::Located<Belief> as_the_wheels_say(const Chart& chart, Belief belief, const agents::Step& step) {
     belief.centre_from_robot = std::get<AlongPath>(compose(belief.centre_from_robot, step.previous_from_current));
     const auto apart = [&](const agents::Bearing::Stop& stop) {
@@ -95,7 +95,7 @@ class Ablated {
     return {belief, agents::Fix{nearest->place, here, {here}}, {}};
   }
 
-  /// The heading is what the place at this distance shows, and nothing where it shows none; wheels tell of no turn.
+  /// Returns the heading that the place at this distance shows, none where it shows none; wheels tell of no turn.
   agents::Located<Belief> turned_as_it_looks(const Chart& chart, Belief belief, const agents::Step& step,
                                              const Content& seen) const {
     agents::Located<Belief> located = as_the_wheels_say(chart, std::move(belief), step);
@@ -112,7 +112,7 @@ class Ablated {
     return located;
   }
 
-  /// At a constant speed, and as gently as a robot may that looks ten times a second.
+  /// Steers at a constant speed, and as gently as a robot may that looks ten times a second.
   static agents::Twist towards_what_is_seen(const agents::Ahead& ahead) {
     constexpr double speed_m_s = 0.5;  // at which the straights are taught
     constexpr double heading_gain_1_s = 1.0;
@@ -122,7 +122,7 @@ class Ablated {
     return {speed_m_s, heading_gain_1_s * place->heading};
   }
 
-  /// The heading alone is seen; the distance stays the wheels'.
+  /// Takes the seen distance out of a fix: only its heading counts, the distance stays the wheels'.
   static void forget_how_far(const Chart& chart, agents::Located<Belief>& located) {
     const AlongPath& centre_from_place = stop_of(chart, located.fix->place).centre_from_place;
     const Relation by_wheels = compose(inverse(Relation{centre_from_place}), located.belief.centre_from_robot);

@@ -6,7 +6,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// What is promised of a trial, of its median and its worst over the seeds.
+/// Bounds what is promised of a trial: its median and its worst over the seeds.
 struct Bound {
   enum class Of {
     error_m,         ///< after so many loops
@@ -21,13 +21,13 @@ struct Bound {
   double median = 0.0;
   double worst = 0.0;
 
-  /// What the paper shows to fail is to fail here.
+  /// Returns whether a value has to be at least as large: what the paper shows to fail is to fail here.
   bool is_least() const { return of == Of::drift_m_a_loop; }
 };
 const std::vector<Bound>& bounds();
-/// "oval, after 2 loops".
+/// Returns the bound in words: "oval, after 2 loops".
 std::string name_of(const Bound& bound);
-/// NaN: it has not come so far.
+/// Returns the number that the bound is about. NaN: the robot has not come so far.
 double value_of(const Bound& bound, const Score& score);
 
 struct Judged {
@@ -42,13 +42,13 @@ std::vector<Judged> judge(const Rows& rows, Seeds seeds);
 /// Whether one that was measured does not hold.
 bool is_any_missed(const std::vector<Judged>& all);
 
-/// Errors of all seeds after so many loops; NaN: not come so far.
+/// Returns the errors of all seeds after so many loops; NaN: not come so far.
 std::vector<double> errors_after(const Rows& rows, Seeds seeds, const std::string& trial, std::size_t loops);
 
-/// NaN, which stands for not having come so far, is the largest; of nothing NaN.
+/// Returns the median. NaN, which stands for not having come so far, counts as the largest; of nothing NaN.
 double median_of(std::vector<double> values);
 
-/// Two tables: the bounds, and each trial with what ended it, l and the model's band.
+/// Returns two tables: the bounds, and each trial with what ended it, l and the model's band.
 std::string tables_of(const Rows& rows, Seeds seeds);
 
 }  // namespace weft::evaluate::bearing

@@ -6,7 +6,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// The one of that name, or all without a name. invalid: names the option and what there is.
+/// Returns the one of that name, or all without a name. invalid: names the option and what there is.
 template <class Named>
 Result<std::vector<Named>> chosen(const std::vector<Named>& all, const std::string& one, const std::string& option) {
   if (one.empty()) return all;

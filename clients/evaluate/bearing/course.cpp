@@ -14,7 +14,7 @@ constexpr int kSettles = 20;         // samples for the camera to find its expos
 const ExperienceId kExperience{1};
 const RobotId kTeacher{{1}};
 
-/// Where the end of the run is joined to its beginning. None: nowhere.
+/// Returns the edge that joins the end of the run to its beginning. None: it was not found to come back.
 std::optional<Edge> closing_edge(const TaughtMap& map, const PlaceId& last) {
   std::optional<Edge> closing;
   map.snapshot().for_each_edge(last, [&](const Edge& edge) {

@@ -14,14 +14,14 @@
 
 namespace weft::evaluate::bearing {
 
-/// What of the method drives: all of it, what Krajnik et al. 2018 have of it (the distance is the wheels' alone), or
+/// Tells what of the method drives: all, what Krajnik et al. 2018 have of it (the distance is the wheels' alone), or
 /// one half of that, which is their ablation (IV-B).
 enum class Parts : std::uint8_t { all, heading_only, profile_only, vision_only };
 
 /// Makes what an agent of this method would drive with.
 Result<std::unique_ptr<agents::Navigator>> make_navigator(const agents::CameraModel& camera, Parts parts);
 
-/// A closed way that one robot has been taught, with its truth: for judging, nobody else sees it.
+/// Holds a closed way that one robot has been taught, with its truth: for judging, nobody else sees it.
 struct Course {
   TaughtMap map;
   std::vector<PlaceId> places;         ///< in the order they were taught
@@ -31,28 +31,28 @@ struct Course {
   std::vector<double> along_m;         ///< of each place, from the first
   double length_m = 0.0;               ///< from the first to the last
 
-  /// Once round, from where the way closes.
+  /// Returns the length of one round, from where the way closes.
   double round_m() const;
-  /// Where the place's path truly is, so far beyond it.
+  /// Returns where the path truly is so far beyond a place.
   Pose2 site_from_path(std::size_t place, double beyond_m) const;
-  /// So many times round: the whole way first, later from where it closes; ends there.
+  /// Returns a route of so many rounds: first the whole way, later from where it closes; it ends there.
   Route loops(std::size_t count) const;
 };
 
-/// Who drives where; `asked_to_stop` is asked at every sample.
+/// Says which robot drives in which site; `asked_to_stop` is asked at every sample.
 struct Drive {
   agents::sim::SimBodyConfig body;
   std::function<bool()> asked_to_stop;
 };
 
-/// As the navigator wishes, where the body's camera can.
+/// Sets the exposure as the navigator wishes, where the body's camera can.
 void expose(agents::Body& body, const agents::Navigated& navigated);
 
-/// A hand leads the robot along the line while it is taught. None: stopped. refused: its end was not found to come
-/// back to its beginning.
+/// Teaches a robot that a hand leads along the line. None: stopped. refused: its end was not found to come back to
+/// its beginning.
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<agents::SitePoint>& line);
 
-/// The robot against where it believes to be on the path (Krajnik et al. 2018, fig. 1): metres ahead and left.
+/// Compares where the robot is and believes to be on the path (Krajnik et al. 2018, fig. 1): metres ahead and left.
 struct Deviation {
   double driven_m = 0.0;  ///< truly
   double along_m = 0.0;   ///< of the taught way, as it believes
@@ -70,14 +70,14 @@ struct Repeated {
   std::vector<agents::LearnedPlace> learned_places;
 };
 
-/// Where a robot is put down.
+/// Says where a robot is put down.
 struct Start {
   Pose2 place_from_robot;
   std::size_t place = 0;
   bool is_told = true;  ///< at which place it stands; else it finds out
 };
 
-/// The robot is put down beside the path and drives. None: stopped.
+/// Puts the robot down beside the path and has it drive so many loops. None: stopped.
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Course& course, const Start& start,
                                        std::size_t loops, Parts parts);
 

@@ -16,7 +16,7 @@ Day by_day() {
   return {"day", [](Site&) {}};
 }
 
-/// So often have 30 % of the stock changed since it was taught.
+/// Makes a day on which 30 % of the stock have changed so many times since it was taught.
 Day restocked(int times) {
   return {"stock changed " + std::to_string(times) + " times", [times](Site& site) {
             site.change.stock = times > 0 ? 0.3 : 0.0;

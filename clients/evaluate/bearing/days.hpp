@@ -7,13 +7,13 @@
 
 namespace weft::evaluate::bearing {
 
-/// On what a taught way is driven once.
+/// Describes a day on which a taught way is driven once.
 struct Day {
   std::string about;
   std::function<void(agents::sim::Site&)> as;  ///< what the site is like
 };
 
-/// One after the other, from the day after teaching on.
+/// Lists days one after the other, from the day after teaching on.
 struct Days {
   std::string name;
   std::string about;  ///< for tables

@@ -14,7 +14,7 @@ namespace {
 constexpr int kColumns = 8;  // of a grid over the image, one packet of rays for two rows
 constexpr int kRows = 6;
 
-/// Horizontal distances of what a camera there shows.
+/// Appends the horizontal distances, in metres, of what a camera there shows.
 void look(const sim::QuadScene& scene, const CameraModel& camera, const Pose3& site_from_camera,
           std::vector<double>& distances) {
   const Eigen::Matrix3f turn = site_from_camera.rotation.toRotationMatrix().cast<float>();

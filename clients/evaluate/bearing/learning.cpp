@@ -16,7 +16,7 @@
 namespace weft::evaluate::bearing {
 namespace {
 
-/// What a day was like.
+/// Holds how driving went on one day.
 struct DayScore {
   double votes = 0.0;    ///< a view that told where the robot is
   double told = 0.0;     ///< share of views
@@ -47,7 +47,7 @@ DayScore score_of(const Repeated& repeated) {
   return score;
 }
 
-/// All days with learning or without. False: stopped.
+/// Drives all days one after the other, with learning or without. Returns false when it was stopped.
 Result<bool> live(const Days& days, const Scene& scene, Course course, std::uint64_t seed, bool learns,
                   const Surroundings& around, std::vector<RowOfDay>& rows) {
   const Pose2 a_little_aside{0.0, -0.1, 0.0};

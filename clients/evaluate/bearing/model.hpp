@@ -5,27 +5,27 @@
 
 namespace weft::evaluate::bearing {
 
-/// How far a robot that only corrects its heading is off after so much of the way.
+/// Tells how far a robot that only corrects its heading is off after so much of the way.
 struct ErrorAt {
   double along_m = 0.0;
   double error_m = 0.0;
 };
 
-/// The model of Krajnik et al. 2018, II, as corrected, without disturbances, along the taught way:
-/// x' = omega y, y' = -omega x - (v / l) y, from `first` (x ahead, y left) on; l is where what is seen stands.
+/// Returns errors by the model of Krajnik et al. 2018, II, as corrected, without disturbances, along the taught way:
+/// x' = omega y, y' = -omega x - (v / l) y, from `first` (x ahead, y left) on; l is how far away what is seen stands.
 std::vector<ErrorAt> modelled(const Course& course, const Eigen::Vector2d& first, double landmark_m);
 
-/// Distances along a closed way, one after the other, as distances that go on where the way closes. The first one is
-/// about 0: what is believed to lie before the beginning is negative.
+/// Turns distances along a closed way, one after the other, into distances that go on where the way closes. The first
+/// one is about 0: what is believed to lie before the beginning is negative.
 std::vector<double> unwrapped(const std::vector<double>& along_m, double round_m);
 
-/// The first loop as it was driven, as far as the taught way goes.
+/// Returns the errors of the first loop as it was driven, as far as the taught way goes.
 std::vector<ErrorAt> first_loop_of(const Repeated& repeated, const Course& course);
 
-/// Most by which the driven loop lies beside the model.
+/// Returns the most by which the driven loop lies beside the model, in metres.
 double band_of(const std::vector<ErrorAt>& driven, const std::vector<ErrorAt>& model);
 
-/// Median horizontal distance of what the robot's camera shows along the taught way.
+/// Returns the median horizontal distance of what the robot's camera shows along the taught way.
 Result<double> landmark_distance_m(const agents::sim::Site& site, const Course& course);
 
 }  // namespace weft::evaluate::bearing

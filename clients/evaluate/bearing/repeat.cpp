@@ -15,7 +15,7 @@ constexpr int kLookAtMost = 60;       // samples standing, until it is given up 
 constexpr int kStandsAtMost = 120;    // samples on its way without moving on
 constexpr double kLongestS = 4000.0;  // on the simulation's clock
 
-/// A robot on its way, with what it has driven.
+/// Drives one robot along its way, and keeps what it has driven.
 class Repeating {
  public:
   Repeating(const Course& course, std::unique_ptr<sim::SimulatedBody> body, std::unique_ptr<Navigator> navigator)
@@ -37,7 +37,7 @@ class Repeating {
     return now;
   }
 
-  /// None: it does not know where it is.
+  /// Returns how far the robot is from where it believes to be. None: it does not know where it is.
   std::optional<Deviation> deviation() const {
     const std::optional<Estimate> here = navigator_->estimate();
     if (!here) return std::nullopt;
@@ -56,8 +56,8 @@ class Repeating {
   double now_s_ = 0.0;
 };
 
-/// How many times it has come by where the way closes, of a route of many loops. Who is off the way may take a place
-/// for its like of a later loop: a loop that was not driven for at least half of its length does not count.
+/// Returns how many times it has come by where the way closes, of a route of many loops. Who is off the way may take
+/// a place for its like of a later loop: a loop that was not driven for at least half of its length does not count.
 std::size_t loops_done(const Course& course, std::uint32_t route_at, double driven_m) {
   const std::size_t loop = course.places.size() - course.closes_at;
   const std::size_t passed = route_at < course.closes_at ? 0 : (route_at - course.closes_at) / loop;
@@ -72,7 +72,7 @@ void note(const Navigated& now, Repeated& repeated) {
   repeated.votes += now.fix->evidence.inliers;
 }
 
-/// False: stopped.
+/// Drives the route to its end or until the robot stands. Returns false when it was stopped.
 Result<bool> follow(Repeating& robot, const Drive& drive, const Course& course, std::size_t loops,
                     Repeated& repeated) {
   for (int stood = 0;;) {

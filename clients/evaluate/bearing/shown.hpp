@@ -9,7 +9,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// Of one trial with one seed, what pictures show; metres.
+/// Holds what pictures show of one trial with one seed; metres.
 struct Shown {
   using Points = std::vector<std::array<double, 2>>;
   Points taught;  ///< true ways, site frame
@@ -21,7 +21,7 @@ struct Shown {
 Shown shown_of(const Course& course, const Repeated& repeated, const std::vector<ErrorAt>& first_loop,
                const std::vector<ErrorAt>& model);
 
-/// DIR/TRIAL.json, whole or not at all. unavailable, exhausted: names the file.
+/// Writes DIR/TRIAL.json, whole or not at all. unavailable, exhausted: names the file.
 Result<void> write_shown(const std::filesystem::path& folder, const std::string& trial, const Shown& shown);
 
 }  // namespace weft::evaluate::bearing

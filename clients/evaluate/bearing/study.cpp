@@ -39,14 +39,14 @@ struct Measured {
   Shown shown;
 };
 
-/// A way that cannot be repeated counts as one that was not come back to, not as none.
+/// Scores a way that could not be taught as one on which the robot did not come back, instead of leaving it out.
 Measured not_taught(const std::string& why) {
   Measured measured;
   measured.score.ended = why;
   return measured;
 }
 
-/// None: stopped.
+/// Teaches and repeats the trial's way, and scores it. None: stopped.
 Result<std::optional<Measured>> measure(const Trial& trial, const Scene& scene, std::uint64_t seed,
                                         const Surroundings& around) {
   Drive taught_in = drive_of(scene, seed, 0, around.asked_to_stop);
@@ -115,7 +115,7 @@ Result<Ended> measure_all(const std::vector<Trial>& some, const Scenes& scenes, 
   return Ended::complete;
 }
 
-/// For pictures: the trials in their order, and the seeds asked for.
+/// Writes for pictures the trials in their order, and the seeds asked for.
 Result<void> write_trials(const BearingOptions& options) {
   nlohmann::json document = {{"seeds", {options.seeds.first, options.seeds.last}},
                              {"trials", nlohmann::json::array()}};

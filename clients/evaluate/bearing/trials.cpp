@@ -21,7 +21,7 @@ void true_wheels(Site& site) {
   site.disturbances.wheel_asymmetry = 0.0;
 }
 
-/// By a tenth to an eighth longer or shorter than at teaching, by the seed, and one larger than the other.
+/// Makes wheels a tenth to an eighth longer or shorter than at teaching, by the seed, and one larger than the other.
 void bad_wheels(Site& site) {
   site.disturbances.wheel_scale_error = 0.10;
   site.disturbances.wheel_asymmetry = 0.05;
@@ -31,12 +31,12 @@ void true_camera(Site& site) {
   site.disturbances.focal_error = 0.0;
 }
 
-/// Another robot's, whose data sheet is as far off as data sheets are.
+/// Gives the robot another camera of the make, whose data sheet is as far off as data sheets are.
 void other_camera(Site& site) {
   site.disturbances.focal_error = 0.02;
 }
 
-/// Of another make: wider, finer, with more of the lens, 10 cm higher and level.
+/// Gives the robot a camera of another make: wider, finer, with more of the lens, 10 cm higher and level.
 void other_make(Site& site) {
   agents::sim::ForwardCameraSetup& camera = site.forward_camera;
   camera.width = 400;

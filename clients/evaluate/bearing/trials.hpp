@@ -11,24 +11,24 @@
 
 namespace weft::evaluate::bearing {
 
-/// A site and the closed line that is driven in it.
+/// Holds a site and the closed line that is driven in it.
 struct Scene {
   agents::sim::Site site;
   std::vector<agents::SitePoint> line;
   std::string sha256;  ///< of both files
 };
-/// not_found, invalid: names file and line.
+/// Reads a site and a line. not_found, invalid: names file and line.
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site, const std::string& line);
 
-/// By its first robot, so many days after teaching.
+/// Describes a drive by the site's first robot, so many days after teaching.
 Drive drive_of(const Scene& scene, std::uint64_t seed, std::uint64_t day, const std::function<bool()>& asked_to_stop);
 
-/// Starlight, and a lamp on the robot.
+/// Leaves starlight only, and a lamp on the robot.
 void dark(agents::sim::Site& site);
-/// The same with half of the lamps, which ones by the seed.
+/// Leaves that and half of the lamps, which ones by the seed.
 void half_of_the_lamps(agents::sim::Site& site);
 
-/// One of the experiments of Krajnik et al. 2018, or one that goes beyond.
+/// Describes one of the experiments of Krajnik et al. 2018, or one that goes beyond.
 struct Trial {
   std::string name;
   std::string about;       ///< for tables and pictures
@@ -40,7 +40,7 @@ struct Trial {
   std::function<void(agents::sim::Site&)> as_taught;    ///< what the site is like then
   std::function<void(agents::sim::Site&)> as_repeated;  ///< and a day later
 };
-/// In the order of the table.
+/// Returns all trials in the order of the table.
 const std::vector<Trial>& trials();
 
 }  // namespace weft::evaluate::bearing

@@ -14,7 +14,7 @@ extern char** environ;
 namespace weft::evaluate {
 namespace {
 
-/// The end of a program: its output, and why it is to be taken as failed; empty: it ended with 0.
+/// Tells how a program ended: its output, and why it is to be taken as failed; empty: it ended with 0.
 struct Ran {
   std::string printed;
   std::string failure;

@@ -21,7 +21,7 @@ struct Drawer {
 std::vector<std::string> draw_pictures(const std::string& study, const std::filesystem::path& folder,
                                        const Surroundings& around, const Drawer& drawer = {});
 
-/// "no pictures", the name of the only one, "4 pictures".
+/// Returns for people what was drawn: "no pictures", the name of the only one, "4 pictures".
 std::string words_of(const std::vector<std::string>& pictures);
 
 }  // namespace weft::evaluate

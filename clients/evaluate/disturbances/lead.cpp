@@ -32,7 +32,7 @@ struct Run {
   std::vector<Kept> kept;
 };
 
-/// The poses of the frames, dropped ones included, in the order of driving.
+/// Reads the true poses of the run's frames, dropped ones included, in the order of driving.
 Result<void> add_truth(const std::filesystem::path& file, Run& run) {
   std::ifstream in(file);
   std::size_t count = 0;
@@ -91,7 +91,7 @@ Result<std::optional<Run>> lead(const LeadTask& task, const sim::SimBodyConfig& 
   return std::optional(std::move(run));
 }
 
-/// The second robot starts a hand's breadth beside the first, on other wheels.
+/// Adds a second robot, which starts a hand's breadth beside the first, on other wheels. Returns its name.
 std::string add_second(sim::Site& site) {
   sim::RobotStart second = site.robots.front();
   second.name = "beside";

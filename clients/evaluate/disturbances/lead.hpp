@@ -11,8 +11,8 @@
 
 namespace weft::evaluate {
 
-/// One robot is led along the line and remembers places; another one, built a little differently, is led along it on
-/// another day and looks for them, told nothing but its view. Both see with the method `floor`.
+/// Describes two runs: one robot is led along the line and remembers places; another one, built a little differently,
+/// is led along it on another day and looks for them, told nothing but its view. Both see with the method `floor`.
 struct LeadTask {
   agents::sim::Site site;
   std::vector<agents::SitePoint> line;
@@ -21,8 +21,8 @@ struct LeadTask {
   std::function<bool()> asked_to_stop;  ///< asked at every sample
 };
 
-/// None: stopped in the middle. Errors are the body's and the method's own: a site that cannot be driven along the
-/// line, a calibration out of bounds.
+/// Leads both robots and scores their runs. None: stopped in the middle. Errors are the body's and the method's own:
+/// a site that cannot be driven along the line, a calibration out of bounds.
 Result<std::optional<Score>> measure(const LeadTask& task);
 
 }  // namespace weft::evaluate

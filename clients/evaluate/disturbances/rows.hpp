@@ -10,7 +10,7 @@
 
 namespace weft::evaluate {
 
-/// What a folder's rows were measured of; rows of another study do not mix with them.
+/// Names what a folder's rows were measured of; rows of another study do not mix with them.
 struct Study {
   std::string software;
   std::string site_sha256;  ///< of the site file's bytes
@@ -19,10 +19,10 @@ struct Study {
   bool operator==(const Study&) const = default;
 };
 
-/// Rows by (variant, seed).
+/// Holds rows by (variant, seed).
 using Rows = std::map<std::pair<std::string, std::uint64_t>, Score>;
 
-/// The columns in order: name as in the files, heading, member.
+/// Describes a column of the tables: name as in the files, heading, member. They stand in order.
 struct Column {
   const char* name;
   const char* heading;
@@ -31,12 +31,12 @@ struct Column {
 };
 const std::vector<Column>& columns();
 
-/// DIR/disturbances.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is
-/// none.
+/// Reads DIR/disturbances.json; without the file there are no rows. conflict: it belongs to another study, which is
+/// said; corrupt: it is none.
 Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study);
-/// Whole or not at all: written beside and renamed. unavailable, exhausted: names the file.
+/// Writes DIR/disturbances.json, whole or not at all: beside, then renamed. unavailable, exhausted: names the file.
 Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows);
-/// DIR/disturbances.csv, a row a (variant, seed), in the order of `variants`.
+/// Writes DIR/disturbances.csv, a row a (variant, seed), in the order of `variants`.
 Result<void> write_csv(const std::filesystem::path& folder, const std::vector<std::string>& variants,
                        const Rows& rows);
 

@@ -26,7 +26,7 @@ double length(const Pose2& pose) {
   return std::hypot(pose.x, pose.y);
 }
 
-/// Squares of the differences between measured and true speed; standing still is left out, it has none to measure.
+/// Appends squared differences of measured and true speed; standing still is left out, it has none to measure.
 void add_speed_errors(const std::vector<Frame>& run, std::vector<double>& squares) {
   for (std::size_t from = 0, to = 1; to < run.size(); ++to) {
     const double taken = run[to].true_s - run[from].true_s;

@@ -5,7 +5,7 @@
 
 namespace weft::evaluate {
 
-/// One sample of a led robot, with what was true.
+/// Holds one sample of a led robot, with what was true.
 struct Frame {
   Pose2 site_from_robot;   ///< the truth
   double true_s = 0.0;     ///< of the simulation's clock
@@ -14,14 +14,14 @@ struct Frame {
   bool seen = false;       ///< vision took part; otherwise wheels or commands were integrated
 };
 
-/// One view of the second run, related to the nearest place of the first.
+/// Holds one view of the second run, related to the nearest place of the first.
 struct Attempt {
   Pose2 place_from_robot;  ///< the truth
   bool related = false;
   Pose2 measured;  ///< if related
 };
 
-/// What one pair of runs came to. NaN where there was nothing to measure.
+/// Holds what one pair of runs came to. NaN where there was nothing to measure.
 struct Score {
   double speed_error_mm_s = 0.0;  ///< RMS over half seconds while driving, by the sample's own stamps
   double drift_mm = 0.0;          ///< median over all stretches of 10 m, a new one each metre
@@ -35,7 +35,7 @@ struct Score {
   bool operator==(const Score&) const = default;
 };
 
-/// Both runs count for odometry alike.
+/// Scores two runs and the attempts of the second; both runs count for odometry alike.
 Score score_of(const std::vector<std::vector<Frame>>& runs, const std::vector<Attempt>& attempts);
 
 }  // namespace weft::evaluate

@@ -57,7 +57,7 @@ std::size_t kept_of(const Rows& rows, const std::vector<Variant>& variants, Seed
   return kept;
 }
 
-/// Seed by seed, so that what an interruption leaves is whole comparisons.
+/// Measures every row that is missing, seed by seed, so that what an interruption leaves is whole comparisons.
 Result<Ended> measure_all(const Subject& subject, const DisturbancesOptions& options, Rows& rows,
                           const Surroundings& around) {
   const std::vector<Variant>& variants = subject.chosen;
@@ -86,7 +86,7 @@ std::vector<std::string> names_of(const std::vector<Variant>& variants) {
   return names;
 }
 
-/// The disturbances that any of these are about.
+/// Returns the disturbances that any of these variants are about.
 std::vector<std::string> disturbances_of(const std::vector<Variant>& variants) {
   std::vector<std::string> names = disturbance_names();
   std::erase_if(names, [&](const std::string& name) {

@@ -7,16 +7,16 @@
 
 namespace weft::evaluate {
 
-/// One variant over the seeds; NaN where no seed had anything to measure.
+/// Summarises one number of a variant over the seeds; NaN where no seed had anything to measure.
 struct Spread {
   double mean = 0.0;
   double least = 0.0;
   double most = 0.0;
 };
-/// Of the seeds that are there.
+/// Returns mean and spread over those seeds that are there.
 Spread spread_of(const Rows& rows, const std::string& variant, Seeds seeds, double Score::*value);
 
-/// The means, a row a variant, as a Markdown table with aligned columns.
+/// Returns the means, a row a variant, as a Markdown table with aligned columns.
 std::string table_of(const Rows& rows, const std::vector<std::string>& variants, Seeds seeds);
 
 }  // namespace weft::evaluate

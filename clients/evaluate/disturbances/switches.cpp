@@ -10,7 +10,7 @@ namespace {
 using agents::sim::Disturbances;
 using Field = double Disturbances::*;
 
-/// What belongs together is switched together. The band of the vibration is no disturbance by itself.
+/// Switches together what belongs together. The band of the vibration is no disturbance by itself.
 struct Switch {
   const char* name;
   std::array<Field, 3> fields;  ///< null: unused
@@ -35,7 +35,7 @@ constexpr std::array kSwitches = {
     Switch{"own shadow", {&Disturbances::shadow}},
 };
 
-/// Off by default; studied at a size.
+/// Names a disturbance that is off by default, and the size at which it is studied.
 struct Harder {
   const char* name;
   Field field;
@@ -54,7 +54,7 @@ Disturbances with(Disturbances into, const Switch& which, const Disturbances& fr
   return into;
 }
 
-/// The band stays: it shapes a vibration of no height and angle.
+/// Turns all disturbances off. The vibration's band stays: without height and angle it shapes nothing.
 Disturbances none_of(const Disturbances& site) {
   const Disturbances off = [] {
     Disturbances zero;

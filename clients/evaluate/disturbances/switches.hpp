@@ -7,7 +7,7 @@
 
 namespace weft::evaluate {
 
-/// One set of disturbances to measure.
+/// Names one set of disturbances to measure.
 struct Variant {
   enum class Kind { none, all, without, with, only };
   Kind kind = Kind::all;
@@ -17,12 +17,12 @@ struct Variant {
 
 std::string name_of(const Variant& variant);
 
-/// The disturbances that can be switched by themselves, in the order of docs/simulation.md; those that sites have off
-/// unless they say otherwise come last.
+/// Returns the disturbances that can be switched by themselves, in the order of docs/simulation.md; those that sites
+/// have off unless they say otherwise come last.
 std::vector<std::string> disturbance_names();
 
-/// None, the site as it is, then each disturbance: the site without it, and with it alone. Those that are off have a
-/// size of their own here, which their names say: the site with it as well, and with it alone.
+/// Returns: none, the site as it is, then for each disturbance the site without it and with it alone. Those that are
+/// off have a size of their own here, which their names say: the site with it as well, and with it alone.
 std::vector<Variant> variants_of(const agents::sim::Disturbances& site);
 
 /// Returns those of these names, in the order of `all`; a disturbance's name means all that are about it. No names:

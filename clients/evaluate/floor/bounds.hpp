@@ -11,8 +11,8 @@
 
 namespace weft::evaluate::floor {
 
-/// What is promised of the method: a number of each run, and how large its median and its worst over the seeds may
-/// be.
+/// Bounds what is promised of the method: a number of each run, and how large its median and its worst over the seeds
+/// may be.
 struct Bound {
   enum class Of {
     mapping,  ///< every kind of floor
@@ -28,21 +28,21 @@ struct Bound {
   double median = 0.0;
   double worst = 0.0;
   bool of_refusers = false;  ///< holds for floors too on which a refusal to localise is right
-  /// Not the median and the worst seed are bounded, but the mean of all lights and seeds together, on the floors by
-  /// which nothing was set: from the first number to the second.
+  /// Bounds not the median and the worst seed, but the mean of all lights and seeds together, on the floors by which
+  /// nothing was set: it lies from the first number to the second.
   bool is_share = false;
 };
-/// Shares of all seeds together are judged from so many on.
+/// Bounds from below the seeds by which a share of all seeds together is judged.
 inline constexpr std::size_t kSeedsOfAShare = 40;
-/// What `weft-evaluate floor` measures itself.
+/// Returns the bounds that `weft-evaluate floor` measures itself.
 const std::vector<Bound>& bounds();
 
-/// All seeds of a floor and part.
+/// Names a floor and a part, of which all seeds are taken together.
 using GroupKey = std::pair<std::string, std::string>;  // kind, part
 std::map<GroupKey, std::vector<const Score*>> grouped(const Rows& rows, Seeds seeds);
 std::vector<double> values_of(const std::vector<const Score*>& scores, double Score::*value);
 
-/// One bound on one floor and, of a repeat, under one light.
+/// Holds one bound on one floor and, of a repeat, under one light.
 struct Group {
   std::string kind;
   std::string part;
@@ -62,20 +62,20 @@ struct Judged {
   const char* command = "floor";    ///< of weft-evaluate, that measures it
   std::optional<std::size_t> of{};  ///< attempts or trials, where they are counted
 };
-/// All of `bounds`, over the seeds that are there.
+/// Judges by all of `bounds`, over the seeds that are there.
 std::vector<Judged> judge(const Rows& rows, Seeds seeds);
 
 /// Tells whether one that was measured and is judged does not hold.
 bool is_any_missed(const std::vector<Judged>& all);
 
-/// The median and the largest; NaN without values. A value that is none (it could not be measured) is the worst.
+/// Holds median and largest; NaN without values. A value that is none (it could not be measured) is the worst.
 struct MedianWorst {
   double median = 0.0;
   double worst = 0.0;
 };
 MedianWorst median_worst(std::vector<double> values);
 
-/// Of those that are numbers; NaN without.
+/// Returns the mean of those that are numbers; NaN when none is.
 double mean_of(const std::vector<double>& values);
 
 }  // namespace weft::evaluate::floor

@@ -17,7 +17,7 @@ using namespace agents;
 
 constexpr double kTapeSigmaM = 0.002;
 
-/// However it ends.
+/// Removes a file at the end of its scope, however that ends.
 struct RemovedAtEnd {
   explicit RemovedAtEnd(std::filesystem::path of) : file(std::move(of)) {}
   RemovedAtEnd(const RemovedAtEnd&) = delete;
@@ -31,7 +31,7 @@ struct RemovedAtEnd {
 
 using Take = std::function<void(const View*, const Motion&)>;
 
-/// False: stopped.
+/// Has a hand drive the body along the line, and hands on each sample. Returns false when it was stopped.
 Result<bool> play(const Drive& drive, const std::vector<SitePoint>& line, const Take& take) {
   std::error_code ignored;  // a file that cannot be removed cannot be appended to either, which is told
   std::filesystem::remove(drive.body.truth_path.value_or(""), ignored);
@@ -48,7 +48,7 @@ Result<bool> play(const Drive& drive, const std::vector<SitePoint>& line, const 
   return true;
 }
 
-/// From the first stand to the last.
+/// Measures, as with a tape, from where the robot stood first to where it stood last.
 Result<double> measured_m(const Drive& drive) {
   const std::filesystem::path file = drive.body.truth_path.value_or("");
   const auto truth = read_truth(file);

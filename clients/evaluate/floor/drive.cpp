@@ -16,7 +16,7 @@ constexpr int kRestsFor = 4;          // samples after arriving, for the base to
 constexpr int kLastViewAtMost = 10;   // samples for the last place
 constexpr double kLongestS = 1800.0;  // of a repeat, on the simulation's clock
 
-/// Until it believes to know where it is. None: stopped; false: it did not find out.
+/// Lets the robot look until it believes to know where it is. None: stopped; false: it did not find out.
 Result<std::optional<bool>> find_itself(DrivenRobot& robot, const Drive& drive, const Taught& taught) {
   robot.navigator().seek(std::nullopt);
   for (int i = 0; i < kLookAtMost; ++i) {
@@ -28,7 +28,7 @@ Result<std::optional<bool>> find_itself(DrivenRobot& robot, const Drive& drive, 
   return std::optional(false);
 }
 
-/// False: stopped.
+/// Drives the route until the robot rests at its end or gives up. Returns false when it was stopped.
 Result<bool> follow(DrivenRobot& robot, const Drive& drive, const Taught& taught, Repeated& repeated) {
   int stood = 0;
   int rested = 0;

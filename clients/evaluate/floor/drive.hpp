@@ -12,14 +12,14 @@
 
 namespace weft::evaluate::floor {
 
-/// Who drives, in which site, on which day.
+/// Says which robot drives, in which site, on which day.
 struct Drive {
   agents::sim::SimBodyConfig body;                 ///< its truth_path: a file to be made and removed
   std::function<bool()> asked_to_stop;             ///< asked at every sample
   std::optional<agents::CameraModel> camera = {};  ///< as it was calibrated; none: as the site gives it
 };
 
-/// What robots were taught, one experience after the other, and where its places truly are.
+/// Holds what robots were taught, one experience after the other, and where its places truly are.
 struct Taught {
   TaughtMap map;
   std::vector<Trace> traces;
@@ -28,7 +28,7 @@ struct Taught {
   agents::TeachReport way;  ///< of the experience that was taught last, with what teaching foretold of it
 };
 
-/// A way there by the robot's own control.
+/// Holds a drive along what was taught by the robot's own control.
 struct Repeated {
   Trace trace;
   bool localised = false;  ///< found itself before it drove
@@ -36,14 +36,14 @@ struct Repeated {
   std::string ended;  ///< why it stands, when it has not arrived
 };
 
-/// A hand leads the robot along the line; nothing is taught, its odometry is what counts. None: stopped.
+/// Has a hand lead the robot along the line; nothing is taught, its odometry is what counts. None: stopped.
 Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<agents::SitePoint>& line);
 
-/// A hand leads the robot along the line while it is taught; when something has been taught before, it looks where it
-/// is first. False: stopped. refused: it did not find out.
+/// Teaches a robot that a hand leads along the line; when something has been taught before, it looks where it is
+/// first. Returns false when it was stopped. refused: it did not find out.
 Result<bool> teach(const Drive& drive, const std::vector<agents::SitePoint>& line, Taught& taught);
 
-/// The robot, told nothing but the map, finds where it is and drives to the last place taught. None: stopped.
+/// Has a robot that is told nothing but the map find where it is and drive to the last place taught. None: stopped.
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught);
 
 }  // namespace weft::evaluate::floor

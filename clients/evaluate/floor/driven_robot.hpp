@@ -16,15 +16,15 @@
 
 namespace weft::evaluate::floor {
 
-/// A body, mostly a simulated one, with the navigator that its agent would have, method `floor`, every setting at its
-/// default. The body's command is the navigator's of the sample before, as in the agent's process.
+/// Joins a body, mostly a simulated one, to the navigator that its agent would have: method `floor`, every setting at
+/// its default. The body's command is the navigator's of the sample before, as in the agent's process.
 class DrivenRobot {
  public:
-  /// The truth goes to a file at config.truth_path, made anew and removed again. Errors of body and method.
-  /// `camera`: as it was calibrated; none: as the body says.
+  /// Makes a simulated one. Its truth goes to a file at config.truth_path, made anew and removed again. `camera`: as
+  /// it was calibrated; none: as the body says. Errors of body and method.
   static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config,
                                   const std::optional<agents::CameraModel>& camera);
-  /// Any other body; what it drives has no truth. Errors of the method.
+  /// Makes one of any other body; what it drives has no truth. Errors of the method.
   static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body,
                                 const std::optional<agents::CameraModel>& camera = {});
   DrivenRobot(DrivenRobot&&) = default;
@@ -33,7 +33,7 @@ class DrivenRobot {
 
   agents::Body& body() { return *body_; }
   agents::Navigator& navigator() { return *navigator_; }
-  /// Views of these frames are not shown to the navigator.
+  /// Keeps the views of these frames from the navigator.
   void leave_out(std::set<std::uint64_t> frames) { left_out_ = std::move(frames); }
   double now_s() const { return now_s_; }  ///< by the samples' stamps
 
@@ -42,13 +42,13 @@ class DrivenRobot {
     bool has_view = false;
     bool hand_done = false;
   };
-  /// One sample, noted in the trace.
+  /// Takes one sample, and notes it in the trace.
   Result<Stepped> step(const agents::MapView& map);
 
-  /// What the end of teaching kept, of the newest sample.
+  /// Notes in the trace what the end of teaching kept, of the newest sample.
   void note_last(const std::vector<agents::Kept>& kept);
 
-  /// What was driven, with its truth beside it. The robot is not to be used any more.
+  /// Returns what was driven, with its truth beside it. The robot is not to be used any more.
   Result<Trace> finish();
 
  private:

@@ -20,7 +20,7 @@ std::string two_run(std::size_t i) {
   return "both-taught-" + std::to_string(i + 1);
 }
 
-/// False: stopped.
+/// Adds the beginning of the line led at several frame rates. Returns false when it was stopped.
 Result<bool> add_rates(const Scenario& scenario, const Shelf& shelf, Shown& shown) {
   const std::vector<agents::SitePoint> line = scenario.line_beginning(kRatesOverM);
   for (const double fps : kRates) {
@@ -37,7 +37,7 @@ Result<bool> add_rates(const Scenario& scenario, const Shelf& shelf, Shown& show
   return true;
 }
 
-/// False: stopped.
+/// Adds the taught way and its repeat under a light. Returns false when it was stopped.
 Result<bool> add_way(const Scenario& scenario, const std::string& light, const Shelf& shelf, Shown& shown) {
   std::optional<Trace> taught = shelf.find(kTaughtRun);
   std::optional<Trace> repeated = shelf.find(light);
@@ -60,7 +60,7 @@ Result<bool> add_way(const Scenario& scenario, const std::string& light, const S
   return true;
 }
 
-/// False: stopped. A second robot is taught from the middle of the first one's way on; a third drives over both.
+/// Adds a robot taught from the middle of the first one's way on, and a third that drives over both. False: stopped.
 Result<bool> add_two(const Scenario& scenario, const Shelf& shelf, Shown& shown) {
   std::optional<Trace> first = shelf.find(two_run(0));
   std::optional<Trace> second = shelf.find(two_run(1));

@@ -9,7 +9,7 @@
 
 namespace weft::evaluate::floor {
 
-/// Where the runs of one floor are kept, as files of traces.
+/// Says where the runs of one floor are kept, as files of traces.
 struct Shelf {
   std::filesystem::path folder;
   std::string stamp;  ///< of the study: runs of another one are not taken for its own
@@ -23,8 +23,8 @@ struct Shelf {
 
 inline constexpr const char* kTaughtRun = "taught";
 
-/// All runs that pictures show: from the shelf where they are there, else driven and put there. None: stopped.
-/// Errors of the drives and of the shelf.
+/// Returns all runs that pictures show: from the shelf where they are there, else driven and put there. None:
+/// stopped. Errors of the drives and of the shelf.
 Result<std::optional<Shown>> shown_of(const Scenario& scenario, const std::string& light, const Shelf& shelf);
 
 /// Whether all of them are there.

@@ -19,7 +19,7 @@ namespace {
 
 using namespace agents;
 
-/// A view of the other robot.
+/// Holds a view of the other robot.
 struct Glance {
   OrRefusal<FloorContent> content;
   Pose2 site_from_robot;
@@ -30,7 +30,7 @@ struct Glances {
   std::map<std::uint64_t, Glance> by_frame;
 };
 
-/// Every sixth view, about as far apart as a robot looks where it is. False: stopped.
+/// Keeps every sixth view, about as far apart as a robot looks where it is. Returns false when it was stopped.
 Result<bool> look_around(const Drive& drive, const std::vector<SitePoint>& line, Glances& glances) {
   constexpr std::uint64_t every = 6;
   const std::filesystem::path truth_file = drive.body.truth_path.value_or("");
@@ -65,7 +65,7 @@ Result<bool> look_around(const Drive& drive, const std::vector<SitePoint>& line,
   return true;
 }
 
-/// Null: none within half a metre, turns counted.
+/// Returns the view nearest to the place, turns counted. Null: none within half a metre.
 const Glance* nearest(const Glances& glances, const Pose2& site_from_place) {
   constexpr double metre_a_radian = 0.5;
   const Glance* best = nullptr;

@@ -16,20 +16,20 @@ namespace weft::evaluate::floor {
 /// finds under it, and the study holds that against what it really finds.
 const std::string& light_of(agents::Floor::Condition condition);
 
-/// A place of which both are known.
+/// Holds for one place what teaching foretold and what another robot found.
 struct Compared {
   double at_m = 0.0;
   bool foretold = false;
   bool found = false;
 };
 
-/// Another robot is led along the same line by a clumsy hand, on another day, under the condition's light; its view
-/// nearest to each place is related to it, with a guess that is off as in localising, and must agree with the truth
-/// within `config`'s agree_m and agree_rad. Places with no view within half a metre are left out. None: stopped.
+/// Leads another robot along the same line by a clumsy hand, on another day, in the condition's light, and relates
+/// its view nearest to each place to it, with a guess off as in localising: it must agree with the truth within
+/// `config`'s agree_m and agree_rad. Places with no view within half a metre are left out. None: stopped.
 Result<std::optional<std::vector<Compared>>> compare(const Scenario& scenario, agents::Floor::Condition condition,
                                                      const Taught& taught, const agents::StitchConfig& config);
 
-/// Of all places, and of each metre by itself.
+/// Tells how well the two agree: of all places, and of each metre by itself.
 struct Agreement {
   std::size_t places = 0;
   double foretold = 0.0;     ///< share

@@ -20,7 +20,7 @@ using agents::Floor;
 constexpr std::array kConditions = {Floor::as_is, Floor::half_light, Floor::worn};
 using OfAKind = std::array<std::vector<Compared>, kConditions.size()>;
 
-/// One seed of a kind, added to `all`.
+/// Compares one seed of a kind, and adds it to `all`.
 Result<Ended> compare_once(const Stage& stage, const std::string& kind, std::uint64_t seed, OfAKind& all) {
   const Result<Scenario> scenario = Scenario::make(stage, kind, seed);
   if (!scenario) return fail(scenario.error());

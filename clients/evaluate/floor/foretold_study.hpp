@@ -11,9 +11,9 @@ struct ForetoldOptions : FloorOptions {
 
 namespace floor {
 
-/// Its light is not looked at: each condition has its own. Prints and writes (foretold.md) a row a floor: for each
-/// condition the share of places that teaching foretells and the share that another robot finds, over all seeds.
-/// not_found, invalid: site, line or floor; unavailable: the folder cannot be written.
+/// Compares what teaching foretells with what another robot finds. Prints and writes (foretold.md) a row a floor:
+/// both shares of places for each condition, over all seeds. The options' light is not looked at: each condition has
+/// its own. not_found, invalid: site, line or floor; unavailable: the folder cannot be written.
 Result<Ended> study_foretold(const ForetoldOptions& options, const Surroundings& around);
 
 }  // namespace floor

@@ -13,17 +13,17 @@
 
 namespace weft::evaluate::floor {
 
-/// Rows of one floor and one seed: taught once, then repeated under each light. Each is handed on as soon as it is
-/// there.
+/// Measures the rows of one floor and one seed: taught once, then repeated under each light. Hands each on as soon as
+/// it is there.
 class Measurement {
  public:
   using Keep = std::function<Result<void>(const RowKey&, const Score&)>;
 
-  /// With `all_runs` every run is put on the shelf.
+  /// Measures a scenario. With `all_runs` every run is put on the shelf.
   Measurement(const Scenario& scenario, Shelf shelf, bool all_runs, const Surroundings& around, Keep keep)
       : scenario_(scenario), shelf_(std::move(shelf)), all_runs_(all_runs), around_(around), keep_(std::move(keep)) {}
 
-  /// Errors of the drives, of the shelf and of `keep`.
+  /// Drives and scores; below, a repeat under a light. Errors of the drives, of the shelf and of `keep`.
   Result<Ended> mapping();
   Result<Ended> repeat_under(const std::string& light);
 

@@ -27,7 +27,7 @@ bool is_within(const Pose2& off, double metres, double radians) {
   return length(off) <= metres && std::abs(off.heading) <= radians;
 }
 
-/// The fix as measured and as believed, each against the truth.
+/// Returns whether a fix, as measured and as believed, is within both bounds of the truth.
 bool is_fix_within(const Moment& moment, const std::map<PlaceId, Pose2>& site_from_place, double metres,
                    double radians) {
   const Pose2 robot_from_place = moment.site_from_robot.inverse() * site_from_place.at(moment.fix->place);

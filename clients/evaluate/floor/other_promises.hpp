@@ -10,15 +10,15 @@
 
 namespace weft::evaluate::floor {
 
-/// No attempt may be wrong, of at least 100,000, at least half of which have no right answer.
+/// Judges that no attempt is wrong, of at least 100,000, at least half of which have no right answer.
 Judged judge_attempts(const AttemptRows& rows);
-/// A robot without a seed finds itself within 3 m, of at least 1,000; floors that repeat left out, but for wrong
-/// ones.
+/// Judges that a robot without a seed finds itself within 3 m, of at least 1,000 trials; floors that repeat are left
+/// out, but for wrong ones.
 Judged judge_trials(const TrialRows& rows);
 
-/// What is promised of the method and other commands measure, from what they left in `folder`: attempts.json and
-/// relocalise.json. What is of another software, site or photographs was not measured, as what is not there.
-/// corrupt: a file is none of theirs.
+/// Judges what is promised of the method and other commands measure, from what they left in `folder`: attempts.json
+/// and relocalise.json. What is of another software, site or photographs counts as not measured, as what is not there
+/// does. corrupt: a file is none of theirs.
 Result<std::vector<Judged>> judge_others(const std::filesystem::path& folder, const Study& study);
 
 }  // namespace weft::evaluate::floor

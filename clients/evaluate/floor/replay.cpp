@@ -65,7 +65,7 @@ struct Pass {
   double seconds = 0.0;
 };
 
-/// All of a recording. `each` takes every sample; none: stopped.
+/// Plays a recording to its end. `each` takes every sample; none: stopped.
 template <class Each>
 Result<std::optional<Pass>> play(DrivenRobot& robot, const TaughtMap& map, const std::string& what,
                                  const Surroundings& around, const Each& each) {
@@ -126,7 +126,7 @@ double seen_percent(const Trace& trace) {
   return 100.0 * static_cast<double>(seen) / static_cast<double>(trace.moments.size());
 }
 
-/// Longest way by odometry between two fixes, both ends included.
+/// Returns the longest way by odometry between two fixes, in metres, both ends of the trace included.
 double longest_between_fixes_m(const Trace& trace) {
   double longest = 0.0;
   double since = 0.0;
@@ -190,7 +190,7 @@ nlohmann::json path_of(const Trace& trace, Pose2 Moment::*pose) {
   return points;
 }
 
-/// For the picture. Seconds since the first image of each pass, metres.
+/// Writes both passes for the picture: seconds since the first image of each, metres.
 Result<void> write_passes(const ReplayOptions& options, const Pass& mapped, const Pass& localised,
                           const std::optional<Associated>& truth) {
   nlohmann::json series = {{"recording", options.recording.filename().string()},

@@ -8,8 +8,8 @@
 
 namespace weft::evaluate {
 
-/// Where a recording's camera was mounted: in front of and left of the robot's middle, above the floor, and how far
-/// it looked down from level.
+/// Says where a recording's camera was mounted: in front of and left of the robot's middle, above the floor, and how
+/// far it looked down from level.
 struct ReplayMount {
   double forward_m = 0.0;
   double left_m = 0.0;
@@ -28,8 +28,8 @@ struct ReplayOptions {
 
 namespace floor {
 
-/// Odometry over the recording while it is mapped, then localisation in that map of the query, frame by frame; both
-/// against the trajectory where there is one. Prints a table, writes replay.json and replay.png. Errors of the
+/// Replays a recording: odometry while it is mapped, then localisation of the query in that map, frame by frame; both
+/// held against the trajectory where there is one. Prints a table, writes replay.json and replay.png. Errors of the
 /// recording, of the camera (floor needs one that looks down) and of the trajectory; unavailable: `out`.
 Result<Ended> replay_floor(const ReplayOptions& options, const Surroundings& around);
 

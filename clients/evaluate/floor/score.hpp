@@ -11,7 +11,7 @@
 
 namespace weft::evaluate::floor {
 
-/// What was driven: mapping, or repeating under a light.
+/// Names what was driven: mapping; a repeat is named by its light.
 inline constexpr const char* kMapping = "mapping";
 
 struct RowKey {
@@ -21,7 +21,7 @@ struct RowKey {
   auto operator<=>(const RowKey&) const = default;
 };
 
-/// What one part came to. NaN where it has nothing to say, or there was nothing to measure.
+/// Holds what one part came to. NaN where it has nothing to say, or there was nothing to measure.
 struct Score {
   static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,7 +53,7 @@ struct Score {
       refusals;  ///< how often localisation or odometry refused a view, by its reason
 };
 
-/// The numbers in order: name as in the files, heading of the table, digits there.
+/// Describes one number of the tables: name as in the files, heading, digits. They stand in order.
 struct Column {
   const char* name;
   const char* heading;

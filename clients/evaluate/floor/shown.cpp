@@ -11,7 +11,7 @@ namespace {
 
 using ShownJson = nlohmann::json;
 
-/// Empty of a run that never began.
+/// Returns the true way, site frame; empty of a run that never began.
 ShownJson true_path(const Trace& trace) {
   ShownJson points = ShownJson::array();
   if (trace.moments.size() < 2) return points;
@@ -19,7 +19,7 @@ ShownJson true_path(const Trace& trace) {
   return points;
 }
 
-/// Odometry, laid on the truth at its start.
+/// Returns the way by odometry, laid on the truth at its start.
 ShownJson inferred_path(const Trace& trace) {
   const Moment& first = trace.moments.front();
   const Pose2 site_from_start = first.site_from_robot * first.start_from_robot.inverse();
@@ -31,7 +31,7 @@ ShownJson inferred_path(const Trace& trace) {
   return points;
 }
 
-/// The path of a repeat as its fixes state it, by the true poses of the places.
+/// Returns the path of a repeat as its fixes state it, by the true poses of the places.
 ShownJson fixed_path(const Trace& trace, const PlaceSet& places) {
   ShownJson points = ShownJson::array();
   for (const Moment& moment : trace.moments) {
@@ -69,7 +69,7 @@ ShownJson off_of(const Shown& shown) {
   return off;
 }
 
-/// The fastest first.
+/// Returns the runs at several frame rates, the fastest first.
 ShownJson rates_of(const Shown& shown) {
   ShownJson rates = ShownJson::array();
   for (auto at = shown.at_rates.rbegin(); at != shown.at_rates.rend(); ++at) {

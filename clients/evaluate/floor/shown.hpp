@@ -10,7 +10,7 @@
 
 namespace weft::evaluate::floor {
 
-/// The runs of one kind of floor that pictures show; all of one seed.
+/// Holds the runs of one kind of floor that pictures show; all of one seed.
 struct Shown {
   std::string kind;
   Trace taught;
@@ -20,7 +20,7 @@ struct Shown {
   Trace two_repeated;                ///< one way over both
 };
 
-/// What belongs to all pictures.
+/// Holds what belongs to all pictures.
 struct Pictured {
   std::vector<Shown> kinds;
   std::vector<std::string> lights;

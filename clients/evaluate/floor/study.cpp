@@ -31,7 +31,7 @@ Shelf shelf_of(const Subject& subject, const FloorOptions& options, const std::s
   return {options.out / "series", stamp_of(subject.study), kind, seed};
 }
 
-/// Rows and, of the first seed, the runs that pictures show.
+/// Counts what is there already: rows and, of the first seed, the runs that pictures show.
 std::size_t kept_of(const Rows& rows, const Subject& subject, const FloorOptions& options) {
   std::size_t kept = 0;
   for (const std::string& kind : subject.kinds) {
@@ -44,14 +44,14 @@ std::size_t kept_of(const Rows& rows, const Subject& subject, const FloorOptions
   return kept;
 }
 
-/// Its own and other commands'.
+/// Returns the study's own promises as judged, and behind them those of other commands.
 std::vector<Judged> promises_of(const Rows& rows, Seeds seeds, const std::vector<Judged>& others) {
   std::vector<Judged> promises = judge(rows, seeds);
   promises.insert(promises.end(), others.begin(), others.end());
   return promises;
 }
 
-/// Seed by seed, so that what an interruption leaves is whole comparisons of the floors.
+/// Measures what is missing, seed by seed, so that what an interruption leaves is whole comparisons of the floors.
 Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, const std::vector<Judged>& others,
                           Rows& rows, RowsMeasured& progress, const Surroundings& around) {
   for (std::uint64_t seed = options.seeds.first; seed <= options.seeds.last; ++seed) {
@@ -75,7 +75,7 @@ Result<Ended> measure_all(const Subject& subject, const FloorOptions& options, c
   return Ended::complete;
 }
 
-/// What pictures show, of the first seed.
+/// Collects what pictures show, of the first seed.
 Result<Ended> show_all(const Subject& subject, const FloorOptions& options, Pictured& pictured,
                        RowsMeasured& progress) {
   const std::uint64_t seed = options.seeds.first;
@@ -99,7 +99,7 @@ Result<Ended> show_all(const Subject& subject, const FloorOptions& options, Pict
   return Ended::complete;
 }
 
-/// Without what other calls have left in the folder.
+/// Returns the rows that were asked for, without what other calls have left in the folder.
 Rows asked_for(const Rows& rows, const Subject& subject, Seeds seeds) {
   Rows some;
   for (const auto& [key, score] : rows) {

@@ -8,7 +8,7 @@
 
 namespace weft::evaluate::floor {
 
-/// Of which study a file of rows is, by `from` of its "study"; none: no such file. corrupt: it is none.
+/// Returns of which study a file of rows is, by `from` of its "study"; none: no such file. corrupt: it is none.
 template <class OfStudy, class From>
 Result<std::optional<OfStudy>> study_in(const std::filesystem::path& file, From&& from) {
   std::optional<OfStudy> study;

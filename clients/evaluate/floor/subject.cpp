@@ -10,7 +10,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-/// One of the names, or all of them. invalid: names those there are.
+/// Returns one of the names, or all of them. invalid: names those there are.
 Result<std::vector<std::string>> chosen(const std::vector<std::string>& names, const std::string& one,
                                         const std::string& flag) {
   if (one.empty()) return names;
@@ -20,7 +20,7 @@ Result<std::vector<std::string>> chosen(const std::vector<std::string>& names, c
   return fail(ErrorCode::invalid, flag + ": there is no '" + one + "'; there are " + list);
 }
 
-/// What is in a folder of photographs, by name and size.
+/// Returns what is in a folder of photographs, by name and size.
 std::string print_of(const std::filesystem::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -33,7 +33,7 @@ std::string print_of(const std::filesystem::path& folder) {
   return sha256_of(all);
 }
 
-/// The floors to study. invalid: there is no such kind; not_found: no photographs.
+/// Returns the floors to study. invalid: there is no such kind; not_found: no photographs.
 Result<std::vector<std::string>> kinds_of(const FloorOptions& options, Subject& subject) {
   if (!options.floors.empty()) {
     const Result<std::vector<std::string>> photographs = photographs_in(options.floors);

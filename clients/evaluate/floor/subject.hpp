@@ -11,7 +11,7 @@
 
 namespace weft::evaluate {
 
-/// What every study of floors is asked for.
+/// Holds what every study of floors is asked for.
 struct FloorOptions {
   Seeds seeds;
   std::filesystem::path site;             ///< file
@@ -26,7 +26,7 @@ struct FloorOptions {
 
 namespace floor {
 
-/// On which floors and under which lights what is driven, and what says so in a folder of results.
+/// Says on which floors and under which lights what is driven, and what says so in a folder of results.
 struct Subject {
   Stage stage;
   Study study;
@@ -34,7 +34,7 @@ struct Subject {
   std::vector<std::string> lights;
 };
 
-/// Whose line is still to be drawn. not_found, invalid: site, floor or light, named.
+/// Reads all but the line, which is still to be drawn. not_found, invalid: site, floor or light, named.
 Result<Subject> subject_without_line(const FloorOptions& options, std::function<bool()> asked_to_stop);
 /// Reads site and line. not_found, invalid: site, line, floor or light, named.
 Result<Subject> subject_of(const FloorOptions& options, std::function<bool()> asked_to_stop);

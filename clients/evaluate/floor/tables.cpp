@@ -65,7 +65,7 @@ std::string shares_table(const Groups& groups) {
   return markdown_table(cells, 2);
 }
 
-/// How often over all seeds, the most frequent first.
+/// Returns how often views were refused over all seeds, the most frequent reason first.
 std::string refusals_table(const Groups& groups) {
   Cells cells = {{"floor", "part", "refused", "times"}};
   for (const auto& [key, scores] : groups) {

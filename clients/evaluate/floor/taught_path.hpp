@@ -6,7 +6,7 @@
 
 namespace weft::evaluate::floor {
 
-/// Where a robot truly was led: a polyline with headings.
+/// Tells where a robot truly was led: a polyline with headings.
 class TaughtPath {
  public:
   explicit TaughtPath(const Trace& taught);
@@ -16,10 +16,10 @@ class TaughtPath {
     double lateral_m = 0.0;    ///< distance from the polyline, left of it positive
     double heading_rad = 0.0;  ///< turned left against the heading that was taught there
   };
-  /// Nearest point within `reach_m` along the path from `along_m`, so that a path that comes by a second time is not
-  /// taken for itself.
+  /// Returns the nearest point within `reach_m` along the path from `along_m`, so that a path that comes by a second
+  /// time is not taken for itself.
   Nearest nearest(const Pose2& site_from_robot, double along_m, double reach_m) const;
-  /// The same anywhere on it.
+  /// Returns the nearest point anywhere on it.
   Nearest nearest(const Pose2& site_from_robot) const;
 
   const std::vector<Pose2>& poses() const { return poses_; }

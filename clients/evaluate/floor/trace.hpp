@@ -11,19 +11,19 @@
 
 namespace weft::evaluate::floor {
 
-/// A fix as the robot accepted it.
+/// Holds a fix as the robot accepted it.
 struct FixSeen {
   PlaceId place;
   Pose2 measured;  ///< place_from_robot that the two contents agree on
   Pose2 believed;  ///< place_from_robot as believed with it
 };
 
-/// One sample of a robot: what it inferred and, beside it, what was true.
+/// Holds one sample of a robot: what it inferred and, beside it, what was true.
 struct Moment {
   std::uint64_t frame = 0;
   double sensor_s = 0.0;   ///< the sample's own stamp
   Pose2 start_from_robot;  ///< odometry
-  /// Of the step that led here, as the method states it.
+  /// States the covariance of the step that led here, as the method has it.
   Eigen::Matrix3d step_covariance = Eigen::Matrix3d::Zero();
   agents::CommonErrors step_common = agents::CommonErrors::Zero();
   bool seen = false;        ///< vision took part; otherwise wheels or commands were integrated
@@ -38,21 +38,21 @@ struct Moment {
   Pose2 site_from_robot;
 };
 
-/// One drive, sample by sample.
+/// Holds one drive, sample by sample.
 struct Trace {
   std::vector<Moment> moments;
   std::map<std::string, std::uint64_t> refusals;  ///< by name, of localisation and odometry
   double wall_s = 0.0;                            ///< that the whole took to compute, the simulation included
 };
 
-/// Where places are that robots have kept.
+/// Tells where places are that robots have kept.
 struct PlaceSet {
   std::map<PlaceId, Pose2> site_from_place;   ///< truly
   std::map<PlaceId, Pose2> start_from_place;  ///< by the odometry of the robot that kept it
 };
 PlaceSet places_of(const Trace& taught);
 
-/// Metres truly driven up to each moment.
+/// Returns the metres truly driven up to each moment.
 std::vector<double> metres_driven(const Trace& trace);
 
 }  // namespace weft::evaluate::floor

@@ -7,14 +7,14 @@
 
 namespace weft::evaluate::floor {
 
-/// What the odometry of the newest sample came to.
+/// Holds what the odometry of the newest sample came to.
 struct SeenStep {
   agents::Step step;
   std::size_t matches = 0;
 };
 
-/// The method `floor` as it is, with a note of each step: a Navigator shows what it believes, not its odometry.
-/// Inherited, not wrapped: whatever else the method has or will have stays the navigator's to use.
+/// Is the method `floor` with a note of each step: a Navigator shows what it believes, not its odometry. Inherited,
+/// not wrapped: whatever else the method has or will have stays the navigator's to use.
 class WatchedFloor : public agents::Floor {
  public:
   WatchedFloor(agents::Floor floor, std::shared_ptr<SeenStep> into)

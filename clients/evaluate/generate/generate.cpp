@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBetweenLines_s = 2.0;
 
-/// One line now and then.
+/// Prints a line now and then.
 class Progress {
  public:
   Progress(const GenerationWatch& watch, std::uint64_t all)

@@ -15,7 +15,7 @@ struct Generated {
   bool is_complete = false;   ///< false: stopped; the same plan goes on from there
 };
 
-/// What a generation needs of its surroundings.
+/// Holds what a generation needs of its surroundings.
 struct GenerationWatch {
   std::ostream& progress;  ///< a line every two seconds: count, rate, remaining time
   std::function<double()> steady_s;

@@ -102,7 +102,7 @@ void SiteGenerator::begin_experience() {
   along_m_ = 0.0;
 }
 
-/// Any way but back; straight on half of the time.
+/// Draws a way on from the crossing, any but back; straight on half of the time.
 void SiteGenerator::choose_turn() {
   const Crossing before = from_;
   const Crossing here = to_;
@@ -134,7 +134,7 @@ Pose2 SiteGenerator::site_from_robot() const {
   return site_from_corridor * Pose2{along_m_, -aside_m_, 0.0};
 }
 
-/// A direction is where the corridor leads from its crossing; the other way begins at the other end.
+/// Returns the bin of a corridor as counted from its crossing; one who comes the other way begins at the other end.
 std::size_t SiteGenerator::bin(int along_bin, int direction) const {
   const bool is_back = direction != 0;
   const Crossing& begin = is_back ? to_ : from_;

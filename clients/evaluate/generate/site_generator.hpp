@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// A warehouse that robots have driven in for long, to see how what is built for a site bears a large one.
+/// Describes a warehouse that robots have driven in for long, to see how what is built for a site bears a large one.
 struct SitePlan {
   std::uint64_t places = 10'000;  ///< [1, 10,000,000]
   std::uint64_t seed = 1;
@@ -19,24 +19,24 @@ struct SitePlan {
   std::uint32_t runs_a_corridor =
       16;  ///< how often a corridor is driven through in the end, both directions together
 };
-/// invalid: names the number and its bounds.
+/// Checks a plan. invalid: names the number and its bounds.
 Result<void> check(const SitePlan& plan);
 
-/// Aisles of 40 m between cross aisles, 4 m apart. Experiences of 200 to 3000 places, 0.2 to 0.3 m apart, keep to the
-/// right and turn where they like; every second place is stitched to an older one beside it, one stitch in ten to one
-/// of the other direction, which cannot be driven. Stations at the crossings are labelled. The same plan gives the
-/// same batches, which fit an empty network one after the other.
+/// Generates aisles of 40 m between cross aisles, 4 m apart. Experiences of 200 to 3000 places, 0.2 to 0.3 m apart,
+/// keep to the right and turn where they like; every second place is stitched to an older one beside it, one stitch
+/// in ten to one of the other direction, which cannot be driven. Stations at the crossings are labelled. The same
+/// plan gives the same batches, which fit an empty network one after the other.
 class SiteGenerator {
  public:
-  /// The plan has been checked.
+  /// Begins a site by a plan that has been checked.
   explicit SiteGenerator(const SitePlan& plan);
 
   bool is_done() const { return made_ == plan_.places; }
   std::uint64_t made() const { return made_; }
   Batch next();
-  /// Where the places of the last batch truly lie: site_from_place.
+  /// Returns where the places of the last batch truly lie: site_from_place.
   const std::vector<Pose2>& poses() const { return poses_; }
-  /// Bytes that compress to about half, a place's own.
+  /// Returns bytes that compress to about half, a place's own.
   Bytes content(const PlaceId& place) const;
   /// Labels of stations that lie in what was made so far; complete when done.
   const std::map<std::string, PlaceId>& labels() const { return labels_; }

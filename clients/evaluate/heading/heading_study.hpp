@@ -17,9 +17,9 @@ struct HeadingOptions {
 
 namespace heading {
 
-/// How well the most frequent shift of features tells the heading between images of one place. Prints a row a place:
-/// pairs, how many are right within 35 pixels, median error, how many were refused. Errors of the folder; corrupt:
-/// an image, by name.
+/// Studies how well the most frequent shift of features tells the heading between images of one place. Prints a row a
+/// place: pairs, how many are right within 35 pixels, median error, how many were refused. Errors of the folder;
+/// corrupt: an image, by name.
 Result<Ended> study_heading(const HeadingOptions& options, const Surroundings& around);
 
 }  // namespace heading

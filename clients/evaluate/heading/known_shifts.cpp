@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMostPx = 1e5;
 
-/// The file of this name with any ending.
+/// Returns the file of this name with any ending of an image; none: there is no such file.
 std::optional<fs::path> with_any_ending(const fs::path& stem) {
   for (const char* const ending : {".png", ".bmp", ".ppm", ".pgm", ".jpg", ".jpeg", ".tif"}) {
     const fs::path file = stem.string() + ending;
@@ -27,7 +27,7 @@ std::optional<fs::path> with_any_ending(const fs::path& stem) {
 
 using Numbers = std::vector<double>;
 
-/// The numbers of each line that has any.
+/// Reads the numbers of each line that has any.
 Result<std::vector<Numbers>> read_numbers(const fs::path& file) {
   const Result<std::string> text = read_text(file, "table of shifts");
   if (!text) return fail(text.error());

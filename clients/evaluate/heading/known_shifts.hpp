@@ -8,7 +8,7 @@
 
 namespace weft::evaluate::heading {
 
-/// Two images of a set, and by how much somebody found what they both show to be shifted.
+/// Holds two images of a set, and by how much somebody found what they both show to be shifted.
 struct KnownShift {
   std::string group;         ///< place or path
   std::size_t a = 0, b = 0;  ///< index into the set's images
@@ -20,7 +20,7 @@ struct ShiftedImages {
   std::vector<KnownShift> pairs;
 };
 
-/// A folder in one of GRIEF's two layouts (Krajnik et al. 2017):
+/// Reads a folder in one of GRIEF's two layouts (Krajnik et al. 2017):
 /// - ground_truth/location_N.txt, a square of whitespace-separated numbers, row i and column j: x_j - x_i in pixels
 /// of
 ///   seasons i and j, with images/SSNN.* (season and location, two digits from 01); every two seasons are a pair;

@@ -20,7 +20,7 @@ using namespace agents;
 const FloorConfig kDefaults;
 constexpr double kLeastCorrelation = 0.5;
 
-/// What all do with pairs: one plane explains them, then six degrees of freedom.
+/// Fits a motion to pairs as all front ends do: one plane explains them, then six degrees of freedom.
 std::optional<PlanarFit> fitted(const CameraModel& camera, const AttitudePrior& prior,
                                 const std::vector<FloorPair>& pairs, const PlanarState& expected) {
   std::vector<Eigen::Vector2d> a;
@@ -39,7 +39,7 @@ std::optional<PlanarFit> fitted(const CameraModel& camera, const AttitudePrior& 
   return fit.converged ? std::optional(std::move(fit)) : std::nullopt;
 }
 
-/// Corners followed from view to view, as the product follows them.
+/// Follows corners from view to view, as the product follows them.
 class Tracks : public FrontEnd {
  public:
   Tracks(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}
@@ -90,7 +90,7 @@ class Tracks : public FrontEnd {
   std::vector<Eigen::Vector2d> pixels_;
 };
 
-/// Grey values aligned with the keyframe's.
+/// Aligns grey values with the keyframe's.
 class Direct : public FrontEnd {
  public:
   Direct(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}
@@ -110,7 +110,7 @@ class Direct : public FrontEnd {
   Image now_;
 };
 
-/// Alignment of coarse levels says where corners are expected.
+/// Tracks corners from where an alignment of coarse levels expects them.
 class DirectThenTracks : public Tracks {
  public:
   using Tracks::Tracks;
@@ -140,7 +140,7 @@ struct Described {
   std::vector<Descriptor> descriptors;
 };
 
-/// Binary features of both views, matched near where they are expected.
+/// Matches binary features of both views, near where they are expected.
 class Matches : public FrontEnd {
  public:
   Matches(const CameraModel& camera, const AttitudePrior& prior) : camera_(camera), prior_(prior) {}

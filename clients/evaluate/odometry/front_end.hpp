@@ -10,16 +10,16 @@
 
 namespace weft::evaluate::odometry {
 
-/// A way to find the motion between a keyframe and a view. They differ in this alone: keyframes, prior, robust
+/// Finds the motion between a keyframe and a view. Front ends differ in this alone: keyframes, prior, robust
 /// homography and fit are the same for all (KeyframeOdometry).
 class FrontEnd {
  public:
   virtual ~FrontEnd() = default;
-  /// This view is looked at.
+  /// Looks at a view, which match() and begin() are then about.
   virtual void look(const agents::Image& image) = 0;
-  /// The view last looked at is the keyframe from now on.
+  /// Makes the view last looked at the keyframe from now on.
   virtual void begin() = 0;
-  /// keyframe_from_robot of the view last looked at, from where it is expected. None: not found.
+  /// Returns keyframe_from_robot of the view last looked at, from where it is expected. None: not found.
   virtual std::optional<agents::PlanarFit> match(const agents::PlanarState& expected) = 0;
 };
 

@@ -6,11 +6,11 @@
 
 namespace weft::evaluate::odometry {
 
-/// What each vibrates by; the mount is taken for calibrated.
+/// Returns the attitudes to expect from vibration alone; the mount is taken for calibrated.
 agents::AttitudePrior vibration_alone();
 
-/// Odometry against keyframes 0.2 m or 0.15 rad apart with any front end: the product's, but for what it has learned
-/// beyond (its mount, what it rocks about) and its fallbacks. Blind steps are the wheels'.
+/// Computes odometry against keyframes 0.2 m or 0.15 rad apart with any front end: the product's, but for what it has
+/// learned beyond (its mount, what it rocks about) and its fallbacks. Blind steps are the wheels'.
 class KeyframeOdometry {
  public:
   explicit KeyframeOdometry(std::unique_ptr<FrontEnd> front_end) : front_end_(std::move(front_end)) {}

@@ -9,12 +9,12 @@
 
 namespace weft::evaluate::odometry {
 
-/// Somebody who is shown a drive, or some of its images only, and says step by step how it went.
+/// Watches a drive, or some of its images only, and says step by step how it went.
 class Observer {
  public:
   using Observe = std::function<agents::Step(const agents::View*, const agents::Motion&)>;
 
-  /// `every`: shown each so-many-th sample; `cpu_s`: time that this thread has computed.
+  /// Makes an observer that is shown each `every`th sample; `cpu_s`: time that this thread has computed.
   Observer(std::string name, std::size_t every, Observe observe, std::function<double()> cpu_s)
       : name_(std::move(name)), every_(every), observe_(std::move(observe)), cpu_s_(std::move(cpu_s)) {}
 

@@ -7,8 +7,8 @@
 
 namespace weft::evaluate::odometry {
 
-/// How often the stated region of 95 % holds the truth, the mean over robots: a robot is a seed, with one draw of a
-/// calibration's errors, and all that it drives is right or wrong by that together.
+/// Tells how often the stated region of 95 % holds the truth, the mean over robots: a robot is a seed, with one draw
+/// of a calibration's errors, and all that it drives is right or wrong by that together.
 struct Region {
   std::string observer;  ///< with the camera as calibrated, or as given
   double metres = 0.0;   ///< length of the stretches

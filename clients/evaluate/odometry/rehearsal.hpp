@@ -8,8 +8,8 @@
 
 namespace weft::evaluate::odometry {
 
-/// A hand leads the robot along the line while all of them watch; then the truth is written into their traces.
-/// False: stopped. Errors of the body.
+/// Has a hand lead the robot along the line while all of them watch, then writes the truth into their traces. Returns
+/// false when it was stopped. Errors of the body.
 Result<bool> rehearse(const floor::Drive& drive, const std::vector<agents::SitePoint>& line,
                       std::vector<Observer>& observers);
 

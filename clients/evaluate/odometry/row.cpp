@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDriftM = 1.0;
 
-/// RMS of metres and radians that stretches are off at their end.
+/// Returns by how much stretches are off at their end, RMS: metres and radians.
 std::pair<double, double> drift_of(const floor::Trace& trace) {
   const std::vector<floor::Stretch> stretches = floor::stretches(trace, kDriftM);
   double metres2 = 0.0;
@@ -36,7 +36,7 @@ double blind_percent_of(const floor::Trace& trace) {
   return 100.0 * static_cast<double>(blind) / static_cast<double>(trace.moments.size() - 1);
 }
 
-/// All values of the rows in one list.
+/// Returns all values of the rows in one list.
 std::vector<double> joined(const std::vector<const Row*>& rows, std::vector<double> Row::*values) {
   std::vector<double> all;
   for (const Row* const row : rows) all.insert(all.end(), (row->*values).begin(), (row->*values).end());

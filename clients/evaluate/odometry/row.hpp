@@ -7,12 +7,12 @@
 
 namespace weft::evaluate::odometry {
 
-/// The drive as taught at the site's frame rate, and the names of the product that watches it.
+/// Names the drive as taught at the site's frame rate; below, the product as an observer of it.
 inline constexpr const char* kMappingDrive = "mapping";
 inline constexpr const char* kCalibrated = "weft, calibrated";
 inline constexpr const char* kAsGiven = "weft, as given";
 
-/// What one observer made of one drive.
+/// Holds what one observer made of one drive.
 struct Row {
   std::string kind;
   std::uint64_t seed = 0;
@@ -28,9 +28,9 @@ struct Row {
 };
 Row row_of(const std::string& kind, std::uint64_t seed, const std::string& drive, const Observer& observer);
 
-/// One line a row.
+/// Returns the rows as CSV, a line each.
 std::string csv_of(const std::vector<Row>& rows);
-/// A line for each drive and observer, over all kinds and seeds; and with its kinds apart.
+/// Returns a line for each drive and observer, over all kinds and seeds; then the same with its kinds apart.
 std::string table_of(const std::vector<Row>& rows);
 
 }  // namespace weft::evaluate::odometry

@@ -47,7 +47,7 @@ Observer candidate(const std::string& name, std::size_t every, const agents::Cam
       cpu_s);
 }
 
-/// A drive, and at which share of its images it is watched.
+/// Describes a drive, and at which share of its images it is watched.
 struct Rehearsed {
   std::string name;
   floor::Drive drive;
@@ -75,7 +75,7 @@ std::string named(const std::string& drive, std::size_t every) {
   return every == 1 ? drive : drive + ", 1 image of " + std::to_string(every);
 }
 
-/// Who watches: the product with both cameras, or all candidates beside it.
+/// Returns who watches: the product with both cameras, or all candidates beside it.
 Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const agents::CameraModel& calibrated,
                                        const OdometryOptions& options, const CpuTime& cpu_s) {
   const Result<std::unique_ptr<agents::Body>> body = agents::sim::make_sim_body(rehearsed.drive.body);
@@ -96,7 +96,7 @@ Result<std::vector<Observer>> watchers(const Rehearsed& rehearsed, const agents:
   return observers;
 }
 
-/// Rows of one floor and seed. False: stopped.
+/// Measures the rows of one floor and seed. Returns false when it was stopped.
 Result<bool> measure(const floor::Scenario& scenario, const std::string& kind, std::uint64_t seed,
                      const OdometryOptions& options, const CpuTime& cpu_s, std::vector<Row>& rows) {
   const auto camera = floor::calibrated(scenario.for_calibration(), scenario.calibration_line());

@@ -14,11 +14,11 @@ struct OdometryOptions : FloorOptions {
 
 namespace odometry {
 
-/// Odometry alone, with its covariances: each drive is driven once and watched by the product with the camera as it
-/// was calibrated and as it is given, at the site's frame rate and at reduced ones, and by the candidates. Writes
+/// Studies odometry alone, with its covariances: each drive is driven once and watched by the product with the camera
+/// as calibrated and as given, at the site's frame rate and at reduced ones, and by the candidates. Writes
 /// odometry.json and odometry.csv after each floor and seed, goes on where these end, prints the table and how often
-/// regions hold. Its light is not looked at: each drive has its own. `cpu_s`: time that this thread
-/// has computed. not_found, invalid: site, line or floor; unavailable: the folder cannot be written.
+/// regions hold. The options' light is not looked at: each drive has its own. `cpu_s`: time that this thread has
+/// computed. not_found, invalid: site, line or floor; unavailable: the folder cannot be written.
 Result<Ended> study_odometry(const OdometryOptions& options, const Surroundings& around,
                              const std::function<double()>& cpu_s);
 

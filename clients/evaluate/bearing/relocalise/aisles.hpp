@@ -17,7 +17,7 @@ enum class Loads : std::uint8_t {
   same       ///< every aisle holds the same
 };
 
-/// A hall of aisles that look alike, one beside the other along x.
+/// Describes a hall of aisles that look alike, one beside the other along x.
 struct Aisles {
   static constexpr std::size_t kCount = 4;
   agents::sim::Site site;  ///< its robot stands where the first aisle's line begins
@@ -28,10 +28,10 @@ struct Aisles {
   std::vector<agents::SitePoint> line(std::size_t aisle) const;
 };
 
-/// Camera, base, hand and disturbances of `like`; walls, floor and loads by the seed.
+/// Makes a hall with the camera, base, hand and disturbances of `like`; the seed decides walls, floor and loads.
 Aisles aisles_like(const agents::sim::Site& like, Loads loads, std::uint64_t seed);
 
-/// How far a robot is led until it is to know where it is.
+/// Sets how far a robot is led until it is to know where it is.
 inline constexpr double kLedM = 2.0;
 
 /// Says where a robot is put down, and along what it is led.
@@ -39,9 +39,9 @@ struct PutDown {
   Pose2 site_from_robot;
   std::vector<agents::SitePoint> way;
 };
-/// On the aisle's line, a little beside it and a little askew.
+/// Draws a pose on the aisle's line, a little beside it and a little askew.
 PutDown on_the_line(std::size_t aisle, Random& random);
-/// In any aisle or before or behind them, at any heading, and led on either way.
+/// Draws a pose in any aisle or before or behind them, at any heading; from there a robot is led on either way.
 PutDown anywhere(Random& random);
 
 }  // namespace weft::evaluate::bearing

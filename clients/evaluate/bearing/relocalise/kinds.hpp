@@ -8,7 +8,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// A kind of trials: what the aisles hold, and where a robot is put down. All aisles but one are taught.
+/// Describes a kind of trials: what the aisles hold, and where a robot is put down. All aisles but one are taught.
 struct LookAlikes {
   enum class Where : std::uint8_t {
     taught,      ///< on the line of a taught aisle
@@ -24,7 +24,7 @@ struct LookAlikes {
 };
 const std::vector<LookAlikes>& look_alikes();
 
-/// "other-loads", "one-side", "same-loads".
+/// Returns "other-loads", "one-side" or "same-loads".
 const char* name_of(Loads loads);
 
 /// Changes the hall to that of the day when a robot is put down.

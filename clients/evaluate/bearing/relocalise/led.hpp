@@ -17,7 +17,7 @@ struct TaughtAisles {
   std::map<PlaceId, Pose2> site_from_place;
 };
 
-/// One run for each aisle but the one that is left out, by one robot. None: stopped.
+/// Teaches one robot a run for each aisle but the one that is left out. None: stopped.
 Result<std::optional<TaughtAisles>> teach(const Drive& drive, const Aisles& aisles);
 
 /// Records one robot that was put down and led.
@@ -38,11 +38,11 @@ inline constexpr double kRightAlongM = 0.3;
 inline constexpr double kRightAsideM = 1.5;  ///< from so far it comes back to the way
 inline constexpr double kRightRad = 0.1;
 
-/// A body that is put down again and again.
+/// Leads one body that is put down again and again.
 class Leading {
  public:
   static Result<Leading> make(const Drive& drive);
-  /// With a navigator that has every setting at its default and is told nothing but the map. None: stopped.
+  /// Leads it with a new navigator: all settings are the defaults, and it knows nothing but the map. None: stopped.
   Result<std::optional<Led>> lead(const PutDown& put_down, const TaughtAisles& taught);
 
  private:

@@ -20,10 +20,10 @@ struct LedGroup {
 
   std::size_t trials() const { return right + wrong + refused; }
 };
-/// In the order of look_alikes() and other_lights(); those of which there are trials.
+/// Returns those groups of which there are trials, in the order of look_alikes() and other_lights().
 std::vector<LedGroup> judge(const LedRows& rows);
 
-/// A row a group, and one of all that are judged together; then a row for the pairs of each kind of loads.
+/// Returns a row a group, and one of all that are judged together; then a row for the pairs of each kind of loads.
 std::string tables_of(const LedRows& rows);
 
 }  // namespace weft::evaluate::bearing

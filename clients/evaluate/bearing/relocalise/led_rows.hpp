@@ -27,12 +27,12 @@ struct LedRows {
   std::map<std::pair<std::string, std::uint64_t>, Pairs> pairs;  ///< of each hall, by what it holds and its seed
 };
 
-/// DIR/relocalise.json; no file is no rows. conflict: it belongs to another study, which is said; corrupt: it is
-/// none.
+/// Reads DIR/relocalise.json; without the file there are no rows. conflict: it belongs to another study, which is
+/// said; corrupt: it is none.
 Result<LedRows> read_led(const std::filesystem::path& folder, const Study& study);
-/// Whole or not at all. unavailable: names the file.
+/// Writes DIR/relocalise.json, whole or not at all. unavailable: names the file.
 Result<void> write_led(const std::filesystem::path& folder, const Study& study, const LedRows& rows);
-/// DIR/relocalise.csv, a row a trial.
+/// Writes DIR/relocalise.csv, a row a trial.
 Result<void> write_led_csv(const std::filesystem::path& folder, const LedRows& rows);
 
 }  // namespace weft::evaluate::bearing

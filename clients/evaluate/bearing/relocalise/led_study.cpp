@@ -19,7 +19,7 @@ namespace {
 
 using agents::sim::Site;
 
-/// What a study has beside its options.
+/// Holds what a study needs at every step, beside its options.
 struct Trying {
   const BearingRelocaliseOptions& options;
   const Site& like;
@@ -69,7 +69,7 @@ PutDown put_down_for(const LookAlikes& kind, const Aisles& aisles, Random& rando
   return on_the_line(taught[random.below(taught.size())], random);
 }
 
-/// The trials that a row lacks.
+/// Tries what a row lacks of its trials, and keeps the row.
 Result<Ended> fill_row(const Trying& trying, const LedKey& key, const LookAlikes& kind, const Hall& hall,
                        Leading& robot) {
   std::vector<Led>& trials = trying.rows.trials[key];
@@ -91,7 +91,7 @@ Result<Ended> fill_row(const Trying& trying, const LedKey& key, const LookAlikes
   return Ended::complete;
 }
 
-/// Of a hall, by another robot than the one that taught it.
+/// Tries a hall in one light, with another robot than the one that was taught in it.
 Result<Ended> try_light(const Trying& trying, const std::vector<LookAlikes>& kinds, const OtherLight& light,
                         std::uint64_t seed, const Hall& hall) {
   constexpr std::uint64_t kOtherRobot = 1'000'000;
@@ -118,7 +118,7 @@ Result<void> hold_hall(const Trying& trying, const Hall& hall, Loads loads, std:
   return {};
 }
 
-/// One hall with all kinds of trials that are to be driven in it.
+/// Teaches one hall and drives in it all kinds of trials that rows still lack.
 Result<Ended> try_hall(const Trying& trying, const std::vector<LookAlikes>& kinds, std::uint64_t seed) {
   const bool has_all = std::all_of(kinds.begin(), kinds.end(), [&](const LookAlikes& kind) {
     return std::all_of(other_lights().begin(), other_lights().end(), [&](const OtherLight& light) {
@@ -164,7 +164,7 @@ LedRows asked_for(const Trying& trying) {
   return asked;
 }
 
-/// For the picture: the kinds in their order, and those of which no answer is right.
+/// Writes for the picture the kinds in their order, and those of which no answer is right.
 Result<void> write_kinds(const std::filesystem::path& out, const std::string& about) {
   nlohmann::json series = {{"about", about}, {"led_m", kLedM}, {"kinds", nlohmann::json::array()}};
   for (const LookAlikes& kind : look_alikes()) {

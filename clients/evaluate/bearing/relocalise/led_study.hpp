@@ -18,11 +18,11 @@ struct BearingRelocaliseOptions {
 
 namespace bearing {
 
-/// For each kind and seed a hall is taught, and for each light another robot is put down in it `trials` times and led
-/// on until it believes to know where it is. What the folder holds already is kept, trial by trial. At the end prints
-/// the table and writes relocalise.csv, relocalise.json and a picture; `missed`: a place was taken for another one,
-/// or too few found themselves. not_found, invalid: site or kind; conflict: the folder holds another study;
-/// unavailable: it cannot be written.
+/// Studies whether a lost robot tells aisles that look alike from one another. For each kind and seed a hall is
+/// taught; for each light another robot is put down in it `trials` times and led on until it believes to know where
+/// it is. What the folder holds already is kept, trial by trial. Prints the table, writes relocalise.csv,
+/// relocalise.json and a picture; `missed`: a place was taken for another one, or too few found themselves.
+/// not_found, invalid: site or kind; conflict: the folder holds another study; unavailable: it cannot be written.
 Result<Ended> study_look_alikes(const BearingRelocaliseOptions& options, const Surroundings& around);
 
 }  // namespace bearing

@@ -5,7 +5,7 @@
 
 namespace weft::evaluate::bearing {
 
-/// Places of different aisles, or far apart in one, held against each other.
+/// Counts pairs of places of different aisles, or far apart in one, that were compared with each other.
 struct Pairs {
   std::size_t tried = 0;
   std::size_t voted = 0;    ///< of which the heading vote alone tells a heading
@@ -18,7 +18,7 @@ struct Pairs {
   }
 };
 
-/// So many pairs of what was taught, drawn by the seed. corrupt: a content cannot be read.
+/// Compares so many pairs of what was taught, drawn by the seed. corrupt: a content cannot be read.
 Result<Pairs> hold_pairs(const agents::CameraModel& camera, const TaughtAisles& taught, std::size_t count,
                          std::uint64_t seed);
 

@@ -25,13 +25,13 @@ constexpr std::uint64_t kOtherPatch = 7919;  // added to a floor's seed
 constexpr double kBinDegrees = 180.0 / std::numbers::pi * Recall::kBinRad;
 constexpr std::size_t kOneInOther = 5;  // passages on another floor of the kind
 
-/// Shared by all lights of a floor and seed.
+/// Holds what all lights of a floor and seed share.
 struct Ground {
   Scenario scenario;
   Taught taught;
 };
 
-/// None: stopped.
+/// Teaches a robot the floor of that kind and seed. None: stopped.
 Result<std::optional<Ground>> ground_of(const Stage& stage, const std::string& kind, std::uint64_t seed) {
   Result<Scenario> scenario = Scenario::make(stage, kind, seed);
   if (!scenario) return fail(scenario.error());
@@ -46,10 +46,10 @@ agents::Twist some_motion(Random& random) {
   return {random.uniform(0.3, 0.8), random.uniform(-0.3, 0.3)};
 }
 
-/// One row: passages of another robot on another day, until there are enough attempts. None: stopped.
+/// Makes one row: passages of another robot on another day, until there are enough attempts. None: stopped.
 class RowOfAttempts {
  public:
-  /// Errors of the bodies, the method and the contents.
+  /// Makes the other robot. Errors of the bodies, the method and the contents.
   static Result<RowOfAttempts> make(const Ground& ground, const std::string& light, Random random) {
     const Result<Drive> drive = ground.scenario.second(light);
     if (!drive) return fail(drive.error());
@@ -106,7 +106,7 @@ std::vector<RowKey> keys_of(const Subject& subject, Seeds seeds) {
   return keys;
 }
 
-/// Each light has passages of its own.
+/// Returns the generator of a row, so that each light has passages of its own.
 Random random_of(const RowKey& key) {
   Random random(key.seed);
   const std::vector<std::string>& all = lights();

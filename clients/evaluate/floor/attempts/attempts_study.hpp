@@ -7,7 +7,7 @@
 
 namespace weft::evaluate {
 
-/// `out`, `kind`, `light`, `seeds`, ... as of any study of floors.
+/// Holds what is asked for; `out`, `kind`, `light`, `seeds`, ... mean what they mean for any study of floors.
 struct AttemptsOptions : FloorOptions {
   std::size_t attempts = 100'000;  ///< of all floors, lights and seeds together
 };

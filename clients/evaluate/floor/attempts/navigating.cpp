@@ -18,7 +18,7 @@ namespace {
 
 using namespace agents;
 
-/// What a robot believes and how far that is off: within what it says, or by several tenths of a metre.
+/// Draws what a robot believes and how far that is off: within what it says, or by several tenths of a metre.
 Relation believed(const Pose2& truth, bool knows, double most_sigma_m, Random& random) {
   const double sigma_m = knows ? random.uniform(0.005, most_sigma_m) : random.uniform(0.005, 0.03);
   const double sigma_rad = knows ? 0.02 : 0.01;
@@ -32,7 +32,7 @@ Relation believed(const Pose2& truth, bool knows, double most_sigma_m, Random& r
                  Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal()};
 }
 
-/// The place that the robot stands nearest to. None: none within reach.
+/// Returns the place that the robot stands nearest to. None: none within reach.
 std::optional<std::size_t> nearest(const KnownPlaces& places, const Pose2& site_from_robot) {
   constexpr double kReachM = 1.0;
   std::optional<std::size_t> best;
@@ -46,7 +46,7 @@ std::optional<std::size_t> nearest(const KnownPlaces& places, const Pose2& site_
   return best;
 }
 
-/// A fix, judged as it was measured and as it is believed: the worse of the two.
+/// Returns the worse of two readings of a fix: as it was measured, and as it is believed.
 Pose2 worse_of(const Fix& fix, const Pose2& truth) {
   const Pose2 measured = planar(fix.evidence.a_from_b);
   return is_right(measured, truth) ? planar(fix.place_from_robot) : measured;

@@ -10,7 +10,7 @@
 
 namespace weft::evaluate::floor {
 
-/// What navigation takes for a fix or a stitch while a passage is driven: the navigator's own parts with every
+/// Tries what navigation takes for a fix or a stitch while a passage is driven: the navigator's own parts with every
 /// setting at its default, on the whole network that was taught. A robot that knows nothing seeks; one that knows
 /// where it is tracks, one that only believes so too; and its first and last view are stitched as places just kept.
 class Navigating {

@@ -8,7 +8,7 @@ namespace {
 
 using namespace agents;
 
-/// Left and right changed.
+/// Returns the view with left and right changed.
 View mirrored_view(const View& view) {
   const auto& image = std::get<Image>(view.data);
   Bytes pixels = *image.pixels;

@@ -9,30 +9,30 @@
 
 namespace weft::evaluate::floor {
 
-/// One sample of a robot that rolls by.
+/// Holds one sample of a robot that rolls by.
 struct Look {
   agents::Step step;                            ///< since the look before
   Pose2 site_from_robot;                        ///< truth; for judging only
   std::optional<agents::FloorContent> content;  ///< none: the frame was dropped, or the method refused it
 };
 
-/// A few samples beside each other.
+/// Holds a few consecutive samples.
 struct Passage {
   std::vector<Look> looks;
   std::optional<agents::FloorContent> mirrored;  ///< the last view with left and right changed
 };
 
-/// A simulated robot that is put down anywhere and rolls on for a few samples; what it sees passes through the
-/// method's own odometry. One body for all, as making floor and camera costs more than a view.
+/// Puts a simulated robot down anywhere and rolls it on for a few samples; what it sees passes through the method's
+/// own odometry. One body serves all passages, as making floor and camera costs more than a view.
 class Passages {
  public:
   static constexpr double kFps = 10.0;
   static constexpr int kLooks = 6;
 
-  /// Errors of the body and of the method. Its frame rate is kFps.
+  /// Makes a robot whose frame rate is kFps. Errors of the body and of the method.
   static Result<Passages> make(agents::sim::SimBodyConfig config);
 
-  /// It is at `site_from_robot` in the middle of the passage.
+  /// Rolls by so that the robot is at `site_from_robot` in the middle of the passage.
   Result<Passage> pass(const Pose2& site_from_robot, const agents::Twist& moving);
 
   const agents::Floor& method() const { return method_; }

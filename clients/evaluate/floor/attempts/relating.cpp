@@ -16,7 +16,7 @@ Metric2 guess_of(const Pose2& place_from_robot, double sigma_m, double sigma_rad
           Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal()};
 }
 
-/// Off by what it says of itself.
+/// Draws a guess that is off by what it says of itself.
 Metric2 honest_guess(const Pose2& truth, Random& random) {
   const double sigma_m = random.uniform(0.005, 0.15);
   const double sigma_rad = random.uniform(0.005, 0.10);
@@ -24,7 +24,7 @@ Metric2 honest_guess(const Pose2& truth, Random& random) {
   return guess_of(truth * off, sigma_m, sigma_rad);
 }
 
-/// Off by far more: anywhere, or, half of them, by as many tiles as fit, where a floor that repeats looks the same.
+/// Draws a guess off by far more: anywhere, or half the time by whole tiles, where repeating floors look the same.
 Metric2 lying_guess(const Pose2& site_from_place, const Pose2& site_from_robot, Random& random) {
   constexpr double kTileM = 0.3;
   Pose2 believed = site_from_robot;
@@ -42,7 +42,7 @@ Metric2 lying_guess(const Pose2& site_from_place, const Pose2& site_from_robot, 
   return guess_of(site_from_place.inverse() * believed, random.uniform(0.005, 0.05), 0.02);
 }
 
-/// One view, against whatever is drawn for it.
+/// Relates one view to whatever places are drawn for it.
 class Attempts {
  public:
   Attempts(const Floor& method, const KnownPlaces& places, const Shows& view, Random& random, Tally& tally)
@@ -62,7 +62,7 @@ class Attempts {
            truth_of(lied));
   }
 
-  /// Places that show none of what is seen.
+  /// Relates it to places that show none of what is seen.
   void without() {
     const std::vector<std::size_t> far = places_.that_share_nothing(view_);
     if (far.empty()) return;
@@ -76,7 +76,7 @@ class Attempts {
     }
   }
 
-  /// Any place at all, when what is seen is on another floor.
+  /// Relates it to any place at all, when what is seen is on another floor.
   void other_floor() {
     const auto drawn = [&]() -> const Known& { return places_.all()[random_.below(places_.all().size())]; };
     relate(attempted::kOtherFloor, drawn(), std::nullopt, std::nullopt);
@@ -107,7 +107,7 @@ class Attempts {
   void remember(const char* sort, const Known& place, bool is_right) {
     tally_.recall(sort, apart(place.shows, view_), is_right);
   }
-  /// The guess says that the robot stands about where the place was kept.
+  /// Relates it with a guess that the robot stands about where the place was kept.
   void guess_here(const char* sort, const Known& place, bool has_truth) {
     const Pose2 lie{random_.uniform(-0.3, 0.3), random_.uniform(-0.3, 0.3), random_.uniform(-0.3, 0.3)};
     relate(sort, place, guess_of(lie, random_.uniform(0.005, 0.25), 0.05),

@@ -7,8 +7,8 @@
 
 namespace weft::evaluate::floor {
 
-/// Each view of a passage related as such with places: two that share floor with it, and others that share none or
-/// are guessed elsewhere. `is_other_floor`: nothing that it sees is known.
+/// Relates each view of a passage to places, without navigation: to two that share floor with it, and to others that
+/// share none or are guessed elsewhere. `is_other_floor`: nothing that it sees is known.
 void relate_passage(const agents::Floor& method, const KnownPlaces& places, const Passage& passage,
                     bool is_other_floor, Random& random, Tally& tally);
 

@@ -11,12 +11,12 @@
 
 namespace weft::evaluate::floor {
 
-/// A relation off by more than this is wrong.
+/// Bounds how far a relation may be off and not be wrong.
 inline constexpr double kWrongM = 0.10;
 inline constexpr double kWrongRad = 3.0 * 0.017453292519943295;
 
-/// What was attempted: two contents related as such, or a part of navigation that takes the relation or leaves it.
-/// The names stand in the files.
+/// Names what was attempted: two contents related as such, or a part of navigation that takes the relation or leaves
+/// it. The names stand in the files.
 namespace attempted {
 inline constexpr const char* kNear = "near";                          ///< the floor seen is seen by the place too
 inline constexpr const char* kNearGuided = "near, guided";            ///< with a guess as uncertain as it says
@@ -34,7 +34,7 @@ inline constexpr const char* kStitching = "stitching";  ///< a place just kept
 inline constexpr const char* kStitchingLost = "stitching, wrong belief";
 }  // namespace attempted
 
-/// What attempts of one sort came to.
+/// Counts what attempts of one sort came to.
 struct Outcomes {
   std::size_t right = 0;
   std::size_t wrong = 0;
@@ -44,7 +44,7 @@ struct Outcomes {
   void add(const Outcomes& other);
 };
 
-/// One that is wrong, so that it can be looked into.
+/// Describes one that is wrong, so that it can be looked into.
 struct WrongOne {
   std::string sort;
   double off_m = 0.0;  ///< on another floor: not a number
@@ -54,8 +54,8 @@ struct WrongOne {
   Pose2 place_from_robot;  ///< what was said
 };
 
-/// Of attempts that have a right answer, by how far apart the middles of what both see lie, or by how their headings
-/// differ.
+/// Counts attempts that have a right answer by how far apart the middles of what both see lie, and by how much their
+/// headings differ.
 struct Recall {
   static constexpr std::size_t kBins = 12;
   static constexpr double kBinM = 0.1;
@@ -64,19 +64,19 @@ struct Recall {
   void add(const Recall& other);
 };
 
-/// How two views lay to each other.
+/// Tells how two views lay to each other.
 struct Apart {
   double metres = 0.0;   ///< between the middles of what they see
   double radians = 0.0;  ///< [0, pi]
 };
 
-/// All that came of one row's attempts. A value.
+/// Holds all that came of one row's attempts. A value.
 class Tally {
  public:
-  /// `truth`: place_from_robot; none: another floor. `site_from_place` is for looking into what is wrong.
+  /// Counts one. `truth`: place_from_robot; none: another floor. `site_from_place`: for looking into what is wrong.
   void count(const std::string& sort, const agents::OrRefusal<Pose2>& place_from_robot,
              const std::optional<Pose2>& truth, const Pose2& site_from_place);
-  /// For one that has a right answer, after `count`.
+  /// Counts one that has a right answer once more, for recall; to be called after `count`.
   void recall(const std::string& sort, const Apart& apart, bool is_right);
   void add(const Tally& other);
 

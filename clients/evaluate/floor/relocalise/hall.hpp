@@ -6,13 +6,13 @@
 
 namespace weft::evaluate::floor {
 
-/// A hall with room for a long way: no racks, lamps every few metres.
+/// Describes a hall with room for a long way: no racks, lamps every few metres.
 struct Hall {
   agents::sim::Site site;               ///< its first robot stands where the line begins
   std::vector<agents::SitePoint> line;  ///< to and fro in rows, each turned into the next by a half circle
 };
 
-/// Camera, base, hand, disturbances and floor of `like`; a line of at least so many metres.
+/// Makes a hall with camera, base, hand, disturbances and floor of `like`, and a line of at least so many metres.
 Hall hall_like(const agents::sim::Site& like, double metres);
 
 }  // namespace weft::evaluate::floor

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kKeptEvery = 25;  // trials
 
-/// Of a network as long as this, a hand that walks and a view every decimetre give what thirty views a second give:
-/// places stand 0.2 m apart. The robots that look for themselves see as the site says.
+/// Describes a drive to teach a network as long as this one: a hand that walks and a view every decimetre give what
+/// thirty views a second give, as places stand 0.2 m apart. The robots that look for themselves see as the site says.
 Drive teaching(const Scenario& scenario) {
   Drive drive = scenario.first();
   drive.body.site.camera.fps = 10.0;
@@ -29,7 +29,7 @@ Drive teaching(const Scenario& scenario) {
   return drive;
 }
 
-/// None: stopped.
+/// Teaches the scenario's network. None: stopped.
 Result<std::optional<Taught>> network_of(const Scenario& scenario) {
   Taught taught;
   const Result<bool> done = teach(teaching(scenario), scenario.line(), taught);
@@ -42,7 +42,7 @@ std::size_t trials_in(const TrialRows& rows, const RowKey& key) {
   return found == rows.end() ? 0 : found->second.size();
 }
 
-/// What a study has beside its options.
+/// Holds what a study needs at every step, beside its options.
 struct Trials {
   const Subject& subject;
   const RelocaliseOptions& options;
@@ -52,7 +52,7 @@ struct Trials {
   Result<void> keep() const { return write_trials(options.out, subject.study, rows); }
 };
 
-/// Those that a row lacks, half of them each way.
+/// Tries what a row lacks of its trials, half of them each way.
 Result<Ended> fill_row(const Trials& study, const RowKey& key, const Scenario& scenario, const Taught& taught) {
   const Result<Drive> drive = scenario.second(key.part);
   if (!drive) return fail(drive.error());
@@ -103,7 +103,7 @@ Result<Ended> try_all(const Trials& study) {
   return Ended::complete;
 }
 
-/// For the picture: the taught way, and how far robots are pushed.
+/// Writes for the picture the taught way, and how far robots are pushed.
 Result<void> write_line(const Trials& study, const std::string& about) {
   nlohmann::json series = {{"about", about}, {"push_m", kPushM}, {"line", nlohmann::json::array()}};
   for (const agents::SitePoint& point : study.subject.stage.line) series["line"].push_back({point.x, point.y});

@@ -7,16 +7,16 @@
 
 namespace weft::evaluate {
 
-/// As of any study of floors, but for the line: `metres` of network in a hall that is made for it.
+/// Holds what any study of floors is asked for, but for the line: `metres` of network in a hall made for it.
 struct RelocaliseOptions : FloorOptions {
   std::size_t trials = 1000;  ///< of each floor, light and seed
 };
 
 namespace floor {
 
-/// For each floor and seed a network is taught, and for each light another robot is put down in it `trials` times.
-/// What the folder holds already is kept, trial by trial. At the end prints the table and writes relocalise.csv,
-/// relocalise.json and a picture. Errors as of study_floor; refused: a wrong place was believed.
+/// Studies how robots find themselves without a seed: for each floor and seed a network is taught; for each light
+/// another robot is put down in it `trials` times. Keeps what the folder holds, trial by trial. Prints a table,
+/// writes relocalise.csv, relocalise.json, a picture. Errors as of study_floor; refused: a wrong place was believed.
 Result<Ended> study_relocalisation(const RelocaliseOptions& options, const Surroundings& around);
 
 }  // namespace floor

@@ -18,7 +18,7 @@ using namespace agents;
 constexpr double kAsideM = 0.05;  // standard deviation
 constexpr double kAskewRad = 0.07;
 
-/// Right of place_from_robot, or not.
+/// Returns whether what the robot believes is right of where it truly is.
 bool is_found_rightly(const Estimate& believed, const Taught& taught, const Pose2& site_from_robot) {
   const Pose2 truth = taught.places.site_from_place.at(believed.place).inverse() * site_from_robot;
   return is_right(planar(believed.place_from_robot), truth);

@@ -15,15 +15,15 @@
 
 namespace weft::evaluate::floor {
 
-/// How far a robot that knows nothing is pushed until it is to know where it is.
+/// Bounds how far a robot that knows nothing is pushed until it is to know where it is.
 inline constexpr double kPushM = 3.0;
 
-/// Which way along what was taught.
+/// Tells which way a robot is pushed along what was taught.
 enum class Along : std::uint8_t { forwards, backwards };
 inline constexpr Along kBothWays[] = {Along::forwards, Along::backwards};
 const char* name_of(Along along);
 
-/// What came of one robot that was put down somewhere.
+/// Holds what came of one robot that was put down somewhere.
 struct Trial {
   Along along = Along::forwards;
   Pose2 site_from_robot;          ///< where it was put down
@@ -32,30 +32,30 @@ struct Trial {
   std::string refused;            ///< most often, when it never did
 };
 
-/// Where it is put down, and along what it is pushed.
+/// Says where a robot is put down, and along what it is pushed.
 struct Push {
   Along along = Along::forwards;
   Pose2 site_from_robot;
   std::vector<agents::SitePoint> way;
 };
-/// Anywhere on the line: a little beside it, headed a little askew, as robots that follow it are.
+/// Draws a start anywhere on the line: a little beside it, headed a little askew, as robots that follow it are.
 Push some_push(const std::vector<agents::SitePoint>& line, Along along, Random& random);
 
-/// A body that is put down again and again.
+/// Pushes one body that is put down again and again.
 class Pushed {
  public:
-  /// Errors of body and method.
+  /// Makes the body and the method. Returns their errors.
   static Result<Pushed> make(const Drive& drive);
-  /// What the server knows: the signatures of all places. corrupt: a content that the method cannot read.
+  /// Signs all places, as the server does. corrupt: a content that the method cannot read.
   Result<void> learn(const Taught& taught);
-  /// With a navigator that has every setting at its default and is told nothing but the map. None: stopped.
+  /// Pushes it with a new navigator: all settings are the defaults, and it knows nothing but the map. None: stopped.
   Result<std::optional<Trial>> push(const Push& push, const Taught& taught);
 
  private:
   Pushed(std::unique_ptr<agents::sim::SimulatedBody> body, agents::Floor method, std::function<bool()> asked_to_stop)
       : body_(std::move(body)), method_(std::move(method)), asked_to_stop_(std::move(asked_to_stop)) {}
 
-  /// The server's part: at once.
+  /// Proposes places to the navigator in the server's stead, at once.
   void answer(agents::Navigator& navigator, const Taught& taught) const;
 
   std::unique_ptr<agents::sim::SimulatedBody> body_;

@@ -30,7 +30,7 @@ double percent_found(const std::vector<Trial>& trials) {
   return 100.0 * static_cast<double>(found) / static_cast<double>(trials.size());
 }
 
-/// Pushed until it was found; of all that were found.
+/// Returns the median metres pushed until the robot was found, of those that were.
 double middle_m(const std::vector<Trial>& trials) {
   std::vector<double> metres;
   for (const Trial& trial : trials) {

@@ -6,11 +6,11 @@
 
 namespace weft::evaluate::floor {
 
-/// Promised: so many percent of the median and of the worst seed find themselves.
+/// Sets what is promised: so many percent of the median and of the worst seed find themselves.
 inline constexpr double kFoundMedianPercent = 99.0;
 inline constexpr double kFoundWorstPercent = 97.0;
 
-/// What was pushed one way on a floor, in a light.
+/// Sums up what was pushed one way on a floor, in a light.
 struct TrialGroup {
   std::string kind;
   std::string part;
@@ -21,7 +21,7 @@ struct TrialGroup {
 };
 std::vector<TrialGroup> judge(const TrialRows& rows);
 
-/// A row a group: the share that found itself, median and worst over the seeds, against what is promised.
+/// Returns a row a group: the share that found itself, median and worst over the seeds, against what is promised.
 std::string tables_of(const TrialRows& rows);
 
 }  // namespace weft::evaluate::floor
