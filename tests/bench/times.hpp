@@ -15,14 +15,14 @@ inline double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-/// Of this thread. What others have to do on the same machine does not count in it.
+/// Returns this thread's time. What others have to do on the same machine does not count in it.
 inline double processor_ms() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
-/// How long something took, by the clock on the wall and by the processor's.
+/// Tells how long something took, by the clock on the wall and by the processor's.
 struct Took {
   double wall_ms = 0.0;
   double processor_ms = 0.0;

@@ -8,7 +8,7 @@
 #include "core/network/removal.hpp"
 #include "tests/support/network_maker.hpp"
 
-/// All of a network, read a page at a time.
+/// Tests that all of a network can be read a page at a time.
 namespace weft {
 namespace {
 

@@ -53,7 +53,7 @@ class Progress {
   Clock::time_point last_ = begun_;
 };
 
-/// How many things were lost in the round.
+/// Plays a round. Returns how many things were lost in it.
 std::size_t play(const RoundPlan& plan, Promised& promised) {
   const std::string failure = run_round(plan, promised);
   std::vector<std::string> losses = verify(plan, promised);

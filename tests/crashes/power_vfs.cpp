@@ -16,7 +16,7 @@ namespace {
 constexpr sqlite3_int64 kSector = 512;
 using Sector = std::array<std::uint8_t, kSector>;
 
-/// What a file was when it was last synchronised, as far as it has changed since.
+/// Holds what a file was when it was last synchronised, as far as it has changed since.
 struct Unsynced {
   sqlite3_int64 size = -1;  ///< -1: nothing has changed
   std::map<sqlite3_int64, Sector> sectors;
@@ -41,7 +41,7 @@ sqlite3_int64 size_of(sqlite3_file* file) {
   return size;
 }
 
-/// Before the sectors of a stretch change.
+/// Keeps the sectors of a stretch before they change.
 void remember(sqlite3_file* file, sqlite3_int64 from, sqlite3_int64 to) {
   Unsynced& unsynced = layer.files[file];
   if (unsynced.size < 0) unsynced.size = size_of(file);

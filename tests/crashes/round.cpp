@@ -29,7 +29,7 @@ Ends make_pipe() {
   return {ends[0], ends[1]};
 }
 
-/// All descriptors and children of a round; both are gone with it.
+/// Holds all descriptors and children of a round; both are gone with it.
 class Processes {
  public:
   Processes() : watch_(make_pipe()) {
@@ -70,7 +70,7 @@ class Processes {
 
   int watch() const { return watch_.ours; }
   void kill_keeper() const { ::kill(keeper_, SIGKILL); }
-  /// How the keeper ended.
+  /// Waits for the keeper. Returns how it ended.
   int wait_for_keeper() {
     int status = 0;
     ::waitpid(keeper_, &status, 0);
@@ -127,7 +127,7 @@ void note(const Report& report, Promised& promised) {
   }
 }
 
-/// In a power loss the layer itself decides when.
+/// Draws how the power fails: in a power loss the layer itself decides when.
 PowerPlan power_plan(Random& random) {
   PowerPlan plan{random.next(), 20 + random.below(1500), 0, 0};
   if (random.chance(0.3)) {

@@ -10,7 +10,7 @@
 
 namespace weft::crashes {
 
-/// What the store has promised so far, over all rounds on one directory.
+/// Holds what the store has promised so far, over all rounds on one directory.
 struct Promised {
   std::array<std::uint64_t, kProducers> durable_through{};
   std::uint64_t revision = 0;

@@ -6,11 +6,11 @@
 #include "core/bytes.hpp"
 #include "tests/storage/sample_map.hpp"
 
-/// What goes between the processes of a round: producers and keeper over a socket each, all of them to whoever
+/// Holds what goes between the processes of a round: producers and keeper over a socket each, all of them to whoever
 /// watches over one pipe.
 namespace weft::crashes {
 
-/// To the watcher; written at once, so that it is there as a whole or not at all.
+/// Tells the watcher what happened; written at once, so that it is there as a whole or not at all.
 struct Report {
   enum class Kind : std::uint32_t { acknowledged, edited, floored, snapshot };
   Kind kind = Kind::acknowledged;

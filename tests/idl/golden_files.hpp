@@ -7,7 +7,7 @@
 namespace weft::bus {
 
 std::string hex_text(ByteView bytes);  ///< lines of 32 bytes
-/// Empty when there is no such file.
+/// Reads a golden message; empty when there is no such file.
 Bytes read_golden(const std::string& name);
 std::filesystem::path golden_path(const std::string& name);
 

@@ -167,7 +167,7 @@ TEST_F(InProcess, SmallOnesPassBulkOnANarrowLink) {
   EXPECT_EQ(chunks, 80U);
 }
 
-/// What the server gets, in order, of a run with every fault on.
+/// Returns what the server gets, in order, of a run with every fault on.
 std::vector<std::uint64_t> run(std::uint64_t seed) {
   InProcessNet net{Random(seed)};
   Link server(net.attach(Role::server, kServer));

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What a reader says to the example of type M after `spoil` has spoiled it.
+/// Returns what a reader says to the example of type M after `spoil` has spoiled it.
 template <class M>
 std::string refusal(const std::function<void(M&)>& spoil) {
   for (Example& example : examples()) {

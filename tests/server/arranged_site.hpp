@@ -88,10 +88,10 @@ class Site {
   const Goal& goal(std::uint8_t number);
   std::vector<std::string> events_of(const std::string& kind) const;
   msg::MapInfo info();
-  /// How often the server counted that.
+  /// Returns how often the server counted that.
   std::uint64_t counted(const std::string& what);
 
-  /// All messages of a kind that were said since the last `hush`.
+  /// Returns all messages of a kind that were said since the last `hush`.
   template <class M>
   std::vector<M> heard() const {
     std::vector<M> found;

@@ -24,7 +24,7 @@ SurveyedSite crossing_site(std::uint64_t seed) {
   return site;
 }
 
-/// What several robots hold, asked of the index and of each holding.
+/// Compares what several robots hold, asked of the index and of each holding.
 struct HoldingsTest : testing::Test {
   void put(std::uint8_t robot, std::uint64_t run, std::uint32_t from, std::uint32_t to) {
     std::vector<Touched> touched;

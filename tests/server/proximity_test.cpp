@@ -24,7 +24,7 @@ struct Seen {
   int near_beyond = 0;  ///< farther apart than `clear_m`
 };
 
-/// All pairs of places of two runs, or of one.
+/// Looks at all pairs of places of two runs, or of one.
 Seen all_pairs(const SurveyedSite& site, std::uint64_t a, std::uint64_t b, double clear_m) {
   Proximity proximity = proximity_of(site.network());
   Seen seen;

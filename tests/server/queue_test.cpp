@@ -38,7 +38,7 @@ struct Queue : testing::Test {
     std::uint64_t commits = 0;
   };
   Cost now() const { return {site.disk->events.size(), site.disk->commits}; }
-  /// Of asking for so many goals, and driving to some of them.
+  /// Returns the cost of asking for so many goals, and driving to some of them.
   Cost cost_of(std::uint8_t goals, int driven, const std::string& robot) {
     const Cost before = now();
     ask_for(goals, robot);

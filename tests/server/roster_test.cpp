@@ -24,7 +24,7 @@ struct Roster : testing::Test {
     request.label = name;
     return site.ask(request);
   }
-  /// Which robots a stop goes to.
+  /// Returns which robots a stop goes to.
   std::vector<RobotId> stopped(const std::string& robot) {
     site.hush();
     msg::OperatorRequest request = site.request(Kind::stop);

@@ -24,7 +24,7 @@ struct Rig {
     EXPECT_TRUE(store->open());
   }
 
-  /// Until nothing is left to be done; how many pieces that took.
+  /// Works until nothing is left to be done. Returns how many pieces that took.
   int settle() {
     int pieces = 0;
     for (; routes.next(); ++pieces) {

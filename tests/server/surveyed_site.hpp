@@ -74,7 +74,7 @@ class SurveyedSite {
   Snapshot& network() { return network_; }
 
  private:
-  /// Per metre 4.3 mm along, 3.5 mm aside and 0.73 mrad; steps are independent.
+  /// Makes an edge with 4.3 mm along, 3.5 mm aside and 0.73 mrad per metre; steps are independent.
   Edge edge(const PlaceId& a, const PlaceId& b, const Pose2& truly) {
     const double root = std::sqrt(std::max(kSpacing_m, truly.translation().norm()));
     const Eigen::Vector3d sigma = root * Eigen::Vector3d(0.0043, 0.0035, 0.00073);
@@ -98,7 +98,7 @@ inline std::shared_ptr<const Snapshot> shared(const Snapshot& snapshot) {
   return std::make_shared<const Snapshot>(snapshot);
 }
 
-/// With everything laid out.
+/// Makes one with everything laid out.
 inline Proximity proximity_of(const Snapshot& snapshot) {
   Proximity proximity(2.2);
   proximity.layout().lay(shared(snapshot));

@@ -11,7 +11,7 @@ constexpr double kBulb = 1.5;   // radius of the turning place at an end of the 
 constexpr double kCurve = 2.0;  // of all other curves
 constexpr double kAside = 1.8;
 constexpr double kOverlap = 1.5;
-/// Where robots can stand at first: in no siding, and apart from one another though the aisle comes by thrice.
+/// Lists where robots can stand at first: in no siding, and apart though the aisle comes by thrice.
 constexpr std::array<double, 8> kStarts = {1.0, 9.0, 13.0, 33.0, 39.5, 58.0, 67.1, 88.5};
 
 }  // namespace
@@ -32,7 +32,7 @@ void AislesCourse::turn(double degrees, double radius_m) {
   add(std::abs(angle) * radius_m, angle);
 }
 
-/// To where it began, the other way; a station at the far end.
+/// Leads back to where it began, the other way; a station at the far end.
 void AislesCourse::turn_round() {
   turn(-60.0, kBulb);
   turn(300.0, kBulb);

@@ -13,7 +13,7 @@ struct Station {
   double right_m = 0.0;  ///< of the course, in its siding; negative: left; 0: on the course itself
 };
 
-/// What one robot is taught: a stretch of the course, through these stations' sidings and past all others.
+/// Tells what one robot is taught: a stretch of the course, through these stations' sidings and past all others.
 struct Lesson {
   double from_m = 0.0;
   double to_m = 0.0;
@@ -30,9 +30,9 @@ class Course {
   /// Point and direction.
   virtual Pose2 at(double along_m) const = 0;
   virtual const std::vector<Station>& stations() const = 0;
-  /// Where a robot of so many stands at first.
+  /// Returns where a robot of so many stands at first.
   virtual double start_m(std::size_t robot, std::size_t robots) const = 0;
-  /// From where it stands at first. PlaceLearner of all robots together hold the whole course and every station.
+  /// Returns its lesson from where it stands at first. All lessons together hold the whole course and every station.
   virtual Lesson lesson(std::size_t robot, std::size_t robots) const = 0;
 };
 

@@ -65,7 +65,7 @@ class Fleet {
   void look_when_quiet();
   /// The server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
   std::vector<std::string> diary() const;
-  /// Over every message of the run, in order: the same seed gives the same.
+  /// Returns a hash over every message of the run, in order: the same seed gives the same.
   std::string trace() const;
   std::uint64_t messages() const { return messages_; }
 

@@ -178,7 +178,7 @@ std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route) const {
   return from;
 }
 
-/// What two robots have been given and have not driven yet keeps clear of each other, whatever the server thinks.
+/// Checks that what two robots were given and have not driven yet keeps clear, whatever the server thinks.
 void Ledger::agent_took(const RobotId& robot) {
   Robot& mine = robots.at(robot);
   const std::optional<Route> route = mine.agent->route();
@@ -226,7 +226,7 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
   }
 }
 
-/// Whose way a hand has put it on.
+/// Notes on whose way a hand has put it.
 void Ledger::note_put_down(const RobotId& robot) {
   constexpr double aside_m = 0.3;  // of the way that it is driven
   const Robot& mine = robots.at(robot);
@@ -272,7 +272,7 @@ void Ledger::body_moved(const RobotId& robot) {
   }
 }
 
-/// By the truth: a robot on a route is not ahead of the released place.
+/// Checks by the truth that a robot on a route is not ahead of the released place.
 void Ledger::check_released_point(const Robot& robot) {
   if (robot.agent == nullptr || std::abs(robot.body->true_speed_m_s()) < 0.01) return;
   const std::optional<Route> route = robot.agent->route();

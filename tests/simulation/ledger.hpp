@@ -41,12 +41,12 @@ class Ledger {
 
   std::map<RobotId, Robot> robots;
 
-  /// Of everything that follows.
+  /// Sets the time of everything that follows.
   void set_now(SteadyTime now) { now_ = now; }
   void agent_sent(const RobotId& robot, const msg::Message& message);
   /// An acknowledgement as it arrives, checked against the disk at once.
   void agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk);
-  /// After the robot has taken a message in: what it may drive now.
+  /// Notes what a robot may drive now; to be called after it has taken a message in.
   void agent_took(const RobotId& robot);
   void server_sent(const msg::Message& message, const server::Service& service);
   void server_heard(const msg::Message& message);
@@ -56,10 +56,10 @@ class Ledger {
   void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
   /// The body has taken a step: how that stands to all others, by the truth.
   void body_moved(const RobotId& robot);
-  /// What must hold at any moment at which a server is up.
+  /// Checks what must hold at any moment at which a server is up.
   void look(const server::Service& service, const storage::MemoryDisk& disk);
-  /// What must hold once faults are over, everyone is up, people have helped where robots waited for one another, and
-  /// nothing has been asked for a while.
+  /// Checks what must hold once faults are over, everyone is up, people have helped where robots waited for one
+  /// another, and nothing has been asked for a while.
   void look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk);
 
   /// People have asked for an edit of the map, or have undone it: meanwhile not all that is stored is served.

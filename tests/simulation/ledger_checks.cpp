@@ -48,8 +48,8 @@ void Ledger::check_acknowledged(const server::Service& service, const storage::M
   }
 }
 
-/// Whatever the disk refused or tore: revisions follow one another, the server's map is the disk's newest, and no
-/// batch is there twice.
+/// Checks that, whatever the disk refused or tore, revisions follow one another, the server's map is the disk's
+/// newest, and no batch is there twice.
 void Ledger::check_revisions(const server::Service& service, const storage::MemoryDisk& disk) {
   if (service.snapshot().revision() != disk.revision) {
     broken("revisions", "the server's map is of revision " + std::to_string(service.snapshot().revision().value) +

@@ -11,10 +11,10 @@ namespace weft::simulation {
 /// Numbered marks all over a floor. Some carry a number that another one carries too.
 class MarkedFloor {
  public:
-  /// From (x, y) on, in whole metres.
+  /// Lays marks from (x, y) on, in whole metres.
   MarkedFloor(double x_m, double y_m, int columns, int rows, Random random);
 
-  /// What stands within the camera's view of a robot, without noise; `mark` as the robot reads it.
+  /// Returns what stands within the camera's view of a robot, without noise; `mark` as the robot reads it.
   std::vector<agents::Marks::Sighting> seen_from(const Pose2& site_from_robot) const;
 
  private:

@@ -11,7 +11,7 @@ constexpr double kRestPeriod_s = 2.0;
 constexpr double kDarkens = 2e-4;  // at a frame of a robot that drives itself: once in some ten minutes of driving
 constexpr std::size_t kTruthFrames = 4000;
 
-/// Where the line leads at first, when that is not ahead.
+/// Returns where the line leads at first; none when that is ahead.
 std::optional<Eigen::Vector2d> off_to_the_side(const Pose2& site_from_robot,
                                                const std::vector<agents::SitePoint>& along) {
   constexpr double lead_m = 0.5;

@@ -28,11 +28,11 @@ class MarksBody : public agents::Body {
   agents::Rig rig() const override { return {}; }
   std::string kind() const override { return "marks"; }
 
-  /// For the invariants alone.
+  /// Returns the true pose, for the invariants alone.
   const Pose2& site_from_robot() const { return base_.world_from_robot(); }
   double true_speed_m_s() const { return base_.wheels().linear_m_s; }
   bool by_hand() const { return !hand_.empty(); }
-  /// Where the robot was at a frame of the last few minutes.
+  /// Returns where the robot was at a frame of the last few minutes.
   std::optional<Pose2> at_frame(std::uint64_t frame) const;
 
  private:

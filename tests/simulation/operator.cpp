@@ -46,7 +46,7 @@ void Operator::send_goal(const std::string& label, const std::string& robot) {
   if (reply && reply->goal && reply->outcome != msg::Outcome::refused) ++goals_accepted_;
 }
 
-/// Whatever happens meanwhile, a robot that was told to stop is told to go on.
+/// Stops a robot for a while; whatever happens meanwhile, it is told to go on.
 void Operator::stop_a_while(std::size_t robot) {
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::stop;

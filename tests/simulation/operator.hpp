@@ -12,9 +12,9 @@
 
 namespace weft::simulation {
 
-/// What people ask of the fleet: they teach the course and its sidings, then send robots about, change their minds,
-/// teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until it is
-/// answered, as `weft` does. Faults play on meanwhile.
+/// Asks of the fleet what people do: they teach the course and its sidings, then send robots about, change their
+/// minds, teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until
+/// it is answered, as `weft` does. Faults play on meanwhile.
 class Operator {
  public:
   Operator(Fleet& fleet, Chaos& chaos, Random random) : fleet_(fleet), chaos_(chaos), random_(random) {}
@@ -30,7 +30,7 @@ class Operator {
   void pass(Duration time);
   /// Goals that this operator has not seen end, as of its last look.
   std::size_t open_goals() const { return open_.size(); }
-  /// Why `teach_all` gave up.
+  /// Returns why `teach_all` gave up.
   const std::string& trouble() const { return trouble_; }
   std::uint64_t goals_sent() const { return goals_sent_; }
   std::uint64_t goals_accepted() const { return goals_accepted_; }
@@ -48,7 +48,7 @@ class Operator {
   bool teach_lesson(std::size_t robot);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);
-  /// False: somebody stands in the way, or it has something to do.
+  /// Teaches a robot some more. False: somebody stands in the way, or it has something to do.
   bool teach_more(std::size_t robot);
   void take_away(std::size_t robot);
   void find_at(std::size_t robot, const std::string& label);

@@ -11,7 +11,7 @@ constexpr double kRoom_m = 2.5;
 constexpr Duration kPatience = std::chrono::minutes(4);
 constexpr Duration kFaceToFace = std::chrono::seconds(40);
 
-/// Who the goal waits for, by the last that its history says of it: "A waits until B, C and D have left its way".
+/// Returns who the goal waits for, by the last that its history says: "A waits until B, C and D have left its way".
 std::vector<std::string> blockers_of(const Goal& goal) {
   static const std::string before = " waits until ";
   for (auto event = goal.history.rbegin(); event != goal.history.rend(); ++event) {
@@ -38,7 +38,7 @@ std::optional<std::size_t> Operator::robot_named(const std::string& name) const 
   return std::nullopt;
 }
 
-/// Who the goal was given to.
+/// Returns who the goal was given to.
 std::optional<std::size_t> Operator::serving(const Goal& goal) const {
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     if (goal.robot == fleet_.id_of(robot)) return robot;
@@ -76,13 +76,13 @@ std::vector<std::string> Operator::free_stations() const {
   return free;
 }
 
-/// Empty when there is none.
+/// Returns a free station; empty when there is none.
 std::string Operator::free_station() {
   const std::vector<std::string> free = free_stations();
   return free.empty() ? std::string() : free[random_.below(free.size())];
 }
 
-/// None when it is not answered.
+/// Returns the answer to a question; none when it is not answered.
 std::optional<msg::QueryReply> Operator::answer_to(msg::Query query) {
   query.request = random_.next();
   for (int tries = 0; tries < 5; ++tries) {
@@ -152,7 +152,7 @@ bool Operator::waits_for(std::size_t robot, const std::string& other) const {
   });
 }
 
-/// Of those in the goal's way, one that has nothing to do; else the first.
+/// Returns a robot in the goal's way: one that has nothing to do, else the first.
 std::optional<std::size_t> Operator::blocker_of(const Goal& goal) const {
   const std::vector<std::string> names = blockers_of(goal);
   std::optional<std::size_t> first;
@@ -164,9 +164,9 @@ std::optional<std::size_t> Operator::blocker_of(const Goal& goal) const {
   return first;
 }
 
-/// Who stands in the way with nothing to do is sent away. Who waits for long all the same gives up, and a hand takes
-/// it on a little: two robots that stand too close each keep the other from setting off. Of two that stand face to
-/// face, each on the other's way, one is taken out of it.
+/// Sends away who stands in the way with nothing to do. Who waits for long all the same gives up, and a hand takes it
+/// on a little: two robots that stand too close each keep the other from setting off. Of two that stand face to face,
+/// each on the other's way, one is taken out of it.
 void Operator::help_waiting(const GoalId& id, Open& open) {
   const std::optional<std::size_t> blocker = blocker_of(open.goal);
   if (!blocker) return;

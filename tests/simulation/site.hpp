@@ -12,7 +12,7 @@
 
 namespace weft::simulation {
 
-/// Where a fleet lives: a course with its sidings on a floor of marks.
+/// Describes where a fleet lives: a course with its sidings on a floor of marks.
 class Site {
  public:
   Site(std::unique_ptr<const Course> course, MarkedFloor floor)
@@ -22,10 +22,10 @@ class Site {
   double length_m() const { return course_->length_m(); }
   std::size_t stations() const { return course_->stations().size(); }
   Pose2 station(std::size_t station) const { return pose(course_->stations()[station].at_m, {station}); }
-  /// On the course, or on the sidings of `through` where one is passed; the pose looks along the path.
+  /// Returns a pose on the course, or on the sidings of `through` where one is passed; it looks along the path.
   Pose2 pose(double along_m, const std::vector<std::size_t>& through) const;
   std::vector<agents::SitePoint> line(double from_m, double to_m, const std::vector<std::size_t>& through) const;
-  /// What stands within the camera's view of a robot, without noise; `mark` as the robot reads it.
+  /// Returns what stands within the camera's view of a robot, without noise; `mark` as the robot reads it.
   std::vector<agents::Marks::Sighting> seen_from(const Pose2& site_from_robot) const {
     return floor_.seen_from(site_from_robot);
   }

@@ -20,7 +20,7 @@ struct Way {
   double length_m() const { return kRadius_m * (std::abs(first_rad) + std::abs(last_rad)) + straight_m; }
 };
 
-/// In [0, 2 pi), turned in the direction of `side`.
+/// Returns an angle in [0, 2 pi), turned in the direction of `side`.
 double turned(double radians, double side) {
   const double whole = 2.0 * std::numbers::pi;
   const double rest = std::fmod(side * radians, whole);

@@ -19,7 +19,7 @@ State state;  // C callbacks carry no context of their own
 
 const std::string kName = "weft-faulty";
 
-/// What this write or sync comes to; SQLITE_OK: go on.
+/// Returns what this write or sync comes to; SQLITE_OK: go on.
 int strike() {
   ++state.count;
   if (state.fault == FaultyVfs::Fault::none) return SQLITE_OK;

@@ -15,7 +15,7 @@ class FaultyVfs {
   FaultyVfs& operator=(const FaultyVfs&) = delete;
 
   const std::string& name() const;
-  /// After `writes` more writes or syncs that succeed, all fail.
+  /// Lets `writes` more writes or syncs succeed, then fails all.
   void fail_after(int writes, Fault fault);
   void heal() { fail_after(0, Fault::none); }
   /// Writes and syncs since the last call.

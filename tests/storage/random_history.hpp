@@ -19,7 +19,7 @@ class RandomHistory {
     Transaction transaction;
     std::optional<Snapshot> expected;  ///< where core can say it: the map after it
   };
-  /// None: this draw does not fit the map.
+  /// Draws a step. None: this draw does not fit the map.
   std::optional<Step> draw(const Snapshot& now, Revision oldest = {});
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 enum class Kind { memory, file };
 
-/// What every spool keeps to.
+/// Tests what every spool keeps to.
 class SpoolContract : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override { restart(); }

@@ -88,7 +88,7 @@ TEST_F(SqliteDamage, DamagedContentIsQuarantinedNamedAndTheRestServed) {
   EXPECT_FALSE(store_->has_content(hash));
 }
 
-/// Whatever of a content's row is damaged, reading it as it is kept finds out, without expanding it.
+/// Tests that damage anywhere in a content's row is found by reading it as it is kept, without expanding it.
 TEST_F(SqliteDamage, AStoredContentIsFoundDamagedAtItsFirstReading) {
   const std::vector<std::string> damages = {"bytes = substr(bytes, 1, 20) || x'ff' || substr(bytes, 22)",
                                             "bytes = substr(bytes, 1, length(bytes) - 1)",

@@ -166,7 +166,7 @@ TEST_F(SqliteRestoreEdits, ASnapshotOfALongHistoryRestoresWithItsPast) {
   }
 }
 
-/// As schema 5 made it: its columns stood in another order.
+/// Tests a snapshot as schema 5 made it: its columns stood in another order.
 TEST_F(SqliteRestoreEdits, AnEditedSnapshotOfAnOlderSchemaIsBroughtUpToDateAndRestores) {
   std::vector<std::string> whole;
   const auto file = elsewhere_.path() / "snapshot";

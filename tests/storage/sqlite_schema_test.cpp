@@ -4,7 +4,7 @@
 #include "storage/sqlite/schema.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// What SQLite makes of the schema.
+/// Tests what SQLite makes of the schema.
 namespace weft::storage::sqlite {
 namespace {
 

@@ -10,7 +10,7 @@
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// What only a store on a disk can show: damage under a check, and snapshots as files.
+/// Tests what only a store on a disk can show: damage under a check, and snapshots as files.
 namespace weft::storage {
 namespace {
 

@@ -34,7 +34,7 @@ class SqliteVerify : public testing::Test {
     if (!job) return fail(job.error());
     return finish(**job);
   }
-  /// What stands beside the snapshot.
+  /// Returns what stands beside the snapshot.
   std::vector<std::string> beside() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(elsewhere_.path())) {

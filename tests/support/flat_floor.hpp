@@ -16,7 +16,7 @@
 
 namespace weft::test {
 
-/// What differs between two looks at one floor.
+/// Describes what differs between two looks at one floor.
 struct Shot {
   double gain = 1.0;
   double noise = 2.0;       ///< grey levels

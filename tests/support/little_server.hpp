@@ -13,7 +13,7 @@
 
 namespace weft::test {
 
-/// What a server does for navigation: takes what was taught and hands out the whole network as a window.
+/// Does what a server does for navigation: takes what was taught and hands out the whole network as a window.
 class LittleServer final : public agents::Contents {
  public:
   void take(ExperienceId experience, RobotId robot, std::string_view method, const std::vector<agents::Kept>& kept) {

@@ -48,7 +48,7 @@ class MarksWorld {
     }
   }
 
-  /// What a robot sees from there; the noise is drawn from `random`.
+  /// Returns what a robot sees from there; the noise is drawn from `random`.
   agents::Marks see(const Pose2& world_from_robot, Random& random) const {
     agents::Marks marks;
     for (const auto& disc : config_.blank) {
@@ -116,7 +116,7 @@ class MarksRobot {
     return sample;
   }
 
-  /// What it would see there.
+  /// Returns what it would see there.
   agents::Marks look_from(const Pose2& world_from_robot) { return world_->see(world_from_robot, random_); }
 
   const Pose2& world_from_robot() const { return base_.world_from_robot(); }

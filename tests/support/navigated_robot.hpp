@@ -14,7 +14,7 @@
 
 namespace weft::test {
 
-/// Where places truly are: for judging only.
+/// Tells where places truly are: for judging only.
 using Truth = std::map<PlaceId, Pose2>;
 
 /// A robot on a floor of marks with a navigator, and a hand that can drive it along a path in the site frame.

@@ -39,7 +39,7 @@ class Unicycle {
   const Pose2& world_from_robot() const { return pose_; }
   /// Moved by the last `drive`.
   const Pose2& last_step() const { return step_; }
-  /// What the wheels turned, slip and all.
+  /// Returns what the wheels turned, slip and all.
   const agents::Twist& wheels() const { return now_; }
 
  private:

@@ -5,7 +5,7 @@
 
 #include "tests/agents/agent/rig.hpp"
 
-/// Who is the server: an epoch that is only claimed decides nothing.
+/// Tests how a robot tells who is the server: an epoch that is only claimed decides nothing.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 constexpr Epoch kHighest{std::numeric_limits<std::uint64_t>::max()};
 
-/// Once said by nobody who is there: another site's server, an old message, a mistake.
+/// Makes a hello said once by nobody who is there: another site's server, an old message, a mistake.
 msg::Hello stray_hello(const Rig& rig) {
   msg::Hello stray = rig.server.hello();
   stray.peer.bytes[0] = 66;

@@ -3,7 +3,7 @@
 #include "core/network/codec.hpp"
 #include "tests/agents/agent/rig.hpp"
 
-/// What a robot has come to know better of the map's places on a drive is handed in when the drive ends.
+/// Tests that what a robot has come to know better of the map's places on a drive is handed in when the drive ends.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;

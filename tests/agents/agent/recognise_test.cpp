@@ -20,7 +20,7 @@ class RecogniseOfAgent : public testing::Test {
     rig.run(1s);
     request_candidates(1, 0);
   }
-  /// What the navigator wants to know from now on.
+  /// Sets what the navigator wants to know from now on.
   void request_candidates(std::uint64_t number, std::uint32_t after) {
     rig.script->question =
         Question{.number = number, .seen = {0.5F, 0.25F}, .method = "marks", .content_format = 3, .after = after};

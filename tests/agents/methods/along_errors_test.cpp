@@ -13,7 +13,7 @@ namespace {
 constexpr double kShare = 0.06;     // one sigma of the wheels' scale, as stated
 constexpr double kTurnRadM = 0.08;  // and of what they turn unnoticed
 
-/// As wheels tell of 5 cm.
+/// Returns a step as wheels tell of 5 cm.
 Step told() {
   Step step;
   step.seen = true;

@@ -35,7 +35,7 @@ class MetAcross : public MarksFleet {
       EXPECT_LT(std::abs(off.heading), 0.03);
     }
   }
-  /// Between stitches that follow one another, as the robot drove.
+  /// Returns the widest gap between stitches that follow one another, as the robot drove.
   double widest_gap_m(const std::vector<Edge>& stitches) const {
     double widest = 0.0;
     for (std::size_t i = 1; i < stitches.size(); ++i)

@@ -21,7 +21,7 @@ using test::MarksWorld;
 using test::NavigatedRobot;
 using test::Truth;
 
-/// What can be asked of a method's accuracy in this world.
+/// Bounds what can be asked of a method's accuracy in this world.
 struct Bounds {
   double fix_m = 0.03;
   double fix_rad = 0.03;
@@ -48,7 +48,7 @@ struct Asked<tiny::GridFilter> {
 };
 template <>
 struct Asked<tiny::AlongThePath> {
-  /// Only along the path and in heading: what lies across the path is not known.
+  /// Bounds only what lies along the path and the heading: what lies across the path is not known.
   static Bounds bounds() { return {0.15, 0.2, 0.02, 0.12, 0.15, 0.12, 0.2}; }
 };
 

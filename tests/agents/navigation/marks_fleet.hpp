@@ -61,7 +61,7 @@ class MarksFleet : public testing::Test {
     double worst_turn_rad_s = 0.0;
     int samples = 0;
   };
-  /// Until the robot has not been driving for a while. `each` may intervene.
+  /// Drives until the robot has not been driving for a while. `each` may intervene.
   Driven drive(test::NavigatedRobot& robot, const Route& route, double settled_m = 1.0,
                const std::function<void(const Navigated&)>& each = nullptr) {
     robot.navigator().follow(route);

@@ -45,7 +45,7 @@ class LearnedPlacesOf : public testing::Test, protected Contents {
     seen->sightings.resize(1);
     return learned_places_.pass(Fix{{kRun, index}, here, {}}, seen, {window_, *this}, decoded_);
   }
-  /// By all places from the first to the one before the last; what was learned.
+  /// Drives by all places from the first to the one before the last. Returns what was learned.
   std::vector<LearnedPlace> drive(std::uint32_t first, std::uint32_t last) {
     std::vector<LearnedPlace> all;
     for (std::uint32_t i = first; i <= last; ++i) {
@@ -152,7 +152,7 @@ class LearnsOnItsWay : public MarksFleet {
     marks.base = {0.1, 1, 0.02, 0.02, 0.01};
     return NavigatedRobot(world, marks, truth.at({first, 0}), 3, make_navigator(LearningMarks{}, config));
   }
-  /// What it has learned when it has driven all of the way.
+  /// Returns what it has learned when it has driven all of the way.
   std::vector<LearnedPlace> driven(const NavigationConfig& config) {
     NavigatedRobot one = robot(config);
     one.navigator().seek(PlaceId{first, 0});

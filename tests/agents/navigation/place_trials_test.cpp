@@ -11,7 +11,7 @@
 namespace weft::agents {
 namespace {
 
-/// What is asked of the method, in order.
+/// Records what is asked of the method, in order.
 struct AskedOfMarks {
   std::vector<Revisit> revisits;
   int related = 0;

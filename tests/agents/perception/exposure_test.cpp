@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
 
-/// What a sensor at a given exposure makes of light, with its noise.
+/// Shows what a sensor at a given exposure makes of light, with its noise.
 class Scene {
  public:
   /// Boards of all greys between `darkest` and `brightest`, some of the light that is white at exposure 1 = 255.

@@ -101,7 +101,7 @@ TEST(FocalShareOf, IsAsSureAsItIsRight) {
   EXPECT_NEAR(sum / told, 1.0, 0.35);
 }
 
-/// What is held beforehand is not in what is told, or it would count with each look.
+/// Tests that what is held beforehand is not in what is told, or it would count with each look.
 TEST(FocalShareOf, LooksThatTellLittleAreRightOnAverage) {
   constexpr double share = 0.02;
   double sum = 0.0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// What a camera that is really mounted as `truth` sees between two stands, told as to one that is mounted as given.
+/// Returns what a camera truly mounted as `truth` sees between two stands, told as to one mounted as given.
 FloorViews seen(const CameraModel& truth, const Pose2& a_from_b, Random& random, double noise_px = 0.15) {
   const auto shake = [&] {
     return Attitude{0.0009 * random.normal(), 0.0009 * random.normal(), 0.001 * random.normal()};

@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 
-/// Where a robot went, told from where its shaking camera went.
+/// Tests that where a robot went is told from where its shaking camera went.
 namespace weft::agents {
 namespace {
 

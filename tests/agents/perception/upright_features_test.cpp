@@ -23,7 +23,7 @@ class UprightFeaturesTest : public testing::TestWithParam<Description> {
   test::UprightScene scene_{3, 480, 300};
 };
 
-/// Of the features of `a`, the share of which `b` has one with nearly the same descriptor so many pixels away.
+/// Returns the share of the features of `a` of which `b` has one with nearly the same descriptor so many pixels away.
 double found_again(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b, double right,
                    double down) {
   const auto found = std::count_if(a.begin(), a.end(), [&](const UprightFeature& f) {

@@ -31,7 +31,7 @@ struct Aisle {
   Motion motion;
 };
 
-/// Where the stock changed so often that places have no room left.
+/// Returns places where the stock changed so often that they have no room left.
 std::vector<ChartPlace<BearingContent>> learned_over_changes(const Aisle& aisle,
                                                              std::vector<ChartPlace<BearingContent>> around) {
   sim::Site site = test::aisle_site();
@@ -72,7 +72,7 @@ const Aisle& aisle() {
   return made;
 }
 
-/// Where the view was taken, along the chart.
+/// Returns where the view was taken, along the chart.
 double seen_at_m(std::size_t i) {
   return 0.2 * (static_cast<double>(i) - kMiddle) + 0.07;
 }
@@ -146,7 +146,7 @@ void one_vote(benchmark::State& state) {
 }
 BENCHMARK(one_vote)->Unit(benchmark::kMillisecond);
 
-/// What a robot would do with OpenCV alone: as many ORB corners, matched with those of the nearest place, most
+/// Does what a robot would do with OpenCV alone: as many ORB corners, matched with those of the nearest place, most
 /// frequent shift of the matches; one place instead of up to seven.
 void opencv_step(benchmark::State& state) {
   const Aisle& a = aisle();

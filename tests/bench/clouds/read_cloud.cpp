@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFloat = sizeof(float);
 
-/// What follows `key` in `text`; empty if it is not there.
+/// Returns what follows `key` in `text`; empty if it is not there.
 std::string after(const std::string& text, const std::string& key) {
   const std::size_t at = text.find(key);
   return at == std::string::npos ? "" : text.substr(at + key.size());
@@ -74,7 +74,7 @@ std::string unpacked_lzf(const std::string& packed) {
   return out;
 }
 
-/// All x, then all y, then all z.
+/// Reads a compressed PCD: all x, then all y, then all z.
 Cloud from_pcd(const std::string& text) {
   const std::string data = after(text, "DATA binary_compressed\n");
   std::uint32_t packed_size = 0;

@@ -41,7 +41,7 @@ Motion motion_of_a_view() {
   return motion;
 }
 
-/// At 1 m/s and 30 views a second views are 0.033 m apart: this makes every third of them tell where it is, which is
+/// Makes every third view tell where it is: at 1 m/s and 30 views a second views are 0.033 m apart, so that it is
 /// every 0.1 m and not, by a hair, every fourth.
 NavigationConfig every_tenth_of_a_metre() {
   NavigationConfig config;

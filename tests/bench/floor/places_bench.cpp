@@ -19,7 +19,7 @@ void extract(benchmark::State& state) {
 }
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
 
-/// What teaching foretells, besides extract and relate.
+/// Measures what teaching foretells, besides extract and relate.
 void simulate_revisit(benchmark::State& state, Floor::Condition condition) {
   const Views& v = views();
   std::size_t i = 0;

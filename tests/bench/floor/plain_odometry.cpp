@@ -9,7 +9,7 @@ namespace {
 
 using namespace agents;
 
-/// How far the camera went along the floor, by the decomposition whose normal is nearest to the mount's.
+/// Returns how far the camera went along the floor, by the decomposition whose normal is nearest to the mount's.
 double length_of(const cv::Mat& homography, const CameraModel& camera) {
   std::vector<cv::Mat> rotations;
   std::vector<cv::Mat> translations;

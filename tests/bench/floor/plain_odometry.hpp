@@ -6,10 +6,10 @@
 
 namespace weft::bench {
 
-/// What plain OpenCV makes of a camera over a floor: FAST, pyramidal KLT, a homography by USAC and its decomposition.
+/// Sees a camera's motion over a floor by plain OpenCV: FAST, pyramidal KLT, a homography by USAC, its decomposition.
 class PlainOdometry {
  public:
-  /// How far the camera of views() went along the floor since the image before; none of the first one.
+  /// Returns how far the camera of views() went along the floor since the image before; none of the first one.
   std::optional<double> length_m(const cv::Mat& image);
 
  private:

@@ -9,7 +9,7 @@
 #include "agents/perception/opencv_view.hpp"
 #include "tests/support/floor_drive.hpp"
 
-/// What the benches of the floor method look at, rendered once, and what they have in common.
+/// Holds what the benches of the floor method look at, rendered once, and what they have in common.
 namespace weft::bench {
 
 /// 30 views at 0.6 m/s and 30 fps with vibration.

@@ -41,7 +41,7 @@ struct Looks {
   std::vector<std::size_t> rank_of_codes{};
 };
 
-/// How many places seem likelier than every one within 0.3 m of the right spot.
+/// Returns how many places seem likelier than every one within 0.3 m of the right spot.
 std::size_t rank(const World& world, const Seen& right, const std::vector<double>& unlikeness) {
   double best = 1e18;
   for (std::size_t k = 0; k < world.places.size(); ++k) {

@@ -25,7 +25,7 @@ class Load {
 
   void run(double seconds);
 
-  /// From when a window was asked for, or may be told again to whom it was told half a second ago, until it is said.
+  /// Measures from when a window is asked for, or may be told again (half a second after the last), until it is said.
   Times waits;
   Times windows;  ///< that were answered at once: what that took
   Times batches;

@@ -5,7 +5,7 @@
 
 #include "core/network/network.hpp"
 
-/// What the server's start and its windows are measured beside.
+/// Holds what the server's start and its windows are measured beside.
 namespace weft::bench {
 
 /// Steps through the stored rows of places and edges, and looks at none. Returns their bytes.
@@ -15,7 +15,7 @@ std::uint64_t read_rows(const std::filesystem::path& store);
 class PlainGraph {
  public:
   explicit PlainGraph(const Snapshot& snapshot);
-  /// At most `cap`, within `hops`, in the order in which they are found.
+  /// Returns at most `cap` places within `hops`, in the order in which they are found.
   std::vector<std::uint32_t> around(const PlaceId& centre, std::uint32_t hops, std::uint32_t cap);
 
  private:

@@ -70,7 +70,7 @@ void plain_search(benchmark::State& state, const Running& running) {
   state.counters["places"] = places / static_cast<double>(state.iterations());
 }
 
-/// Where all places lie, made in the pieces that the server makes it in; and how near two places are.
+/// Measures laying out all places, in the pieces that the server makes it in; and how near two places are.
 void laying_out(benchmark::State& state, const Running& running) {
   const auto snapshot = std::make_shared<const Snapshot>(running.service->snapshot());
   const double before_mb = resident_mb();

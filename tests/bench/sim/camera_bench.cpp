@@ -60,7 +60,7 @@ BENCHMARK(simulated_camera)
     ->Unit(benchmark::kMillisecond)
     ->MinTime(5.0);
 
-/// Of a floor that is uneven by so many millimetres, with a shutter that rolls for so many milliseconds.
+/// Measures a camera over a floor uneven by so many millimetres, whose shutter rolls for so many milliseconds.
 void harder_camera(benchmark::State& state) {
   SimBodyConfig config;
   config.site = site_with(Scenery::open);
@@ -91,7 +91,7 @@ void forward_camera(benchmark::State& state) {
 }
 BENCHMARK(forward_camera)->Arg(320)->Arg(640)->ArgName("width")->Unit(benchmark::kMillisecond);
 
-/// With every light and wear at once, but for the colour, which costs only when floor is made.
+/// Measures it with every light and wear at once, but for the colour, which costs only when floor is made.
 void changed_camera(benchmark::State& state) {
   SimBodyConfig config;
   config.site = site_with(Scenery::open);

@@ -44,7 +44,7 @@ void intake_store(benchmark::State& state) {
   count_bytes(state);
 }
 
-/// What anyone would write first: a table of blobs, by key, WAL, synchronous = FULL.
+/// Stores as anyone would write it first: a table of blobs, by key, WAL, synchronous = FULL.
 class PlainStore {
  public:
   explicit PlainStore(const std::filesystem::path& directory)
@@ -107,7 +107,7 @@ std::vector<Transaction> neighbourhood() {
   return transactions;
 }
 
-/// What no store can be faster than that verifies the SHA-256 at every reading.
+/// Measures what no store can be faster than that verifies the SHA-256 at every reading.
 void hash_50(benchmark::State& state) {
   const auto transactions = neighbourhood();
   for (auto _ : state) {
@@ -150,7 +150,7 @@ std::uint64_t stored_size(const MapStore& store, const ContentHash& hash) {
   return content ? content->size : 0;
 }
 
-/// What the server does for an agent: the bytes as they are kept, checked by their sum.
+/// Measures what the server does for an agent: the bytes as they are kept, checked by their sum.
 void read_50_store(benchmark::State& state) {
   read_50(state, neighbourhood(), stored_size);
 }

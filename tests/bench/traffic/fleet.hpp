@@ -33,7 +33,7 @@ class Fleet {
   const Network& network() const { return network_; }
   std::vector<Robot>& robots() { return robots_; }
   int now() const { return now_; }
-  /// How many steps it is from each cell to that one.
+  /// Returns how many steps it is from each cell to that one.
   const std::vector<std::uint32_t>& steps_to(Cell goal);
   bool is_delayed() { return delays_.uniform() < kDelayed; }
   /// Moves the robot, once in a step at most.
@@ -62,7 +62,7 @@ class Policy {
   virtual ~Policy() = default;
   /// Moves the robots of the fleet by one step.
   virtual void step() = 0;
-  /// Which robots stand and wait for which.
+  /// Returns which robots stand and wait for which.
   virtual std::vector<server::Wait> waits() = 0;
   /// Counts pairs of robots that hold what overlaps.
   virtual std::uint64_t overlaps() = 0;

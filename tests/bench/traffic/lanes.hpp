@@ -25,7 +25,7 @@ Result<Grid> read_grid(std::istream& text);
 /// Shelves of ten squares, two rows deep, in so many columns and rows, with a lane around each and room at both ends.
 Grid warehouse(std::uint32_t columns, std::uint32_t rows);
 
-/// In which directions the lanes of a grid are driven: rows y / 3 and columns x / 11 alternate, or both ways in all.
+/// Tells in which directions a grid's lanes are driven: rows y / 3 and columns x / 11 alternate, or all both ways.
 enum class Lanes : std::uint8_t { one_way, two_way };
 
 /// Cells, and which of them can be driven to from each. Every cell can be reached from every other one.
@@ -41,7 +41,7 @@ Network network_of(const Grid& grid, Lanes lanes);
 /// A ring of so many cells driven one way, with dead ends of eight cells that are driven both ways.
 Network ring(std::uint32_t cells, std::uint32_t dead_ends);
 
-/// How many cells lie on the way to `to`, from each.
+/// Returns how many cells lie on the way to `to`, from each.
 std::vector<std::uint32_t> steps_to(const Network& network, Cell to);
 
 }  // namespace weft::bench

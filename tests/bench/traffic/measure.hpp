@@ -11,7 +11,7 @@ namespace weft::bench {
 
 using MakePolicy = std::function<std::unique_ptr<Policy>(Fleet&)>;
 
-/// What a policy did with a fleet, over all seeds.
+/// Holds what a policy did with a fleet, over all seeds.
 struct Measured {
   double goals_per_hour = 0.0;   ///< mean of the seeds
   double oldest_goal_min = 0.0;  ///< worst of the seeds, as all that follows

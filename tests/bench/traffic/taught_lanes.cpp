@@ -17,7 +17,7 @@ Place place_of(const PlaceId& id) {
   return place;
 }
 
-/// All places are turned alike: what counts is where they lie.
+/// Relates two places; all are turned alike: what counts is where they lie.
 Relation relation_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   Metric2 relation{{b.x() - a.x(), b.y() - a.y(), 0.0}, Eigen::Matrix3d::Zero()};
   relation.covariance.diagonal() = Eigen::Vector3d::Constant(kSigma_m * kSigma_m);

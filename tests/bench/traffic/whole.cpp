@@ -77,7 +77,7 @@ class Whole final : public Policy {
     return all;
   }
 
-  /// By where the places truly lie.
+  /// Counts overlaps by where the places truly lie.
   std::uint64_t overlaps() override {
     std::map<std::pair<long, long>, std::vector<std::pair<std::size_t, Eigen::Vector2d>>> near;
     const auto square = [](const Eigen::Vector2d& at) {

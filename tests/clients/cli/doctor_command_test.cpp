@@ -5,7 +5,7 @@
 
 #include "tests/clients/cli/one_robot.hpp"
 
-/// What `weft doctor` finds.
+/// Tests what `weft doctor` finds.
 namespace weft::cli::test {
 namespace {
 using namespace std::chrono_literals;

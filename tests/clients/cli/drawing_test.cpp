@@ -69,7 +69,7 @@ TEST(Draw, MakesAPicture) {
   EXPECT_GT(bytes.size(), 5000U);
 }
 
-/// How many dashed strokes the vector picture of a network has.
+/// Returns how many dashed strokes the vector picture of a network has.
 std::size_t dashed_strokes(const Window& network) {
   const std::filesystem::path file = folder() / "network.svg";
   EXPECT_TRUE(draw(subject_of(network), file.string()).has_value());

@@ -15,7 +15,7 @@ std::string written(const std::string& name, const std::string& text) {
   return file;
 }
 
-/// Without any server.
+/// Runs `weft` without any server.
 Said weft(const std::vector<std::string>& arguments) {
   std::vector<const char*> argv = {"weft"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());

@@ -17,7 +17,7 @@
 
 namespace weft::cli::test {
 
-/// Where these tests write.
+/// Returns where these tests write.
 std::filesystem::path folder();
 
 /// A robot that says what the test wants and does everything it is told.
@@ -36,7 +36,7 @@ struct Puppet {
   msg::RoutePhase phase = msg::RoutePhase::driving;
 };
 
-/// What a command said.
+/// Holds what a command said.
 struct Said {
   Exit exit = Exit::done;
   std::string out;

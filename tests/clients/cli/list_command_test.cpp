@@ -5,7 +5,7 @@
 
 #include "tests/clients/cli/fleet.hpp"
 
-/// What was taught and imported, and the labels on it, as an operator sees and changes them.
+/// Tests what was taught and imported, and the labels on it, as an operator sees and changes them.
 namespace weft::cli::test {
 namespace {
 

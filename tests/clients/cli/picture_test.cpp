@@ -25,7 +25,7 @@ Subject two_loops_subject() {
   return subject;
 }
 
-/// So many runs of one place more than the last one, beside each other.
+/// Makes so many runs of one place more than the last one, beside each other.
 Subject many_runs(std::uint64_t count) {
   Subject subject;
   for (std::uint64_t run = 1; run <= count; ++run) {

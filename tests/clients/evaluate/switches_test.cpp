@@ -10,7 +10,7 @@ namespace {
 
 using agents::sim::Disturbances;
 
-/// All that can be turned off; the vibration's band is not.
+/// Lists all that can be turned off; the vibration's band is not.
 constexpr std::array kFields = {&Disturbances::focal_error,     &Disturbances::mount_error_m,
                                 &Disturbances::mount_error_rad, &Disturbances::vibration_rad,
                                 &Disturbances::vibration_m,     &Disturbances::exposure_s,
@@ -20,7 +20,7 @@ constexpr std::array kFields = {&Disturbances::focal_error,     &Disturbances::m
                                 &Disturbances::wheel_asymmetry, &Disturbances::slip,
                                 &Disturbances::light_change,    &Disturbances::shadow,
                                 &Disturbances::centre_error_px, &Disturbances::distortion_error_px};
-/// What sites have off unless they say otherwise.
+/// Lists what sites have off unless they say otherwise.
 constexpr std::array kHarder = {&Disturbances::unevenness_m, &Disturbances::rolling_shutter_s,
                                 &Disturbances::time_offset_s};
 

@@ -47,7 +47,7 @@ class Fleet {
   void stop_server() { server_.reset(); }
   /// The server anew: same address, nothing remembered.
   void start_server();
-  /// Only where messages can be lost at will.
+  /// Sets the loss, where messages can be lost at will; elsewhere returns false.
   bool set_loss(double share);
 
   /// Asks whether it `holds`, and if not turns, again and again. False after a minute of that.

@@ -9,7 +9,7 @@
 
 namespace weft::contract {
 
-/// What a test and its peer processes tell each other over pipes.
+/// Names what a test and its peer processes tell each other over pipes.
 enum class Op : std::uint8_t { opened = 1, failed, publish, result, forget, delivery, ask_counters, counters };
 
 struct Frame {
@@ -20,7 +20,7 @@ struct Frame {
 };
 inline constexpr std::uint8_t kNoError = 255;
 
-/// False when the other end is gone.
+/// Writes a frame. Returns false when the other end is gone.
 bool write_frame(int fd, const Frame& frame);
 /// Blocks; none when the other end is gone.
 std::optional<Frame> read_frame(int fd);

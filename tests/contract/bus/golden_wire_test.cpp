@@ -12,7 +12,7 @@ using bus::Delivery;
 using msg::Role;
 using GoldenContract = BusContract;
 
-/// What the server has sent (or is sent) of each golden message, byte by byte, through real writers and readers.
+/// Shows what the server sent (or was sent) of each golden message, byte by byte, through real writers and readers.
 class Exchange {
  public:
   Exchange(Fleet& fleet, bus::Bus& from, bus::Bus& to) : fleet_(fleet), from_(from), to_(to) {}

@@ -22,7 +22,7 @@ class LabTest : public testing::TestWithParam<Pairing> {
   std::unique_ptr<bus::Link> start_server(const std::string& listen = Lab::kServer) const;
   std::unique_ptr<bus::Link> start_robot(const std::string& listen = Lab::kRobot,
                                          const std::string& server = Lab::kServer) const;
-  /// What the robot's machine takes the name `lab-server` for, from now on.
+  /// Sets what the robot's machine takes the name `lab-server` for, from now on.
   void name_server(const std::string& ipv4) const;
 
   std::unique_ptr<Lab> lab;

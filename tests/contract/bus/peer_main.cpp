@@ -59,7 +59,7 @@ bool enter_network_of(const std::string& process) {
   return network >= 0 && setns(network, CLONE_NEWNET) == 0;
 }
 
-/// For this process alone.
+/// Replaces the file of host names for this process alone.
 bool take_hosts_from(const char* file) {
   return *file == '\0' ||
          (unshare(CLONE_NEWNS) == 0 && mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&

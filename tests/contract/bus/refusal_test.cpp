@@ -18,7 +18,7 @@ bus::Encoded query(const PeerId& client, msg::Query::Kind kind) {
   return bus::encode(made, Role::client).value();
 }
 
-/// How often the server refused for a reason that contains `text`.
+/// Returns how often the server refused for a reason that contains `text`.
 std::uint64_t refused(Fleet& fleet, std::string_view text) {
   std::uint64_t times = 0;
   for (const auto& [reason, count] : fleet.server().refusals()) {

@@ -4,7 +4,7 @@
 #include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
-/// What operators vouch to be different floors: a revision like others, on every engine.
+/// Tests what operators vouch to be different floors: a revision like others, on every engine.
 namespace weft::storage {
 namespace {
 

@@ -17,7 +17,7 @@ class Medium {
   virtual Result<std::unique_ptr<MapStore>> start_beside() = 0;
 };
 
-/// How the contract's tests make each engine's medium.
+/// Tells how the contract's tests make each engine's medium.
 struct Engine {
   std::string name;
   std::unique_ptr<Medium> (*make_medium)();

@@ -183,7 +183,7 @@ TEST_P(MapHistory, ChangesOfARevisionAreWhatUndoesIt) {
   EXPECT_EQ(at(7).labels().at("dock"), (PlaceId{run.experience(), 1}));
 }
 
-/// As one whose place was taken out: it waits for the place.
+/// Tests that such a label waits for its place, as one whose place was taken out does.
 TEST_P(MapHistory, ALabelOfAPlaceThatARollbackLeftBehindIsNoDamage) {
   sample::Run run(0x11, 1);
   commit(sample::transaction(run.next(2)));

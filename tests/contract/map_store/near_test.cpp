@@ -62,7 +62,7 @@ class NearMaps : public StoreTest {
   std::vector<sample::Run> runs_{{1, 1}, {2, 2}, {3, 3}};
 };
 
-/// From wherever one comes: the same map.
+/// Tests that it is the same map from wherever one comes.
 TEST_P(NearMaps, AreTheSameAsReadWhole) {
   play(60, 7);
   ASSERT_GT(newest_, 30U);

@@ -78,7 +78,7 @@ TEST(ChangedRoutes, FollowRemovalsAndReturns) {
   }
 }
 
-/// As after a rollback: the same rows, read from the store again, and some are gone.
+/// Tests what a rollback leads to: the same rows, read from the store again, and some are gone.
 TEST(ChangedRoutes, FollowANetworkThatSharesNothing) {
   const SitePlan plan{.places = 5'000, .seed = 13};
   const Preparation preparation = prepare(support::make_site(plan), {"floor"});

@@ -35,7 +35,7 @@ Bytes damaged(Bytes bytes, std::size_t from, Random& random) {
   return bytes;
 }
 
-/// So that damage gets past the checksum.
+/// Writes the checksum anew, so that damage gets past it.
 void vouch(Bytes& compressed) {
   if (compressed.size() < kPayloadAt) return;
   const ContentHash hash = hash_bytes(ByteView(compressed).subspan(kPayloadAt));

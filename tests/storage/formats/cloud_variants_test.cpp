@@ -16,7 +16,7 @@ Read<Cloud> pcd(const std::string& text) {
   return read ? *read : Read<Cloud>{};
 }
 
-/// Of one point, text, whose fields other than x y z are given by name, size and type.
+/// Reads a PCD of one point, text, whose fields other than x y z are given by name, size and type.
 Read<Cloud> pcd_with(const std::string& names, const std::string& sizes, const std::string& types,
                      const std::string& values) {
   return pcd("VERSION 0.7\nFIELDS x y z" + names + "\nSIZE 4 4 4" + sizes + "\nTYPE F F F" + types +

@@ -8,7 +8,7 @@
 namespace weft::formats {
 namespace {
 
-/// As libpng writes it: `samples` are all channels of all pixels.
+/// Returns a PNG as libpng writes it: `samples` are all channels of all pixels.
 Bytes png_of(std::uint32_t width, std::uint32_t height, std::uint32_t format, const Bytes& samples) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -9,7 +9,7 @@
 namespace weft::formats::test {
 namespace {
 
-/// All trajectories in TUM's format that are there, and how many poses of each repeat the time before.
+/// Lists all trajectories in TUM's format that are there, and how many poses of each repeat the time before.
 const std::map<std::string, std::size_t> kTum = {
     {"euroc-gt/V1_01_easy.txt.gz", 0U},
     {"euroc-gt/V2_01_easy.txt.gz", 0U},

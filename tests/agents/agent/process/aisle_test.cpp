@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFrom = 2.0, kTo = 7.0;  ///< metres along the aisle
 
-/// Along y = 3, then across it, and back a hand's breadth beside.
+/// Returns a line along y = 3, then across the aisle, and back a hand's breadth beside.
 std::vector<SitePoint> there_and_back() {
   return {{kFrom, 3.0},     {kTo, 3.0}, {kTo + 0.6, 3.6}, {kTo, 4.3},  {kTo - 0.6, 3.7},
           {kTo - 0.6, 2.4}, {kTo, 1.8}, {kTo + 0.6, 2.4}, {kTo, 3.05}, {kFrom, 3.05}};

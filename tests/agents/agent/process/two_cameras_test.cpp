@@ -24,7 +24,7 @@ std::vector<SitePoint> line_of(const std::string& name) {
   return line;
 }
 
-/// Who teaches the way's two parts.
+/// Says who teaches the way's two parts.
 struct Teachers {
   std::string first, first_by, second, second_by;
 };

@@ -14,7 +14,7 @@ namespace {
 
 const CameraModel kGiven = given_camera_from(CameraSetup{}, Disturbances{}, "r1", 0);
 
-/// How far a quantity is off in each of many robots.
+/// Returns how far a quantity is off in each of many robots.
 template <class Off>
 std::vector<double> drawn(const Off& off) {
   std::vector<double> all;

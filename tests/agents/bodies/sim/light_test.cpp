@@ -11,7 +11,7 @@ struct Lit {
   float gain = 0.0F, shine = 0.0F;
 };
 
-/// At a floor point, seen from 0.6 m over (0, 0), under one lamp at (6, 0), 6 m up.
+/// Lights a floor point, seen from 0.6 m over (0, 0), under one lamp at (6, 0), 6 m up.
 class LightOn : public testing::Test {
  protected:
   LightOn() {

@@ -102,7 +102,7 @@ void draw_site(const sim::Site& site, const std::vector<std::vector<SitePoint>>&
   cairo_surface_destroy(surface);
 }
 
-/// From above, y up, without lamps; the middle is where the line begins.
+/// Draws the floor from above, y up, without lamps; the middle is where the line begins.
 void draw_floor(const sim::FloorSource& floor, const SitePoint& about, const std::string& path) {
   constexpr int kAcross = 4;
   constexpr int kShrunk = 2;

@@ -36,8 +36,8 @@ struct MarkSeen {
   Eigen::Vector2d on_floor, off_px;
 };
 
-/// All marks that are whole in the image and have room around them. `project` takes points of the floor's plan to
-/// pixels.
+/// Returns all marks that are whole in the image and have room around them. `project` takes points of the floor's
+/// plan to pixels.
 inline std::vector<MarkSeen> marks_seen(const CameraModel& model, const Pose3& site_from_camera, const Bytes& image,
                                         const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& project) {
   const auto at = [&](int u, int v) { return image[static_cast<std::size_t>(v * model.width + u)]; };

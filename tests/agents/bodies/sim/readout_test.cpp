@@ -21,7 +21,7 @@ Site rolling_site(double readout_s) {
   return site;
 }
 
-/// Of a robot in motion.
+/// Makes the moment of a robot in motion.
 Moment moment_at(const Pose2& site_from_robot, const Twist& moving) {
   Moment moment;
   moment.site_from_robot = site_from_robot;
@@ -42,12 +42,12 @@ Bytes floor_seen(const Site& site, const Moment& moment) {
   return *eye->look(moment).pixels;
 }
 
-/// Where the camera is when the row is taken.
+/// Returns where the camera is when the row is taken.
 Pose3 camera_at_row(const Moment& moment, const CameraModel& model, double row) {
   return moment.site_from_camera(model.robot_from_camera, row_time_s(row, model.height, kReadoutS));
 }
 
-/// Where a point is seen when each row is taken at its own time: in the row whose time it is seen at.
+/// Returns where a point is seen when each row is taken at its own time: in the row whose time it is seen at.
 Eigen::Vector2d pixel_in_its_row(const Moment& moment, const CameraModel& model, const Eigen::Vector3d& in_site) {
   double row = model.height / 2.0;
   Eigen::Vector2d seen;

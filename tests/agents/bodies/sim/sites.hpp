@@ -7,7 +7,7 @@
 
 namespace weft::agents::sim {
 
-/// All disturbances at zero, wheels perfect.
+/// Returns disturbances that are all zero, wheels perfect.
 inline Disturbances no_disturbances() {
   Disturbances d;
   d.focal_error = d.centre_error_px = d.distortion_error_px = 0.0;

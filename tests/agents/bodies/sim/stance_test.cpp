@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kUnevenM = 0.005;
 
-/// How far the floor lies above the plane that a body stands on, at a place in its frame.
+/// Returns how far the floor lies above the plane that a body stands on, at a place in its frame.
 double gap(const Relief& relief, const Pose3& site_from_body, double forward_m, double left_m) {
   const Eigen::Vector3d p = site_from_body * Eigen::Vector3d(forward_m, left_m, 0.0);
   return relief.height_m(p.x(), p.y()) - p.z();

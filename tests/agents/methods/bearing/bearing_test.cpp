@@ -296,8 +296,8 @@ TEST_F(BearingLocateTest, ItsBeliefIsWhatNavigationMakesOfIt) {
   EXPECT_NEAR(now.centre_from_robot.distance_m, 0.23, 1e-12);
 }
 
-/// Through a longer lens than its data sheet says all things seem nearer, as from further ahead. Each fix becomes
-/// where the robot believes to be, and it has come to believe something of the lens before.
+/// Looks through a longer lens than its data sheet says: all things seem nearer, as from further ahead. Each fix
+/// becomes where the robot believes to be, and it has come to believe something of the lens before.
 class BearingOtherLensTest : public BearingLocateTest,
                              public testing::WithParamInterface<std::pair<double, double>> {};
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr AlongPath kHere{0.0, 1e-4, 0.0, 1e-4};
 
-/// What a robot sees at one place of an aisle, on a day of its own and with some of the stock changed.
+/// Shows what a robot sees at one place of an aisle, on a day of its own and with some of the stock changed.
 class BearingLearns : public testing::Test {
  protected:
   static sim::Site restocked(double stock) {

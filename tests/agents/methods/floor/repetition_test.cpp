@@ -28,7 +28,7 @@ struct Stretch {
     features.push_back(feature);
     at.push_back(feature.on_floor);
   }
-  /// All within a square around the stretch's middle once more, seen a little differently.
+  /// Adds all within a square around the stretch's middle once more, seen a little differently.
   void again(const Pose2& moved, double half_m) {
     const std::size_t count = features.size();
     for (std::size_t i = 0; i < count; ++i) {

@@ -5,7 +5,7 @@
 #include "agents/methods/floor/floor.hpp"
 #include "tests/support/floor_drive.hpp"
 
-/// Which of many places a view may be of, before any is looked at closely.
+/// Tests which of many places a view may be of, before any is looked at closely.
 namespace weft::agents {
 namespace {
 
@@ -34,7 +34,7 @@ class FloorSign : public testing::Test {
     places_.clear();
     signatures_.clear();
   }
-  /// How many places seem nearer than every one within 0.25 m of where `method` looks, 40 times; sorted.
+  /// Returns how many places seem nearer than every one within 0.25 m of where `method` looks, 40 times; sorted.
   static std::vector<std::size_t> ranks(const Floor& method, double heading, double gain) {
     Random random(5);
     std::vector<std::size_t> ranks;

@@ -44,7 +44,7 @@ class Recognition : public testing::Test {
     snapshot = with(snapshot, batch);
   }
 
-  /// What is seen there: half of it is seen at the place before too.
+  /// Returns what is seen there: half of it is seen at the place before too.
   static Signature view(const PlaceId& id, std::uint64_t again = 0) {
     Signature seen(kNumbers);
     Random here(id.experience.value * 100'000 + id.index);

@@ -15,7 +15,7 @@ class RampStereo {
   static constexpr std::string_view name = "ramp-stereo";
   static constexpr std::uint32_t content_format = 1;
   static constexpr SensorNeed needs = {SensorKind::stereo, Gaze::up, 1};
-  /// By mark, in the robot's frame.
+  /// Holds points by mark, in the robot's frame.
   using Content = std::map<std::uint64_t, Eigen::Vector3d>;
   struct Odometry {
     Content last;

@@ -29,7 +29,7 @@ CameraModel fisheye() {
   return camera;
 }
 
-/// Where a camera sees the board's points, with noise.
+/// Returns where a camera sees the board's points, with noise.
 BoardImage seen(const CameraModel& camera, const Pose3& camera_from_board, Random& random, const std::string& name,
                 double square_m = 0.03) {
   BoardImage image{name, {}};

@@ -42,7 +42,7 @@ class Robot {
     for (int i = 0; i < 60 && !navigator_->estimate(); ++i) step();
     return navigator_->estimate().has_value();
   }
-  /// True poses of what was kept go to `truth`.
+  /// Teaches a run along the line. True poses of what was kept go to `truth`.
   void be_taught(ExperienceId run, const std::vector<SitePoint>& line, std::map<PlaceId, Pose2>& truth) {
     ASSERT_TRUE(body_->drive_by_hand(line));
     navigator_->begin_teach({run, {{static_cast<std::uint8_t>(run.value)}}});

@@ -29,7 +29,7 @@ TEST(ForetoldAgreement, CountsAllAndEachMetre) {
 
 class Foretelling : public testing::Test {
  protected:
-  /// Of a way of 3 m on epoxy of that contrast, by condition.
+  /// Returns the agreement on a way of 3 m on epoxy of that contrast, by condition.
   std::array<Agreement, Floor::conditions.size()> of_contrast(double contrast) const {
     Stage stage;
     stage.site = *agents::sim::parse_site(small_hall(12.0, 6.0, 3.0), "small");
@@ -64,7 +64,7 @@ class Foretelling : public testing::Test {
   storage::TemporaryDirectory folder;
 };
 
-/// Between floors that are lost in half the light and floors that are not lies little: a tenth of the contrast.
+/// Tests near the limit: a tenth of the contrast lies between floors that are lost in half the light and others.
 TEST_F(Foretelling, IsWhatAnotherRobotFinds) {
   constexpr double kMost = 0.65;
   constexpr double kFew = 0.35;

@@ -36,7 +36,7 @@ class StudyOfFloors : public testing::Test {
     const Result<Ended> ended = run();
     return ended ? "not refused" : ended.error().message;
   }
-  /// With runs that nobody drove.
+  /// Fills the shelf with runs that nobody drove.
   void fill_shelf(const std::vector<const char*>& runs) const {
     const Shelf shelf{options.out / "series", stamp_of(study()), options.kind, options.seeds.first};
     for (const char* const run : runs) {

@@ -21,7 +21,7 @@ std::set<std::string> names_of(Loads loads) {
   return names;
 }
 
-/// Of the racks and the hall's walls.
+/// Returns the distance to the nearest of the racks and the hall's walls.
 double room_m(const agents::sim::Site& site, const agents::SitePoint& at) {
   double room =
       std::min({at.x - site.floor.x_min, site.floor.x_max - at.x, at.y - site.floor.y_min, site.floor.y_max - at.y});

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 const Study kLedStudy{"1.2.3", "abc"};
 
-/// As many as `count`, of which the first `lost` do not find themselves.
+/// Makes as many as `count`, of which the first `lost` do not find themselves.
 std::vector<Led> led(std::size_t count, std::size_t lost) {
   std::vector<Led> all(count);
   for (std::size_t i = 0; i < count; ++i) {

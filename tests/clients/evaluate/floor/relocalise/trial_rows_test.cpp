@@ -11,7 +11,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-/// As many as `count`, of which the first `lost` are not found.
+/// Makes as many as `count`, of which the first `lost` are not found.
 std::vector<Trial> trials(std::size_t count, std::size_t lost, Along along = Along::forwards) {
   std::vector<Trial> all(count);
   for (std::size_t i = 0; i < count; ++i) {
