@@ -38,9 +38,11 @@ class Traffic {
     Touched needs;                 ///< held, not_laid: the first place that it cannot have
     bool ends_alike(const Way& other) const { return end == other.end && blocked_by == other.blocked_by; }
   };
+  using Stops = std::vector<std::uint32_t>;
   /// Tells how far the route can be released from that place on. When it ends early, `take_woken` names the robot
-  /// once it is worth while to ask again.
-  Way way(const Route& route, std::uint32_t from);
+  /// once it is worth while to ask again. `stops`: the indices at which a release may end, in order; null: anywhere,
+  /// with room to set off before whoever is in the way.
+  Way way(const Route& route, std::uint32_t from, const Stops* stops = nullptr);
   /// Returns who may be released farther than it was when `way` was asked last.
   std::set<RobotId> take_woken() { return watches_.take_woken(); }
   bool has_woken() const { return watches_.has_woken(); }
@@ -70,6 +72,8 @@ class Traffic {
   /// Does one bounded piece of laying out the map, if there is any to do.
   void tick(Now now);
   std::optional<SteadyTime> next() const;
+  /// Decides what is near what, for whoever plans.
+  Proximity& proximity() { return proximity_; }
   bool is_laying_out() const { return proximity_.layout().has_work(); }
   /// Returns the robots that hold something, by the part of the map in which they are; those of which that is not
   /// known yet are in none.
@@ -97,7 +101,7 @@ class Traffic {
 
   // traffic_way.cpp
   Way held_back(const RobotId& robot);
-  void go_on(const Route& route, std::uint32_t from, Way& way);
+  void go_on(const Route& route, std::uint32_t from, const Stops* stops, Way& way);
   bool move_away(const Route& route, std::uint32_t from, Way& way);
   static bool has_driven(const Holder& holder, std::uint32_t stand);
   std::optional<std::uint32_t> away_through(const Route& route, std::uint32_t stand,

@@ -33,6 +33,14 @@ void leave_room(const Route& route, std::uint32_t from, Traffic::Way& way) {
   }
 }
 
+/// Ends the release at the last stop that can be had.
+void end_at_stop(const Traffic::Stops& stops, std::uint32_t from, Traffic::Way& way) {
+  if (!way.through) return;
+  const auto beyond = std::upper_bound(stops.begin(), stops.end(), *way.through);
+  const bool has_one = beyond != stops.begin() && *std::prev(beyond) >= from;
+  way.through = has_one ? std::optional(*std::prev(beyond)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RobotId> Traffic::other_that_drives(const RobotId& robot) const {
@@ -58,16 +66,16 @@ Traffic::Way Traffic::held_back(const RobotId& robot) {
   return way;
 }
 
-Traffic::Way Traffic::way(const Route& route, std::uint32_t from) {
+Traffic::Way Traffic::way(const Route& route, std::uint32_t from, const Stops* stops) {
   watches_.forget(route.robot);
   Way way = held_back(route.robot);
-  if (way.end == Way::End::free && !move_away(route, from, way)) go_on(route, from, way);
+  if (way.end == Way::End::free && !move_away(route, from, way)) go_on(route, from, stops, way);
   watch(route.robot, way);
   return way;
 }
 
 /// Looks along the route up to the first place that the robot cannot have.
-void Traffic::go_on(const Route& route, std::uint32_t from, Way& way) {
+void Traffic::go_on(const Route& route, std::uint32_t from, const Stops* stops, Way& way) {
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
   for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
@@ -81,7 +89,12 @@ void Traffic::go_on(const Route& route, std::uint32_t from, Way& way) {
       way.needs = wanted[i];
     }
   }
-  if (way.end != Way::End::free) leave_room(route, from, way);
+  if (way.end == Way::End::free) return;
+  if (stops == nullptr) {
+    leave_room(route, from, way);
+  } else {
+    end_at_stop(*stops, from, way);
+  }
 }
 
 /// Lets a robot out of what somebody else holds, when it stands in there: by places of its route that do not come

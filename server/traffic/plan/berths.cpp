@@ -1,0 +1,226 @@
+#include "server/traffic/plan/berths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/traffic/plan/cuts.hpp"
+#include "server/traffic/plan/drives.hpp"
+
+namespace weft::server {
+namespace {
+
+constexpr double kCell_m = 4.0;
+constexpr double kLongestSlack_m = 5.0;
+
+}  // namespace
+
+bool Berths::follow(std::shared_ptr<const Snapshot> network, double footprint_m) {
+  const bool is_same = network_ != nullptr && network_ == network && footprint_m_ == footprint_m &&
+                       laid_moves_ == proximity_.layout().moves() && laid_ == proximity_.layout().laid();
+  if (is_same) return false;
+  if (footprint_m_ != footprint_m) runs_.clear();
+  network_ = std::move(network);
+  footprint_m_ = footprint_m;
+  laid_moves_ = proximity_.layout().moves();
+  laid_ = proximity_.layout().laid();
+  in_cell_.clear();
+  middle_in_cell_.clear();
+  middles_.clear();
+  numbers_.clear();
+  berths_.clear();
+  located_.clear();
+  cut_anew();
+  return true;
+}
+
+std::uint32_t Berths::methods(const std::set<std::string>& methods) {
+  const auto number =
+      static_cast<std::uint32_t>(std::find(methods_.begin(), methods_.end(), methods) - methods_.begin());
+  if (number == methods_.size()) methods_.push_back(methods);
+  return number;
+}
+
+/// Cuts runs that are not as they were, in the order of their ids.
+void Berths::cut_anew() {
+  std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
+  for (const auto& [id, experience] : network_->experiences()) {
+    Run& run = runs_[id];
+    if (run.of != experience) {
+      run.of = experience;
+      const double room_m = 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m;
+      run.cuts = cuts_of(*experience, room_m, [this](const PlaceId& place) { return is_taken(place); });
+    }
+    for (const std::uint32_t index : run.cuts) put_in_cell({id, index}, in_cell_);
+  }
+}
+
+bool Berths::is_taken(const PlaceId& place) {
+  bool taken = false;
+  const LocatedPlace here = locate(place);
+  for_each_near(here, in_cell_, [&](const PlaceId& other) {
+    taken = taken ||
+            (other.experience < place.experience && proximity_.overlap(TrafficMap(*network_), here, locate(other)));
+  });
+  return taken;
+}
+
+bool Berths::is_cut(const PlaceId& place) const {
+  const auto run = runs_.find(place.experience);
+  return run != runs_.end() && std::binary_search(run->second.cuts.begin(), run->second.cuts.end(), place.index);
+}
+
+/// Returns as `touched_by` does, for a route that comes by there on its own run.
+double Berths::reach_m(const PlaceId& place) const {
+  const Experience* const run = network_->experience(place.experience);
+  double slack_m = kLeastSlack_m;
+  const auto widen = [&](const Edge* hop) {
+    if (hop != nullptr) slack_m = std::max(slack_m, std::min(distance_m(hop->a_from_b) / 2.0, kLongestSlack_m));
+  };
+  widen(place.index > 0 ? run->hop(place.index - 1) : nullptr);
+  widen(run->hop(place.index));
+  return footprint_m_ + slack_m;
+}
+
+LocatedPlace Berths::locate(const PlaceId& place) {
+  const auto known = located_.find(place);
+  if (known != located_.end()) return known->second;
+  const Touched touched{.place = place, .reach_m = reach_m(place)};
+  return located_.emplace(place, proximity_.locate(TrafficMap(*network_), touched)).first->second;
+}
+
+void Berths::put_in_cell(const PlaceId& place, Cells& cells) {
+  const std::optional<Spot> spot = proximity_.layout().spot(place);
+  if (!spot) return;
+  const Eigen::Vector2d at = spot->part_from_place.translation() / kCell_m;
+  cells[{spot->part, std::llround(at.x()), std::llround(at.y())}].push_back(place);
+}
+
+template <class Visit>
+void Berths::for_each_near(const LocatedPlace& here, const Cells& cells, Visit&& visit) {
+  for (const Spot& spot : here.spots) {
+    const Eigen::Vector2d at = spot.part_from_place.translation() / kCell_m;
+    const std::int64_t x = std::llround(at.x());
+    const std::int64_t y = std::llround(at.y());
+    for (std::int64_t dx = -1; dx <= 1; ++dx) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const auto cell = cells.find({spot.part, x + dx, y + dy});
+        if (cell == cells.end()) continue;
+        for (const PlaceId& place : cell->second) visit(place);
+      }
+    }
+  }
+}
+
+Berth Berths::number(const PlaceId& place, bool is_cut) {
+  const auto [entry, is_new] = numbers_.try_emplace(place, static_cast<Berth>(berths_.size()));
+  if (is_new) berths_.push_back({.located = locate(place), .is_cut = is_cut, .beside = {}, .arcs = {}});
+  return entry->second;
+}
+
+/// Numbers the middle of a drive; one that is a berth, or of another drive as well, has that number.
+Berth Berths::middle(const PlaceId& place) {
+  const auto known = numbers_.find(place);
+  if (known != numbers_.end()) return known->second;
+  const auto [entry, is_new] = middles_.try_emplace(place, static_cast<Berth>(berths_.size()));
+  if (is_new) {
+    berths_.push_back({.located = locate(place), .is_cut = false, .beside = {}, .arcs = {}});
+    put_in_cell(place, middle_in_cell_);
+  }
+  return entry->second;
+}
+
+Berth Berths::at(const PlaceId& place) {
+  const auto known = numbers_.find(place);
+  if (known != numbers_.end()) return known->second;
+  if (is_cut(place)) return number(place, true);
+  const Berth guest = number(place, false);
+  put_in_cell(place, in_cell_);
+  forget_around(guest);
+  return guest;
+}
+
+/// Forgets what begins or ends near a new berth, and does not know of it.
+void Berths::forget_around(Berth berth) {
+  std::vector<PlaceId> near;
+  for_each_near(berths_[berth].located, in_cell_, [&](const PlaceId& place) { near.push_back(place); });
+  for (const PlaceId& place : near) {
+    const auto known = numbers_.find(place);
+    if (known == numbers_.end()) continue;
+    berths_[known->second].beside.reset();
+    berths_[known->second].arcs.clear();
+  }
+}
+
+void Berths::add_touched(const LocatedPlace& here, std::set<Berth>& touched) {
+  std::vector<PlaceId> near;
+  for_each_near(here, in_cell_, [&](const PlaceId& place) { near.push_back(place); });
+  for (const PlaceId& place : near) {
+    if (proximity_.overlap(TrafficMap(*network_), here, locate(place))) touched.insert(number(place, is_cut(place)));
+  }
+}
+
+const std::vector<Berth>& Berths::beside(Berth berth) {
+  Known& known = berths_[berth];
+  if (!known.beside) {
+    std::set<Berth> touched;
+    add_touched(known.located, touched);
+    touched.erase(berth);
+    known.beside.emplace(touched.begin(), touched.end());
+  }
+  return *known.beside;
+}
+
+Berths::Arcs& Berths::arcs(Berth berth, std::uint32_t methods) {
+  std::deque<Arcs>& all = berths_[berth].arcs;
+  if (methods >= all.size()) all.resize(methods + std::size_t{1});
+  return all[methods];
+}
+
+const std::vector<PlaceId>& Berths::way(Berth from, const BerthArc& arc, std::uint32_t methods) const {
+  const Arcs& known = berths_[from].arcs[methods];
+  return known.ways[static_cast<std::size_t>(&arc - known.next.data())];
+}
+
+const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
+  Arcs& known = arcs(from, methods);
+  if (std::exchange(known.has_next, true)) return known.next;
+  const auto stops = [this](const PlaceId& place) {
+    if (is_cut(place)) return Stop::end;
+    return numbers_.contains(place) ? Stop::on_the_way : Stop::none;
+  };
+  for (Drive& drive : drives(*network_, place(from), methods_[methods], Heading::onward, stops)) {
+    std::set<Berth> touched;
+    for (const PlaceId& place : drive.places) {
+      const LocatedPlace here = locate(place);
+      add_touched(here, touched);
+      for_each_near(here, middle_in_cell_, [&](const PlaceId& other) {
+        if (proximity_.overlap(TrafficMap(*network_), here, locate(other))) touched.insert(middles_.at(other));
+      });
+    }
+    // Where it sets off it stands already, and nobody beside it.
+    touched.erase(from);
+    for (const Berth berth : beside(from)) touched.erase(berth);
+    const Berth to = number(drive.to, is_cut(drive.to));
+    touched.insert(to);
+    touched.insert(beside(to).begin(), beside(to).end());
+    if (to != from) touched.erase(from);
+    known.next.push_back({.to = to,
+                          .length_m = drive.length_m,
+                          .middle = middle(drive.places[(drive.places.size() - 1) / 2]),
+                          .touches = {touched.begin(), touched.end()}});
+    known.ways.push_back(std::move(drive.places));
+  }
+  return known.next;
+}
+
+const std::vector<BerthGraph::Before>& Berths::before(Berth to, std::uint32_t methods) {
+  Arcs& known = arcs(to, methods);
+  if (std::exchange(known.has_before, true)) return known.before;
+  const auto stops = [this](const PlaceId& place) { return is_cut(place) ? Stop::end : Stop::none; };
+  for (const Drive& drive : drives(*network_, place(to), methods_[methods], Heading::backward, stops)) {
+    known.before.push_back({number(drive.to, true), drive.length_m});
+  }
+  return known.before;
+}
+
+}  // namespace weft::server

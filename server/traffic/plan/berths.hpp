@@ -1,0 +1,94 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/drives.hpp"
+#include "server/traffic/proximity.hpp"
+
+namespace weft::server {
+
+/// Makes berths of the network: each run is cut where robots can stand one behind another, and the places at which
+/// robots stand or want to stand besides are berths of their own. What can be touched is decided as for leases, by
+/// `Proximity`, for robots of one size. Made as it is asked for, and remembered until the map changes.
+class Berths final : public BerthGraph {
+ public:
+  explicit Berths(Proximity& proximity) : proximity_(proximity) {}
+
+  /// Follows the map and the size of robots: numbers that were given mean nothing any more when this returns true.
+  bool follow(std::shared_ptr<const Snapshot> network, double footprint_m);
+  /// Numbers a set of methods.
+  std::uint32_t methods(const std::set<std::string>& methods);
+  /// Numbers a place; one that is no cut becomes a berth of its own. Not to be called while a plan is made.
+  Berth at(const PlaceId& place);
+  const PlaceId& place(Berth berth) const { return berths_[berth].located.touched.place; }
+  /// Returns whether the route lies within the network, so that its places can be numbered.
+  bool has(const PlaceId& place) const { return network_->place(place) != nullptr; }
+
+  const std::vector<BerthArc>& next(Berth from, std::uint32_t methods) override;
+  const std::vector<Before>& before(Berth to, std::uint32_t methods) override;
+  const std::vector<Berth>& beside(Berth berth) override;
+  std::size_t size() const override { return berths_.size(); }
+
+  bool is_cut(Berth berth) const override { return berths_[berth].is_cut; }
+  bool is_cut(const PlaceId& place) const;
+  /// Returns the places of an arc of `next`, without the one where it begins.
+  const std::vector<PlaceId>& way(Berth from, const BerthArc& arc, std::uint32_t methods) const;
+
+ private:
+  struct Arcs {
+    std::vector<BerthArc> next;
+    std::vector<std::vector<PlaceId>> ways;  ///< of each, without the place where it begins
+    std::vector<Before> before;
+    bool has_next = false;
+    bool has_before = false;
+  };
+  struct Known {
+    LocatedPlace located;
+    bool is_cut = false;
+    std::optional<std::vector<Berth>> beside;
+    std::deque<Arcs> arcs;  ///< by methods
+  };
+  using Cell = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
+  struct Run {
+    std::shared_ptr<const Experience> of;
+    std::vector<std::uint32_t> cuts;
+  };
+
+  void cut_anew();
+  bool is_taken(const PlaceId& place);
+  double reach_m(const PlaceId& place) const;
+  LocatedPlace locate(const PlaceId& place);
+  Berth number(const PlaceId& place, bool is_cut);
+  Berth middle(const PlaceId& place);
+  using Cells = std::map<Cell, std::vector<PlaceId>>;
+  void put_in_cell(const PlaceId& place, Cells& cells);
+  void forget_around(Berth berth);
+  Arcs& arcs(Berth berth, std::uint32_t methods);
+  void add_touched(const LocatedPlace& here, std::set<Berth>& touched);
+  template <class Visit>
+  static void for_each_near(const LocatedPlace& here, const Cells& cells, Visit&& visit);
+
+  Proximity& proximity_;
+  std::shared_ptr<const Snapshot> network_;
+  double footprint_m_ = 0.0;
+  std::uint64_t laid_moves_ = 0;
+  std::uint64_t laid_ = 0;
+  std::map<ExperienceId, Run> runs_;
+  Cells in_cell_;         ///< cuts, and what is a berth besides
+  Cells middle_in_cell_;  ///< middles of drives
+  std::map<PlaceId, Berth> numbers_;
+  std::map<PlaceId, Berth> middles_;
+  std::deque<Known> berths_;
+  std::vector<std::set<std::string>> methods_;
+  std::map<PlaceId, LocatedPlace> located_;
+};
+
+}  // namespace weft::server

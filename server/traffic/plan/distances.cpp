@@ -1,0 +1,50 @@
+#include "server/traffic/plan/distances.hpp"
+
+#include <algorithm>
+
+namespace weft::server {
+
+Distances::Distances(BerthGraph& graph, Berth to, std::uint32_t methods, const std::vector<Berth>& occupied)
+    : graph_(graph), to_(to), methods_(methods), occupied_(occupied) {
+  reach(to, 0.0);
+}
+
+double Distances::more_m(Berth berth) const {
+  return std::binary_search(occupied_.begin(), occupied_.end(), berth) ? kOccupied_m : 0.0;
+}
+
+double Distances::over_next_m(Berth berth) {
+  double least_m = kFar_m;
+  for (const BerthArc& arc : graph_.next(berth, methods_)) {
+    if (arc.to == to_ || graph_.is_cut(arc.to)) least_m = std::min(least_m, over_m(arc));
+  }
+  return least_m;
+}
+
+void Distances::reach(Berth berth, double distance_m) {
+  if (berth >= reached_m_.size()) {
+    const std::size_t size = std::max<std::size_t>(graph_.size(), berth + std::size_t{1});
+    reached_m_.resize(size, kFar_m);
+    is_settled_.resize(size, false);
+  }
+  if (distance_m >= reached_m_[berth]) return;
+  reached_m_[berth] = distance_m;
+  open_.emplace(distance_m, berth);
+}
+
+double Distances::from_m(Berth berth) {
+  if (berth != to_ && !graph_.is_cut(berth)) return over_next_m(berth);
+  while (berth >= is_settled_.size() || !is_settled_[berth]) {
+    if (open_.empty()) return kFar_m;
+    const auto [distance_m, here] = open_.top();
+    open_.pop();
+    if (is_settled_[here]) continue;
+    is_settled_[here] = true;
+    for (const BerthGraph::Before& before : graph_.before(here, methods_)) {
+      reach(before.from, distance_m + before.length_m + more_m(here));
+    }
+  }
+  return reached_m_[berth];
+}
+
+}  // namespace weft::server

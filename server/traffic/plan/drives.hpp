@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/network/network.hpp"
+#include "core/network/search.hpp"
+
+namespace weft::server {
+
+/// Describes what one drives from one place to another that is a berth.
+struct Drive {
+  PlaceId to;
+  double length_m = 0.0;
+  std::vector<PlaceId> places;  ///< without the one where it begins; the last one is `to`
+};
+
+enum class Heading : std::uint8_t { onward, backward };
+/// Says what a place is to a search: nothing, where one can stop and drive on, or where every way ends.
+enum class Stop : std::uint8_t { none, on_the_way, end };
+
+/// Searches from a place along edges that one of `methods` drives, onward or backward, and no farther than to the
+/// first places at which every way ends. Lengths are norms of relations, as those
+/// of routes. In order of their lengths, ties by place; of a backward search `places` are given from `from` on, too.
+std::vector<Drive> drives(const Snapshot& network, const PlaceId& from, const std::set<std::string>& methods,
+                          Heading heading, const std::function<Stop(const PlaceId&)>& stops);
+
+}  // namespace weft::server

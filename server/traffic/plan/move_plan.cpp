@@ -1,0 +1,346 @@
+#include "server/traffic/plan/move_plan.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "server/traffic/plan/by_berth.hpp"
+
+namespace weft::server {
+namespace {
+
+constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+
+struct Nobody {
+  std::uint32_t robot = kNobody;
+};
+
+/// Steps through the plan.
+class Steps {
+ public:
+  Steps(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots, const PlanRules& rules)
+      : graph_(graph),
+        pockets_(pockets),
+        rules_(rules),
+        states_(robots.size()),
+        order_(robots.size()),
+        owner_(pockets.size(), kNobody),
+        is_wanted_(pockets.size(), false) {
+    plan_.moves.resize(robots.size());
+    for (std::uint32_t i = 0; i < robots.size(); ++i) {
+      states_[i].robot = robots[i];
+      states_[i].handles = robots[i].handles;
+      states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
+      if (robots[i].at == kNoBerth) continue;
+      if (is_at_goal(i)) arrive(i, states_[i].drives + rules_.handling);
+      standing_.at(robots[i].at).robot = i;
+      for (const Berth berth : robots[i].behind) ++behind_.at(berth)[i];
+    }
+    std::iota(order_.begin(), order_.end(), 0U);
+  }
+
+  MovePlan take() {
+    for (std::uint32_t step = 0; step < rules_.steps; ++step) go(step);
+    return std::move(plan_);
+  }
+
+ private:
+  struct State {
+    PlanRobot robot;
+    std::uint32_t drives = 0;   ///< steps until it is at the end of what it was released
+    std::uint32_t handles = 0;  ///< steps for which it cannot be asked
+    const BerthArc* wish = nullptr;
+    bool has_wish = false;              ///< of this step; without an arc: to stay
+    bool is_asking = false;             ///< it, or whom it asked, is being decided
+    std::uint32_t in = Pockets::kNone;  ///< the pocket where it stands
+    bool leaves = false;                ///< that pocket
+  };
+
+  void go(std::uint32_t step) {
+    look_at_pockets();
+    std::stable_sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
+      const PlanRobot& first = states_[a].robot;
+      const PlanRobot& second = states_[b].robot;
+      if (states_[a].leaves != states_[b].leaves) return states_[a].leaves;
+      if ((first.goal == nullptr) != (second.goal == nullptr)) return first.goal != nullptr;
+      if (first.priority != second.priority) return first.priority > second.priority;
+      return first.waits_s != second.waits_s ? first.waits_s > second.waits_s : a < b;
+    });
+    for (const std::uint32_t robot : order_) {
+      if (is_there(robot) && !states_[robot].has_wish) wish(robot, kNobody);
+    }
+    // Who was asked goes before those who were looked at later, whatever its own priority.
+    moving_.clear();
+    for (const std::uint32_t robot : std::exchange(decided_, {})) {
+      const BerthArc* const arc = states_[robot].wish;
+      if (arc == nullptr || !is_free(*arc, robot) || !keeps_off_movers(*arc, step)) continue;
+      moving_.push_back(robot);
+      entered_.at(arc->to) = step + 1;
+      entered_.at(arc->middle) = step + 1;
+      for (const Berth berth : arc->touches) passed_.at(berth) = step + 1;
+    }
+    for (const std::uint32_t robot : order_) forget_wish(robot);
+    for (const std::uint32_t robot : moving_) move(robot, step);
+    for (std::uint32_t robot = 0; robot < states_.size(); ++robot) get_on(robot);
+  }
+
+  /// Finds who is in which pocket, and who has to come out.
+  void look_at_pockets() {
+    std::fill(owner_.begin(), owner_.end(), kNobody);
+    std::fill(is_wanted_.begin(), is_wanted_.end(), false);
+    for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
+      State& state = states_[robot];
+      state.in = pockets_.of(state.robot.at);
+      for (std::size_t i = state.robot.behind.size() - state.drives; i < state.robot.behind.size(); ++i) {
+        own(pockets_.of(state.robot.behind[i]), robot);
+      }
+      own(state.in, robot);
+      const bool wants = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
+      if (wants && state.in != state.robot.pocket) is_wanted_[state.robot.pocket] = true;
+    }
+    for (State& state : states_) {
+      state.leaves = state.in != Pockets::kNone && state.handles == 0 &&
+                     (state.robot.goal == nullptr ? is_wanted_[state.in] : state.robot.pocket != state.in);
+    }
+  }
+
+  void own(std::uint32_t pocket, std::uint32_t robot) {
+    if (pocket != Pockets::kNone) owner_[pocket] = robot;
+  }
+
+  bool is_there(std::uint32_t robot) const {
+    return states_[robot].drives == 0 && states_[robot].robot.at != kNoBerth;
+  }
+
+  /// Decides where the robot wants to go next; `asker` wants it away from where it stands. Returns whether it will
+  /// go.
+  bool wish(std::uint32_t robot, std::uint32_t asker) {
+    State& state = states_[robot];
+    state.has_wish = true;
+    state.is_asking = true;
+    decided_.push_back(robot);
+    const bool can_move = !state.robot.stays && state.handles == 0;
+    const bool goes = can_move && choose(robot, asker);
+    if (!goes) stay(robot);
+    state.is_asking = false;
+    return goes || (asker == kNobody);
+  }
+
+  /// Says what of others' wishes a wish keeps off: all that they drive through, or only where they want to stand. Who
+  /// has to make way and cannot but into the way of who asks is asked again there.
+  enum class Care : std::uint8_t { off_all_ways, off_where_they_end };
+
+  struct Choice {
+    const BerthArc* arc = nullptr;
+    bool is_unwanted = false;  ///< the asker has no use for it
+    bool is_free = false;
+    double cost_m = 0.0;
+  };
+
+  bool choose(std::uint32_t robot, std::uint32_t asker) {
+    const Berth here = states_[robot].robot.at;
+    Distances* goal = states_[robot].robot.goal;
+    const bool is_sent_out = goal == nullptr && states_[robot].leaves;
+    if (is_sent_out) goal = &pockets_.to_mouth(states_[robot].in, states_[robot].robot.methods);
+    Distances* const wanted = asker == kNobody ? nullptr : states_[asker].robot.goal;
+    const double here_m = goal == nullptr ? 0.0 : goal->from_m(here);
+    std::vector<Choice> choices;
+    const bool makes_way = asker != kNobody || is_refused(robot);
+    for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
+      const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
+      const bool is_better = goal != nullptr && there_m < here_m;
+      const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
+      if (!is_a_stop || (!is_better && !makes_way) || !may_go(robot, arc.to, asker != kNobody)) continue;
+      const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
+      const double cost_m = goal == nullptr || is_sent_out ? there_m : arc.length_m + there_m;
+      choices.push_back({&arc, is_unwanted, is_free(arc, robot), cost_m});
+    }
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+      if (a.cost_m != b.cost_m) return a.cost_m < b.cost_m;
+      if (a.is_unwanted != b.is_unwanted) return a.is_unwanted;
+      return a.is_free && !b.is_free;
+    });
+    const auto takes = [&](Care care) {
+      return std::any_of(choices.begin(), choices.end(),
+                         [&](const Choice& choice) { return take(robot, *choice.arc, care); });
+    };
+    return takes(Care::off_all_ways) || (makes_way && takes(Care::off_where_they_end));
+  }
+
+  /// Returns whether the robot stands in the mouth of a pocket in which it wants to go, and which is taken.
+  bool is_refused(std::uint32_t robot) const {
+    const PlanRobot& known = states_[robot].robot;
+    if (known.goal == nullptr || known.pocket == Pockets::kNone || states_[robot].in == known.pocket) return false;
+    return pockets_.is_at_mouth(known.pocket, known.at) && !is_open(known.pocket, robot);
+  }
+
+  bool is_open(std::uint32_t pocket, std::uint32_t robot) const {
+    return owner_[pocket] == kNobody || owner_[pocket] == robot;
+  }
+
+  /// Returns whether pockets allow the robot to go there: only who wants to goes in, and one at a time; and who is to
+  /// wait does so before the mouth, unless it has to make way.
+  bool may_go(std::uint32_t robot, Berth to, bool is_asked) const {
+    const State& state = states_[robot];
+    const std::uint32_t pocket = pockets_.of(to);
+    const bool wants_in = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
+    if (pocket != Pockets::kNone && pocket != state.in) {
+      return wants_in && state.robot.pocket == pocket && is_open(pocket, robot);
+    }
+    const bool would_wait = wants_in && state.in != state.robot.pocket && !is_open(state.robot.pocket, robot);
+    return is_asked || !would_wait || !pockets_.is_at_mouth(state.robot.pocket, to) ||
+           pockets_.is_at_mouth(state.robot.pocket, state.robot.at);
+  }
+
+  /// Takes the arc for the robot's wish if nobody has a wish there, and all who stand there make way.
+  bool take(std::uint32_t robot, const BerthArc& arc, Care care) {
+    if (!can_wish(robot, arc, care)) return false;
+    put_wish(robot, &arc);
+    const std::uint32_t pocket = pockets_.of(arc.to);
+    const bool goes_in = pocket != Pockets::kNone && owner_[pocket] == kNobody;
+    if (goes_in) owner_[pocket] = robot;
+    std::uint32_t asked = 0;
+    for (const Berth berth : arc.touches) {
+      const std::uint32_t other = standing_.at(berth).robot;
+      if (other == kNobody || other == robot || states_[other].has_wish || states_[other].drives > 0) continue;
+      ++plan_.pushes;
+      if (++asked == 2) ++plan_.asked_several;
+      if (wish(other, robot)) continue;
+      take_back_wish(robot);
+      if (goes_in) owner_[pocket] = kNobody;
+      return false;
+    }
+    return true;
+  }
+
+  bool can_wish(std::uint32_t robot, const BerthArc& arc, Care care) {
+    const std::vector<Berth>& beside = graph_.beside(arc.to);
+    const auto is_at_end = [&](Berth berth) {
+      return berth == arc.to || std::binary_search(beside.begin(), beside.end(), berth);
+    };
+    for (const Berth berth : {arc.to, arc.middle}) {
+      const auto& claims = claims_.at(berth);
+      const bool is_claimed =
+          std::any_of(claims.begin(), claims.end(), [&](std::uint32_t other) { return other != robot; });
+      if (is_claimed && care == Care::off_all_ways) return false;
+    }
+    for (const Berth berth : arc.touches) {
+      const std::uint32_t target = target_.at(berth).robot;
+      const bool is_taken = target != kNobody && target != robot;
+      const bool is_in_the_way = is_taken && states_[target].wish == nullptr;
+      if (is_in_the_way || (is_taken && (care == Care::off_all_ways || is_at_end(berth)))) return false;
+      const std::uint32_t other = standing_.at(berth).robot;
+      if (other == kNobody || other == robot) continue;
+      const bool closes_a_circle = states_[other].is_asking;
+      if (closes_a_circle || states_[other].robot.stays || states_[other].handles > 0) return false;
+    }
+    return true;
+  }
+
+  void stay(std::uint32_t robot) {
+    const Berth here = states_[robot].robot.at;
+    states_[robot].wish = nullptr;
+    target_.at(here).robot = robot;
+    claims_.at(here).push_back(robot);
+    for (const Berth berth : graph_.beside(here)) claims_.at(berth).push_back(robot);
+  }
+
+  void put_wish(std::uint32_t robot, const BerthArc* arc) {
+    states_[robot].wish = arc;
+    target_.at(arc->to).robot = robot;
+    target_.at(arc->middle).robot = robot;
+    for (const Berth berth : arc->touches) claims_.at(berth).push_back(robot);
+  }
+
+  void take_back_wish(std::uint32_t robot) {
+    const BerthArc* const arc = std::exchange(states_[robot].wish, nullptr);
+    target_.at(arc->to).robot = kNobody;
+    target_.at(arc->middle).robot = kNobody;
+    for (const Berth berth : arc->touches) std::erase(claims_.at(berth), robot);
+  }
+
+  void forget_wish(std::uint32_t robot) {
+    State& state = states_[robot];
+    if (!std::exchange(state.has_wish, false)) return;
+    const Berth there = state.wish == nullptr ? state.robot.at : state.wish->to;
+    const std::vector<Berth>& touched = state.wish == nullptr ? graph_.beside(there) : state.wish->touches;
+    target_.at(there).robot = kNobody;
+    if (state.wish != nullptr) target_.at(state.wish->middle).robot = kNobody;
+    claims_.at(there).clear();
+    for (const Berth berth : touched) claims_.at(berth).clear();
+  }
+
+  /// Returns whether nobody holds anything there as the step begins.
+  bool is_free(const BerthArc& arc, std::uint32_t robot) {
+    return std::none_of(arc.touches.begin(), arc.touches.end(), [&](Berth berth) {
+      const std::uint32_t other = standing_.at(berth).robot;
+      const auto& behind = behind_.at(berth);
+      return (other != kNobody && other != robot) ||
+             std::any_of(behind.begin(), behind.end(), [&](const auto& held) { return held.first != robot; });
+    });
+  }
+
+  /// Returns whether nobody who moves in this step comes by.
+  bool keeps_off_movers(const BerthArc& arc, std::uint32_t step) {
+    return passed_.at(arc.to) != step + 1 && passed_.at(arc.middle) != step + 1 &&
+           std::none_of(arc.touches.begin(), arc.touches.end(),
+                        [&](Berth berth) { return entered_.at(berth) == step + 1; });
+  }
+
+  void move(std::uint32_t robot, std::uint32_t step) {
+    State& state = states_[robot];
+    const BerthArc* const arc = std::exchange(state.wish, nullptr);
+    plan_.moves[robot].push_back({arc, state.robot.at, step});
+    standing_.at(state.robot.at).robot = kNobody;
+    state.robot.at = arc->to;
+    standing_.at(arc->to).robot = robot;
+    if (is_at_goal(robot)) arrive(robot, rules_.handling + 1);
+  }
+
+  bool is_at_goal(std::uint32_t robot) const {
+    const PlanRobot& known = states_[robot].robot;
+    return known.goal != nullptr && known.is_goal_at_hand && known.goal->from_m(known.at) == 0.0;
+  }
+
+  void arrive(std::uint32_t robot, std::uint32_t handles) {
+    states_[robot].robot.goal = nullptr;
+    states_[robot].handles = handles;
+  }
+
+  void get_on(std::uint32_t robot) {
+    State& state = states_[robot];
+    state.wish = nullptr;
+    if (state.handles > 0) --state.handles;
+    if (state.drives == 0) return;
+    auto& held = behind_.at(state.robot.behind[state.robot.behind.size() - state.drives]);
+    if (--held[robot] == 0) held.erase(robot);
+    --state.drives;
+  }
+
+  BerthGraph& graph_;
+  Pockets& pockets_;
+  PlanRules rules_;
+  std::vector<State> states_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> owner_;    ///< of each pocket: who is in it, or goes there
+  std::vector<bool> is_wanted_;         ///< somebody wants to go into that pocket
+  std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
+  std::vector<std::uint32_t> moving_;
+  ByBerth<Nobody> standing_;                                ///< who stands there as the step begins
+  ByBerth<std::map<std::uint32_t, std::uint32_t>> behind_;  ///< who still drives through it, how often
+  ByBerth<Nobody> target_;                                  ///< who wishes to stand there when the step ends
+  ByBerth<std::vector<std::uint32_t>> claims_;              ///< whose wish touches it
+  ByBerth<std::uint32_t> entered_;  ///< in which step, counted from one, somebody stands there
+  ByBerth<std::uint32_t> passed_;   ///< and drives through
+  MovePlan plan_;
+};
+
+}  // namespace
+
+MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots,
+                    const PlanRules& rules) {
+  return Steps(graph, pockets, robots, rules).take();
+}
+
+}  // namespace weft::server

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/distances.hpp"
+#include "server/traffic/plan/pockets.hpp"
+
+namespace weft::server {
+
+/// Describes a robot to the plan.
+struct PlanRobot {
+  Berth at = kNoBerth;        ///< where what it was released ends
+  std::vector<Berth> behind;  ///< what it drives through until it is there, in order; it leaves one a step
+  std::uint32_t methods = 0;
+  std::uint32_t pocket = Pockets::kNone;  ///< in which its goal lies
+  Distances* goal = nullptr;              ///< to where it is going; null: nowhere, and it makes way if it is asked to
+  bool is_goal_at_hand = true;            ///< `goal` leads to its goal, not only to a berth on the way there
+  std::uint32_t handles = 0;              ///< steps for which it cannot be asked, as it is at work where it was going
+  bool stays = false;                     ///< it does not move by itself, and nobody can ask it to
+  std::uint8_t priority = 0;              ///< the larger, the more urgent
+  double waits_s = 0.0;                   ///< since its goal was asked for
+};
+
+/// Describes one drive from a berth to the next, begun in that step of the plan.
+struct PlannedMove {
+  const BerthArc* arc = nullptr;
+  Berth from = kNoBerth;
+  std::uint32_t step = 0;
+};
+
+struct PlanRules {
+  std::uint32_t steps = 30;    ///< of one berth each
+  std::uint32_t handling = 5;  ///< steps for which a robot that comes to its goal cannot be asked to make way
+};
+
+/// Holds what everybody will do, in order of the steps; one list a robot, as they were given.
+struct MovePlan {
+  std::vector<std::vector<PlannedMove>> moves;
+  std::uint64_t pushes = 0;         ///< robots that were asked to make way
+  std::uint64_t asked_several = 0;  ///< of these, together with others: there PIBT gives no guarantee
+};
+
+/// Plans some steps ahead for all robots: priority inheritance with backtracking (Okumura, Machida, Defago, Tamura,
+/// "Priority inheritance with backtracking for iterative multi-agent path finding", AIJ 310, 2022), changed for what
+/// is exclusively held. A robot enters a berth only if it and all beside it are empty when the step begins, so nobody
+/// follows into what is left in that step, and robots in a circle do not rotate: a wish that would close a circle is
+/// refused. A pocket takes one robot, and one that goes there; who leaves it goes first; who finds it taken does not
+/// wait in its mouth. Deterministic: ties are broken by the order in which the robots are given.
+MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots,
+                    const PlanRules& rules);
+
+}  // namespace weft::server

@@ -1,0 +1,49 @@
+#include "server/traffic/plan/plan_order.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+
+PlanOrder::PlanOrder(MovePlan plan) : plan_(std::move(plan)), released_(plan_.moves.size(), 0) {
+  for (std::uint32_t robot = 0; robot < plan_.moves.size(); ++robot) {
+    std::uint32_t number = 0;
+    for (const PlannedMove& move : plan_.moves[robot]) {
+      const Visit visit{move.step, robot, number++};
+      ends_.at(move.arc->to).push_back(visit);
+      ends_.at(move.arc->middle).push_back(visit);
+      for (const Berth berth : move.arc->touches) passes_.at(berth).push_back(visit);
+    }
+  }
+}
+
+/// Returns whether `test` holds for any visit of another robot that meets this move.
+template <class Test>
+bool PlanOrder::any_meets(std::uint32_t robot, std::uint32_t move, Test&& test) const {
+  const auto any = [&](const Visits& visits, Berth berth) {
+    const std::vector<Visit>* const found = visits.find(berth);
+    return found != nullptr && std::any_of(found->begin(), found->end(),
+                                           [&](const Visit& other) { return other.robot != robot && test(other); });
+  };
+  const BerthArc& arc = *plan_.moves[robot][move].arc;
+  return any(passes_, arc.to) || any(passes_, arc.middle) ||
+         std::any_of(arc.touches.begin(), arc.touches.end(), [&](Berth berth) { return any(ends_, berth); });
+}
+
+bool PlanOrder::is_shared(std::uint32_t robot, std::uint32_t move) const {
+  return any_meets(robot, move, [](const Visit& /*other*/) { return true; });
+}
+
+std::uint32_t PlanOrder::may(std::uint32_t robot) const {
+  const std::vector<PlannedMove>& moves = plan_.moves[robot];
+  std::uint32_t number = released_[robot];
+  for (; number < moves.size(); ++number) {
+    const auto comes_first = [&](const Visit& other) {
+      return other.step < moves[number].step && other.move >= released_[other.robot];
+    };
+    if (any_meets(robot, number, comes_first)) break;
+  }
+  return number;
+}
+
+}  // namespace weft::server

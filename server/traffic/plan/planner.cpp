@@ -1,0 +1,140 @@
+#include "server/traffic/plan/planner.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+/// Bounds, in berths along its way, how far ahead the place lies that leads a robot, when that is not its goal.
+constexpr std::size_t kGuideAhead = 120;
+/// Bounds how near a robot may come to it before it gets another one: a plan looks some 40 m ahead.
+constexpr double kGuideNear_m = 75.0;
+constexpr std::size_t kDistancesKept = 512;
+/// Bounds how many berths a robot holds ahead of it while others move: an order may take seconds to come, and who
+/// holds more is in the way of who is given a goal meanwhile. The more where nobody is planned to come by. Set with
+/// traffic_bench on its own map, seed 1001.
+constexpr std::uint32_t kBerthsAhead = 4;
+constexpr std::uint32_t kBerthsAheadAlone = 8;
+
+}  // namespace
+
+void Planner::plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
+                   const std::vector<PlanRequest>& requests) {
+  order_ = {};
+  if (berths_.follow(network, footprint_m)) {
+    distances_.clear();
+    pockets_.clear();
+  }
+  // All places are numbered before anything is planned: berths that come make others forget their arcs.
+  for (const PlanRequest& request : requests) {
+    if (!request.held.empty() && berths_.has(request.held.back())) berths_.at(request.held.back());
+    if (request.goal && berths_.has(*request.goal)) berths_.at(*request.goal);
+  }
+  occupy(requests);
+  std::vector<PlanRobot> robots;
+  robots.reserve(requests.size());
+  methods_.clear();
+  for (const PlanRequest& request : requests) {
+    robots.push_back(robot_of(request));
+    methods_.push_back(robots.back().methods);
+  }
+  moving_ = static_cast<std::uint32_t>(
+      std::count_if(requests.begin(), requests.end(), [](const PlanRequest& request) { return request.goal; }));
+  MovePlan plan = plan_moves(berths_, pockets_, robots, rules_);
+  pushes_ += plan.pushes;
+  asked_several_ += plan.asked_several;
+  order_ = PlanOrder(std::move(plan));
+  forget_unused();
+}
+
+/// Notes which berths are occupied for long. Distances are searched anew when that changes.
+void Planner::occupy(const std::vector<PlanRequest>& requests) {
+  std::set<Berth> occupied;
+  for (const PlanRequest& request : requests) {
+    if (!request.stands_for_long || request.held.empty() || !berths_.has(request.held.back())) continue;
+    const Berth berth = berths_.at(request.held.back());
+    occupied.insert(berth);
+    occupied.insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
+  }
+  if (std::equal(occupied.begin(), occupied.end(), occupied_.begin(), occupied_.end())) return;
+  distances_.clear();
+  occupied_.assign(occupied.begin(), occupied.end());
+}
+
+PlanRobot Planner::robot_of(const PlanRequest& request) {
+  PlanRobot robot;
+  if (request.held.empty() || !berths_.has(request.held.back())) return robot;
+  robot.at = berths_.at(request.held.back());
+  for (std::size_t i = 0; i + 1 < request.held.size(); ++i) {
+    if (berths_.is_cut(request.held[i])) robot.behind.push_back(berths_.at(request.held[i]));
+  }
+  robot.methods = berths_.methods(request.methods);
+  robot.stays = request.stays;
+  robot.handles = request.handles;
+  robot.priority = request.priority;
+  robot.waits_s = request.waits_s;
+  pockets_.look(robot.at, robot.methods);
+  if (!request.goal || !berths_.has(*request.goal)) return robot;
+  const PlaceId led_to = guide(request, robot.methods);
+  robot.goal = &distances(led_to, robot.methods);
+  robot.is_goal_at_hand = led_to == *request.goal;
+  robot.pocket = pockets_.look(berths_.at(*request.goal), robot.methods);
+  return robot;
+}
+
+/// Returns the place that leads the robot: its goal when that is near enough, else a berth on its way there. It stays
+/// the same until the robot comes near, so that distances to it are searched once.
+PlaceId Planner::guide(const PlanRequest& request, std::uint32_t methods) {
+  const std::vector<PlaceId>& ahead = request.ahead;
+  PlaceId& led_to = guides_[request.robot];
+  if (led_to == *request.goal) return led_to;
+  const bool is_ahead = std::find(ahead.begin(), ahead.end(), led_to) != ahead.end();
+  if (is_ahead && distances(led_to, methods).from_m(berths_.at(request.held.back())) > kGuideNear_m) return led_to;
+  led_to = *request.goal;
+  std::size_t cuts = 0;
+  for (const PlaceId& place : ahead) {
+    if (!berths_.is_cut(place)) continue;
+    if (++cuts == kGuideAhead) led_to = place;
+  }
+  if (cuts < 2 * kGuideAhead) led_to = *request.goal;
+  return led_to;
+}
+
+Distances& Planner::distances(const PlaceId& to, std::uint32_t methods) {
+  const Key key{to, methods};
+  used_.insert(key);
+  std::unique_ptr<Distances>& known = distances_[key];
+  if (known == nullptr) known = std::make_unique<Distances>(berths_, berths_.at(to), methods, occupied_);
+  return *known;
+}
+
+std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) const {
+  const std::uint32_t turn = order_.may(robot);
+  if (moving_ < 2) return turn;
+  std::uint32_t move = order_.released(robot);
+  for (; move < turn; ++move, ++held) {
+    if (held >= kBerthsAheadAlone || (held >= kBerthsAhead && order_.is_shared(robot, move))) break;
+  }
+  return move;
+}
+
+PlannedWay Planner::way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const {
+  PlannedWay planned;
+  for (std::uint32_t number = first; number < last; ++number) {
+    const PlannedMove& move = order_.moves(robot)[number];
+    const std::vector<PlaceId>& way = berths_.way(move.from, *move.arc, methods_[robot]);
+    planned.places.insert(planned.places.end(), way.begin(), way.end());
+    planned.stops.push_back(static_cast<std::uint32_t>(planned.places.size() - 1));
+  }
+  return planned;
+}
+
+void Planner::forget_unused() {
+  if (distances_.size() > kDistancesKept) {
+    std::erase_if(distances_, [this](const auto& known) { return !used_.contains(known.first); });
+  }
+  used_.clear();
+}
+
+}  // namespace weft::server

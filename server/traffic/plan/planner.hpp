@@ -1,0 +1,83 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/traffic/plan/berths.hpp"
+#include "server/traffic/plan/distances.hpp"
+#include "server/traffic/plan/move_plan.hpp"
+#include "server/traffic/plan/plan_order.hpp"
+
+namespace weft::server {
+
+/// Describes a robot whose moves are to be planned.
+struct PlanRequest {
+  RobotId robot;
+  std::vector<PlaceId> held;    ///< what it was released and has not left, in order; it stands at the last one then
+  std::optional<PlaceId> goal;  ///< none: it makes way if it is asked to
+  std::vector<PlaceId> ahead;   ///< its way to the goal beyond what is held, as it was found last
+  std::set<std::string> methods;
+  bool stays = false;            ///< it does not move, and cannot be asked to
+  bool stands_for_long = false;  ///< others are led round it
+  std::uint32_t handles = 0;     ///< steps of a berth for which it cannot be asked to
+  std::uint8_t priority = 0;
+  double waits_s = 0.0;  ///< since its goal was asked for
+};
+
+/// Tells how a robot goes on.
+struct PlannedWay {
+  std::vector<PlaceId> places;       ///< beyond what it holds
+  std::vector<std::uint32_t> stops;  ///< of these, by index: where it may stand
+};
+
+/// Plans the next moves of all robots over the berths of the map.
+class Planner {
+ public:
+  Planner(Proximity& proximity, PlanRules rules) : berths_(proximity), rules_(rules) {}
+
+  /// Plans anew for all of them; `footprint_m` is that of the largest. Robots that stand where the map has no place
+  /// are left out. The robots' numbers, below, are those of the requests.
+  void plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
+            const std::vector<PlanRequest>& requests);
+  /// Returns the robot's planned moves from `first` to before `last`.
+  PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
+  /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
+  /// berths of what it was released lie ahead of it. As the plan's order is, and not far ahead while others move:
+  /// what it holds is in their way.
+  std::uint32_t may(std::uint32_t robot, std::uint32_t held) const;
+  /// Keeps the order of the plan.
+  PlanOrder& order() { return order_; }
+  const PlanOrder& order() const { return order_; }
+  /// Counts robots that were asked to make way, of all plans.
+  std::uint64_t pushes() const { return pushes_; }
+  std::uint64_t asked_several() const { return asked_several_; }
+
+ private:
+  using Key = std::pair<PlaceId, std::uint32_t>;
+
+  void occupy(const std::vector<PlanRequest>& requests);
+  PlanRobot robot_of(const PlanRequest& request);
+  PlaceId guide(const PlanRequest& request, std::uint32_t methods);
+  Distances& distances(const PlaceId& to, std::uint32_t methods);
+  void forget_unused();
+
+  Berths berths_;
+  PlanRules rules_;
+  std::vector<Berth> occupied_;  ///< for long
+  std::map<Key, std::unique_ptr<Distances>> distances_;
+  Pockets pockets_{berths_};
+  PlanOrder order_;
+  std::vector<std::uint32_t> methods_;  ///< of each robot of the plan
+  std::uint32_t moving_ = 0;            ///< robots that have a goal
+  std::set<Key> used_;
+  std::map<RobotId, PlaceId> guides_;
+  std::uint64_t pushes_ = 0;
+  std::uint64_t asked_several_ = 0;
+};
+
+}  // namespace weft::server

@@ -1,0 +1,135 @@
+#include "server/traffic/plan/pockets.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+
+namespace weft::server {
+namespace {
+
+/// Bounds how many berths are looked at around one.
+constexpr std::size_t kBall = 200;
+
+/// Holds the berths around one, with who is joined with whom, and which of them lead on beyond.
+class Ball {
+ public:
+  Ball(BerthGraph& graph, Berth centre, std::uint32_t methods) : graph_(graph), methods_(methods), centre_(centre) {
+    std::deque<Berth> open = {centre};
+    before_[centre] = centre;
+    while (!open.empty() && joined_.size() < kBall) {
+      const Berth here = open.front();
+      open.pop_front();
+      joined_[here] = neighbours(here);
+      for (const Berth there : joined_[here]) {
+        if (before_.emplace(there, here).second) open.push_back(there);
+      }
+    }
+    outside_.insert(open.begin(), open.end());
+    farthest_ = open.empty() ? last_ : open.front();
+  }
+
+  /// Returns the shortest way from the centre to what lies beyond, or to the farthest berth where nothing does.
+  std::vector<Berth> way_out() const {
+    std::vector<Berth> way;
+    for (Berth here = farthest_; here != centre_; here = before_.at(here)) way.push_back(here);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  /// Returns what hangs together with the centre when nobody passes those; none: what lies beyond does, too, or more
+  /// than half of all.
+  std::optional<std::vector<Berth>> cut_off_by(const std::vector<Berth>& blocked) const {
+    std::set<Berth> seen = {centre_};
+    std::deque<Berth> open = {centre_};
+    while (!open.empty()) {
+      const Berth here = open.front();
+      open.pop_front();
+      if (outside_.contains(here) || 2 * seen.size() > before_.size()) return std::nullopt;
+      for (const Berth there : joined_.at(here)) {
+        if (!std::binary_search(blocked.begin(), blocked.end(), there) && seen.insert(there).second) {
+          open.push_back(there);
+        }
+      }
+    }
+    return std::vector<Berth>(seen.begin(), seen.end());
+  }
+
+ private:
+  std::vector<Berth> neighbours(Berth here) {
+    last_ = here;
+    std::set<Berth> all(graph_.beside(here).begin(), graph_.beside(here).end());
+    for (const BerthArc& arc : graph_.next(here, methods_)) all.insert(arc.to);
+    for (const BerthGraph::Before& arc : graph_.before(here, methods_)) all.insert(arc.from);
+    all.erase(here);
+    return {all.begin(), all.end()};
+  }
+
+  BerthGraph& graph_;
+  std::uint32_t methods_;
+  Berth centre_;
+  Berth last_ = kNoBerth;
+  Berth farthest_ = kNoBerth;
+  std::map<Berth, Berth> before_;
+  std::map<Berth, std::vector<Berth>> joined_;
+  std::set<Berth> outside_;
+};
+
+std::vector<Berth> standing_in(BerthGraph& graph, Berth berth) {
+  std::vector<Berth> all = graph.beside(berth);
+  all.insert(std::upper_bound(all.begin(), all.end(), berth), berth);
+  return all;
+}
+
+}  // namespace
+
+std::optional<Pocket> pocket_around(BerthGraph& graph, Berth berth, std::uint32_t methods) {
+  const Ball ball(graph, berth, methods);
+  std::optional<Pocket> largest;
+  for (const Berth mouth : ball.way_out()) {
+    const std::vector<Berth> blocked = standing_in(graph, mouth);
+    if (std::binary_search(blocked.begin(), blocked.end(), berth)) continue;
+    std::optional<std::vector<Berth>> inside = ball.cut_off_by(blocked);
+    if (!inside) break;
+    largest = Pocket{.mouth = mouth, .at_mouth = blocked, .inside = *std::move(inside)};
+  }
+  return largest;
+}
+
+std::uint32_t Pockets::look(Berth berth, std::uint32_t methods) {
+  const auto known = of_.find(berth);
+  if (known != of_.end()) return known->second;
+  std::optional<Pocket> pocket = pocket_around(graph_, berth, methods);
+  if (!pocket) return of_[berth] = kNone;
+  const auto same = std::find_if(pockets_.begin(), pockets_.end(),
+                                 [&](const Pocket& other) { return other.mouth == pocket->mouth; });
+  const auto number = static_cast<std::uint32_t>(same - pockets_.begin());
+  if (same == pockets_.end()) pockets_.push_back(*pocket);
+  for (const Berth inside : pocket->inside) of_.try_emplace(inside, number);
+  return of_[berth] = number;
+}
+
+std::uint32_t Pockets::of(Berth berth) const {
+  const auto known = of_.find(berth);
+  return known == of_.end() ? kNone : known->second;
+}
+
+bool Pockets::is_at_mouth(std::uint32_t pocket, Berth berth) const {
+  const std::vector<Berth>& mouth = pockets_[pocket].at_mouth;
+  return std::binary_search(mouth.begin(), mouth.end(), berth);
+}
+
+Distances& Pockets::to_mouth(std::uint32_t pocket, std::uint32_t methods) {
+  std::unique_ptr<Distances>& known = to_mouth_[{pocket, methods}];
+  if (known == nullptr) {
+    known = std::make_unique<Distances>(graph_, pockets_[pocket].mouth, methods, nothing_);
+  }
+  return *known;
+}
+
+void Pockets::clear() {
+  pockets_.clear();
+  of_.clear();
+  to_mouth_.clear();
+}
+
+}  // namespace weft::server

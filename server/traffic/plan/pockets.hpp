@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/distances.hpp"
+
+namespace weft::server {
+
+/// Describes berths that can only be left past one of them, the mouth: two robots cannot pass each other in there.
+struct Pocket {
+  Berth mouth = kNoBerth;
+  std::vector<Berth> at_mouth;  ///< where standing is standing in the mouth: it and what is beside it, sorted
+  std::vector<Berth> inside;    ///< sorted; without the mouth
+};
+
+/// Finds pockets around berths as they are asked for: places to which robots go, or where they stand.
+class Pockets {
+ public:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  explicit Pockets(BerthGraph& graph) : graph_(graph) {}
+
+  /// Looks for the pocket in which the berth lies, once; drives of `methods` join berths, either way round.
+  std::uint32_t look(Berth berth, std::uint32_t methods);
+  /// Returns the pocket that is known to hold the berth.
+  std::uint32_t of(Berth berth) const;
+  bool is_at_mouth(std::uint32_t pocket, Berth berth) const;
+  /// Tells how far it is to the mouth.
+  Distances& to_mouth(std::uint32_t pocket, std::uint32_t methods);
+  std::size_t size() const { return pockets_.size(); }
+  void clear();
+
+ private:
+  BerthGraph& graph_;
+  const std::vector<Berth> nothing_;
+  std::vector<Pocket> pockets_;
+  std::map<Berth, std::uint32_t> of_;  ///< `kNone`: looked for, and there is none
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<Distances>> to_mouth_;
+};
+
+/// Returns the largest pocket that holds the berth, as far as some 200 berths around show it.
+std::optional<Pocket> pocket_around(BerthGraph& graph, Berth berth, std::uint32_t methods);
+
+}  // namespace weft::server
