@@ -11,6 +11,9 @@
 
 namespace weft::bench {
 
+/// A cell has room for a robot of this size, also beside one that drives by: lanes lie up to 0.25 m beside the
+/// middles of cells, 1.2 m from a neighbour's; two robots need 1.16 m with slack and margin.
+inline constexpr double kRadius_m = 0.28;
 inline constexpr double kSpeed_m_s = 0.6;
 inline constexpr double kStep_s = kCell_m / kSpeed_m_s;
 inline constexpr double kDelayed = 0.02;  ///< share of steps in which a robot does not get on
@@ -70,6 +73,7 @@ class Policy {
 
 std::unique_ptr<Policy> make_whole(Fleet& fleet);             ///< today's rule, by the product's Traffic
 std::unique_ptr<Policy> make_whole_asking_all(Fleet& fleet);  ///< the same, and all who wait ask at each report
+std::unique_ptr<Policy> make_ours(Fleet& fleet);              ///< the product's plan, and leases in its order
 std::unique_ptr<Policy> make_prioritised(Fleet& fleet);       ///< space-time A* robot by robot, 24 steps ahead
 std::unique_ptr<Policy> make_bound(Fleet& fleet);             ///< PIBT with following, no delays: cannot be executed
 

@@ -65,6 +65,7 @@ TaughtLanes::TaughtLanes(const Network& network) : network_(network) {
                                       relation_between(network.at[cell], lane_at_[first]), Origin::stitch));
       between.edges.push_back(edge_of(place(next), {between.experience, last},
                                       relation_between(network.at[next], lane_at_[last]), Origin::stitch));
+      between.edges.back().drivable = Drivable::b_to_a;
     }
   }
   snapshot_ = with(with(Snapshot(), cells), between);

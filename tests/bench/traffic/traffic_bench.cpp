@@ -22,6 +22,7 @@ namespace {
 const std::map<std::string, MakePolicy>& policies() {
   static const std::map<std::string, MakePolicy> all = {{"whole", make_whole},
                                                         {"whole-ask-all", make_whole_asking_all},
+                                                        {"ours", make_ours},
                                                         {"prioritised", make_prioritised},
                                                         {"bound", make_bound}};
   return all;
@@ -34,7 +35,7 @@ struct Options {
   double hours = 0.1;
   std::string seeds = "1..1";
   std::string lanes;
-  std::string policies = "whole,prioritised,bound";
+  std::string policies = "whole,ours,prioritised,bound";
   bool cases = false;
   bool json = false;
 };
@@ -122,7 +123,7 @@ void run(const Options& options) {
   for (const std::string& policy : words(options.policies)) {
     if (!policies().contains(policy)) {
       throw CLI::ValidationError("--policies",
-                                 "has " + policy + "; there are whole, whole-ask-all, prioritised and bound");
+                                 "has " + policy + "; there are whole, whole-ask-all, ours, prioritised and bound");
     }
   }
   if (!options.json) {
