@@ -226,6 +226,9 @@ class FleetMapServer final : public Service {
     dispatcher_.on_state(*robot, now);
     requests_.on_state(*robot, now);
   }
+  void receive(const msg::RobotPower& power, Now now) {
+    if (admit(power.header, true, now)) fleet_.on_power(power);
+  }
   void receive(const msg::ExperienceBatch& batch, Now now) {
     // What was seen stays true whichever incarnation hands it in. A client that imports a file is no robot of the
     // fleet, and its batch can come before its hello: whoever is a robot says so otherwise.

@@ -41,7 +41,8 @@ Snapshot one_on(const Snapshot& snapshot, Snapshot::Aparts aparts) {
   return {{snapshot.revision().value + 1},
           snapshot.experiences(),
           snapshot.shared_labels(),
-          std::make_shared<const Snapshot::Aparts>(std::move(aparts))};
+          std::make_shared<const Snapshot::Aparts>(std::move(aparts)),
+          snapshot.shared_rules()};
 }
 
 }  // namespace

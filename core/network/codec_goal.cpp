@@ -1,5 +1,6 @@
 #include "core/network/codec.hpp"
 #include "core/network/fields.hpp"
+#include "core/network/rule.hpp"
 
 namespace weft {
 namespace {
@@ -43,9 +44,33 @@ Goal read_goal(ByteReader& in) {
   goal.number = in.number<std::uint64_t>("number");
   goal.route = read_optional<RouteId>(in, "route");
   goal.route_version = in.number<std::uint32_t>("route version");
+  goal.priority = in.ranged<std::uint8_t>("priority", 0, kHighestPriority);
+  goal.kind = static_cast<GoalKind>(in.ranged("kind", static_cast<std::uint8_t>(GoalKind::operator_asked),
+                                              static_cast<std::uint8_t>(GoalKind::yield)));
+  goal.no_return = in.flag("no return");
   goal.history.resize(in.count("history", kEventLeast));
   for (GoalEvent& event : goal.history) event = read_event(in);
   return goal;
+}
+
+constexpr std::size_t kLimitBytes = 4 + 4 + 8;
+
+/// Reads the limits of a route with so many places.
+std::vector<SpeedLimit> read_limits(ByteReader& in, std::size_t places) {
+  std::vector<SpeedLimit> limits(in.count("limits", kLimitBytes));
+  std::uint32_t from = 0;
+  for (SpeedLimit& limit : limits) {
+    const std::size_t at = in.offset();
+    limit.from = in.number<std::uint32_t>("limit from");
+    limit.to = in.number<std::uint32_t>("limit to");
+    limit.limit_m_s = in.f64("limit");
+    const bool is_in = from <= limit.from && limit.from <= limit.to && limit.to < places;
+    if (!is_in) in.corrupt("limit", at, "must be of places of the route, behind the limit before it");
+    const bool is_speed = limit.limit_m_s > 0.0 && limit.limit_m_s <= kFastestLimit_m_s;
+    if (!is_speed) in.corrupt("limit", at, "is not a speed of over 0 and at most 10 m/s");
+    from = limit.from;
+  }
+  return limits;
 }
 
 Route read_route(ByteReader& in) {
@@ -65,6 +90,7 @@ Route read_route(ByteReader& in) {
   const std::size_t released_at = in.offset();
   route.released = in.number<std::uint32_t>("released");
   if (route.released > joints) in.corrupt("released", released_at, "is past the last place");
+  route.limits = read_limits(in, route.places.size());
   route.ended = in.flag("ended");
   route.reason = in.text("reason");
   return route;
@@ -83,6 +109,9 @@ Bytes encode(const Goal& goal) {
     out.number(goal.number);
     write_optional(out, goal.route);
     out.number(goal.route_version);
+    out.number(goal.priority);
+    out.number(static_cast<std::uint8_t>(goal.kind));
+    out.flag(goal.no_return);
     out.count(goal.history.size());
     for (const GoalEvent& event : goal.history) {
       out.i64(event.at.time_since_epoch().count());
@@ -105,6 +134,12 @@ Bytes encode(const Route& route) {
     out.count(route.relations.size());
     for (const Relation& relation : route.relations) fields::write(out, relation);
     out.number(route.released);
+    out.count(route.limits.size());
+    for (const SpeedLimit& limit : route.limits) {
+      out.number(limit.from);
+      out.number(limit.to);
+      out.f64(limit.limit_m_s);
+    }
     out.flag(route.ended);
     out.text(route.reason);
   });

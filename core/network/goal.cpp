@@ -24,6 +24,16 @@ const char* to_string(GoalState state) {
   return "unknown";
 }
 
+const char* to_string(GoalKind kind) {
+  switch (kind) {
+    case GoalKind::operator_asked:
+      return "operator";
+    case GoalKind::yield:
+      return "yield";
+  }
+  return "unknown";
+}
+
 bool is_terminal(GoalState state) {
   return state == GoalState::succeeded || state == GoalState::failed || state == GoalState::cancelled ||
          state == GoalState::rejected;

@@ -8,6 +8,7 @@
 
 #include "core/ids.hpp"
 #include "core/network/relation.hpp"
+#include "core/network/rule.hpp"
 #include "core/shared_row.hpp"
 #include "core/time.hpp"
 
@@ -103,11 +104,12 @@ class Snapshot {
   using Experiences = std::map<ExperienceId, std::shared_ptr<const Experience>>;
   using Labels = std::map<std::string, PlaceId>;
   using Aparts = std::vector<Apart>;
+  using Rules = std::map<std::string, Rule>;
 
   Snapshot();
-  /// `aparts` is sorted, each `ordered`; null: none.
+  /// `aparts` is sorted, each `ordered`; null: none, as of rules.
   Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
-           std::shared_ptr<const Aparts> aparts = nullptr);
+           std::shared_ptr<const Aparts> aparts = nullptr, std::shared_ptr<const Rules> rules = nullptr);
 
   Revision revision() const { return revision_; }
   const Experiences& experiences() const { return experiences_; }
@@ -117,6 +119,10 @@ class Snapshot {
   /// digests.
   const Aparts& aparts() const { return *aparts_; }
   std::shared_ptr<const Aparts> shared_aparts() const { return aparts_; }
+  /// Returns what operators have laid down, by name; stays whatever becomes of the places. Part of neither windows
+  /// nor digests.
+  const Rules& rules() const { return *rules_; }
+  std::shared_ptr<const Rules> shared_rules() const { return rules_; }
 
   const Experience* experience(ExperienceId id) const;
   const Place* place(const PlaceId& id) const;
@@ -134,6 +140,7 @@ class Snapshot {
   Experiences experiences_;
   std::shared_ptr<const Labels> labels_;
   std::shared_ptr<const Aparts> aparts_;
+  std::shared_ptr<const Rules> rules_;
 };
 
 template <class Visit>

@@ -75,6 +75,7 @@ NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceI
   }
   page.labels = network.labels();
   page.aparts = network.aparts();
+  for (const auto& [name, rule] : network.rules()) page.rules.push_back(rule);
   page.is_last = true;
   return page;
 }
@@ -101,6 +102,7 @@ std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities
   for (const Edge& edge : page.edges) room().edges.push_back(edge);
   for (const auto& [label, place] : page.labels) room().labels.emplace(label, place);
   for (const Apart& apart : page.aparts) room().aparts.push_back(apart);
+  for (const Rule& rule : page.rules) room().rules.push_back(rule);
   return pieces;
 }
 

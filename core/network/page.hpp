@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/network/apart.hpp"
+#include "core/network/rule.hpp"
 #include "core/network/window.hpp"
 
 namespace weft {
@@ -18,6 +19,7 @@ struct NetworkPage {
   std::vector<Edge> edges;                ///< those whose second end is one of `places`
   std::map<std::string, PlaceId> labels;  ///< all of the network's, with the last page
   std::vector<Apart> aparts;              ///< the same
+  std::vector<Rule> rules;                ///< the same
   std::uint64_t total = 0;                ///< places on all pages, with the first one
   bool is_last = false;
 };
@@ -30,7 +32,7 @@ inline constexpr PlaceId kBehindAll{{~std::uint64_t{0}}, ~std::uint32_t{0}};
 /// the last page.
 NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities);
 
-/// Cut so that each piece has at most `entities` places, edges, labels and aparts; at least one piece.
+/// Cut so that each piece has at most `entities` places, edges, labels, aparts and rules; at least one piece.
 std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities);
 
 /// Pages put together again, in their order.
@@ -47,7 +49,7 @@ class PagedNetwork {
   std::uint64_t done() const { return window_.places.size(); }
   std::uint64_t total() const { return total_; }
   /// Returns the window that the pages make, once it is whole. Edges that lead to places on no page are left out;
-  /// labels are not. Aparts are no part of a window.
+  /// labels are not. Aparts and rules are no part of a window.
   Window take();
 
  private:

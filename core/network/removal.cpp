@@ -176,7 +176,8 @@ Snapshot without(const Snapshot& snapshot, const Removal& removal) {
   const bool all_aparts = aparts.size() == snapshot.aparts().size();
   return {thinned.revision(), thinned.experiences(),
           all_labels ? snapshot.shared_labels() : std::make_shared<const Snapshot::Labels>(std::move(labels)),
-          all_aparts ? snapshot.shared_aparts() : std::make_shared<const Snapshot::Aparts>(std::move(aparts))};
+          all_aparts ? snapshot.shared_aparts() : std::make_shared<const Snapshot::Aparts>(std::move(aparts)),
+          snapshot.shared_rules()};
 }
 
 }  // namespace weft

@@ -10,7 +10,9 @@
 #include "core/network/goal.hpp"
 #include "core/network/page.hpp"
 #include "core/network/removal.hpp"
+#include "core/network/rule.hpp"
 #include "core/network/window.hpp"
+#include "core/safety.hpp"
 
 /// Holds the messages that cross the wire, as the inside of every process knows them; nothing else crosses it. The
 /// IDL of the same names is in idl/. `to` names the peer that a message is for.
@@ -74,6 +76,7 @@ struct RobotDescription {
   double footprint_radius_m = 0.4;
   bool can_be_taught_along = false;  ///< a simulated body's hand follows a polyline
   std::vector<Camera> cameras;
+  bool knows_limits = false;  ///< keeps to Route::limits; otherwise it is not released where a limit holds
 };
 
 enum class RobotMode : std::uint8_t {
@@ -108,7 +111,16 @@ struct RobotState {
   std::uint64_t memory_bytes = 0;       ///< of contents that it holds
   std::uint64_t memory_cap_bytes = 0;   ///< it never holds more
   std::vector<Diagnostic> diagnostics;  ///< what driving has shown of the robot: its camera's mount
+  Safety safety = Safety::ok;           ///< as its base says
   std::string reason;                   ///< why it stands, when it stands
+};
+
+/// Tells what a robot's battery holds; of bodies that know it.
+struct RobotPower {
+  Header header;
+  double share = 0.0;  ///< of full
+  bool is_charging = false;
+  std::optional<double> minutes;  ///< until it is empty, or full when it charges; none: not known
 };
 
 struct ExperienceBatch {
@@ -308,13 +320,17 @@ struct OperatorRequest {
     forget = 24,  ///< a robot that is gone: what it taught stays
     rename = 25,  ///< a robot that is not heard
     label_remove = 26,
-    label_rename = 27
+    label_rename = 27,
+    rule_put = 28,     ///< in the place of the rule with that name, if there is one
+    rule_remove = 29,  ///< by its name
+    hold = 30,         ///< a robot or the places of a rule: releases stop growing
+    unhold = 31
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
   Kind kind = Kind::goal_send;
   std::string who;    ///< the operator's name, as events show it; empty: as the client's hello said
-  std::string robot;  ///< name or hex id; empty: any, or all for stop and resume
+  std::string robot;  ///< name or hex id; empty: any, or all for stop and resume; hold, unhold: or a rule's name
   /// Names, by kind: goal_send: where to; label, label_remove, label_rename, rename: its name; localise: a seed;
   /// teach: its name; undo, quarantine, replace, teach_report: an experience's name or hex id
   std::string label;
@@ -324,6 +340,9 @@ struct OperatorRequest {
   std::vector<AgentCommand::Point> along;
   MapWork work;
   bool is_sure = false;  ///< clear: also when the robot is heard
+  Rule rule;             ///< rule_put; rule_remove: its name alone
+  std::uint8_t priority = 0;
+  bool no_return = false;  ///< goal_send, as Goal has them
 };
 
 struct OperatorReply {
@@ -352,7 +371,8 @@ struct Query {
     events = 4,
     log = 5,
     network = 6,
-    experiences = 7
+    experiences = 7,
+    rules = 8
   };
   Header header;
   std::uint64_t request = 0;
@@ -392,6 +412,7 @@ struct RobotWait {
   PlaceId needs;                 ///< the first place that it cannot have; none: its wait is not for a place
   std::vector<RobotId> held_by;  ///< all that have to leave before it goes on
   WallTime since{};
+  std::string rule;  ///< name of the rule that keeps it from there; empty: none does
 };
 inline constexpr std::size_t kHoldersTold = 1000;
 
@@ -408,6 +429,8 @@ struct RobotRow {
   std::uint64_t content_bytes = 0;  ///< the same of contents
   RobotWait wait;
   std::string standstill;  ///< that it is in or waits behind, and what would help; empty: there is none
+  RobotPower power;        ///< the last that it said; no sender: it has said nothing
+  std::string held_by;     ///< who holds it (weft hold); empty: nobody
 };
 
 struct MapInfo {
@@ -438,6 +461,13 @@ struct ExperienceRow {
 };
 inline constexpr std::size_t kJoinedTold = 200;
 
+/// Holds one rule, for people.
+struct RuleRow {
+  Rule rule;
+  std::uint32_t places = 0;  ///< of the map that it holds on
+  std::string problem;       ///< why it holds on none, or on fewer than it names; empty: it does
+};
+
 struct QueryReply {
   Header header;
   PeerId to;
@@ -452,6 +482,7 @@ struct QueryReply {
   std::vector<RevisionNote> log;  ///< newest first
   NetworkPage network;            ///< a piece of one page in each part
   std::vector<ExperienceRow> experiences;
+  std::vector<RuleRow> rules;
   Outcome outcome = Outcome::done;  ///< else nothing but `message` counts: why there is no answer, and what to do
   std::string message;
 };
@@ -479,6 +510,6 @@ struct ClockReply {
 using Message =
     std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest, WindowRequest,
                  WindowPatch, Recognise, Recognised, RouteOrder, RouteProgress, AgentCommand, AgentReply,
-                 OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply>;
+                 OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply, RobotPower>;
 
 }  // namespace weft::msg

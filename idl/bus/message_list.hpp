@@ -12,6 +12,9 @@ WEFT_TOPIC(robot_description, RobotDescription, .name = "weft/1/robot_descriptio
 WEFT_TOPIC(robot_state, RobotState, .name = "weft/1/robot_state", .writers = kAgent, .readers = kServer,
            .keyed = true, .delivering = Delivering::state, .depth = 1, .max_bytes = 8 * kKiB,
            .rate = "up to 5/s a robot")
+WEFT_TOPIC(robot_power, RobotPower, .name = "weft/1/robot_power", .writers = kAgent, .readers = kServer,
+           .keyed = true, .delivering = Delivering::state, .depth = 1, .max_bytes = kKiB,
+           .rate = "one in 5 s a robot that knows its charge")
 WEFT_TOPIC(experience_batch, ExperienceBatch, .name = "weft/1/experience_batch", .writers = kPeers,
            .readers = kServer, .delivering = Delivering::ordered, .max_bytes = 2 * kMiB,
            .rate = "1/s a teaching robot; clients that import")

@@ -24,6 +24,9 @@ void describe(Io& io, Value<Io, Goal>& value, Wire<Io, idl::Goal>& wire) {
   io.any(value.number, wire.number());
   io.maybe("route", value.route, wire.has_route(), wire.route());
   io.any(value.route_version, wire.route_version());
+  io.at_most("priority", value.priority, wire.priority(), kHighestPriority);
+  io.choice("kind", value.kind, wire.kind(), GoalKind::operator_asked, GoalKind::yield);
+  io.any(value.no_return, wire.no_return());
   io.each("history", value.history, wire.history(), kHistory);
 }
 
@@ -55,6 +58,7 @@ void describe(Io& io, Value<Io, msg::RobotWait>& value, Wire<Io, idl::RobotWait>
   const std::size_t holders = io.entries("held_by", value.held_by, wire.held_by(), msg::kHoldersTold);
   for (std::size_t i = 0; i < holders; ++i) io.some("held_by", value.held_by[i], wire.held_by()[i].robot());
   io.any(value.since, wire.since_ns());
+  io.text("rule", value.rule, wire.rule(), kNameLength);
 }
 
 template <class Io>
@@ -73,6 +77,8 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.any(value.content_bytes, wire.content_bytes());
   io.in("wait", value.wait, wire.wait());
   io.text("standstill", value.standstill, wire.standstill(), kTextLength);
+  if (io.is_there(bool(value.power.header.sender), wire.has_power())) io.in("power", value.power, wire.power());
+  io.text("held_by", value.held_by, wire.held_by(), kNameLength);
 }
 
 template <class Io>
@@ -114,14 +120,23 @@ void describe(Io& io, Value<Io, msg::MapInfo>& value, Wire<Io, idl::MapInfo>& wi
 template <class Io>
 void describe(Io& io, Value<Io, NetworkPage>& value, Wire<Io, idl::NetworkPage>& wire) {
   io.any(value.revision, wire.revision());
-  io.require_at_most(wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size(),
-                     msg::kPatchEntities, "places, edges, labels and aparts", " together");
+  io.require_at_most(
+      wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size() + wire.rules().size(),
+      msg::kPatchEntities, "places, edges, labels, aparts and rules", " together");
   io.each("places", value.places, wire.places(), msg::kPatchEntities);
   io.each("edges", value.edges, wire.edges(), msg::kPatchEntities);
   labels(io, value.labels, wire.labels(), msg::kPatchEntities);
   io.each("aparts", value.aparts, wire.aparts(), msg::kPatchEntities);
+  io.each("rules", value.rules, wire.rules(), msg::kPatchEntities);
   io.any(value.total, wire.total());
   io.any(value.is_last, wire.is_last());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RuleRow>& value, Wire<Io, idl::RuleRow>& wire) {
+  io.in("rule", value.rule, wire.rule());
+  io.any(value.places, wire.places());
+  io.text("problem", value.problem, wire.problem(), kTextLength);
 }
 
 template <class Io>
@@ -138,6 +153,7 @@ void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryRepl
   io.each("log", value.log, wire.log(), kRows);
   io.in("network", value.network, wire.network());
   io.each("experiences", value.experiences, wire.experiences(), kRows);
+  io.each("rules", value.rules, wire.rules(), kRows);
   io.choice("outcome", value.outcome, wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
   io.text("message", value.message, wire.message(), kTextLength);
 }

@@ -114,6 +114,48 @@ void labels(Io& io, Value<Io, std::map<std::string, PlaceId>>& value, Wire<Io, s
 }
 
 template <class Io>
+void describe(Io& io, Value<Io, Span>& value, Wire<Io, idl::Span>& wire) {
+  io.some("from", value.from, wire.from_place());
+  io.some("to", value.to, wire.to_place());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Rule>& value, Wire<Io, idl::Rule>& wire) {
+  io.text("name", value.name, wire.name(), kNameLength);
+  io.choice("kind", value.kind, wire.kind(), RuleKind::closed, RuleKind::hold);
+  io.not_negative("value", value.value, wire.value());
+  io.require(value.value <= kMostRobots, "value", "must be at most 1000");
+  io.any(value.one_direction, wire.one_direction());
+  io.each("spans", value.spans, wire.spans(), kRuleSpans);
+  io.text("label", value.label, wire.label(), kNameLength);
+  io.not_negative("within_m", value.within_m, wire.within_m());
+  io.require(value.within_m <= kRuleWithin_m, "within_m", "must be at most 1000");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, SpeedLimit>& value, Wire<Io, idl::SpeedLimit>& wire) {
+  io.any(value.from, wire.first());
+  io.any(value.to, wire.last());
+  io.require(value.from <= value.to, "last", "must not be before first");
+  io.finite("limit_m_s", value.limit_m_s, wire.limit_m_s());
+  io.require(value.limit_m_s > 0.0 && value.limit_m_s <= kFastestLimit_m_s, "limit_m_s",
+             "must be above 0 and at most 10");
+}
+
+/// Describes the limits of a route with so many places.
+template <class Io>
+void limits(Io& io, Value<Io, std::vector<SpeedLimit>>& value, Wire<Io, std::vector<idl::SpeedLimit>>& wire,
+            std::size_t places) {
+  io.each("limits", value, wire, kRouteLimits);
+  std::uint32_t from = 0;
+  for (const SpeedLimit& limit : value) {
+    io.require(limit.to < places, "limits", "must be of places of the route");
+    io.require(from <= limit.from, "limits", "must be in the order of their first places");
+    from = limit.from;
+  }
+}
+
+template <class Io>
 void describe(Io& io, Value<Io, Route>& value, Wire<Io, idl::Route>& wire) {
   io.any(value.goal, wire.goal());
   io.some("id", value.id, wire.id());
@@ -126,6 +168,7 @@ void describe(Io& io, Value<Io, Route>& value, Wire<Io, idl::Route>& wire) {
   io.require(value.relations.size() == (size == 0 ? 0 : size - 1), "relations", "must be one fewer than places");
   io.any(value.released, wire.released());
   io.require(value.released < size || (size == 0 && value.released == 0), "released", "must be the index of a place");
+  limits(io, value.limits, wire.limits(), size);
   io.any(value.ended, wire.ended());
   io.text("reason", value.reason, wire.reason(), kTextLength);
 }

@@ -51,6 +51,8 @@ inline constexpr Bound kBounds[] = {
     {"stretches in a report on what was taught", msg::kReportRows},
     {"conditions in each of them", msg::kReportConditions},
     {"places of a route", kRoutePlaces},
+    {"speed limits of a route", kRouteLimits},
+    {"spans of a rule", kRuleSpans},
     {"points of a line to teach along", kLinePoints},
     {"hops of a window", kHops},
     {"places of a window", kWindowCap},

@@ -23,7 +23,7 @@ void describe(Io& io, Value<Io, msg::OperatorRequest>& value, Wire<Io, idl::Oper
   using Kind = msg::OperatorRequest::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::label_rename);
+  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::unhold);
   io.text("who", value.who, wire.who(), kNameLength);
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.text("label", value.label, wire.label(), kNameLength);
@@ -35,6 +35,9 @@ void describe(Io& io, Value<Io, msg::OperatorRequest>& value, Wire<Io, idl::Oper
   io.in("along", value.along, wire.along());
   io.in("work", value.work, wire.work());
   io.any(value.is_sure, wire.is_sure());
+  io.in("rule", value.rule, wire.rule());
+  io.at_most("priority", value.priority, wire.priority(), kHighestPriority);
+  io.any(value.no_return, wire.no_return());
 }
 
 template <class Io>
@@ -61,7 +64,7 @@ void describe(Io& io, Value<Io, msg::Query>& value, Wire<Io, idl::Query>& wire) 
   using Kind = msg::Query::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::experiences);
+  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::rules);
   io.any(value.goal, wire.goal());
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.any(value.newest, wire.newest());

@@ -40,6 +40,7 @@ void describe(Io& io, Value<Io, msg::RobotDescription>& value, Wire<Io, idl::Rob
              "must be above 0 and at most 5");
   io.any(value.can_be_taught_along, wire.can_be_taught_along());
   io.each("cameras", value.cameras, wire.cameras(), kCameras);
+  io.any(value.knows_limits, wire.knows_limits());
 }
 
 template <class Io>
@@ -65,7 +66,21 @@ void describe(Io& io, Value<Io, msg::RobotState>& value, Wire<Io, idl::RobotStat
   io.any(value.memory_bytes, wire.memory_bytes());
   io.any(value.memory_cap_bytes, wire.memory_cap_bytes());
   io.each("diagnostics", value.diagnostics, wire.diagnostics(), kDiagnostics);
+  io.choice("safety", value.safety, wire.safety(), Safety::ok, Safety::speed_limited);
   io.text("reason", value.reason, wire.reason(), kTextLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RobotPower>& value, Wire<Io, idl::RobotPower>& wire) {
+  io.in("header", value.header, wire.header());
+  io.again("robot", value.header.sender, wire.robot(), "must be the sender");
+  io.share("share", value.share, wire.share());
+  io.any(value.is_charging, wire.is_charging());
+  double minutes = value.minutes.value_or(0.0);
+  if (io.is_there(value.minutes.has_value(), wire.has_minutes())) {
+    io.not_negative("minutes", minutes, wire.minutes());
+    if constexpr (Io::kReads) value.minutes = minutes;
+  }
 }
 
 template <class Io>

@@ -76,6 +76,8 @@ msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const s
   goal.id = request.goal;
   goal.label = request.label;
   goal.number = book_.next_number();
+  goal.priority = request.priority;
+  goal.no_return = request.no_return;
   GoalBook::Step step = {.state = GoalState::pending, .cause = "asked for", .who = who};
   const Snapshot& snapshot = context_.snapshots.current();
   const auto label = snapshot.labels().find(request.label);

@@ -129,6 +129,15 @@ std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool s
   return verdict;
 }
 
+void Fleet::on_power(const msg::RobotPower& power) {
+  const auto found = robots_.find(power.header.sender);
+  if (found == robots_.end()) return;
+  std::optional<msg::RobotPower>& last = found->second.power;
+  const bool is_late =
+      last && last->header.incarnation == power.header.incarnation && last->header.sequence >= power.header.sequence;
+  if (!is_late) last = power;
+}
+
 const Robot* Fleet::on_state(const msg::RobotState& state, Now now) {
   const auto found = robots_.find(state.header.sender);
   if (found == robots_.end()) return nullptr;

@@ -22,6 +22,7 @@ struct Robot {
   std::string software;  ///< the agent's version, by its last hello
   std::optional<msg::RobotDescription> description;
   std::optional<msg::RobotState> state;  ///< the latest of the current incarnation
+  std::optional<msg::RobotPower> power;  ///< the latest; none: it has not said
   Incarnations incarnations;
   SteadyTime heard;  ///< or when the server started
   bool silent = true;
@@ -45,6 +46,7 @@ class Fleet {
   void on_description(const msg::RobotDescription& description, Now now);
   /// Takes a state. Returns the robot when it is news; null when it is an old one that came late.
   const Robot* on_state(const msg::RobotState& state, Now now);
+  void on_power(const msg::RobotPower& power);
   void on_clock_reply(const msg::ClockReply& reply, Now now);
 
   /// Judges a peer's message before anything else is done with it. none: the peer is not known to be a robot, and

@@ -40,6 +40,7 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
       return network(query, now);
     case msg::Query::Kind::experiences:
       return experiences();
+    case msg::Query::Kind::rules:
     case msg::Query::Kind::info:
       break;
   }
@@ -98,9 +99,11 @@ Answers::Parts Answers::robots(SteadyTime now) const {
       row.wait = {.at = wait->at,
                   .needs = wait->needs,
                   .held_by = {wait->held_by.begin(), wait->held_by.end()},
-                  .since = wait->since.wall};
+                  .since = wait->since.wall,
+                  .rule = {}};
     }
     row.standstill = clipped(standstills_.text_of(id));
+    if (robot.power) row.power = *robot.power;
     parts.back().robots.push_back(std::move(row));
   }
   return parts;

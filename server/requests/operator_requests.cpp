@@ -87,6 +87,12 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::label_rename:
       answer(key, editor_.on_request(request, who, now));
       return;
+    case Kind::rule_put:
+    case Kind::rule_remove:
+    case Kind::hold:
+    case Kind::unhold:
+      answer(key, msg::Outcome::refused, "this server knows no rules yet");
+      return;
     case Kind::replace:
     case Kind::prune:
     case Kind::compact:

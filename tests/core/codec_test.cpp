@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/network_maker.hpp"
 
 namespace weft {
@@ -20,6 +22,9 @@ Goal random_goal(Random& random) {
   goal.number = random.below(1000);
   if (random.chance(0.5)) goal.route = random_id<RouteId>(random);
   goal.route_version = 3;
+  goal.priority = static_cast<std::uint8_t>(random.below(10));
+  goal.kind = static_cast<GoalKind>(1 + random.below(2));
+  goal.no_return = random.chance(0.5);
   for (std::uint64_t i = random.below(4); i > 0; --i) {
     goal.history.push_back({WallTime(Duration(static_cast<std::int64_t>(random.next()))),
                             static_cast<GoalState>(1 + random.below(8)), "cause", "who"});
@@ -39,6 +44,7 @@ Route random_route(Random& random) {
     if (i > 0) route.relations.push_back(support::random_relation(random));
   }
   route.released = places == 0 ? 0 : static_cast<std::uint32_t>(random.below(places));
+  if (places > 1) route.limits = {{0, 1, 0.5}, {1, 1, 0.25}};
   route.ended = random.chance(0.5);
   route.reason = "waits";
   return route;
@@ -112,6 +118,24 @@ TEST(Codec, BatchesGoalsAndRoutesComeBackAndDamageIsSeen) {
     expect_round_trip(random_goal(random), decode_goal);
     expect_round_trip(random_route(random), decode_route);
   }
+}
+
+TEST(Codec, SpeedLimitsAreHeldToTheirRoute) {
+  Random random(6);
+  Route route = random_route(random);
+  while (route.places.size() < 3) route = random_route(random);
+  const auto refused = [&](const SpeedLimit& limit) {
+    route.limits = {{1, 1, 0.5}, limit};
+    const auto read = decode_route(encode(route));
+    return !read && read.error().message.find("limit") != std::string::npos;
+  };
+  EXPECT_FALSE(refused({1, 2, 10.0}));
+  EXPECT_TRUE(refused({1, static_cast<std::uint32_t>(route.places.size()), 0.5}));
+  EXPECT_TRUE(refused({2, 1, 0.5}));
+  EXPECT_TRUE(refused({0, 1, 0.5}));
+  EXPECT_TRUE(refused({1, 2, 0.0}));
+  EXPECT_TRUE(refused({1, 2, 10.5}));
+  EXPECT_TRUE(refused({1, 2, std::nan("")}));
 }
 
 TEST(Codec, ACountThatTheBytesCannotHoldIsRefusedBeforeMemoryIsTaken) {

@@ -60,18 +60,15 @@ Route route() {
   made.places = {place_id(1, 5), place_id(1, 6), place_id(2, 0), place_id(2, 1)};
   made.relations = {metric2(), metric3(), AlongPath{2.0, 0.5, -0.1, 0.02}};
   made.released = 2;
+  made.limits = {{0, 1, 0.5}, {1, 3, 0.25}};
   made.reason = "waits for r2 at 0000000000000002:1";
   return made;
 }
 
 msg::RobotDescription description() {
-  return {header(),
-          "r1",
-          "sim",
-          {"floor", "marks"},
-          0.35,
-          true,
-          {{"down", 752, 480, "f = 460"}, {"front", 640, 400, ""}}};
+  return {
+      header(), "r1", "sim", {"floor", "marks"}, 0.35, true, {{"down", 752, 480, "f = 460"}, {"front", 640, 400, ""}},
+      true};
 }
 
 msg::RobotState state() {
@@ -95,8 +92,23 @@ msg::RobotState state() {
   made.memory_bytes = 5'000'000;
   made.memory_cap_bytes = 64'000'000;
   made.diagnostics = {{"mount_pitch_rad", 0.0078125, 0.0009765625, 0.0}, {"height_offset_m", -0.0078125, 0.0, 0.007}};
+  made.safety = Safety::protective_stop;
   made.reason = "window is incomplete";
   return made;
+}
+
+msg::RobotPower power() {
+  return {header(), 0.75, true, 42.5};
+}
+
+Rule rule() {
+  return {"dock-slow",
+          RuleKind::speed,
+          0.25,
+          true,
+          {{place_id(1, 5), place_id(1, 9)}, {place_id(1, 5), place_id(2, 0)}},
+          "dock",
+          3.5};
 }
 
 msg::Event event() {
@@ -119,6 +131,9 @@ Goal goal() {
   made.number = 5;
   made.route = id_of<RouteId>(0x70);
   made.route_version = 3;
+  made.priority = 7;
+  made.kind = GoalKind::yield;
+  made.no_return = true;
   made.history = {{WallTime(Duration(10)), GoalState::pending, "asked for", "alice"},
                   {WallTime(Duration(20)), GoalState::executing, "route accepted", "r1"}};
   return made;
@@ -160,8 +175,9 @@ msg::QueryReply query_reply() {
                   msg::RobotWait{place_id(0xabcdef, 0),
                                  place_id(0xabcdef, 2),
                                  {example_addressee()},
-                                 WallTime(std::chrono::seconds(1'700'000'100))},
-                  "r1 and r2 wait for one another"}};
+                                 WallTime(std::chrono::seconds(1'700'000'100)),
+                                 "dock-shut"},
+                  "r1 and r2 wait for one another", power(), "anna"}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};
@@ -188,6 +204,7 @@ msg::QueryReply query_reply() {
   made.network.edges = {edge(metric2(), Origin::stitch)};
   made.network.labels = {{"dock", place_id(2, 1)}};
   made.network.aparts = {{{ExperienceId{0xabcdef}, 3, 9}, {ExperienceId{0xfedcba}, 0, 4}}};
+  made.network.rules = {rule()};
   made.network.total = 400;
   made.network.is_last = true;
   made.experiences = {{ExperienceId{0xabcdef},
@@ -201,6 +218,7 @@ msg::QueryReply query_reply() {
                        {"dock"},
                        {ExperienceId{0xfedcba}},
                        1}};
+  made.rules = {{rule(), 37, "no label 'dock'"}};
   made.outcome = msg::Outcome::refused;
   made.message = "the map has no revision 900";
   return made;
@@ -222,6 +240,7 @@ void add_session(std::vector<Example>& all) {
                             {0x0102030405060708, 9}}});
   all.push_back({"robot_description", Role::agent, description()});
   all.push_back({"robot_state", Role::agent, state()});
+  all.push_back({"robot_power", Role::agent, power()});
   all.push_back({"clock_probe", Role::server,
                  msg::ClockProbe{header(), example_addressee(), 13, WallTime(Duration(1'700'000'000'123'456'789))}});
   all.push_back({"clock_reply", Role::agent,
@@ -324,6 +343,9 @@ void add_operating(std::vector<Example>& all) {
                                        0.25,
                                        0.5,
                                        "/var/backups/map.sqlite"},
+                                      true,
+                                      rule(),
+                                      7,
                                       true}});
   all.push_back({"operator_reply", Role::server,
                  msg::OperatorReply{header(),

@@ -69,7 +69,7 @@ TEST(FromIdl, RefusesValuesOutsideTheirEnumeration) {
   EXPECT_THAT(refusal<msg::Chunk>([](auto& m) { m.coding = msg::Coding{3}; }),
               HasSubstr("coding must be from 0 to 2"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.kind = msg::Query::Kind{77}; }),
-              HasSubstr("kind must be from 1 to 7"));
+              HasSubstr("kind must be from 1 to 8"));
 }
 
 TEST(FromIdl, RefusesMissingIdentities) {
@@ -107,6 +107,22 @@ TEST(FromIdl, RefusesListsAndNumbersOutOfBounds) {
               HasSubstr("one fewer than places"));
   EXPECT_THAT(refusal<msg::RouteOrder>([](auto& m) { m.route.released = 4; }),
               HasSubstr("released must be the index"));
+  EXPECT_THAT(refusal<msg::RouteOrder>([](auto& m) { m.route.limits[1].to = 4; }),
+              HasSubstr("route.limits must be of places of the route"));
+  EXPECT_THAT(refusal<msg::RouteOrder>([](auto& m) { m.route.limits[0].from = m.route.limits[0].to = 2; }),
+              HasSubstr("route.limits must be in the order"));
+  EXPECT_THAT(refusal<msg::RouteOrder>([](auto& m) { m.route.limits[1].from = 9; }),
+              HasSubstr("limits[1].last must not be before first"));
+  EXPECT_THAT(refusal<msg::RouteOrder>([](auto& m) { m.route.limits[1].limit_m_s = 0.0; }),
+              HasSubstr("limit_m_s must be above 0"));
+  EXPECT_THAT(refusal<msg::RobotPower>([](auto& m) { m.share = 1.5; }), HasSubstr("share must be from 0 to 1"));
+  EXPECT_THAT(refusal<msg::RobotPower>([](auto& m) { m.minutes = -1.0; }), HasSubstr("minutes must be finite"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.priority = 10; }),
+              HasSubstr("priority must be at most 9"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.within_m = 1001.0; }),
+              HasSubstr("rule.within_m must be at most 1000"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.kind = RuleKind{9}; }),
+              HasSubstr("rule.kind must be from 1 to 8"));
   EXPECT_THAT(refusal<msg::ExperienceBatch>([](auto& m) { m.batch.sequence = 0; }), HasSubstr("at least 1"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.header.signature.resize(65); }), HasSubstr("more than 64 entries"));
   EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.what.places[0].last = 2; }),
