@@ -146,7 +146,7 @@ class MethodNames(unittest.TestCase):
         self.assertEqual(self.check({'server/a.cpp': text}), (0, ''))
 
     def test_a_name_a_class_or_a_folder_of_a_method_is_named(self):
-        for text in ('if (method == "floor") {}', 'choice("method", {"floor,bearing"});', 'Floor::make(x);',
+        for text in ('if (method == "floor") {}', 'choice("method", {"floor,other"});', 'Floor::make(x);',
                      '#include "agents/methods/floor/content.hpp"', 'std::variant<Floor> any;'):
             code, said = self.check({'agents/navigation/n.cpp': text + '\n'})
             self.assertEqual(code, 1, text)

@@ -108,7 +108,7 @@ TEST(BreadthFirst, IsTheSameInTheWindowOfEverything) {
 
 TEST(BreadthFirst, KeepsTheKindOfItsRelations) {
   Random random(44);
-  const BatchPlan plan{ExperienceId{5}, support::random_id<RobotId>(random), 1, 5, 0, "bearing"};
+  const BatchPlan plan{ExperienceId{5}, support::random_id<RobotId>(random), 1, 5, 0, "along"};
   Batch batch = support::make_batch(random, Snapshot{}, plan);
   for (Edge& edge : batch.edges) edge.a_from_b = AlongPath{1.0, 0.01, 0.0, 0.01};
   const auto reached = breadth_first(with(Snapshot{}, batch), {plan.experience, 0}, 9, 9);

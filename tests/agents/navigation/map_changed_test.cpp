@@ -52,7 +52,7 @@ TEST_F(MapChanged, APoseDoesNotMoveOverPlacesOfAnotherMethod) {
   const auto with_another = [&](Window window) {
     Place other = *window.place({first, 20});
     other.id = {ExperienceId{99}, 0};
-    other.method = "bearing";
+    other.method = "along";
     window.places.emplace(other.id, other);
     for (const PlaceId& end : {at, PlaceId{second, 29}}) {
       Edge edge;

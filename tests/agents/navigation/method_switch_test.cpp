@@ -27,10 +27,10 @@ Window two_runs() {
     }
   };
   add(kFloor, "floor", true);
-  add(kAhead, "bearing", false);
+  add(kAhead, "along", false);
   Edge change;
   change.id = {{kFloor, 2}, {kAhead, 2}};
-  change.method = change_between("floor", "bearing");
+  change.method = change_between("floor", "along");
   change.origin = Origin::stitch;
   change.a_from_b = Metric2{};
   window.edges.emplace(change.id, change);
@@ -47,14 +47,14 @@ Route route_over_the_change() {
 }
 
 TEST(HandOver, AChangeIsNamedAlikeBothWays) {
-  EXPECT_EQ(change_between("floor", "bearing"), "bearing+floor");
-  EXPECT_EQ(change_between("bearing", "floor"), "bearing+floor");
+  EXPECT_EQ(change_between("floor", "along"), "along+floor");
+  EXPECT_EQ(change_between("along", "floor"), "along+floor");
 }
 
 TEST(HandOver, WhereItIsInTheOtherMap) {
   const Window window = two_runs();
   const Estimate known{{kFloor, 3}, Metric2{Pose2{0.02, 0.0, 0.0}}, 0.1};
-  const auto ahead = as_seen_by("bearing", {}, window, known);
+  const auto ahead = as_seen_by("along", {}, window, known);
   ASSERT_TRUE(ahead);
   EXPECT_EQ(ahead->place, (PlaceId{kAhead, 3})) << "the nearest, not the one that is joined";
   EXPECT_NEAR(distance_m(ahead->place_from_robot), 0.02, 1e-9);
@@ -75,7 +75,7 @@ TEST(HandOver, MapsThatAreNotJoinedSayNothing) {
   window.edges.erase_all({EdgeId{{kFloor, 2}, {kAhead, 2}}});
   index_edges(window);
   const Estimate floor{{kFloor, 3}, Metric2{}, 0.0};
-  EXPECT_FALSE(as_seen_by("bearing", {}, window, floor));
+  EXPECT_FALSE(as_seen_by("along", {}, window, floor));
   EXPECT_FALSE(agree({}, window, floor, {{kAhead, 3}, AlongPath{}, 0.0}));
 }
 
@@ -91,8 +91,8 @@ TEST(HandOver, TheNextPlaceSaysWhoDrives) {
   const Window window = two_runs();
   const Route route = route_over_the_change();
   EXPECT_EQ(next_method(window, route, 0), "floor");
-  EXPECT_EQ(next_method(window, route, 1), "bearing");
-  EXPECT_EQ(next_method(window, route, 3), "bearing") << "at its end the last one";
+  EXPECT_EQ(next_method(window, route, 1), "along");
+  EXPECT_EQ(next_method(window, route, 3), "along") << "at its end the last one";
   EXPECT_EQ(next_method({}, route, 0), "") << "not in the window";
 }
 
@@ -103,7 +103,7 @@ TEST(Joins, SayWhatDrivingOverThemNeeds) {
       joins.join({{kFloor, 4}, Metric2{Pose2{0.05, 0.0, 0.0}}, 0.0}, "floor", *window.place({kAhead, 4}));
   ASSERT_TRUE(edge);
   EXPECT_EQ(edge->id, (EdgeId{{kFloor, 4}, {kAhead, 4}}));
-  EXPECT_EQ(edge->method, "bearing+floor");
+  EXPECT_EQ(edge->method, "along+floor");
   EXPECT_EQ(edge->origin, Origin::stitch);
   EXPECT_EQ(edge->drivable, Drivable::both);
 }

@@ -71,11 +71,11 @@ class MultiMethodNavigator : public testing::Test {
   MultiMethodNavigator() {
     std::vector<SensorNavigator> all;
     all.push_back({"down", std::make_unique<Part>("floor", floor)});
-    all.push_back({"ahead", std::make_unique<Part>("bearing", ahead)});
+    all.push_back({"ahead", std::make_unique<Part>("along", ahead)});
     robot = make_multi_method_navigator(std::move(all), {});
     for (std::uint32_t i = 0; i < 4; ++i) {
       add({kFloor, i}, "floor");
-      add({kAhead, i}, "bearing");
+      add({kAhead, i}, "along");
       Edge change;
       change.id = {{kFloor, i}, {kAhead, i}};
       change.a_from_b = Metric2{};
@@ -173,8 +173,8 @@ TEST_F(MultiMethodNavigator, WhoIsToldIsToldOfTheMotionOfBoth) {
 }
 
 TEST_F(MultiMethodNavigator, SaysWhatItCanDrive) {
-  EXPECT_EQ(robot->teaches(), (std::vector<std::string>{"floor", "bearing"}));
-  EXPECT_EQ(robot->drives(), (std::vector<std::string>{"floor", "bearing", "bearing+floor"}));
+  EXPECT_EQ(robot->teaches(), (std::vector<std::string>{"floor", "along"}));
+  EXPECT_EQ(robot->drives(), (std::vector<std::string>{"floor", "along", "along+floor"}));
 }
 
 TEST_F(MultiMethodNavigator, AreTaughtAnExperienceEach) {
@@ -208,7 +208,7 @@ TEST_F(MultiMethodNavigator, TheNextOneTakesOverAtTheChange) {
   ahead.estimate = Estimate{{kAhead, 1}, AlongPath{}, 0.1};
   floor.answer.route_at = 1;
   EXPECT_EQ(see("down").command, floor.answer.command) << "until it has a command of its own the robot rolls on";
-  EXPECT_EQ(robot->method(), "bearing");
+  EXPECT_EQ(robot->method(), "along");
   EXPECT_EQ(ahead.followed_from, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(floor.stops, 1);
   ahead.answer.route_at = 1;
@@ -245,7 +245,7 @@ TEST_F(MultiMethodNavigator, NothingIsSaidOfTheRouteBefore) {
 }
 
 TEST_F(MultiMethodNavigator, AnAnswerFindsBackToWhoAsked) {
-  ahead.question = Question{.number = 1, .seen = {}, .method = "bearing"};
+  ahead.question = Question{.number = 1, .seen = {}, .method = "along"};
   const std::uint64_t of_ahead = robot->question()->number;
   floor.question = Question{.number = 1, .seen = {}, .method = "floor"};
   EXPECT_NE(robot->question()->number, of_ahead);

@@ -26,7 +26,7 @@ Window mixed() {
   Window window;
   window.revision = Revision{5};
   window.places.emplace(kOne, a_place(kOne, "floor"));
-  window.places.emplace(kOther, a_place(kOther, "bearing"));
+  window.places.emplace(kOther, a_place(kOther, "along"));
   window.edges.emplace({kOne, kOther}, an_edge(kOne, kOther));
   window.labels = {{"dock", kOne}, {"shelf", kOther}};
   index_edges(window);

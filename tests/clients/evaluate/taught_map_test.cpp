@@ -12,7 +12,7 @@ constexpr ExperienceId kRun{1};
 agents::Kept kept(std::uint32_t index, Bytes content) {
   agents::Kept one;
   one.place.id = {kRun, index};
-  one.place.method = "bearing";
+  one.place.method = "along";
   one.place.content = {hash_bytes(content), content.size()};
   one.place.robot = RobotId{{1}};
   one.content = std::move(content);
@@ -20,14 +20,14 @@ agents::Kept kept(std::uint32_t index, Bytes content) {
   Edge edge;
   edge.id = {{kRun, index - 1}, {kRun, index}};
   edge.a_from_b = AlongPath{0.2, 1e-4, 0.0, 1e-4};
-  edge.method = "bearing";
+  edge.method = "along";
   one.edges.push_back(edge);
   return one;
 }
 
 TEST(TaughtMap, APlaceTakesWhatWasLearnedUponItsContent) {
   TaughtMap map;
-  const auto taken = map.take(kRun, RobotId{{1}}, "bearing", {kept(0, {1}), kept(1, {2})});
+  const auto taken = map.take(kRun, RobotId{{1}}, "along", {kept(0, {1}), kept(1, {2})});
   ASSERT_TRUE(taken) << taken.error().message;
   const Revision before = map.snapshot().revision();
   const agents::LearnedPlace learned_place{{kRun, 1}, hash_bytes(Bytes{2}), 2, {3, 4}};
@@ -45,7 +45,7 @@ TEST(TaughtMap, APlaceTakesWhatWasLearnedUponItsContent) {
 
 TEST(TaughtMap, WhatWasLearnedUponAnotherContentIsVoid) {
   TaughtMap map;
-  ASSERT_TRUE(map.take(kRun, RobotId{{1}}, "bearing", {kept(0, {1})}));
+  ASSERT_TRUE(map.take(kRun, RobotId{{1}}, "along", {kept(0, {1})}));
   const Revision before = map.snapshot().revision();
   EXPECT_FALSE(map.take({{kRun, 0}, hash_bytes(Bytes{9}), 2, {3}}));
   EXPECT_FALSE(map.take({{kRun, 5}, hash_bytes(Bytes{1}), 2, {3}}));

@@ -9,7 +9,7 @@ namespace {
 
 struct RecorderBench : Bench {
   RecorderBench() {
-    script->teaches = {"floor", "bearing"};
+    script->teaches = {"marks", "more"};
     recorder.begin();
   }
   static TaughtRun a_run() {
@@ -36,7 +36,7 @@ TEST(RunRecorder, SpoolsAnExperienceForEachMethodUnderItsName) {
   ASSERT_TRUE(bench.recorder.seal(bench.now));
   ASSERT_EQ(bench.disk->records.size(), 2U);
   EXPECT_EQ(bench.disk->records[0].batch.name, "aisle");
-  EXPECT_EQ(bench.disk->records[1].batch.name, "aisle-bearing");
+  EXPECT_EQ(bench.disk->records[1].batch.name, "aisle-more");
   EXPECT_EQ(bench.recorder.run().kept, 2U);
   EXPECT_EQ(bench.script->forgot_taught, 0);
 }

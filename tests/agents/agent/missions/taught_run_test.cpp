@@ -10,7 +10,7 @@ namespace {
 
 TEST(TaughtRun, HasAnExperienceForEachMethod) {
   ExperienceIds ids(Random(5));
-  const Result<TaughtRun> run = new_run("aisle", {"floor", "bearing", "marks"}, ids);
+  const Result<TaughtRun> run = new_run("aisle", {"marks", "more", "most"}, ids);
   ASSERT_TRUE(run);
   ASSERT_EQ(run->others.size(), 2U);
   EXPECT_NE(run->experience, run->others[0]);
@@ -20,10 +20,10 @@ TEST(TaughtRun, HasAnExperienceForEachMethod) {
 TEST(TaughtRun, NameIsRefusedThatIsTooLongWithAMethodAdded) {
   ExperienceIds ids(Random(5));
   const std::string name(kLongestName - 5, 'a');
-  EXPECT_TRUE(new_run(name, {"bearing", "four"}, ids)) << "the first method's experience has the name itself";
-  const Result<TaughtRun> run = new_run(name, {"four", "bearing"}, ids);
+  EXPECT_TRUE(new_run(name, {"longer", "four"}, ids)) << "the first method's experience has the name itself";
+  const Result<TaughtRun> run = new_run(name, {"four", "longer"}, ids);
   ASSERT_FALSE(run);
-  EXPECT_NE(run.error().message.find("-bearing"), std::string::npos);
+  EXPECT_NE(run.error().message.find("-longer"), std::string::npos);
 }
 
 TEST(TaughtRun, OthersOfARunWithoutANameHaveNone) {
