@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -90,6 +91,13 @@ class Fleet(Case):
     def pose(self, truth):
         last = json.loads(truth.read_text().splitlines()[-1])
         return last['x'], last['y'], last['heading']
+
+
+def method_that_looks(gaze):
+    """The first method that navigates by one camera which looks there, as the agent's help says; None: there is none."""
+    said = subprocess.run([str(BIN / 'weft-agent'), '--help'], capture_output=True, text=True, timeout=60, check=True).stdout
+    found = re.search(rf'(\S+)\s+\(camera\s+that\s+looks\s+{gaze}\)', said)
+    return found and found.group(1)
 
 
 def main():

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "tests/agents/agent/process/folder.hpp"
 
 namespace weft::agents::test {
@@ -49,13 +51,15 @@ TEST(AgentOptions, FlagsAndDefaults) {
 TEST(AgentOptions, AMethodsOwnNavigationWinsOverThatOfAll) {
   const Folder folder;
   const std::string file =
-      folder.write("a.toml", "[navigation.follow]\nspeed_m_s = 0.4\n[bearing.navigation.follow]\nspeed_m_s = 0.3\n");
+      folder.write("a.toml", "[navigation.follow]\nspeed_m_s = 0.4\n[floor.navigation.follow]\nspeed_m_s = 0.3\n");
   const auto result = parsed(with({"--config", file}));
   const auto* const options = std::get_if<Options>(&result);
   ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
   EXPECT_EQ(options->navigation.follow.speed_m_s, 0.4);
-  EXPECT_EQ(std::get<Configured<Floor>>(options->settings).navigation.follow.speed_m_s, 0.4);
-  EXPECT_EQ(std::get<Configured<Bearing>>(options->settings).navigation.follow.speed_m_s, 0.3);
+  AllMethods::for_each([&]<class M>() {
+    constexpr bool is_own = std::is_same_v<M, Floor>;
+    EXPECT_EQ(std::get<Configured<M>>(options->settings).navigation.follow.speed_m_s, is_own ? 0.3 : 0.4) << M::name;
+  });
 }
 
 TEST(AgentOptions, AWrongSettingOfAllMethodsIsNamedOnce) {
@@ -109,7 +113,9 @@ TEST(AgentOptions, MistakesAreUsageInOneLine) {
   expect_left(with({"--domain", "201"}), 2, "domain");
   expect_left(with({"--seed", "many"}), 2, "seed");
   expect_left(with({"--pace", "-1"}), 2, "pace");
-  expect_left(with({"--method", "marks"}), 2, "there is no method \"marks\"; there are floor, bearing");
+  std::string methods;
+  for (const std::string_view name : AllMethods::names) methods += (methods.empty() ? "" : ", ") + std::string(name);
+  expect_left(with({"--method", "marks"}), 2, "there is no method \"marks\"; there are " + methods);
   expect_left(with({"--method", "floor,floor"}), 2, "\"floor\" is named twice");
   expect_left(with({"--method", "floor,"}), 2, "there is no method \"\"");
   expect_left({"--state", "s", "--site", "x"}, 2, "--name");

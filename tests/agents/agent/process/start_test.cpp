@@ -3,8 +3,10 @@
 #include "agents/agent/process/equip.hpp"
 #include "agents/agent/process/identity.hpp"
 #include "agents/agent/process/run.hpp"
+#include "agents/navigation/method_switch.hpp"
 #include "core/camera/camera_file.hpp"
 #include "tests/agents/agent/process/folder.hpp"
+#include "tests/agents/agent/process/method_that_looks.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -78,12 +80,14 @@ TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
 }
 
 TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
+  const std::string ahead = method_that_looks(Gaze::ahead);
+  if (ahead.empty()) GTEST_SKIP() << "no method looks ahead";
   const Folder folder;
   Options options = options_in(folder);
   const auto warn = [](const std::string& text) { ADD_FAILURE() << text; };
   options.site = std::string(WEFT_SITES) + "/two-cameras/hall.toml";
   options.name = "r3";
-  options.methods = {"floor", "bearing"};
+  options.methods = {"floor", ahead};
   const auto body = make_body(options, warn);
   ASSERT_TRUE(body) << body.error().message;
   const auto both = equip(options, **body, warn);
@@ -93,16 +97,16 @@ TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
   EXPECT_EQ((*both)[1].rig.camera().id, (*body)->rig().sensors[1].camera.id);
   const auto navigator = make_navigator(options, *both, (*body)->rig());
   ASSERT_TRUE(navigator);
-  EXPECT_EQ((*navigator)->drives(), (std::vector<std::string>{"floor", "bearing", "bearing+floor"}));
+  EXPECT_EQ((*navigator)->drives(), (std::vector<std::string>{"floor", ahead, change_between("floor", ahead)}));
 
-  options.methods = {"bearing"};
+  options.methods = {ahead};
   EXPECT_EQ(equip(options, **body, warn)->front().rig.camera().id, (*body)->rig().sensors[1].camera.id);
 
-  options.methods = {"floor", "bearing"};
+  options.methods = {"floor", ahead};
   options.name = "r1";
-  expect_refused(
-      options,
-      "method bearing needs a camera that looks ahead; the body has: floor (camera, down, used by another method)");
+  expect_refused(options,
+                 "method " + ahead +
+                     " needs a camera that looks ahead; the body has: floor (camera, down, used by another method)");
 }
 
 TEST(AgentStart, WrongCameraFilesAreNamed) {
@@ -160,11 +164,13 @@ TEST(AgentStart, MissingRecordingAndDamagedCalibrationAreNamed) {
 }
 
 TEST(AgentStart, ACalibrationOfSeveralCamerasIsReadForEachByItsName) {
+  const std::string method_ahead = method_that_looks(Gaze::ahead);
+  if (method_ahead.empty()) GTEST_SKIP() << "no method looks ahead";
   const Folder folder;
   Options options = options_in(folder);
   options.body = "replay";
   options.camera = "cam1,cam0";
-  options.methods = {"floor", "bearing"};
+  options.methods = {"floor", method_ahead};
   options.recording = folder.file("rec");
   const std::string sensor =
       "camera_model: pinhole\nresolution: [32, 24]\nintrinsics: [30, 30, 15.5, 11.5]\ndistortion_model: none\n";

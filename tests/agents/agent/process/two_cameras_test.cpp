@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "agents/navigation/method_switch.hpp"
+#include "tests/agents/agent/process/method_that_looks.hpp"
 #include "tests/agents/agent/process/simulated_robot.hpp"
 
 namespace weft::agents::test {
@@ -24,38 +26,46 @@ std::vector<SitePoint> line_of(const std::string& name) {
   return line;
 }
 
-/// Says who teaches the way's two parts.
+/// Says who teaches the way's two parts, and where they look.
 struct Teachers {
-  std::string first, first_by, second, second_by;
+  std::string first;
+  Gaze first_looks;
+  std::string second;
+  Gaze second_looks;
 };
 
 class TwoCameras : public testing::TestWithParam<Teachers> {};
 
 TEST_P(TwoCameras, HandOverWithoutStopping) {
   const Teachers& teachers = GetParam();
+  const std::string first_by = method_that_looks(teachers.first_looks);
+  const std::string second_by = method_that_looks(teachers.second_looks);
+  if (first_by.empty() || second_by.empty()) GTEST_SKIP() << "no method looks ahead, or none down";
+  const std::string down = method_that_looks(Gaze::down);
+  const std::string ahead = method_that_looks(Gaze::ahead);
   weft::test::LittleServer map;
   std::map<PlaceId, Pose2> truth;
   {
-    SimulatedRobot first(kHall, teachers.first, {teachers.first_by}, map);
+    SimulatedRobot first(kHall, teachers.first, {first_by}, map);
     first.be_taught(10, line_of("first.line"), truth);
-    SimulatedRobot second(kHall, teachers.second, {teachers.second_by}, map);
+    SimulatedRobot second(kHall, teachers.second, {second_by}, map);
     second.be_taught(20, line_of("second.line"), truth);
-    SimulatedRobot both(kHall, "r3", {"floor", "bearing"}, map);
+    SimulatedRobot both(kHall, "r3", {down, ahead}, map);
     both.look_around();
     both.be_taught(30, line_of("crossing.line"), truth);
   }
   int changes = 0;
   for (const auto& [id, edge] : map.window().edges) {
-    if (edge.method != "bearing+floor") continue;
+    if (edge.method != change_between(down, ahead)) continue;
     ++changes;
     const Pose2 truly = truth.at(id.a).inverse() * truth.at(id.b);
     EXPECT_LT((truly.inverse() * planar(edge.a_from_b)).translation().norm(), 0.02);
-    EXPECT_EQ(map.window().place(id.a)->method, "floor");
-    EXPECT_EQ(map.window().place(id.b)->method, "bearing");
+    EXPECT_EQ(map.window().place(id.a)->method, down);
+    EXPECT_EQ(map.window().place(id.b)->method, ahead);
   }
   EXPECT_GE(changes, 10);
 
-  SimulatedRobot stranger(kHall, "r4", {"floor", "bearing"}, map);
+  SimulatedRobot stranger(kHall, "r4", {down, ahead}, map);
   stranger.look_around();
   ASSERT_TRUE(stranger.navigator().estimate());
   const PlaceId from = stranger.navigator().estimate()->place;
@@ -82,7 +92,7 @@ TEST_P(TwoCameras, HandOverWithoutStopping) {
     last = here;
     begun_s = 0.0;
   }
-  EXPECT_EQ(by, (std::vector<std::string>{teachers.first_by, teachers.second_by}));
+  EXPECT_EQ(by, (std::vector<std::string>{first_by, second_by}));
   EXPECT_GT(slowest_m_s, 0.15) << "a bend may slow it where the ways meet; it does not stop for the change";
   EXPECT_EQ(now.following, Following::arrived) << now.reason;
   const Pose2 goal_from_robot = truth.at(goal).inverse() * stranger.pose();
@@ -90,9 +100,9 @@ TEST_P(TwoCameras, HandOverWithoutStopping) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, TwoCameras,
-                         testing::Values(Teachers{"r1", "floor", "r2", "bearing"},
-                                         Teachers{"r4", "bearing", "r3", "floor"}),
-                         [](const auto& each) { return each.param.first_by + "First"; });
+                         testing::Values(Teachers{"r1", Gaze::down, "r2", Gaze::ahead},
+                                         Teachers{"r4", Gaze::ahead, "r3", Gaze::down}),
+                         [](const auto& each) { return std::string(to_string(each.param.first_looks)) + "First"; });
 
 }  // namespace
 }  // namespace weft::agents::test
