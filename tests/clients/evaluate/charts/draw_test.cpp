@@ -18,10 +18,9 @@ using testing::IsEmpty;
 class PicturesOfStudies : public testing::Test {
  protected:
   PicturesOfStudies() {
-    std::ofstream(folder.path() / "relocalise.csv")
-        << "kind,light,seed,x,y,heading,found_m,right,along_m,aside_m,turned_rad,sigma_m,refused\n"
-           "one-side,half,4,0,2,0.25,,,,,,,another_scene\n"
-           "one-side,half,4,1,2,0.25,0.5,1,0.02,0,0,0.05,\n";
+    std::ofstream(folder.path() / "relocalise.csv") << "floor,light,seed,along,x,y,heading,found_m,wrong,refused\n"
+                                                       "epoxy,same,4,forwards,0,2,0.25,,0,no_consensus\n"
+                                                       "epoxy,same,4,forwards,1,2,0.25,0.5,0,\n";
   }
   std::vector<std::string> draw(const std::string& study, const Drawer& drawer = {}) {
     const Surroundings around{out, progress, [] { return 0.0; }, [] { return false; }};
@@ -40,9 +39,9 @@ class PicturesOfStudies : public testing::Test {
 };
 
 TEST_F(PicturesOfStudies, AreDrawnFromTheFilesInTheFolder) {
-  EXPECT_THAT(draw("bearing-relocalise"), ElementsAre("bearing-relocalise.png"));
+  EXPECT_THAT(draw("floor-relocalise"), ElementsAre("floor-relocalise.png"));
   EXPECT_EQ(progress.str(), "");
-  const std::string picture = read_text(folder.path() / "bearing-relocalise.png", "picture").value();
+  const std::string picture = read_text(folder.path() / "floor-relocalise.png", "picture").value();
   EXPECT_EQ(picture.substr(1, 3), "PNG");
   EXPECT_GT(picture.size(), 3'000U);
 }
@@ -50,17 +49,17 @@ TEST_F(PicturesOfStudies, AreDrawnFromTheFilesInTheFolder) {
 TEST_F(PicturesOfStudies, WithoutPythonTheWarningSaysHowToDrawLater) {
   Drawer drawer;
   drawer.python = folder.path() / "no-python";
-  EXPECT_THAT(draw("bearing-relocalise", drawer), IsEmpty());
+  EXPECT_THAT(draw("floor-relocalise", drawer), IsEmpty());
   EXPECT_THAT(progress.str(), HasSubstr((folder.path() / "no-python").string() + ": No such file or directory"));
   EXPECT_THAT(progress.str(), HasSubstr("what was measured is kept"));
-  EXPECT_THAT(progress.str(), HasSubstr(drawer.python.string() + " " + drawer.script.string() +
-                                        " bearing-relocalise " + folder.path().string() + "\n"));
+  EXPECT_THAT(progress.str(), HasSubstr(drawer.python.string() + " " + drawer.script.string() + " floor-relocalise " +
+                                        folder.path().string() + "\n"));
 }
 
 TEST_F(PicturesOfStudies, WithoutMatplotlibTheWarningNamesIt) {
   Drawer drawer;
   drawer.python = program("exec /usr/bin/python3 -S \"$@\"");  // without what Debian has packaged
-  EXPECT_THAT(draw("bearing-relocalise", drawer), IsEmpty());
+  EXPECT_THAT(draw("floor-relocalise", drawer), IsEmpty());
   EXPECT_THAT(progress.str(), HasSubstr("matplotlib is missing; apt-get install python3-matplotlib"));
 }
 
