@@ -1,7 +1,6 @@
 // A method's wish for how its camera exposes.
 #include <gtest/gtest.h>
 
-#include "agents/methods/bearing/bearing.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/navigation/navigator_of.hpp"
 #include "tests/support/marks.hpp"
@@ -19,7 +18,7 @@ class Brighter : public MarksMethod {
   }
 };
 static_assert(Exposes<Brighter> && !Exposes<MarksMethod>);
-static_assert(Exposes<Bearing> && !Exposes<Floor>);
+static_assert(!Exposes<Floor>);
 
 class NothingHeld final : public Contents {
  public:

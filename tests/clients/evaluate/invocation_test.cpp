@@ -1,19 +1,13 @@
-#include "clients/evaluate/invocation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "clients/evaluate/line.hpp"
+#include "tests/clients/evaluate/parsed.hpp"
 
 namespace weft::evaluate {
 namespace {
-
-Parsed parsed(std::vector<const char*> words) {
-  words.insert(words.begin(), "weft-evaluate");
-  return parse(static_cast<int>(words.size()), words.data());
-}
 
 TEST(EvaluateInvocation, FlagsAndDefaults) {
   const auto plain = std::get<DisturbancesOptions>(parsed({"disturbances"}));
@@ -46,8 +40,6 @@ TEST(EvaluateInvocation, StudiesTakeUnderAnHourUnlessAllIsAskedForAndMinutesIfQu
   EXPECT_EQ(quick.light, "same");
   EXPECT_EQ(quick.metres, 6.0);
   EXPECT_TRUE(std::holds_alternative<NotRun>(parsed({"floor", "--quick", "--all"})));
-  EXPECT_EQ(std::get<BearingOptions>(parsed({"bearing"})).seeds.last, 2U);
-  EXPECT_EQ(std::get<BearingOptions>(parsed({"bearing", "--quick"})).trial, "oval-behind");
 }
 
 TEST(EvaluateInvocation, AttemptsTakeTheFlagsOfFloors) {
@@ -73,22 +65,6 @@ TEST(EvaluateInvocation, RelocalisationHasAHallOfItsOwn) {
   const auto given = std::get<RelocaliseOptions>(parsed({"floor-relocalise", "--metres", "50", "--trials", "7"}));
   EXPECT_EQ(given.metres, 50.0);
   EXPECT_EQ(given.trials, 7U);
-}
-
-TEST(EvaluateInvocation, LookAlikesAreFewIfQuick) {
-  const auto plain = std::get<BearingRelocaliseOptions>(parsed({"bearing-relocalise"}));
-  EXPECT_EQ(plain.seeds.last, 4U);
-  EXPECT_EQ(plain.trials, 11U);
-  EXPECT_EQ(plain.site, "deploy/sites/bearing/yard.toml");
-  EXPECT_EQ(plain.out, "out/bearing-relocalise");
-  const auto quick = std::get<BearingRelocaliseOptions>(parsed({"bearing-relocalise", "--quick"}));
-  EXPECT_EQ(quick.seeds.last, 1U);
-  EXPECT_EQ(quick.trials, 2U);
-  const auto given = std::get<BearingRelocaliseOptions>(
-      parsed({"bearing-relocalise", "--quick", "--seeds", "3..5", "--trials", "7", "--kind", "k"}));
-  EXPECT_EQ(given.seeds.last, 5U);
-  EXPECT_EQ(given.trials, 7U);
-  EXPECT_EQ(given.kind, "k");
 }
 
 TEST(EvaluateInvocation, HeadingsAreToldAtTheirBestOrAsRobotsTellThem) {

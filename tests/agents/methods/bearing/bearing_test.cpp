@@ -11,6 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
+static_assert(Exposes<Bearing>);
+
 const AlongPath& along(const Relation& relation) {
   return std::get<AlongPath>(relation);
 }
