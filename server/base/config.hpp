@@ -22,6 +22,8 @@ struct ServiceConfig {
   std::string vendor;                 ///< for the hello
   double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
   Unjoined unjoined = Unjoined::warn;
+  /// [0, 3600]; for so long after it has come to a goal a robot is at work there, and is not asked to make way.
+  double handling_s = 10.0;
   Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 

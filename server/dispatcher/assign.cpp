@@ -152,7 +152,9 @@ bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
   assignment.goal = goal.id;
   assignment.send_at = now.steady;
   assignment.plan_at = now.steady;
-  release(choice.robot, assignments_[choice.robot] = assignment, now);
+  assignment.given_at = now.steady;
+  assignments_[choice.robot] = assignment;
+  planning_.want();
   return true;
 }
 
@@ -170,6 +172,10 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   const Goal& goal = *book_.find(assignment.goal);
   if (assignment.plan_at > now.steady || goal.state == GoalState::paused) return;
   if (known == nullptr || !unreachable_reason(*known).empty() || !known->state) return;
+  if (goal.kind == GoalKind::yield) {
+    return finish(robot, assignment, GoalState::cancelled, "its route was lost; it made way, or is asked again",
+                  "traffic", now);
+  }
   const msg::RobotState& state = *known->state;
   if (!state.localised || !state.place) {
     return wait_for(goal,
@@ -202,7 +208,7 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   assignment.look_at_release = true;
   assignment.stands_at_end = false;
   assignment.waits_since.reset();
-  release(robot, assignment, now);
+  planning_.want();
 }
 
 }  // namespace weft::server

@@ -41,6 +41,7 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
       routes_(routes),
       random_(random),
       book_(context, std::move(goals), std::move(given)),
+      planning_(traffic.proximity()),
       look_at_(now) {
   for (const auto& [id, goal] : book_.goals()) {
     const Route* const route = book_.route(id);
@@ -53,6 +54,7 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
     assignment.ending = is_over;
     assignment.send_at = now;
     assignment.plan_at = now;
+    assignment.given_at = now;
     if (is_over) assignment.ordered_at = now;
     assignments_[*goal.robot] = assignment;
   }
@@ -204,6 +206,7 @@ Result<std::string> Dispatcher::clear(const RobotId& robot, bool is_sure, const 
   }
   assignments_.erase(robot);
   look_again_ = true;
+  planning_.want();
   return traffic_.clear(robot, who, now);
 }
 

@@ -11,6 +11,7 @@
 #include "server/base/context.hpp"
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
+#include "server/dispatcher/planning.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
@@ -85,6 +86,7 @@ class Dispatcher {
     bool is_closed = false;   ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
+    SteadyTime given_at;             ///< since the server has it: its turn comes the sooner the longer
     bool look_at_release = true;     ///< it is worth while to ask traffic for more
     Traffic::Way way;                ///< as traffic said last
     Traffic::Way noted_way;          ///< what it waits for, as it was told
@@ -126,13 +128,36 @@ class Dispatcher {
   void cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
   void recall(const RobotId& robot, RouteAssignment& assignment, Now now);
 
-  // follow.cpp
-  bool is_told(const RobotId& robot, const Route& route) const;
+  // moves.cpp
+  bool needs_plan() const;
+  bool is_led(const RouteAssignment& assignment) const;
+  void plan_moves(Now now);
+  PlanRequest plan_request(const RobotId& robot, Now now) const;
+  void lead(PlanRequest& request, const RouteAssignment& assignment, Now now) const;
+  void ask_to_make_way(const PlanRequest& request, Now now);
+  void begin_yield(Route route, std::uint32_t through, Now now);
+
+  // release.cpp
+  /// Holds what a route can be released next, and of which way.
+  struct Piece {
+    Route route;  ///< with the places that are planned
+    Traffic::Stops stops;
+    Traffic::Way way;
+  };
   void release(const RobotId& robot, RouteAssignment& assignment, Now now);
+  std::optional<Piece> next_piece(const RobotId& robot, const Goal& goal, const Route& route, bool told, Now now);
+  void name_what_is_beyond(Piece& piece);
+  std::optional<Route> led_along(const Goal& goal, const Route& route, bool told, const std::vector<PlaceId>& places,
+                                 Now now);
+  void grant(const RobotId& robot, RouteAssignment& assignment, const Piece& piece, bool told, Now now);
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;
+  std::string why_it_stands(const Traffic::Way& way) const;
   std::string why_it_waits(const Traffic::Way& way) const;
   std::string why_it_goes_on(const Traffic::Way& way) const;
+
+  // follow.cpp
+  bool is_told(const RobotId& robot, const Route& route) const;
   void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void finish(const RobotId& robot, RouteAssignment& assignment, GoalState state, const std::string& cause,
@@ -148,6 +173,8 @@ class Dispatcher {
   Routes& routes_;
   Random random_;
   GoalBook book_;
+  Planning planning_;
+  std::map<RobotId, SteadyTime> arrived_at_;  ///< where an operator sent it
   std::map<RobotId, RouteAssignment> assignments_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started

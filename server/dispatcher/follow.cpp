@@ -30,99 +30,6 @@ bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
   return held != nullptr && held->held.id == route.id && held->held.version == route.version;
 }
 
-/// Releases the route as far as nobody else is in the way: what is granted is stored before it is sent.
-void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now now) {
-  const Goal& goal = *book_.find(assignment.goal);
-  const Route& route = *book_.route(assignment.goal);
-  const bool stays = assignment.ending || assignment.route_lost || assignment.cut_short || assignment.recalled;
-  if (stays || goal.state == GoalState::paused) return;
-  const bool told = is_told(robot, route);
-  const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
-  if (told && route.released == last) return;
-  if (!std::exchange(assignment.look_at_release, false)) return;
-  const Traffic::Way way = traffic_.way(route, told ? route.released + 1 : 0);
-  const std::string reason = !way.blocked_by.empty()                  ? "waits for " + names_of(way.blocked_by)
-                             : way.end == Traffic::Way::End::not_laid ? "waits until the map is laid out"
-                                                                      : "";
-  const bool waits_for_another = told && !way.through && route.reason != reason;
-  if (waits_for_another) {
-    Route next = route;
-    next.reason = reason;
-    if (book_.write(next, {}, now)) {
-      assignment.wait = Duration{};
-      send_order(robot, assignment, now.steady);
-    }
-  }
-  if (way.through) {
-    Route next = route;
-    next.released = *way.through;
-    next.reason = reason;
-    const std::uint32_t from = told ? traffic_.held(robot)->from : 0;
-    const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, from, next.released);
-    storage::Transaction transaction;
-    for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
-    if (!book_.write(next, std::move(transaction), now)) {
-      assignment.look_at_release = true;
-      return;
-    }
-    traffic_.committed(claims);
-    assignment.has_latest_order = false;
-    assignment.stands_at_end = false;
-    assignment.waits_since.reset();
-    assignment.wait = Duration{};
-    send_order(robot, assignment, now.steady);
-  }
-  assignment.way = way;
-  if (!assignment.waits_since) assignment.waits_since = now;
-  note_waiting(robot, assignment, way, now);
-}
-
-std::string Dispatcher::names_of(const std::set<RobotId>& robots) const {
-  std::string names;
-  std::size_t left = robots.size();
-  for (const RobotId& robot : robots) {
-    names += fleet_.name_of(robot);
-    if (--left > 0) names += left > 1 ? ", " : " and ";
-  }
-  return names;
-}
-
-std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
-  switch (way.end) {
-    case Traffic::Way::End::held:
-      return names_of(way.blocked_by) + (way.blocked_by.size() > 1 ? " have" : " has") + " left its way";
-    case Traffic::Way::End::one_at_once:
-      return names_of(way.blocked_by) +
-             " has arrived: robots are in parts of the map that nothing joins, and one drives at a time";
-    default:
-      return "it is laid out where the places of the map lie";
-  }
-}
-
-std::string Dispatcher::why_it_goes_on(const Traffic::Way& way) const {
-  switch (way.end) {
-    case Traffic::Way::End::held:
-      return names_of(way.blocked_by) + (way.blocked_by.size() > 1 ? " have" : " has") + " left the way";
-    case Traffic::Way::End::one_at_once:
-      return names_of(way.blocked_by) + " is not on its way any more, or all robots are in one part of the map";
-    default:
-      return "it is laid out where the places of the map lie";
-  }
-}
-
-void Dispatcher::note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now) {
-  if (assignment.noted_way.ends_alike(way)) return;
-  const Traffic::Way before = std::exchange(assignment.noted_way, way);
-  const Goal& goal = *book_.find(assignment.goal);
-  const bool waits = way.end != Traffic::Way::End::free;
-  const std::string cause =
-      waits ? fleet_.name_of(robot) + " waits until " + why_it_waits(way) : why_it_goes_on(before);
-  // Lost only if the store takes nothing; the next change is told again.
-  std::ignore = book_.write(
-      goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = waits ? "goal.waits" : "goal.goes_on"},
-      std::nullopt, {}, now);
-}
-
 void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now) {
   Route route = *book_.route(assignment.goal);
   if (assignment.ending || assignment.recalled) {
@@ -168,7 +75,9 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
   assignment.has_latest_order = progress.released >= route->released;
   assignment.stands_at_end = assignment.has_latest_order && progress.phase == msg::RoutePhase::waiting;
-  traffic_.freed(robot, route->id, progress.freed);
+  // Who stands at the end of its release touches nothing beyond what standing there does.
+  const bool stands = assignment.stands_at_end && progress.at >= route->released;
+  traffic_.freed(robot, route->id, stands ? route->released : progress.freed);
   const std::string who = fleet_.name_of(robot);
   if (progress.phase == msg::RoutePhase::arrived) {
     const auto last = static_cast<std::uint32_t>(route->places.size() - 1);
@@ -203,6 +112,8 @@ void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalS
   const bool told = is_told(robot, route) || traffic_.holds_route(robot, route.id);
   if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, {}, now)) return;
   look_again_ = true;
+  if (state == GoalState::succeeded && goal.kind == GoalKind::operator_asked) arrived_at_[robot] = now.steady;
+  planning_.want();
   if (!told) {
     assignments_.erase(robot);
     return;
@@ -294,16 +205,20 @@ void Dispatcher::tick(Now now) {
   }
   for (const RobotId& robot : traffic_.take_woken()) {
     const auto woken = assignments_.find(robot);
-    if (woken != assignments_.end()) woken->second.look_at_release = true;
+    if (woken == assignments_.end()) continue;
+    woken->second.look_at_release = true;
+    planning_.want_soon();
   }
+  if (look_again_ && look_at_ <= now.steady) {
+    look_again_ = false;
+    look_at_ = now.steady + kBetweenLooks;
+    assign_waiting(now);
+  }
+  if (needs_plan() && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {
     if (assignment.look_at_release && !assignment.route_lost) release(robot, assignment, now);
     if (assignment.send_at <= now.steady && has_to_send(robot, assignment)) send_order(robot, assignment, now.steady);
   }
-  if (!look_again_ || look_at_ > now.steady) return;
-  look_again_ = false;
-  look_at_ = now.steady + kBetweenLooks;
-  assign_waiting(now);
 }
 
 void Dispatcher::excuse(Duration away, SteadyTime now) {
@@ -325,6 +240,7 @@ std::optional<SteadyTime> Dispatcher::next() const {
   });
   if (look_again_ && anybody_waits) sooner(look_at_);
   if (traffic_.has_woken()) sooner(SteadyTime{});
+  if (needs_plan()) sooner(planning_.next());
   return next;
 }
 

@@ -72,10 +72,15 @@ Result<void> GoalBook::write(const std::vector<Waiting>& waiting, Now now) {
 
 Result<void> GoalBook::write(const Route& route, storage::Transaction transaction, Now now) {
   transaction.changes.emplace_back(storage::PutRoute{route});
+  Goal goal = goals_.at(route.goal);
+  const bool is_other = goal.route_version != route.version;
+  goal.route_version = route.version;
+  if (is_other) transaction.changes.emplace_back(storage::PutGoal{goal});
   if (const auto done = context_.writer.commit(std::move(transaction), now); !done) {
     return fail(done.error());
   }
   routes_[route.goal] = route;
+  if (is_other) goals_[route.goal] = std::move(goal);
   return {};
 }
 

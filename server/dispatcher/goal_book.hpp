@@ -32,7 +32,7 @@ class GoalBook {
   };
   /// Writes what pending goals wait for, in one transaction; nothing when there are none.
   Result<void> write(const std::vector<Waiting>& waiting, Now now);
-  /// Writes a route whose release has grown.
+  /// Writes a route whose release has grown, or its next version, which nobody needs to be told of.
   Result<void> write(const Route& route, storage::Transaction transaction, Now now);
 
   const Goal* find(const GoalId& id) const;

@@ -19,7 +19,9 @@ std::vector<Wait> Dispatcher::waits() {
               .needs = assignment.way.needs.place,
               .held_by = traffic_.holders_of(robot, assignment.way),
               .since = *assignment.waits_since};
-    const bool is_free = assignment.way.end == Traffic::Way::End::held && wait.held_by.empty();
+    const bool is_for_robots =
+        assignment.way.end == Traffic::Way::End::held || assignment.way.end == Traffic::Way::End::turn;
+    const bool is_free = is_for_robots && wait.held_by.empty();
     if (!is_free) all.push_back(std::move(wait));
   }
   return all;

@@ -20,7 +20,7 @@ struct Flags {
   std::string config;
   std::optional<std::string> store, name, dds, listen, unjoined;
   std::optional<unsigned> domain, index;
-  std::optional<double> robot_silent_after_s;
+  std::optional<double> robot_silent_after_s, handling_s;
 };
 
 void declare(CLI::App& app, Flags& flags) {
@@ -35,6 +35,8 @@ void declare(CLI::App& app, Flags& flags) {
   app.add_option("--listen", flags.listen, "Address or name of the interface to bind to [127.0.0.1]");
   app.add_option("--index", flags.index, "Participant index, 0 to 100; fixes the ports that peers dial [0]");
   app.add_option("--name", flags.name, "What people call this server [server]");
+  app.add_option("--handling-s", flags.handling_s,
+                 "How long a robot that has come to its goal is not asked to make way, 0 to 3600 [10]");
   app.add_option("--robot-silent-after-s", flags.robot_silent_after_s,
                  "Seconds after which a robot counts as silent, over 0 to 3600 [5]");
   app.add_option("--unjoined", flags.unjoined,
@@ -75,6 +77,7 @@ Options read(const config::Table& table) {
   options.domain = static_cast<unsigned>(table.integer("domain", 0, 0, 200));
   options.listen = table.text("listen", "127.0.0.1", 64);
   options.index = static_cast<unsigned>(table.integer("index", 0, 0, 100));
+  options.handling_s = table.number("handling_s", 10.0, 0.0, 3600.0);
   options.robot_silent_after_s = table.number("robot_silent_after_s", 5.0, 0.001, 3600.0);
   const std::string unjoined = table.choice("unjoined", "warn", {"warn", "one_drives"});
   options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
@@ -91,6 +94,7 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.listen) options.listen = given.listen;
   if (flags.index) options.index = given.index;
   if (flags.unjoined) options.unjoined = given.unjoined;
+  if (flags.handling_s) options.handling_s = given.handling_s;
   if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
   for (config::Setting& setting : options.effective) {
     for (const config::Setting& other : given.effective) {
@@ -132,6 +136,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "domain", flags.domain);
   lay_over(text, "listen", flags.listen);
   lay_over(text, "index", flags.index);
+  lay_over(text, "handling_s", flags.handling_s);
   lay_over(text, "robot_silent_after_s", flags.robot_silent_after_s);
   lay_over(text, "unjoined", flags.unjoined);
   const config::Table from_flags = config::parse(text, "command line");

@@ -18,6 +18,7 @@ struct Options {
   unsigned domain = 0;
   std::string listen;
   unsigned index = 0;
+  double handling_s = 0.0;
   double robot_silent_after_s = 0.0;
   Unjoined unjoined = Unjoined::warn;
   std::vector<config::Setting> effective;  ///< for the log

@@ -194,6 +194,7 @@ Result<void> run(const Options& options) {
   config.name = options.name;
   config.software = WEFT_VERSION;
   config.vendor = link.bus().vendor();
+  config.handling_s = options.handling_s;
   config.robot_silent_after_s = options.robot_silent_after_s;
   config.unjoined = options.unjoined;
   config.signers = all_signers();

@@ -306,6 +306,14 @@ Result<std::string> Traffic::clear_route(const RobotId& robot, const std::option
   return "its route is free; " + stays;
 }
 
+std::vector<RobotId> Traffic::holding() const {
+  std::vector<RobotId> robots;
+  for (const auto& [robot, holder] : holders_) {
+    if (!holder.occupancy.held.places.empty()) robots.push_back(robot);
+  }
+  return robots;
+}
+
 const storage::PutOccupancy* Traffic::held(const RobotId& robot) const {
   const auto found = holders_.find(robot);
   if (found == holders_.end() || found->second.occupancy.held.places.empty()) return nullptr;

@@ -30,18 +30,20 @@ class Traffic {
       free,         ///< nothing is in the way
       held,         ///< somebody holds what comes next
       not_laid,     ///< it is not known yet where what comes next lies, or where somebody is
+      turn,         ///< nobody holds it, and others are planned to come by first
       one_at_once,  ///< somebody drives, and robots are in parts of the map that nothing joins
     };
     std::optional<std::uint32_t> through;  ///< none: not even its first place is free
     End end = End::free;
-    std::set<RobotId> blocked_by;  ///< held, one_at_once: by whom, all of them
+    std::set<RobotId> blocked_by;  ///< held, turn, one_at_once: by whom, all of them
     Touched needs;                 ///< held, not_laid: the first place that it cannot have
+    bool is_away = false;          ///< it gets out of what somebody else holds
     bool ends_alike(const Way& other) const { return end == other.end && blocked_by == other.blocked_by; }
   };
   using Stops = std::vector<std::uint32_t>;
   /// Tells how far the route can be released from that place on. When it ends early, `take_woken` names the robot
-  /// once it is worth while to ask again. `stops`: the indices at which a release may end, in order; null: anywhere,
-  /// with room to set off before whoever is in the way.
+  /// once it is worth while to ask again. `stops`: the indices at which a release may end, in order, and no farther
+  /// than the last one; null: anywhere, with room to set off before whoever is in the way.
   Way way(const Route& route, std::uint32_t from, const Stops* stops = nullptr);
   /// Returns who may be released farther than it was when `way` was asked last.
   std::set<RobotId> take_woken() { return watches_.take_woken(); }
@@ -82,6 +84,8 @@ class Traffic {
   bool holds_what_is_out() const;
   std::set<PlaceId> held_places() const;
 
+  /// Returns who holds something.
+  std::vector<RobotId> holding() const;
   /// Returns what the robot holds; null: nothing.
   const storage::PutOccupancy* held(const RobotId& robot) const;
   bool holds_route(const RobotId& robot, const RouteId& route) const;
@@ -102,6 +106,9 @@ class Traffic {
   // traffic_way.cpp
   Way held_back(const RobotId& robot);
   void go_on(const Route& route, std::uint32_t from, const Stops* stops, Way& way);
+  void end_at_stop(const Route& route, const std::vector<Touched>& wanted, std::uint32_t from, const Stops& stops,
+                   Way& way);
+  std::set<RobotId> standing_near(const RobotId& robot, const Touched& there);
   bool move_away(const Route& route, std::uint32_t from, Way& way);
   static bool has_driven(const Holder& holder, std::uint32_t stand);
   std::optional<std::uint32_t> away_through(const Route& route, std::uint32_t stand,

@@ -33,14 +33,6 @@ void leave_room(const Route& route, std::uint32_t from, Traffic::Way& way) {
   }
 }
 
-/// Ends the release at the last stop that can be had.
-void end_at_stop(const Traffic::Stops& stops, std::uint32_t from, Traffic::Way& way) {
-  if (!way.through) return;
-  const auto beyond = std::upper_bound(stops.begin(), stops.end(), *way.through);
-  const bool has_one = beyond != stops.begin() && *std::prev(beyond) >= from;
-  way.through = has_one ? std::optional(*std::prev(beyond)) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<RobotId> Traffic::other_that_drives(const RobotId& robot) const {
@@ -76,7 +68,8 @@ Traffic::Way Traffic::way(const Route& route, std::uint32_t from, const Stops* s
 
 /// Looks along the route up to the first place that the robot cannot have.
 void Traffic::go_on(const Route& route, std::uint32_t from, const Stops* stops, Way& way) {
-  const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
+  const auto end = static_cast<std::uint32_t>(route.places.size() - 1);
+  const std::uint32_t last = stops == nullptr ? end : std::min(stops->back(), end);
   const std::vector<Touched> wanted = touched_by(route, from, last, holder(route.robot).footprint_m);
   for (std::uint32_t i = 0; i < wanted.size() && way.end == Way::End::free; ++i) {
     const LocatedPlace here = proximity_.locate(map(), wanted[i]);
@@ -89,12 +82,41 @@ void Traffic::go_on(const Route& route, std::uint32_t from, const Stops* stops, 
       way.needs = wanted[i];
     }
   }
-  if (way.end == Way::End::free) return;
-  if (stops == nullptr) {
+  if (stops != nullptr) {
+    end_at_stop(route, wanted, from, *stops, way);
+  } else if (way.end != Way::End::free) {
     leave_room(route, from, way);
-  } else {
-    end_at_stop(*stops, from, way);
   }
+}
+
+/// Ends the release at the last stop that can be had, and that leaves room to set off to robots that stand; the end
+/// of the route is as near to them as it is.
+void Traffic::end_at_stop(const Route& route, const std::vector<Touched>& wanted, std::uint32_t from,
+                          const Stops& stops, Way& way) {
+  const std::optional<std::uint32_t> farthest = std::exchange(way.through, std::nullopt);
+  if (!farthest) return;
+  auto stop = std::upper_bound(stops.begin(), stops.end(), *farthest);
+  while (stop != stops.begin() && *std::prev(stop) >= from && !way.through) {
+    --stop;
+    const bool is_end = *stop + 1 == route.places.size();
+    Touched there = wanted[*stop - from];
+    there.reach_m += kRoomToSetOff_m;
+    const std::set<RobotId> crowded = is_end ? std::set<RobotId>() : standing_near(route.robot, there);
+    if (crowded.empty()) {
+      way.through = *stop;
+    } else {
+      way.end = Way::End::held;
+      way.blocked_by = crowded;
+      way.needs = there;
+    }
+  }
+}
+
+/// Returns the robots without a route that stand there.
+std::set<RobotId> Traffic::standing_near(const RobotId& robot, const Touched& there) {
+  std::set<RobotId> near = holders_near(proximity_.locate(map(), there), robot);
+  std::erase_if(near, [this](const RobotId& other) { return holders_.at(other).occupancy.held.id; });
+  return near;
 }
 
 /// Lets a robot out of what somebody else holds, when it stands in there: by places of its route that do not come
@@ -113,6 +135,7 @@ bool Traffic::move_away(const Route& route, std::uint32_t from, Way& way) {
   way.blocked_by = inside;
   way.needs = ahead.front();
   if (from == 0 || has_driven(known, stand)) way.through = away_through(route, stand, ahead, inside);
+  way.is_away = way.through.has_value();
   return true;
 }
 
@@ -160,6 +183,7 @@ std::vector<double> Traffic::clearances_m(const std::set<RobotId>& robots, const
 void Traffic::watch(const RobotId& robot, const Way& way) {
   switch (way.end) {
     case Way::End::free:
+    case Way::End::turn:
       break;
     case Way::End::held:
       watches_.watch(robot, way.needs, way.blocked_by);

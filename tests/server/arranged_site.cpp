@@ -166,14 +166,15 @@ msg::RobotState Site::state(Peer& robot, const std::optional<PlaceId>& place) co
   return state;
 }
 
-void Site::progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed) {
+void Site::progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed,
+                    std::optional<std::uint32_t> at) {
   msg::RouteProgress progress;
   progress.header = robot.header();
   progress.goal = route.goal;
   progress.route = route.id;
   progress.version = route.version;
   progress.phase = phase;
-  progress.at = freed;
+  progress.at = at.value_or(freed);
   progress.freed = freed;
   progress.released = route.released;
   say(progress);

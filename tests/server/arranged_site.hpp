@@ -73,7 +73,8 @@ class Site {
   /// Hello, description, and a state when a place is given.
   void arrive(Peer& robot, const std::optional<PlaceId>& place);
   msg::RobotState state(Peer& robot, const std::optional<PlaceId>& place) const;
-  void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0);
+  void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0,
+                std::optional<std::uint32_t> at = std::nullopt);
   /// The batch and all its contents.
   void hand_in(Peer& robot, const Handed& handed);
   void send_batch(Peer& robot, const Batch& batch);

@@ -39,8 +39,10 @@ struct BerthsTest : testing::Test {
 
 TEST_F(BerthsTest, ARunIsCutWhereRobotsCanStandOneBehindAnother) {
   const std::uint64_t run = site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
-  const std::vector<std::uint32_t> cuts =
-      cuts_of(*site.network().experience(ExperienceId{run}), 1.2, [](const PlaceId&) { return false; });
+  const std::vector<std::uint32_t> cuts = cuts_of(*site.network().experience(ExperienceId{run}),
+                                                  {.room_m = 1.2,
+                                                   .are_clear = [](const PlaceId&, const PlaceId&) { return true; },
+                                                   .is_taken = [](const PlaceId&) { return false; }});
   EXPECT_THAT(cuts, ElementsAre(0, 5, 10, 15, 20));
 }
 

@@ -41,6 +41,13 @@ struct Edits : testing::Test {
   std::uint64_t places() { return site.service().snapshot().place_count(); }
   Revision revision() { return site.service().snapshot().revision(); }
   Route order() { return site.last<msg::RouteOrder>().value().route; }
+  /// Has r2 stand there, stopped by an operator: it makes no way.
+  void stop_in_the_way(const PlaceId& place) {
+    site.arrive(r2, place);
+    msg::RobotState state = site.state(r2, place);
+    state.mode = msg::RobotMode::stopped;
+    site.say(state);
+  }
   Route start() {
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
@@ -245,7 +252,7 @@ TEST_F(Edits, ABatchOfAnExperienceWhoseEndIsOutIsRefusedAndSaysWhatToDo) {
 
 // Gadd & Newman's route of two experiences: beyond what is released it may change without the robot noticing.
 TEST_F(Edits, WhatIsAheadOfTheReleasedPointIsPlannedAnew) {
-  site.arrive(r2, run.place(8));
+  stop_in_the_way(run.place(8));
   const Route first = start();
   ASSERT_LT(first.released, 8U) << "r2 stands in the way";
   site.hush();
@@ -267,7 +274,7 @@ TEST_F(Edits, WhatIsAheadOfTheReleasedPointIsPlannedAnew) {
 }
 
 TEST_F(Edits, WithoutAnotherWayTheRobotStopsAtItsReleasedPointAndSaysWhy) {
-  site.arrive(r2, run.place(8));
+  stop_in_the_way(run.place(8));
   const Route first = start();
   site.hush();
   take_out(25, 26);

@@ -7,6 +7,15 @@
 #include "core/network/codec.hpp"
 
 namespace weft::simulation {
+namespace {
+
+/// Returns the first index that the robot still touches: who stands at the end of its release touches nothing before.
+std::uint32_t freed_by(const msg::RouteProgress& progress) {
+  const bool stands = progress.phase == msg::RoutePhase::waiting && progress.at >= progress.released;
+  return stands ? std::max(progress.freed, progress.released) : progress.freed;
+}
+
+}  // namespace
 
 void Ledger::broken(const std::string& invariant, const std::string& what) {
   constexpr int most_of_a_kind = 3;
@@ -72,7 +81,7 @@ void Ledger::server_heard(const msg::Message& message) {
     if (held == held_.end() || held->second.route.id != progress->route) return;
     held->second.known = true;
     if (progress->version != held->second.route.version) return;
-    held->second.from = std::max(held->second.from, std::min(progress->freed, held->second.route.released));
+    held->second.from = std::max(held->second.from, std::min(freed_by(*progress), held->second.route.released));
     if (progress->phase == msg::RoutePhase::arrived) held->second.from = held->second.route.released;
   }
 }
@@ -169,7 +178,7 @@ std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route) const {
   constexpr double here_m = 0.6;
   const bool said = robot.progress.route == route.id && robot.progress.version == route.version;
   if (said && robot.progress.phase == msg::RoutePhase::arrived) return route.released;
-  const std::uint32_t from = said ? robot.progress.freed : 0;
+  const std::uint32_t from = said ? freed_by(robot.progress) : 0;
   const Eigen::Vector2d at = robot.body->site_from_robot().translation();
   for (std::uint32_t i = from; i <= route.released; ++i) {
     const auto place = truth_of(route.places[i]);

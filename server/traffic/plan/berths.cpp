@@ -42,13 +42,25 @@ std::uint32_t Berths::methods(const std::set<std::string>& methods) {
 
 /// Cuts runs that are not as they were, in the order of their ids.
 void Berths::cut_anew() {
+  const double room_m = 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m;
+  const Layout& layout = proximity_.layout();
+  const CutRules rules = {.room_m = room_m,
+                          .are_clear =
+                              [&](const PlaceId& a, const PlaceId& b) {
+                                const std::optional<Spot> first = layout.spot(a);
+                                const std::optional<Spot> second = layout.spot(b);
+                                if (!first || !second || first->part != second->part) return true;
+                                // What lies around may tell apart what the whole layout does not.
+                                return !layout.are_near(*first, *second, room_m) ||
+                                       !proximity_.overlap(TrafficMap(*network_), locate(a), locate(b));
+                              },
+                          .is_taken = [this](const PlaceId& place) { return is_taken(place); }};
   std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
   for (const auto& [id, experience] : network_->experiences()) {
     Run& run = runs_[id];
     if (run.of != experience) {
       run.of = experience;
-      const double room_m = 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m;
-      run.cuts = cuts_of(*experience, room_m, [this](const PlaceId& place) { return is_taken(place); });
+      run.cuts = cuts_of(*experience, rules);
     }
     for (const std::uint32_t index : run.cuts) put_in_cell({id, index}, in_cell_);
   }
@@ -181,11 +193,17 @@ const std::vector<PlaceId>& Berths::way(Berth from, const BerthArc& arc, std::ui
   return known.ways[static_cast<std::size_t>(&arc - known.next.data())];
 }
 
+/// Returns whether who stands at the berth stands at that cut, too: no drive ends there.
+bool Berths::is_beside(Berth berth, const PlaceId& cut) {
+  const std::vector<Berth>& all = beside(berth);
+  return std::binary_search(all.begin(), all.end(), number(cut, true));
+}
+
 const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
   Arcs& known = arcs(from, methods);
   if (std::exchange(known.has_next, true)) return known.next;
-  const auto stops = [this](const PlaceId& place) {
-    if (is_cut(place)) return Stop::end;
+  const auto stops = [this, from](const PlaceId& place) {
+    if (is_cut(place)) return is_beside(from, place) ? Stop::on_the_way : Stop::end;
     return numbers_.contains(place) ? Stop::on_the_way : Stop::none;
   };
   for (Drive& drive : drives(*network_, place(from), methods_[methods], Heading::onward, stops)) {
@@ -216,7 +234,10 @@ const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
 const std::vector<BerthGraph::Before>& Berths::before(Berth to, std::uint32_t methods) {
   Arcs& known = arcs(to, methods);
   if (std::exchange(known.has_before, true)) return known.before;
-  const auto stops = [this](const PlaceId& place) { return is_cut(place) ? Stop::end : Stop::none; };
+  const auto stops = [this, to](const PlaceId& place) {
+    if (!is_cut(place)) return Stop::none;
+    return is_beside(to, place) ? Stop::on_the_way : Stop::end;
+  };
   for (const Drive& drive : drives(*network_, place(to), methods_[methods], Heading::backward, stops)) {
     known.before.push_back({number(drive.to, true), drive.length_m});
   }

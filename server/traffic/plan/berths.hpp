@@ -67,6 +67,7 @@ class Berths final : public BerthGraph {
   double reach_m(const PlaceId& place) const;
   LocatedPlace locate(const PlaceId& place);
   Berth number(const PlaceId& place, bool is_cut);
+  bool is_beside(Berth berth, const PlaceId& cut);
   Berth middle(const PlaceId& place);
   using Cells = std::map<Cell, std::vector<PlaceId>>;
   void put_in_cell(const PlaceId& place, Cells& cells);

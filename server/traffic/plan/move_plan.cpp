@@ -150,6 +150,8 @@ class Steps {
     for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
       const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
       const bool is_better = goal != nullptr && there_m < here_m;
+      // From there it would never come to its goal.
+      if (there_m == Distances::kFar_m) continue;
       const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
       if (!is_a_stop || (!is_better && !makes_way) || !may_go(robot, arc.to, asker != kNobody)) continue;
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);

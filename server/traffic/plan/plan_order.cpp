@@ -1,6 +1,7 @@
 #include "server/traffic/plan/plan_order.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace weft::server {
@@ -32,6 +33,18 @@ bool PlanOrder::any_meets(std::uint32_t robot, std::uint32_t move, Test&& test) 
 
 bool PlanOrder::is_shared(std::uint32_t robot, std::uint32_t move) const {
   return any_meets(robot, move, [](const Visit& /*other*/) { return true; });
+}
+
+std::vector<std::uint32_t> PlanOrder::before(std::uint32_t robot) const {
+  const std::uint32_t next = released_[robot];
+  if (next >= plan_.moves[robot].size()) return {};
+  std::set<std::uint32_t> first;
+  any_meets(robot, next, [&](const Visit& other) {
+    const bool is_first = other.step < plan_.moves[robot][next].step && other.move >= released_[other.robot];
+    if (is_first) first.insert(other.robot);
+    return false;
+  });
+  return {first.begin(), first.end()};
 }
 
 std::uint32_t PlanOrder::may(std::uint32_t robot) const {

@@ -17,6 +17,8 @@ class PlanOrder {
   const std::vector<PlannedMove>& moves(std::uint32_t robot) const { return plan_.moves[robot]; }
   /// Returns how many of the robot's planned moves may be released now, those included that have been.
   std::uint32_t may(std::uint32_t robot) const;
+  /// Returns who has to have come by where the robot's next move leads; sorted.
+  std::vector<std::uint32_t> before(std::uint32_t robot) const;
   /// Returns whether another robot comes by in this plan, before or after.
   bool is_shared(std::uint32_t robot, std::uint32_t move) const;
   std::uint32_t released(std::uint32_t robot) const { return released_[robot]; }

@@ -109,6 +109,11 @@ Distances& Planner::distances(const PlaceId& to, std::uint32_t methods) {
   return *known;
 }
 
+std::uint32_t Planner::berths_in(const std::vector<PlaceId>& held) const {
+  return static_cast<std::uint32_t>(
+      std::count_if(held.begin(), held.end() - 1, [this](const PlaceId& place) { return berths_.is_cut(place); }));
+}
+
 std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) const {
   const std::uint32_t turn = order_.may(robot);
   if (moving_ < 2) return turn;

@@ -50,6 +50,8 @@ class Planner {
   /// berths of what it was released lie ahead of it. As the plan's order is, and not far ahead while others move:
   /// what it holds is in their way.
   std::uint32_t may(std::uint32_t robot, std::uint32_t held) const;
+  /// Returns how many berths lie in what a robot holds, without the one where it ends.
+  std::uint32_t berths_in(const std::vector<PlaceId>& held) const;
   /// Keeps the order of the plan.
   PlanOrder& order() { return order_; }
   const PlanOrder& order() const { return order_; }

@@ -1,7 +1,10 @@
 #include "server/traffic/plan/pockets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <iterator>
+#include <limits>
 #include <set>
 
 namespace weft::server {
@@ -54,6 +57,59 @@ class Ball {
     return std::vector<Berth>(seen.begin(), seen.end());
   }
 
+  enum class Way : std::uint8_t { out, in };
+  /// Returns whether one can drive from the centre through those to one of these, or the other way round.
+  bool leads(Way way, const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
+    std::set<Berth> seen = {centre_};
+    std::deque<Berth> open = {centre_};
+    while (!open.empty()) {
+      const Berth here = open.front();
+      open.pop_front();
+      if (std::binary_search(mouth.begin(), mouth.end(), here)) return true;
+      if (!std::binary_search(inside.begin(), inside.end(), here)) continue;
+      const auto go_to = [&](Berth there) {
+        if (seen.insert(there).second) open.push_back(there);
+      };
+      if (way == Way::out) {
+        for (const BerthArc& arc : graph_.next(here, methods_)) go_to(arc.to);
+      } else {
+        for (const BerthGraph::Before& arc : graph_.before(here, methods_)) go_to(arc.from);
+      }
+    }
+    return false;
+  }
+
+  /// Returns whether two robots cannot pass each other in there: berths as deep as each other are beside each other.
+  bool is_narrow(const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
+    std::map<Berth, double> depth_m;
+    std::set<std::pair<double, Berth>> open;
+    double shortest_m = std::numeric_limits<double>::infinity();
+    for (const Berth berth : mouth) open.insert({0.0, berth});
+    while (!open.empty()) {
+      const auto [here_m, here] = *open.begin();
+      open.erase(open.begin());
+      if (!depth_m.emplace(here, here_m).second) continue;
+      const auto reach = [&, here_m = here_m](Berth there, double length_m) {
+        if (!std::binary_search(inside.begin(), inside.end(), there)) return;
+        shortest_m = std::min(shortest_m, length_m);
+        open.insert({here_m + length_m, there});
+      };
+      for (const BerthArc& arc : graph_.next(here, methods_)) {
+        if (graph_.is_cut(arc.to)) reach(arc.to, arc.length_m);
+      }
+      for (const BerthGraph::Before& arc : graph_.before(here, methods_)) reach(arc.from, arc.length_m);
+    }
+    for (auto a = depth_m.begin(); a != depth_m.end(); ++a) {
+      const std::vector<Berth>& beside = graph_.beside(a->first);
+      for (auto b = std::next(a); b != depth_m.end(); ++b) {
+        const bool is_as_deep = std::abs(a->second - b->second) < shortest_m / 2.0;
+        const bool is_inside = a->second > 0.0 && b->second > 0.0;
+        if (is_inside && is_as_deep && !std::binary_search(beside.begin(), beside.end(), b->first)) return false;
+      }
+    }
+    return true;
+  }
+
  private:
   std::vector<Berth> neighbours(Berth here) {
     last_ = here;
@@ -89,7 +145,10 @@ std::optional<Pocket> pocket_around(BerthGraph& graph, Berth berth, std::uint32_
     const std::vector<Berth> blocked = standing_in(graph, mouth);
     if (std::binary_search(blocked.begin(), blocked.end(), berth)) continue;
     std::optional<std::vector<Berth>> inside = ball.cut_off_by(blocked);
-    if (!inside) break;
+    if (!inside || !ball.leads(Ball::Way::out, *inside, blocked) || !ball.leads(Ball::Way::in, *inside, blocked) ||
+        !ball.is_narrow(*inside, blocked)) {
+      break;
+    }
     largest = Pocket{.mouth = mouth, .at_mouth = blocked, .inside = *std::move(inside)};
   }
   return largest;
@@ -100,10 +159,11 @@ std::uint32_t Pockets::look(Berth berth, std::uint32_t methods) {
   if (known != of_.end()) return known->second;
   std::optional<Pocket> pocket = pocket_around(graph_, berth, methods);
   if (!pocket) return of_[berth] = kNone;
-  const auto same = std::find_if(pockets_.begin(), pockets_.end(),
-                                 [&](const Pocket& other) { return other.mouth == pocket->mouth; });
-  const auto number = static_cast<std::uint32_t>(same - pockets_.begin());
-  if (same == pockets_.end()) pockets_.push_back(*pocket);
+  // What overlaps with a pocket that is known is a part of it, seen from elsewhere.
+  const auto same = std::find_if(pocket->inside.begin(), pocket->inside.end(),
+                                 [this](Berth inside) { return of(inside) != kNone; });
+  const auto number = same == pocket->inside.end() ? static_cast<std::uint32_t>(pockets_.size()) : of(*same);
+  if (same == pocket->inside.end()) pockets_.push_back(*pocket);
   for (const Berth inside : pocket->inside) of_.try_emplace(inside, number);
   return of_[berth] = number;
 }

@@ -59,6 +59,7 @@ ExperienceId Play::teach(const std::vector<Eigen::Vector2d>& corners) {
       const Pose2 between = at.inverse() * poses[i];
       if (between.translation().norm() > kOneFloor_m || std::abs(between.heading) > kAlike_rad) return;
       Edge stitch = server::test::stitch(other, {run, i});
+      stitch.drivable = Drivable::both;
       stitch.a_from_b = joining(other, at, {run, i}, poses[i]).a_from_b;
       handed.batch.edges.push_back(stitch);
     };
@@ -173,7 +174,7 @@ void Play::drive(Puppet& robot) {
                    has_arrived ? msg::RoutePhase::arrived
                    : moves     ? msg::RoutePhase::driving
                                : msg::RoutePhase::waiting,
-                   robot.index > 0 ? robot.index - 1 : 0);
+                   robot.index > 0 ? robot.index - 1 : 0, robot.index);
     state = site_.state(robot.peer, robot.at);
     state.route = route.id;
     state.route_version = route.version;

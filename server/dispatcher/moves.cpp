@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "server/dispatcher/dispatcher.hpp"
+
+/// Has everybody's moves planned, and asks robots to make way that have no goal.
+namespace weft::server {
+namespace {
+constexpr double kBerth_s = 2.3;  ///< takes a robot from one berth to the next
+}  // namespace
+
+/// Returns whether there is a release that a plan may let grow.
+bool Dispatcher::needs_plan() const {
+  return std::any_of(assignments_.begin(), assignments_.end(), [this](const auto& entry) {
+    const auto& [robot, assignment] = entry;
+    if (!is_led(assignment)) return false;
+    const Route& route = *book_.route(assignment.goal);
+    return !is_told(robot, route) || route.released + 1 < route.places.size();
+  });
+}
+
+/// Returns whether the robot follows its route and can be released farther.
+bool Dispatcher::is_led(const RouteAssignment& assignment) const {
+  const bool is_over = assignment.ending || assignment.route_lost || assignment.cut_short || assignment.recalled;
+  return !is_over && book_.find(assignment.goal)->state != GoalState::paused;
+}
+
+void Dispatcher::plan_moves(Now now) {
+  std::vector<PlanRequest> requests;
+  double footprint_m = 0.0;
+  for (const auto& [robot, known] : fleet_.robots()) {
+    if (known.description) footprint_m = std::max(footprint_m, known.description->footprint_radius_m);
+  }
+  for (const RobotId& robot : traffic_.holding()) requests.push_back(plan_request(robot, now));
+  planning_.plan(context_.snapshots.shared_current(), footprint_m, requests, now.steady);
+  for (auto& [robot, assignment] : assignments_) assignment.look_at_release = true;
+  for (const PlanRequest& request : requests) {
+    const bool can_be_asked = !request.stays && request.handles == 0 && !assignments_.contains(request.robot);
+    if (can_be_asked) ask_to_make_way(request, now);
+  }
+}
+
+PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
+  PlanRequest request;
+  request.robot = robot;
+  const storage::PutOccupancy& held = *traffic_.held(robot);
+  request.held.assign(held.held.places.begin() + held.from, held.held.places.begin() + held.to + 1);
+  const Robot* const known = fleet_.find(robot);
+  const bool is_described = known != nullptr && known->description;
+  if (is_described) request.methods = methods_of(*known);
+  const std::optional<Stays> stays = this->stays(robot);
+  const auto found = assignments_.find(robot);
+  if (is_described && !stays && found != assignments_.end() && is_led(found->second)) {
+    lead(request, found->second, now);
+    return request;
+  }
+  request.stays = !is_described || !not_ready(*known).empty();
+  request.stands_for_long = request.stays && stays && stays != Stays::idle;
+  const auto arrived = arrived_at_.find(robot);
+  if (arrived == arrived_at_.end()) return request;
+  const double left_s = context_.config.handling_s - seconds(now.steady - arrived->second);
+  request.handles = static_cast<std::uint32_t>(std::ceil(std::max(0.0, left_s) / kBerth_s));
+  return request;
+}
+
+/// Says where the robot is going. Who makes way goes nowhere: it can be asked on.
+void Dispatcher::lead(PlanRequest& request, const RouteAssignment& assignment, Now now) const {
+  const Goal& goal = *book_.find(assignment.goal);
+  const Route& route = *book_.route(assignment.goal);
+  const bool told = is_told(request.robot, route);
+  if (!told) request.held = {route.places.front()};
+  if (goal.kind == GoalKind::yield) return;
+  request.goal = route.places.back();
+  request.ahead.assign(route.places.begin() + (told ? route.released : 0), route.places.end());
+  request.priority = goal.priority;
+  request.waits_s = seconds(now.steady - assignment.given_at);
+}
+
+/// Gives an idle robot a way out of others' way, as far as that can be had.
+void Dispatcher::ask_to_make_way(const PlanRequest& request, Now now) {
+  const RobotId& robot = request.robot;
+  const std::optional<std::uint32_t> number = planning_.number(robot, request.held.back());
+  if (!number) return;
+  const Planning::Piece piece = planning_.piece(*number, request.held);
+  if (piece.stops.empty()) return;
+  Route here;
+  here.id = new_route_id();
+  here.robot = robot;
+  here.places = {request.held.back()};
+  here.version = 0;
+  std::optional<Route> route = led_by(context_.snapshots.current(), here, false, piece.places, {});
+  if (!route) return;
+  Traffic::Stops stops;
+  for (const std::uint32_t stop : piece.stops) stops.push_back(stop + 1);
+  const Traffic::Way way = traffic_.way(*route, 0, &stops);
+  if (way.through.value_or(0) == 0) return;
+  begin_yield(*std::move(route), *way.through, now);
+  if (!assignments_.contains(robot)) return;
+  const auto given =
+      static_cast<std::size_t>(std::upper_bound(stops.begin(), stops.end(), *way.through) - stops.begin());
+  planning_.released(robot, given, book_.route(assignments_.at(robot).goal)->places.back());
+}
+
+/// Stores a yield with all of its route released.
+void Dispatcher::begin_yield(Route route, std::uint32_t through, Now now) {
+  route.places.resize(through + std::size_t{1});
+  route.relations.resize(through);
+  route.released = through;
+  Goal goal;
+  for (std::uint8_t& byte : goal.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
+  goal.kind = GoalKind::yield;
+  goal.label = "make-way";
+  goal.to = route.places.back();
+  goal.wanted = route.robot;
+  goal.robot = route.robot;
+  goal.number = book_.next_number();
+  route.goal = goal.id;
+  const GoalId id = goal.id;
+  const RobotId robot = route.robot;
+  const std::vector<storage::PutOccupancy> claims = traffic_.claim(route, 0, through);
+  storage::Transaction transaction;
+  for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
+  const GoalBook::Step step = {.state = GoalState::assigned,
+                               .cause = fleet_.name_of(robot) + " makes way: it goes to " + to_string(goal.to),
+                               .who = "traffic",
+                               .kind = "traffic.makes_way"};
+  // Tried again with the next plan.
+  if (!book_.write(std::move(goal), step, route, std::move(transaction), now)) return;
+  traffic_.committed(claims);
+  RouteAssignment assignment;
+  assignment.goal = id;
+  assignment.given_at = now.steady;
+  assignment.plan_at = now.steady;
+  assignment.waits_since = now;
+  send_order(robot, assignments_[robot] = assignment, now.steady);
+}
+
+}  // namespace weft::server

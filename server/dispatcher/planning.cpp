@@ -1,0 +1,91 @@
+#include "server/dispatcher/planning.hpp"
+
+#include <chrono>
+
+#include "core/network/search.hpp"
+
+namespace weft::server {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr Duration kBetweenPlans = 1s;
+constexpr Duration kLeastBetweenPlans = 100ms;
+
+/// Returns how one drives from one place to the next; none: one does not.
+std::optional<Relation> hop(const Snapshot& network, const PlaceId& from, const PlaceId& to) {
+  std::optional<Relation> found;
+  network.for_each_edge(from, [&](const Edge& edge) {
+    if (!found && other_end(edge, from) == to && can_drive(edge, from)) found = relation_from(edge, from);
+  });
+  return found;
+}
+
+}  // namespace
+
+void Planning::plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
+                    const std::vector<PlanRequest>& requests, SteadyTime now) {
+  planner_.plan(network, footprint_m, requests);
+  robots_.clear();
+  of_.clear();
+  for (const PlanRequest& request : requests) {
+    robots_[request.robot] = {static_cast<std::uint32_t>(of_.size()), request.held.back()};
+    of_.push_back(request.robot);
+  }
+  next_ = now + kBetweenPlans;
+  soonest_ = now + kLeastBetweenPlans;
+}
+
+std::optional<std::uint32_t> Planning::number(const RobotId& robot, const PlaceId& end) const {
+  const auto found = robots_.find(robot);
+  if (found == robots_.end() || found->second.end != end) return std::nullopt;
+  return found->second.number;
+}
+
+Planning::Piece Planning::piece(std::uint32_t number, const std::vector<PlaceId>& held) const {
+  const PlanOrder& order = planner_.order();
+  const std::uint32_t first = order.released(number);
+  const std::uint32_t last = planner_.may(number, planner_.berths_in(held));
+  PlannedWay way = planner_.way(number, first, last);
+  return {
+      .places = std::move(way.places), .stops = std::move(way.stops), .has_more = last < order.moves(number).size()};
+}
+
+void Planning::released(const RobotId& robot, std::size_t stops, const PlaceId& end) {
+  if (stops == 0) {
+    robots_.erase(robot);
+    want_soon();
+    return;
+  }
+  Planned& planned = robots_.at(robot);
+  PlanOrder& order = planner_.order();
+  order.release(planned.number, order.released(planned.number) + static_cast<std::uint32_t>(stops));
+  planned.end = end;
+}
+
+std::set<RobotId> Planning::before(std::uint32_t number) const {
+  std::set<RobotId> robots;
+  for (const std::uint32_t other : planner_.order().before(number)) robots.insert(of_[other]);
+  return robots;
+}
+
+std::optional<Route> led_by(const Snapshot& network, const Route& route, bool told,
+                            const std::vector<PlaceId>& places, const std::vector<PlaceId>& tail) {
+  Route next = route;
+  const std::size_t kept = told ? route.released : 0;
+  next.places.resize(kept + 1);
+  next.relations.resize(kept);
+  for (const std::vector<PlaceId>* const more : {&places, &tail}) {
+    for (const PlaceId& place : *more) {
+      std::optional<Relation> relation = hop(network, next.places.back(), place);
+      if (!relation) return std::nullopt;
+      next.relations.push_back(*std::move(relation));
+      next.places.push_back(place);
+    }
+  }
+  next.version = route.version + 1;
+  next.made_of = network.revision();
+  next.limits.clear();
+  return next;
+}
+
+}  // namespace weft::server

@@ -1,0 +1,64 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/network/goal.hpp"
+#include "core/time.hpp"
+#include "server/traffic/plan/planner.hpp"
+#include "server/traffic/traffic.hpp"
+
+namespace weft::server {
+
+/// Keeps the plan of everybody's moves, and says when there is to be another one.
+class Planning {
+ public:
+  explicit Planning(Proximity& proximity) : planner_(proximity, PlanRules{}) {}
+
+  /// Returns whether the plan is older than a second, or somebody asked for another one.
+  bool is_due(SteadyTime now) const { return now >= next_; }
+  SteadyTime next() const { return next_; }
+  /// Asks for another plan at once: there is a goal more or less.
+  void want() { next_ = {}; }
+  /// Asks for another plan soon: a robot is not where the plan has it.
+  void want_soon() { next_ = std::min(next_, soonest_); }
+  void plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
+            const std::vector<PlanRequest>& requests, SteadyTime now);
+
+  /// Returns the robot's number in the plan, if it stands, or will, where the plan has it; none: it is to be planned.
+  std::optional<std::uint32_t> number(const RobotId& robot, const PlaceId& end) const;
+
+  /// Describes what the robot may be released next.
+  struct Piece {
+    std::vector<PlaceId> places;       ///< beyond what it was released
+    std::vector<std::uint32_t> stops;  ///< of these, by index
+    bool has_more = false;             ///< moves are planned that others come before
+  };
+  Piece piece(std::uint32_t number, const std::vector<PlaceId>& held) const;
+  /// Notes that the robot is released to so many stops of its latest piece, and ends there; 0: elsewhere than
+  /// planned.
+  void released(const RobotId& robot, std::size_t stops, const PlaceId& end);
+  /// Returns who drives first where the robot's next move leads.
+  std::set<RobotId> before(std::uint32_t number) const;
+
+ private:
+  struct Planned {
+    std::uint32_t number = 0;
+    PlaceId end;
+  };
+
+  Planner planner_;
+  std::map<RobotId, Planned> robots_;
+  std::vector<RobotId> of_;  ///< by number
+  SteadyTime next_;
+  SteadyTime soonest_;
+};
+
+/// Returns the route that goes on with these places from its released end, or from its beginning when nothing is
+/// `told` of it, and from there by `tail`; none: the network does not lead so.
+std::optional<Route> led_by(const Snapshot& network, const Route& route, bool told,
+                            const std::vector<PlaceId>& places, const std::vector<PlaceId>& tail);
+
+}  // namespace weft::server
