@@ -133,6 +133,7 @@ class Dispatcher {
   bool is_led(const RouteAssignment& assignment) const;
   void plan_moves(Now now);
   PlanRequest plan_request(const RobotId& robot, Now now) const;
+  std::set<PlaceId> avoided_by(const RobotId& robot, SteadyTime now) const;
   void lead(PlanRequest& request, const RouteAssignment& assignment, Now now) const;
   void ask_to_make_way(const PlanRequest& request, Now now);
   void begin_yield(Route route, std::uint32_t through, Now now);
@@ -160,6 +161,7 @@ class Dispatcher {
   bool is_told(const RobotId& robot, const Route& route) const;
   void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
+  void avoid(const RobotId& robot, const Route& route, SteadyTime now);
   void finish(const RobotId& robot, RouteAssignment& assignment, GoalState state, const std::string& cause,
               const std::string& who, Now now);
   bool has_to_send(const RobotId& robot, const RouteAssignment& assignment) const;
@@ -175,6 +177,8 @@ class Dispatcher {
   GoalBook book_;
   Planning planning_;
   std::map<RobotId, SteadyTime> arrived_at_;  ///< where an operator sent it
+  /// Holds where a robot could not drive when it was to make way, and until when it is not asked to again.
+  std::map<RobotId, std::map<PlaceId, SteadyTime>> avoids_;
   std::map<RobotId, RouteAssignment> assignments_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started

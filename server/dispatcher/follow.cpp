@@ -14,6 +14,8 @@ constexpr Duration kBetweenLooks = 500ms;
 constexpr Duration kLongestOnItsWay = 3s;
 /// Bounds how long a robot may say that it has no such route before it has lost it.
 constexpr Duration kLostAfter = 2s;
+/// Bounds how long a robot is not asked to make way to where it could not drive.
+constexpr Duration kAvoidsFor = 1min;
 }  // namespace
 
 /// Returns whether the robot is not at the beginning of its route, where the nearest place may flicker.
@@ -101,6 +103,13 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
                             std::nullopt, {}, now);
 }
 
+/// Notes that the robot could not drive there: it is asked to make way elsewhere for a while.
+void Dispatcher::avoid(const RobotId& robot, const Route& route, SteadyTime now) {
+  std::map<PlaceId, SteadyTime>& places = avoids_[robot];
+  std::erase_if(places, [now](const auto& avoided) { return avoided.second <= now; });
+  for (std::size_t i = 1; i < route.places.size(); ++i) places[route.places[i]] = now + kAvoidsFor;
+}
+
 /// Ends the goal, and its route where it was released to. What the robot holds stays held until it has forgotten the
 /// route and says where it stands.
 void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalState state, const std::string& cause,
@@ -113,6 +122,7 @@ void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalS
   if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, {}, now)) return;
   look_again_ = true;
   if (state == GoalState::succeeded && goal.kind == GoalKind::operator_asked) arrived_at_[robot] = now.steady;
+  if (state == GoalState::failed && goal.kind == GoalKind::yield) avoid(robot, route, now.steady);
   planning_.want();
   if (!told) {
     assignments_.erase(robot);

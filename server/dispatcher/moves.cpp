@@ -50,6 +50,7 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   const Robot* const known = fleet_.find(robot);
   const bool is_described = known != nullptr && known->description;
   if (is_described) request.methods = methods_of(*known);
+  request.avoids = avoided_by(robot, now.steady);
   const std::optional<Stays> stays = this->stays(robot);
   const auto found = assignments_.find(robot);
   if (is_described && !stays && found != assignments_.end() && is_led(found->second)) {
@@ -63,6 +64,16 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   const double left_s = context_.config.handling_s - seconds(now.steady - arrived->second);
   request.handles = static_cast<std::uint32_t>(std::ceil(std::max(0.0, left_s) / kBerth_s));
   return request;
+}
+
+std::set<PlaceId> Dispatcher::avoided_by(const RobotId& robot, SteadyTime now) const {
+  std::set<PlaceId> places;
+  const auto found = avoids_.find(robot);
+  if (found == avoids_.end()) return places;
+  for (const auto& [place, until] : found->second) {
+    if (now < until) places.insert(place);
+  }
+  return places;
 }
 
 /// Says where the robot is going. Who makes way goes nowhere: it can be asked on.

@@ -18,6 +18,7 @@ struct PlanRobot {
   Distances* goal = nullptr;              ///< to where it is going; null: nowhere, and it makes way if it is asked to
   bool is_goal_at_hand = true;            ///< `goal` leads to its goal, not only to a berth on the way there
   std::uint32_t handles = 0;              ///< steps for which it cannot be asked, as it is at work where it was going
+  std::vector<Berth> avoids;              ///< it could not drive there
   bool stays = false;                     ///< it does not move by itself, and nobody can ask it to
   std::uint8_t priority = 0;              ///< the larger, the more urgent
   double waits_s = 0.0;                   ///< since its goal was asked for

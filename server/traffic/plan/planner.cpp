@@ -71,6 +71,9 @@ PlanRobot Planner::robot_of(const PlanRequest& request) {
   }
   robot.methods = berths_.methods(request.methods);
   robot.stays = request.stays;
+  for (const PlaceId& place : request.avoids) {
+    if (berths_.has(place) && berths_.is_cut(place)) robot.avoids.push_back(berths_.at(place));
+  }
   robot.handles = request.handles;
   robot.priority = request.priority;
   robot.waits_s = request.waits_s;

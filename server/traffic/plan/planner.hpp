@@ -22,6 +22,7 @@ struct PlanRequest {
   std::optional<PlaceId> goal;  ///< none: it makes way if it is asked to
   std::vector<PlaceId> ahead;   ///< its way to the goal beyond what is held, as it was found last
   std::set<std::string> methods;
+  std::set<PlaceId> avoids;      ///< it could not drive there
   bool stays = false;            ///< it does not move, and cannot be asked to
   bool stands_for_long = false;  ///< others are led round it
   std::uint32_t handles = 0;     ///< steps of a berth for which it cannot be asked to
