@@ -1,5 +1,8 @@
 #include "core/text.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace weft {
 
 std::string one_line(std::string text) {
@@ -12,6 +15,12 @@ std::string_view without_byte_order_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
   return text;
+}
+
+std::string short_number(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", number);
+  return text.data();
 }
 
 }  // namespace weft

@@ -7,6 +7,9 @@ namespace weft {
 /// Puts a text on one line, for messages that end a program: line breaks at the end go, those in between become "; ".
 std::string one_line(std::string text);
 
+/// Writes a number as people do: 5, not 5.000000; six digits at most.
+std::string short_number(double number);
+
 /// The text without the UTF-8 byte order mark that some editors put before it. Every reader of text begins with this.
 std::string_view without_byte_order_mark(std::string_view text);
 

@@ -41,7 +41,7 @@ class FleetMapServer final : public Service {
         writer_(store, std::move(stored.snapshot), out_, counters_),
         maintenance_(store),
         context_{config_, store, out_, counters_, writer_, writer_.snapshots(), maintenance_},
-        fleet_(context_, random.fork(1), stored.robots, now.steady),
+        fleet_(context_, random.fork(1), stored.robots, stored.holds, now.steady),
         intake_(context_, stored.durable_through),
         window_publisher_(context_),
         content_server_(context_),

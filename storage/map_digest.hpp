@@ -9,8 +9,8 @@ namespace weft::storage {
 /// The digest by which two maps that should be one are compared: counts for people, and a hash over all of it.
 struct MapDigest {
   Revision revision;
-  std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0;
-  Digest digest;  ///< SHA-256 over the canonical bytes of places and edges, then labels, then aparts
+  std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0, rules = 0;
+  Digest digest;  ///< SHA-256 over the canonical bytes of places and edges, then labels, aparts and rules
   bool operator==(const MapDigest&) const = default;
 };
 MapDigest digest_of(const Snapshot& snapshot);

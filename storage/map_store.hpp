@@ -14,6 +14,7 @@
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
 #include "core/network/removal.hpp"
+#include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 #include "storage/maintenance.hpp"
@@ -41,6 +42,11 @@ struct PutLabel {
 /// An operator vouches that two stretches are different floors, or no longer.
 struct PutApart {
   Apart apart;
+  bool holds = true;
+};
+/// Lays down a rule, in the place of an earlier rule of its name, or no longer: then only the name counts.
+struct PutRule {
+  Rule rule;
   bool holds = true;
 };
 struct SealExperience {
@@ -76,6 +82,11 @@ struct PutRobot {
   RobotId robot;
   std::string name;
 };
+/// Notes who holds the robot; nobody: it is held no longer.
+struct PutHold {
+  RobotId robot;
+  std::string who;
+};
 struct PutEvent {
   msg::Event event;
 };
@@ -89,12 +100,13 @@ inline constexpr std::uint64_t kLargestPreparation = 512ULL << 20U;
 
 using RevisionNote = msg::RevisionNote;
 
-/// One atomic step. Batches, labels, aparts, seals and what goes out and comes back change the network: together they
-/// make one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback is alone in
-/// its step.
+/// One atomic step. Batches, labels, aparts, rules, seals and what goes out and comes back change the network:
+/// together they make one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback
+/// is alone in its step.
 struct Transaction {
-  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, SealExperience, TakeOut, BringBack,
-                           RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutEvent, PutPreparation>>
+  std::vector<
+      std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, SealExperience, TakeOut,
+                   BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutHold, PutEvent, PutPreparation>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -108,6 +120,7 @@ struct RevisionChanges {
   std::vector<Place> known_anew;  ///< places that it had as they were learned
   std::set<std::string> labels;   ///< that it set, or took away
   std::set<Apart> aparts;         ///< that it vouched for, or did no longer
+  std::set<std::string> rules;    ///< by name, that it laid down, or took away
 };
 
 /// Everything a server needs to resume. Contents stay on disk.
@@ -119,6 +132,7 @@ struct Stored {
   std::map<GoalId, Route> routes;
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
+  std::map<RobotId, std::string> holds;  ///< who holds the robot
   std::vector<std::string> quarantined;  ///< what was damaged and is not served, each named
 };
 

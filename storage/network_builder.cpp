@@ -77,6 +77,14 @@ void NetworkBuilder::add_apart(const Apart& apart, bool holds) {
   }
 }
 
+void NetworkBuilder::add_rule(const Rule& rule, bool holds) {
+  if (holds) {
+    rules_.insert_or_assign(rule.name, rule);
+  } else {
+    rules_.erase(rule.name);
+  }
+}
+
 void NetworkBuilder::add_damage(std::string what) {
   damage_.push_back(std::move(what));
 }
@@ -278,7 +286,8 @@ Snapshot NetworkBuilder::build(Revision revision, const Snapshot& rest) {
     shared[id] = std::make_shared<const Experience>(std::move(experience));
   }
   const Snapshot network(revision, std::move(shared), rest.shared_labels());
-  return {revision, network.experiences(), labels_of(network), aparts_of(network)};
+  return {revision, network.experiences(), labels_of(network), aparts_of(network),
+          std::make_shared<const Snapshot::Rules>(rules_)};
 }
 
 std::shared_ptr<const Snapshot::Aparts> NetworkBuilder::aparts_of(const Snapshot& network) const {

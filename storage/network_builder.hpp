@@ -47,6 +47,8 @@ class NetworkBuilder {
   /// Adds an operator's word on whether two stretches are apart, in the order of revisions; `apart` is `ordered`.
   /// Part of the map while each stretch has a place in it.
   void add_apart(const Apart& apart, bool holds);
+  /// Sets a rule, or takes that of its name away, in the order of revisions. Part of the map whatever its places are.
+  void add_rule(const Rule& rule, bool holds);
   void add_damage(std::string what);
 
   /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
@@ -92,6 +94,7 @@ class NetworkBuilder {
   std::map<EdgeId, Revision> stitches_out_;
   Snapshot::Labels labels_;
   std::set<Apart> aparts_;
+  Snapshot::Rules rules_;
   std::set<PlaceId> damaged_places_;
   std::vector<std::string> damage_;
 };

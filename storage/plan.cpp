@@ -82,6 +82,19 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutRule& put) {
+    const std::string name = "rule " + put.rule.name;
+    if (put.rule.name.empty()) return fail(ErrorCode::invalid, "a rule without a name cannot be kept: give it one");
+    for (const Span& span : put.holds ? put.rule.spans : std::vector<Span>()) {
+      for (const PlaceId& end : {span.from, span.to}) {
+        if (is_stored(end.experience, end.index)) continue;
+        return fail(ErrorCode::conflict, name + ": place " + to_string(end) + " is not stored");
+      }
+    }
+    plan_.changes_network = true;
+    return true;
+  }
+
   Result<bool> operator()(const TakeOut& out) { return moved(out.what); }
   Result<bool> operator()(const BringBack& back) { return moved(back.what); }
 
@@ -276,6 +289,9 @@ Needs needs_of(const Transaction& transaction) {
       [&](const PutApart& put) {
         needs.experiences.insert({put.apart.one.experience, put.apart.other.experience});
       },
+      [&](const PutRule& put) {
+        for (const Span& span : put.rule.spans) needs.experiences.insert({span.from.experience, span.to.experience});
+      },
       [&](const SealExperience& seal) { needs.experiences.insert(seal.experience); },
       [&](const TakeOut& out) { needs_of(out.what, needs); },
       [&](const BringBack& back) { needs_of(back.what, needs); },
@@ -339,6 +355,7 @@ RevisionNote note_of(const Transaction& transaction, Revision newest) {
         add("label", put.label + (put.place.experience ? " is " + to_string(put.place) : " goes"));
       },
       [&](const PutApart& put) { add("apart", to_string(put.apart) + (put.holds ? "" : " are so no longer")); },
+      [&](const PutRule& put) { add("rule", put.rule.name + (put.holds ? ": " + to_string(put.rule) : " goes")); },
       [&](const SealExperience& seal) { add("seal", to_string(seal.experience) + ": " + seal.reason); },
       [&](const TakeOut& out) { add("out", count_of(out.what)); },
       [&](const BringBack& back) { add("back", count_of(back.what)); },

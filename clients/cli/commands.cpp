@@ -57,6 +57,13 @@ constexpr std::array kAskings{
     Asking{Command::goal_watch, run_goals, 24h},
     Asking{Command::goal_cancel, run_goals, kSoon},
     Asking{Command::goal_why, run_goals, kSoon},
+    Asking{Command::rule_add, run_rules, kAMinute},
+    Asking{Command::rule_list, run_rules, kSoon},
+    Asking{Command::rule_remove, run_rules, kAMinute},
+    Asking{Command::edge_close, run_rules, kAMinute},
+    Asking{Command::edge_open, run_rules, kAMinute},
+    Asking{Command::hold, run_operator, kAMinute},
+    Asking{Command::unhold, run_operator, kAMinute},
 };
 
 const Asking* asking_for(Command command) {

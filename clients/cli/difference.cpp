@@ -30,7 +30,8 @@ Map merged(const Map& from, const Map& to) {
 bool NetworkDifference::empty() const {
   return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() &&
          stitches_removed.empty() && labels_added.empty() && labels_moved.empty() && labels_removed.empty() &&
-         aparts_added.empty() && aparts_removed.empty();
+         aparts_added.empty() && aparts_removed.empty() && rules_added.empty() && rules_changed.empty() &&
+         rules_removed.empty();
 }
 
 NetworkDifference compare(const Window& from, const Window& to) {
@@ -71,6 +72,23 @@ NetworkDifference compare(const Window& from, const Window& to) {
 void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found) {
   std::ranges::set_difference(to, from, std::back_inserter(found.aparts_added));
   std::ranges::set_difference(from, to, std::back_inserter(found.aparts_removed));
+}
+
+void compare_rules(const std::vector<Rule>& from, const std::vector<Rule>& to, NetworkDifference& found) {
+  const auto of_name = [](const std::vector<Rule>& rules, const std::string& name) {
+    return std::ranges::find(rules, name, &Rule::name);
+  };
+  for (const Rule& rule : to) {
+    const auto before = of_name(from, rule.name);
+    if (before == from.end()) {
+      found.rules_added.push_back(rule.name);
+    } else if (*before != rule) {
+      found.rules_changed.push_back(rule.name);
+    }
+  }
+  for (const Rule& rule : from) {
+    if (of_name(to, rule.name) == to.end()) found.rules_removed.push_back(rule.name);
+  }
 }
 
 Window united(const Window& from, const Window& to) {

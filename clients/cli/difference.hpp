@@ -14,13 +14,16 @@ struct NetworkDifference {
   std::vector<PlaceId> places_anew;  ///< in both, with another content
   std::vector<EdgeId> stitches_added, stitches_removed;
   std::vector<std::string> labels_added, labels_moved, labels_removed;
-  std::vector<Apart> aparts_added, aparts_removed;  ///< windows have none: `compare_aparts`
+  std::vector<Apart> aparts_added, aparts_removed;                     ///< windows have none: `compare_aparts`
+  std::vector<std::string> rules_added, rules_changed, rules_removed;  ///< the same: `compare_rules`
   bool empty() const;
 };
 NetworkDifference compare(const Window& from, const Window& to);
 
 /// Sorted lists, as a snapshot has them.
 void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found);
+/// Compares rules by name.
+void compare_rules(const std::vector<Rule>& from, const std::vector<Rule>& to, NetworkDifference& found);
 
 /// Joins both for laying out and drawing: places and edges of either; where both have one, that of `to`.
 Window united(const Window& from, const Window& to);

@@ -76,6 +76,8 @@ Exit send(Session& session, const Invocation& invocation, const Output& output) 
   request.kind = msg::OperatorRequest::Kind::goal_send;
   request.label = invocation.name;
   request.robot = invocation.robot;
+  request.priority = static_cast<std::uint8_t>(invocation.priority);
+  request.no_return = invocation.no_return;
   request.goal = session.new_goal();
   const GoalId id = request.goal;
   Result<msg::OperatorReply> reply = session.ask(std::move(request), patience(invocation));
@@ -114,6 +116,7 @@ Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation
   }
   output.out << "goal " << to_string(goal.id) << " to " << goal.label << " (" << to_string(goal.to)
              << "): " << to_string(goal.state) << '\n';
+  if (goal.priority > 0) output.out << "priority " << int{goal.priority} << '\n';
   if (goal.robot.has_value()) output.out << "robot " << name_of(goals.names, *goal.robot) << '\n';
   if (route != nullptr) {
     output.out << "route version " << route->version << ", " << route->places.size() << " places, released through "

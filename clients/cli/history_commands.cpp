@@ -93,10 +93,12 @@ void print(const NetworkDifference& found, const Output& output) {
   table.add({"places", count(found.places_added.size()), count(found.places_removed.size())});
   table.add({"stitches", count(found.stitches_added.size()), count(found.stitches_removed.size())});
   table.add({"aparts", count(found.aparts_added.size()), count(found.aparts_removed.size())});
+  table.add({"rules", names(found.rules_added), names(found.rules_removed)});
   table.add({"labels", names(found.labels_added), names(found.labels_removed)});
   table.print(output.out);
   if (!found.places_anew.empty()) output.out << "places known anew: " << found.places_anew.size() << '\n';
   if (!found.labels_moved.empty()) output.out << "labels moved: " << names(found.labels_moved) << '\n';
+  if (!found.rules_changed.empty()) output.out << "rules changed: " << names(found.rules_changed) << '\n';
   for (const Apart& apart : found.aparts_added) output.out << "apart: " << to_string(apart) << '\n';
   for (const Apart& apart : found.aparts_removed) output.out << "apart no longer: " << to_string(apart) << '\n';
   if (found.empty()) output.out << "the same map\n";
@@ -121,11 +123,12 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
   const Result<Window> from = network_at(session, invocation, {invocation.from, apart_from(to->revision)}, output);
   if (!from) return report(from.error(), invocation.json, output);
   NetworkDifference found = compare(*from, *to);
-  const Result<std::vector<Apart>> aparts_to = aparts_at(session, invocation, to->revision);
-  if (!aparts_to) return report(aparts_to.error(), invocation.json, output);
-  const Result<std::vector<Apart>> aparts_from = aparts_at(session, invocation, from->revision);
-  if (!aparts_from) return report(aparts_from.error(), invocation.json, output);
-  compare_aparts(*aparts_from, *aparts_to, found);
+  const Result<NetworkPage> page_to = last_page_at(session, invocation, to->revision);
+  if (!page_to) return report(page_to.error(), invocation.json, output);
+  const Result<NetworkPage> page_from = last_page_at(session, invocation, from->revision);
+  if (!page_from) return report(page_from.error(), invocation.json, output);
+  compare_aparts(page_from->aparts, page_to->aparts, found);
+  compare_rules(page_from->rules, page_to->rules, found);
   if (!invocation.file.empty()) {
     const std::string only = *is_whole ? "" : "; only runs that differ";
     if (const Result<void> drawn = draw_difference(*from, *to, only, invocation.file); !drawn)
@@ -144,7 +147,11 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
          {{"came", list(found.labels_added)},
           {"went", list(found.labels_removed)},
           {"moved", list(found.labels_moved)}}},
-        {"aparts", {{"came", list(found.aparts_added)}, {"went", list(found.aparts_removed)}}}};
+        {"aparts", {{"came", list(found.aparts_added)}, {"went", list(found.aparts_removed)}}},
+        {"rules",
+         {{"came", list(found.rules_added)},
+          {"went", list(found.rules_removed)},
+          {"changed", list(found.rules_changed)}}}};
     output.out << printed(document) << '\n';
   } else {
     print(found, output);

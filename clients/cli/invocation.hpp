@@ -55,7 +55,14 @@ struct Invocation {
     doctor,
     file_info,
     file_convert,
-    calibrate
+    calibrate,
+    rule_add,
+    rule_list,
+    rule_remove,
+    edge_close,
+    edge_open,
+    hold,
+    unhold
   };
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all
@@ -83,8 +90,14 @@ struct Invocation {
   bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;
-  bool as_text = false;             ///< file convert: clouds as text
-  std::vector<std::string> passed;  ///< calibrate: as it stands, for `weft-agent calibrate`
+  bool as_text = false;                ///< file convert: clouds as text
+  std::vector<std::string> passed;     ///< calibrate: as it stands, for `weft-agent calibrate`
+  Rule rule;                           ///< rule add: all but its spans; rule remove: its name
+  std::vector<std::string> stretches;  ///< rule add: its spans
+  std::string to_place;                ///< edge close, edge open: where it leads
+  bool both = false;                   ///< edge close, edge open: in both directions
+  unsigned priority = 0;               ///< goal send
+  bool no_return = false;              ///< goal send
   bool json = false;
 
   std::vector<std::string> servers;

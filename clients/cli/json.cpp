@@ -52,7 +52,14 @@ json to_json(const msg::RobotWait& wait, const std::string& robot, const Names& 
           {"at", to_string(wait.at)},
           {"needs", wait.needs ? json(to_string(wait.needs)) : json()},
           {"held_by", std::move(holders)},
+          {"rule", wait.rule.empty() ? json() : json(wait.rule)},
           {"since", to_text(wait.since)}};
+}
+
+json to_json(const msg::RobotPower& power) {
+  json object = {{"share", power.share}, {"charging", power.is_charging}};
+  object["minutes"] = power.minutes ? json(*power.minutes) : json();
+  return object;
 }
 
 json to_json(const msg::RobotRow& row, const Names& names) {
@@ -85,6 +92,10 @@ json to_json(const msg::RobotRow& row, const Names& names) {
   object["experience"] = state.experience ? json(to_string(state.experience)) : json();
   object["goal"] = state.goal ? json(to_string(state.goal)) : json();
   object["waits"] = row.wait.at ? to_json(row.wait, row.description.name, names) : json();
+  object["safety"] = to_string(state.safety);
+  object["knows_limits"] = row.description.knows_limits;
+  object["power"] = row.power.header.sender ? to_json(row.power) : json();
+  object["held"] = row.held_by.empty() ? json() : json(row.held_by);
   object["standstill"] = row.standstill.empty() ? json() : json(row.standstill);
   return object;
 }
@@ -107,6 +118,9 @@ json to_json(const Goal& goal, const Route* route, const Names& names, WallTime 
                  {"to", goal.label},
                  {"place", goal.to.experience ? json(to_string(goal.to)) : json()},
                  {"state", to_string(goal.state)},
+                 {"kind", to_string(goal.kind)},
+                 {"priority", goal.priority},
+                 {"no_return", goal.no_return},
                  {"route", std::move(places)},
                  {"route_version", goal.route_version},
                  {"duration_s", duration_s(goal, now)},

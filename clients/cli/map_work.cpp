@@ -138,14 +138,20 @@ Result<msg::OperatorRequest> map_work(const Invocation& invocation) {
   return request;
 }
 
-Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision) {
+Result<NetworkPage> last_page_at(Session& session, const Invocation& invocation, Revision revision) {
   msg::Query query;
   query.kind = msg::Query::Kind::network;
   query.at = revision;
   query.after = kBehindAll;  // they come with the last page
   Result<msg::QueryReply> reply = session.query(query, patience(invocation));
   if (!reply) return fail(reply.error());
-  return std::move(reply->network.aparts);
+  return std::move(reply->network);
+}
+
+Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision) {
+  Result<NetworkPage> page = last_page_at(session, invocation, revision);
+  if (!page) return fail(page.error());
+  return std::move(page->aparts);
 }
 
 Exit run_apart(Session& session, const Invocation& invocation, const Output& output) {

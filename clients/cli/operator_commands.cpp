@@ -35,6 +35,10 @@ Kind kind_of(Command command, bool here) {
       return Kind::label_remove;
     case Command::map_relabel:
       return Kind::label_rename;
+    case Command::hold:
+      return Kind::hold;
+    case Command::unhold:
+      return Kind::unhold;
     case Command::map_label:
       return here ? Kind::label_here : Kind::label;
     default:

@@ -51,6 +51,8 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.network.places, part->second.network.places);
     append(all.network.edges, part->second.network.edges);
     append(all.network.aparts, part->second.network.aparts);
+    append(all.network.rules, part->second.network.rules);
+    append(all.rules, part->second.rules);
     append(all.experiences, part->second.experiences);
     all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
   }

@@ -56,6 +56,7 @@ std::string chain_text(const std::vector<msg::RobotRow>& robots, const RobotId& 
     text += text.empty() ? name : "  " + name;
     text += " waits " + fixed(std::max(0.0, seconds(now - row->wait.since)), 0) + " s at " + to_string(row->wait.at);
     if (!row->wait.held_by.empty()) text += " for " + names(robots, row->wait.held_by);
+    if (!row->wait.rule.empty()) text += " as rule " + row->wait.rule + " keeps it";
     if (row->wait.needs) text += ", to have " + to_string(row->wait.needs);
     text += "\n";
   }

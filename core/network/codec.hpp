@@ -3,6 +3,7 @@
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
+#include "core/network/rule.hpp"
 
 namespace weft {
 
@@ -13,6 +14,7 @@ Bytes encode(const Relation& relation);
 Bytes encode(const Batch& batch);
 Bytes encode(const Goal& goal);
 Bytes encode(const Route& route);
+Bytes encode(const Rule& rule);
 
 /// corrupt: short, trailing, or impossible values; the message names the field and the offset.
 Result<Place> decode_place(ByteView bytes);
@@ -21,6 +23,7 @@ Result<Relation> decode_relation(ByteView bytes);
 Result<Batch> decode_batch(ByteView bytes);
 Result<Goal> decode_goal(ByteView bytes);
 Result<Route> decode_route(ByteView bytes);
+Result<Rule> decode_rule(ByteView bytes);
 
 /// SHA-256.
 ContentHash hash_bytes(ByteView bytes);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/text.hpp"
+
 namespace weft {
 namespace {
 
@@ -37,6 +39,22 @@ std::optional<RuleKind> rule_kind(std::string_view name) {
     if (name == to_string(kind)) return kind;
   }
   return std::nullopt;
+}
+
+std::string to_string(const Span& span) {
+  const bool is_one_run = span.from.experience == span.to.experience;
+  return to_string(span.from) + ".." + (is_one_run ? std::to_string(span.to.index) : to_string(span.to));
+}
+
+std::string to_string(const Rule& rule) {
+  std::string text = to_string(rule.kind);
+  if (rule.kind == RuleKind::speed) text += " " + short_number(rule.value) + " m/s";
+  if (rule.kind == RuleKind::priority || rule.kind == RuleKind::capacity) text += " " + short_number(rule.value);
+  if (rule.one_direction) text += " in one direction";
+  for (const Span& span : rule.spans) text += (&span == rule.spans.data() ? " on " : ", ") + to_string(span);
+  if (rule.label.empty()) return text;
+  text += rule.spans.empty() ? " " : " and ";
+  return text + (rule.within_m > 0.0 ? "within " + short_number(rule.within_m) + " m of " : "at ") + rule.label;
 }
 
 }  // namespace weft

@@ -37,6 +37,7 @@ inline constexpr double kRuleWithin_m = 1000.0;      ///< farthest from its labe
 inline constexpr double kFastestLimit_m_s = 10.0;    ///< highest speed limit
 inline constexpr std::uint8_t kHighestPriority = 9;  ///< the most urgent class of goals
 inline constexpr double kMostRobots = 1000.0;        ///< largest capacity
+inline constexpr std::size_t kMostRules = 1000;      ///< of one map
 
 /// Holds what operators have laid down for a piece of the map. Holds where its spans lead and around its label.
 struct Rule {
@@ -44,10 +45,15 @@ struct Rule {
   RuleKind kind = RuleKind::closed;
   double value = 0.0;          ///< speed, priority, capacity; 0 otherwise
   bool one_direction = false;  ///< closed: only from the first place of each span towards the last
-  std::vector<Span> spans;
-  std::string label;      ///< empty: none
+  std::vector<Span> spans{};
+  std::string label{};    ///< empty: none
   double within_m = 0.0;  ///< around the label, along the ways that lead from and to it; 0: the label's place alone
   bool operator==(const Rule&) const = default;
 };
+
+/// Says it for people: "speed 0.3 m/s on 00000000000000a1:4..9 and within 2 m of dock".
+std::string to_string(const Rule& rule);
+/// Says it as operators write it: "E:I..J", or "E:I..F:J" over the edge between two runs.
+std::string to_string(const Span& span);
 
 }  // namespace weft

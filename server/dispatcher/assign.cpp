@@ -23,6 +23,7 @@ std::string metres(double length_m) {
 /// Returns why the robot cannot be given a goal; empty when it can.
 std::string Dispatcher::not_ready(const Robot& robot) const {
   if (std::string why = unreachable_reason(robot); !why.empty()) return why;
+  if (std::string why = why_held(robot.id); !why.empty()) return why;
   if (assignments_.contains(robot.id)) return robot.name + " has goal " + to_string(assignments_.at(robot.id).goal);
   if (!robot.state) return robot.name + " has not said yet where it is";
   if (!robot.state->localised || !robot.state->place) {

@@ -42,6 +42,8 @@ class Dispatcher {
   /// heard only the route is freed, and that is refused unless `is_sure`.
   Result<std::string> clear(const RobotId& robot, bool is_sure, const std::string& who, Now now);
 
+  /// Looks at the robot's release again: an operator holds it, or does no longer.
+  void held_or_freed(const RobotId& robot);
   /// Fails the pending goals for that robot alone: it is no longer in the fleet.
   void fail_waiting_for(const RobotId& robot, const std::string& why, const std::string& who, Now now);
 
@@ -151,6 +153,7 @@ class Dispatcher {
   std::optional<Route> led_along(const Goal& goal, const Route& route, bool told, const std::vector<PlaceId>& places,
                                  Now now);
   void grant(const RobotId& robot, RouteAssignment& assignment, const Piece& piece, bool told, Now now);
+  std::string why_held(const RobotId& robot) const;
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;
   std::string why_it_stands(const Traffic::Way& way) const;

@@ -32,6 +32,20 @@ bool Dispatcher::is_told(const RobotId& robot, const Route& route) const {
   return held != nullptr && held->held.id == route.id && held->held.version == route.version;
 }
 
+/// Returns why an operator's hold keeps the robot from being released farther; empty: nobody holds it.
+std::string Dispatcher::why_held(const RobotId& robot) const {
+  const Robot* const known = fleet_.find(robot);
+  if (known == nullptr || known->held_by.empty()) return {};
+  return known->name + " is held by " + known->held_by + ": weft unhold " + known->name;
+}
+
+void Dispatcher::held_or_freed(const RobotId& robot) {
+  look_again_ = true;
+  planning_.want();
+  const auto found = assignments_.find(robot);
+  if (found != assignments_.end()) found->second.look_at_release = true;
+}
+
 void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now) {
   Route route = *book_.route(assignment.goal);
   if (assignment.ending || assignment.recalled) {

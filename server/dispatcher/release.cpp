@@ -25,6 +25,7 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   const bool is_all = told && route.released + 1 == route.places.size();
   if (is_all && goal.kind != GoalKind::yield) return;
   if (!std::exchange(assignment.look_at_release, false)) return;
+  if (const std::string why = why_held(robot); !why.empty()) return wait_for(goal, why, now);
   const std::optional<Piece> piece = next_piece(robot, goal, route, told, now);
   if (!piece) return;
   if (piece->way.through) {

@@ -20,6 +20,8 @@ std::string is_what(Stays stays) {
       return "is idle";
     case Stays::paused:
       return "is stopped";
+    case Stays::held:
+      return "is held";
     case Stays::lost:
       return "does not know where it is";
     case Stays::faulted:
@@ -38,6 +40,8 @@ std::string what_helps(Stays stays, const std::string& name) {
       return "send it elsewhere: weft goal send --to LABEL --robot " + name;
     case Stays::paused:
       return "weft resume " + name;
+    case Stays::held:
+      return "weft unhold " + name;
     case Stays::lost:
       return "weft localise " + name + " --at LABEL, or lead it to where it was taught";
     case Stays::faulted:

@@ -19,6 +19,11 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
   if (!edit.known_anew.empty()) transaction.changes.emplace_back(storage::PutPlaces{edit.known_anew});
   for (const auto& [label, place] : edit.labels) transaction.changes.emplace_back(storage::PutLabel{label, place});
   for (const auto& [apart, holds] : edit.aparts) transaction.changes.emplace_back(storage::PutApart{apart, holds});
+  for (const auto& [name, rule] : edit.rules) {
+    Rule put = rule.value_or(Rule{});
+    put.name = name;
+    transaction.changes.emplace_back(storage::PutRule{.rule = std::move(put), .holds = rule.has_value()});
+  }
   transaction.changes.emplace_back(storage::PutEvent{{.at = {},
                                                       .kind = "map." + edit.kind,
                                                       .robot = {},
@@ -42,6 +47,11 @@ const char* edit_name(Kind kind) {
     case Kind::label_remove:
     case Kind::label_rename:
       return "label";
+    case Kind::rule_put:
+    case Kind::rule_remove:
+    case Kind::hold:
+    case Kind::unhold:
+      return "rule";
     default:
       return "quarantine";
   }
@@ -57,6 +67,10 @@ Result<Edit> Editor::edit_for(const msg::OperatorRequest& request) const {
     if (request.kind == Kind::apart) return setting_apart(snapshot, request);
     if (request.kind == Kind::label_remove) return removing_label(snapshot, request.label);
     if (request.kind == Kind::label_rename) return renaming_label(snapshot, request.label, request.new_label);
+    if (request.kind == Kind::rule_put) return putting_rule(snapshot, request.rule);
+    if (request.kind == Kind::rule_remove) return removing_rule(snapshot, request.rule.name);
+    if (request.kind == Kind::hold) return holding_places_of(snapshot, request.robot);
+    if (request.kind == Kind::unhold) return freeing_places_of(snapshot, request.robot);
     const bool is_revision = request.kind == Kind::undo && work.revision.value != 0;
     return is_revision ? undoing(snapshot, context_.store, work.revision) : taking_out(snapshot, request);
   }();

@@ -17,7 +17,7 @@ class Editor {
   Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)
       : context_(context), traffic_(traffic), dispatcher_(dispatcher) {}
 
-  /// Does a rollback, an undo, a quarantine, an apart, or removes or renames a label.
+  /// Does a rollback, an undo, a quarantine, an apart, a rule, or removes or renames a label.
   msg::OperatorReply on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
   /// Makes the edit. It is durable, and served, when this returns.
   msg::OperatorReply commit(const Edit& edit, const std::string& who, Now now);

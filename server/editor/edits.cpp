@@ -7,6 +7,7 @@
 
 #include "core/names.hpp"
 #include "core/network/imported.hpp"
+#include "core/network/rules.hpp"
 
 namespace weft::server {
 namespace {
@@ -68,6 +69,36 @@ void undo_apart(const Apart& apart, const Snapshot& now, const Snapshot& then, c
   if (holds(then) == holds(now) && holds(before) != holds(now)) edit.aparts[apart] = holds(before);
 }
 
+std::optional<Rule> rule_of(const std::string& name, const Snapshot& snapshot) {
+  const auto found = snapshot.rules().find(name);
+  return found == snapshot.rules().end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Turns round what the revision made of the rule, if it is still so.
+void undo_rule(const std::string& name, const Snapshot& now, const Snapshot& then, const Snapshot& before,
+               Edit& edit) {
+  const std::optional<Rule> is = rule_of(name, now);
+  const std::optional<Rule> was = rule_of(name, before);
+  if (rule_of(name, then) == is && was != is) edit.rules[name] = was;
+}
+
+std::string known_rules(const Snapshot& snapshot) {
+  constexpr std::size_t kListed = 10;
+  if (snapshot.rules().empty()) return "it has none";
+  std::string text = "known:";
+  std::size_t listed = 0;
+  for (const auto& [name, rule] : snapshot.rules()) {
+    if (++listed > kListed) return text + " ... (weft rule list)";
+    text += " " + name;
+  }
+  return text;
+}
+
+/// Names the rule that holds robots on the places of another one.
+std::string hold_name(const std::string& name) {
+  return "hold-" + name;
+}
+
 /// Turns round what the revision made of places, as far as they are still known so.
 void undo_known_anew(const std::vector<Place>& learned, const Snapshot& now, const Snapshot& before, Edit& edit) {
   for (const Place& place : learned) {
@@ -100,6 +131,9 @@ std::string to_text(const Edit& edit) {
   for (const auto& [apart, holds] : edit.aparts) {
     parts.push_back(to_string(apart.one) + " and " + to_string(apart.other) +
                     (holds ? " are different floors" : " are different floors no longer"));
+  }
+  for (const auto& [name, rule] : edit.rules) {
+    parts.push_back("rule " + name + (rule ? " (" + to_string(*rule) + ")" : " gone"));
   }
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
@@ -190,6 +224,46 @@ Result<Edit> renaming_label(const Snapshot& snapshot, const std::string& label, 
   return edit;
 }
 
+Result<Edit> putting_rule(const Snapshot& snapshot, const Rule& rule) {
+  if (const Result<void> good = check(snapshot, rule); !good) return fail(good.error());
+  if (rule_of(rule.name, snapshot) == rule) {
+    return fail(ErrorCode::conflict, "rule " + rule.name + " is so already: weft rule list shows all");
+  }
+  Edit edit;
+  edit.rules[rule.name] = rule;
+  edit.cause = "rule " + rule.name + " laid down";
+  return edit;
+}
+
+Result<Edit> removing_rule(const Snapshot& snapshot, const std::string& name) {
+  if (!rule_of(name, snapshot)) {
+    return fail(ErrorCode::not_found, "the map has no rule " + name + "; " + known_rules(snapshot));
+  }
+  Edit edit;
+  edit.rules[name] = std::nullopt;
+  edit.cause = "rule " + name + " removed";
+  return edit;
+}
+
+Result<Edit> holding_places_of(const Snapshot& snapshot, const std::string& name) {
+  std::optional<Rule> rule = rule_of(name, snapshot);
+  if (!rule) {
+    return fail(ErrorCode::not_found, "there is no robot and no rule " + name + "; rules: " + known_rules(snapshot));
+  }
+  rule->name = hold_name(name);
+  rule->kind = RuleKind::hold;
+  rule->value = 0.0;
+  rule->one_direction = false;
+  return putting_rule(snapshot, *rule);
+}
+
+Result<Edit> freeing_places_of(const Snapshot& snapshot, const std::string& name) {
+  if (rule_of(hold_name(name), snapshot)) return removing_rule(snapshot, hold_name(name));
+  const std::optional<Rule> rule = rule_of(name, snapshot);
+  if (rule && rule->kind == RuleKind::hold) return removing_rule(snapshot, name);
+  return fail(ErrorCode::not_found, "nobody holds " + name + ": weft rule list shows what is held, weft robots who");
+}
+
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision) {
   const Result<storage::RevisionChanges> changes = store.changes_of(revision);
   if (!changes) return fail(changes.error());
@@ -209,7 +283,9 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
   append(out, changes->brought_back);
   edit.out = present(snapshot, out);
   edit.back = absent(snapshot, changes->taken_out);
-  if (!changes->labels.empty() || !changes->aparts.empty() || !changes->known_anew.empty()) {
+  const bool needs_maps =
+      !changes->labels.empty() || !changes->aparts.empty() || !changes->rules.empty() || !changes->known_anew.empty();
+  if (needs_maps) {
     const Result<Snapshot> then = store.snapshot_at(revision, snapshot);
     if (!then) return fail(then.error());
     const Result<Snapshot> before = store.snapshot_at(changes->note.base, *then);
@@ -217,6 +293,7 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
     undo_known_anew(changes->known_anew, snapshot, *before, edit);
     for (const std::string& label : changes->labels) undo_label(label, snapshot, *then, *before, edit);
     for (const Apart& apart : changes->aparts) undo_apart(apart, snapshot, *then, *before, edit);
+    for (const std::string& name : changes->rules) undo_rule(name, snapshot, *then, *before, edit);
   }
   if (edit.empty()) {
     return fail(ErrorCode::not_found, "nothing of " + edit.cause +

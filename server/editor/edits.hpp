@@ -1,10 +1,12 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/network/apart.hpp"
 #include "core/network/removal.hpp"
+#include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 #include "storage/map_store.hpp"
@@ -15,14 +17,16 @@ namespace weft::server {
 struct Edit {
   Removal out;
   Removal back;
-  std::vector<Place> known_anew;          ///< places as they are known from now on
-  std::map<std::string, PlaceId> labels;  ///< a place of no experience: the label goes
-  std::map<Apart, bool> aparts;           ///< false: vouched for no longer
-  Revision to;                            ///< not 0: a rollback, and nothing else
-  std::string kind;                       ///< for the log
-  std::string cause;                      ///< what was asked for, in words
+  std::vector<Place> known_anew;                     ///< places as they are known from now on
+  std::map<std::string, PlaceId> labels;             ///< a place of no experience: the label goes
+  std::map<Apart, bool> aparts;                      ///< false: vouched for no longer
+  std::map<std::string, std::optional<Rule>> rules;  ///< none: the rule goes
+  Revision to;                                       ///< not 0: a rollback, and nothing else
+  std::string kind;                                  ///< for the log
+  std::string cause;                                 ///< what was asked for, in words
   bool empty() const {
-    return out.empty() && back.empty() && known_anew.empty() && labels.empty() && aparts.empty() && to.value == 0;
+    return out.empty() && back.empty() && known_anew.empty() && labels.empty() && aparts.empty() && rules.empty() &&
+           to.value == 0;
   }
 };
 
@@ -46,6 +50,12 @@ Result<Edit> setting_apart(const Snapshot& snapshot, const msg::OperatorRequest&
 Result<Edit> removing_label(const Snapshot& snapshot, const std::string& label);
 /// Renames a label. conflict: the new one is a label already.
 Result<Edit> renaming_label(const Snapshot& snapshot, const std::string& label, const std::string& new_label);
+/// Lays a rule down, in the place of one of its name. Errors as `check`; conflict: it is so already.
+Result<Edit> putting_rule(const Snapshot& snapshot, const Rule& rule);
+Result<Edit> removing_rule(const Snapshot& snapshot, const std::string& name);
+/// Returns the rule that holds robots on the places of the rule of that name, until it is removed.
+Result<Edit> holding_places_of(const Snapshot& snapshot, const std::string& name);
+Result<Edit> freeing_places_of(const Snapshot& snapshot, const std::string& name);
 /// Turns round what a revision changed. refused: a rollback that is not the newest revision.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);

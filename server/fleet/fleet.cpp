@@ -38,7 +38,8 @@ std::string unreachable_reason(const Robot& robot) {
   return {};
 }
 
-Fleet::Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now)
+Fleet::Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored,
+             const std::map<RobotId, std::string>& holds, SteadyTime now)
     : context_(context), random_(random), silent_after_(from_seconds(context.config.robot_silent_after_s)) {
   for (const auto& [id, name] : stored) {
     if (name.empty()) continue;  // forgotten
@@ -47,6 +48,7 @@ Fleet::Fleet(Context& context, Random random, const std::map<RobotId, std::strin
     robot.name = name;
     robot.heard = now;
     robot.next_probe = now;
+    if (const auto held = holds.find(id); held != holds.end()) robot.held_by = held->second;
   }
 }
 

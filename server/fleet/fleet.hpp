@@ -26,7 +26,8 @@ struct Robot {
   Incarnations incarnations;
   SteadyTime heard;  ///< or when the server started
   bool silent = true;
-  bool left = false;  ///< its agent said that it was being ended, and nothing since
+  std::string held_by;  ///< the operator who holds it: it is released no farther; empty: nobody
+  bool left = false;    ///< its agent said that it was being ended, and nothing since
   ClockSkew skew;
   SteadyTime next_probe;
   std::uint64_t window_bytes = 0;   ///< sent to it since the server started
@@ -39,7 +40,8 @@ std::string unreachable_reason(const Robot& robot);
 /// Keeps the robots that are there: hellos, descriptions, states, silence, clocks. Decides nothing about goals.
 class Fleet {
  public:
-  Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored, SteadyTime now);
+  Fleet(Context& context, Random random, const std::map<RobotId, std::string>& stored,
+        const std::map<RobotId, std::string>& holds, SteadyTime now);
 
   /// Takes a hello. Returns false when the peer speaks no common protocol version and is not listened to.
   bool on_hello(const msg::Hello& hello, Now now);
@@ -76,6 +78,8 @@ class Fleet {
   Result<void> forget(const RobotId& id, const std::string& who, Now now);
   /// Renames the robot until its agent says what it is called. refused: it is heard, or another one has the name.
   Result<void> rename(const RobotId& id, const std::string& name, const std::string& who, Now now);
+  /// Holds the robot or lets it go, and says so for people. refused: it is so already.
+  Result<std::string> hold(const RobotId& id, bool holds, const std::string& who, Now now);
 
  private:
   Robot& entry(const RobotId& id, Now now);

@@ -63,7 +63,8 @@ Result<void> Fleet::forget(const RobotId& id, const std::string& who, Now now) {
                             .goal = {},
                             .cause = name_of(id) + " (" + to_string(id) + ") is forgotten",
                             .who = who};
-  const auto stored = context_.writer.commit({{storage::PutRobot{id, ""}, storage::PutEvent{event}}, {}}, now);
+  const auto stored = context_.writer.commit(
+      {{storage::PutRobot{id, ""}, storage::PutHold{id, ""}, storage::PutEvent{event}}, {}}, now);
   if (!stored) return fail(stored.error());
   robots_.erase(id);
   return {};
@@ -92,6 +93,24 @@ Result<void> Fleet::rename(const RobotId& id, const std::string& name, const std
   if (!stored) return fail(stored.error());
   found->second.name = name;
   return {};
+}
+
+Result<std::string> Fleet::hold(const RobotId& id, bool holds, const std::string& who, Now now) {
+  const auto found = robots_.find(id);
+  if (found == robots_.end()) return fail(ErrorCode::not_found, "there is no robot " + to_string(id));
+  std::string& held_by = found->second.held_by;
+  const std::string name = name_of(id);
+  if (holds && !held_by.empty()) return fail(ErrorCode::refused, name + " is held already, by " + held_by);
+  if (!holds && held_by.empty()) return fail(ErrorCode::refused, "nobody holds " + name);
+  const std::string holder = !holds ? std::string() : who.empty() ? std::string("an operator") : who;
+  const std::string cause =
+      holds ? name + " is released no farther until weft unhold " + name : name + " is held no longer by " + held_by;
+  const msg::Event event = {
+      .at = {}, .kind = holds ? "robot.held" : "robot.let_go", .robot = id, .goal = {}, .cause = cause, .who = who};
+  const auto stored = context_.writer.commit({{storage::PutHold{id, holder}, storage::PutEvent{event}}, {}}, now);
+  if (!stored) return fail(stored.error());
+  held_by = holder;
+  return cause;
 }
 
 }  // namespace weft::server

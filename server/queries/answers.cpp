@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/network/page.hpp"
+#include "core/network/rules.hpp"
 #include "server/base/outcome.hpp"
 #include "server/queries/experience_rows.hpp"
 
@@ -16,6 +17,7 @@ constexpr std::size_t kMostEvents = 1000;
 constexpr std::size_t kMostGoals = 1000;
 constexpr std::size_t kRevisionsInPart = 100;
 constexpr std::size_t kMostRevisions = 1000;
+constexpr std::size_t kRulesInPart = 100;
 /// Bounds the labels and joined experiences that go into one part, about; a row counts for some.
 constexpr std::size_t kExperienceWeightOfPart = 10'000;
 constexpr std::size_t kRowWeight = 10;
@@ -41,6 +43,7 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
     case msg::Query::Kind::experiences:
       return experiences();
     case msg::Query::Kind::rules:
+      return rules();
     case msg::Query::Kind::info:
       break;
   }
@@ -103,6 +106,7 @@ Answers::Parts Answers::robots(SteadyTime now) const {
                   .rule = {}};
     }
     row.standstill = clipped(standstills_.text_of(id));
+    row.held_by = robot.held_by;
     if (robot.power) row.power = *robot.power;
     parts.back().robots.push_back(std::move(row));
   }
@@ -175,6 +179,19 @@ Result<Answers::Parts> Answers::experiences() const {
     }
     weight += more;
     parts.back().experiences.push_back(std::move(row));
+  }
+  return parts;
+}
+
+Answers::Parts Answers::rules() const {
+  const Snapshot& snapshot = context_.snapshots.current();
+  Parts parts;
+  for (const auto& [name, rule] : snapshot.rules()) {
+    if (parts.empty() || parts.back().rules.size() == kRulesInPart) parts.emplace_back();
+    RuleExtent extent = extent_of(snapshot, rule);
+    parts.back().rules.push_back({.rule = rule,
+                                  .places = static_cast<std::uint32_t>(extent.places.size()),
+                                  .problem = clipped(std::move(extent.problem))});
   }
   return parts;
 }

@@ -42,6 +42,7 @@ class Answers {
   Result<Parts> events(const msg::Query& query) const;
   Result<Parts> log(const msg::Query& query) const;
   Result<Parts> experiences() const;
+  Parts rules() const;
   Result<Parts> network(const msg::Query& query, SteadyTime now);
   msg::MapInfo info() const;
   std::string occupies(const RobotId& robot) const;

@@ -85,13 +85,13 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::apart:
     case Kind::label_remove:
     case Kind::label_rename:
-      answer(key, editor_.on_request(request, who, now));
-      return;
     case Kind::rule_put:
     case Kind::rule_remove:
+      answer(key, editor_.on_request(request, who, now));
+      return;
     case Kind::hold:
     case Kind::unhold:
-      answer(key, msg::Outcome::refused, "this server knows no rules yet");
+      hold_or_free(key, request, who, now);
       return;
     case Kind::replace:
     case Kind::prune:
@@ -266,6 +266,21 @@ void OperatorRequests::clear(const Key& key, const msg::OperatorRequest& request
   const Result<std::string> done = dispatcher_.clear(*id, request.is_sure, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   answer(key, msg::Outcome::done, fleet_.name_of(*id) + ": " + *done);
+}
+
+/// Holds a robot, or the places of a rule, or lets go of them; a robot goes before a rule of its name.
+void OperatorRequests::hold_or_free(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                    Now now) {
+  const Result<RobotId> robot = fleet_.by_name(request.robot);
+  if (!robot && robot.error().code != ErrorCode::not_found) {
+    return answer(key, outcome_of(robot.error()), robot.error().message);
+  }
+  if (!robot) return answer(key, editor_.on_request(request, who, now));
+  const bool holds = request.kind == Kind::hold;
+  const Result<std::string> done = fleet_.hold(*robot, holds, who, now);
+  if (!done) return answer(key, outcome_of(done.error()), done.error().message);
+  dispatcher_.held_or_freed(*robot);
+  answer(key, msg::Outcome::done, *done);
 }
 
 /// Clears a robot before it forgets it: what it holds is free, and its goal fails.

@@ -85,6 +85,7 @@ class OperatorRequests {
   void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void hold_or_free(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   Result<msg::AgentCommand> command_for(const msg::OperatorRequest& request, const Robot& robot) const;
   Result<const Robot*> reachable(const std::string& name) const;

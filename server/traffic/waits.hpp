@@ -28,6 +28,7 @@ enum class Stays : std::uint8_t {
   faulted,  ///< its agent says that it cannot work
   silent,   ///< it is not heard
   no_way,   ///< it has a goal and no route there
+  held,     ///< an operator holds it
 };
 
 /// Names robots that wait and will not go on: those of a cycle, or one that will not move, and who waits for them.

@@ -101,14 +101,18 @@ class MemoryCompaction {
     });
   }
 
-  /// Labels, and what is apart.
+  /// Labels, rules, and what is apart.
   void thin_latest() {
     std::map<std::string, LatestRetention> labels;
+    std::map<std::string, LatestRetention> rules;
     std::map<Apart, LatestRetention> aparts;
     std::vector<MemoryDisk::Step> kept;
     for (auto step = disk_.history.rbegin(); step != disk_.history.rend(); ++step) {
       if (const auto* const put = std::get_if<PutLabel>(&step->change)) {
         if (!labels.try_emplace(put->label, retention_).first->second.keeps(step->revision.value)) continue;
+      }
+      if (const auto* const put = std::get_if<PutRule>(&step->change)) {
+        if (!rules.try_emplace(put->rule.name, retention_).first->second.keeps(step->revision.value)) continue;
       }
       if (const auto* const put = std::get_if<PutApart>(&step->change)) {
         const bool is_latest = aparts.try_emplace(put->apart, retention_).first->second.keeps(step->revision.value);

@@ -54,6 +54,7 @@ class Writer {
   void operator()(const PutPlaces& put) const { remember(put); }
   void operator()(const PutLabel& put) const { remember(put); }
   void operator()(const PutApart& put) const { remember(PutApart{ordered(put.apart), put.holds}); }
+  void operator()(const PutRule& put) const { remember(put); }
   void operator()(const SealExperience& seal) const { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
   void operator()(const TakeOut& out) const { remember(out); }
   void operator()(const BringBack& back) const { remember(back); }
@@ -68,6 +69,13 @@ class Writer {
     }
   }
   void operator()(const PutRobot& put) const { disk_.robots[put.robot] = put.name; }
+  void operator()(const PutHold& put) const {
+    if (put.who.empty()) {
+      disk_.holds.erase(put.robot);
+    } else {
+      disk_.holds[put.robot] = put.who;
+    }
+  }
   void operator()(const PutEvent& put) const { disk_.events.push_back(put.event); }
   void operator()(const PutPreparation& put) const {
     disk_.preparations[put.methods] = std::make_shared<const Bytes>(put.bytes);
@@ -117,6 +125,9 @@ class Replay {
   }
   void operator()(const PutApart& put) {
     if (is_in_) builder_.add_apart(put.apart, put.holds);
+  }
+  void operator()(const PutRule& put) {
+    if (is_in_) builder_.add_rule(put.rule, put.holds);
   }
   void operator()(const TakeOut& out) {
     if (is_in_) builder_.move(out.what, false, at_);
@@ -194,6 +205,7 @@ class MemoryStore final : public MapStore {
     stored.routes = disk_->routes;
     stored.occupancies = disk_->occupancies;
     stored.robots = disk_->robots;
+    stored.holds = disk_->holds;
     return stored;
   }
 
@@ -290,6 +302,7 @@ class MemoryStore final : public MapStore {
       if (const auto* back = std::get_if<BringBack>(&step.change)) append(changes.brought_back, back->what);
       if (const auto* put = std::get_if<PutLabel>(&step.change)) changes.labels.insert(put->label);
       if (const auto* put = std::get_if<PutApart>(&step.change)) changes.aparts.insert(put->apart);
+      if (const auto* put = std::get_if<PutRule>(&step.change)) changes.rules.insert(put->rule.name);
       const std::vector<Place>* const known = known_anew(step);
       if (known != nullptr) changes.known_anew.insert(changes.known_anew.end(), known->begin(), known->end());
     }

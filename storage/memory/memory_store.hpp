@@ -36,7 +36,7 @@ struct MemoryDisk {
   std::uint64_t content_bytes = 0;
   struct Step {
     Revision revision;
-    std::variant<Batch, Seal, PutPlaces, PutLabel, PutApart, TakeOut, BringBack> change;
+    std::variant<Batch, Seal, PutPlaces, PutLabel, PutApart, PutRule, TakeOut, BringBack> change;
   };
   std::vector<Step> history;           ///< in order of commit
   std::vector<RevisionNote> notes;     ///< of revision 1, 2, ...
@@ -50,6 +50,7 @@ struct MemoryDisk {
   std::map<GoalId, Route> routes;
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
+  std::map<RobotId, std::string> holds;
   std::vector<msg::Event> events;
   std::map<std::string, std::shared_ptr<const Bytes>> preparations;  ///< by methods
 };

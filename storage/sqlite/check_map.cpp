@@ -240,6 +240,34 @@ class LabelCheck final : public MapCheck<LabelRow> {
   }
 };
 
+struct RuleRow {
+  std::string name;
+  std::uint64_t revision = 0;
+  Result<Rule> rule;
+};
+
+/// Checks rules by themselves: places that one names may be deleted for good, it holds on those that are there.
+class RuleCheck final : public MapCheck<RuleRow> {
+ public:
+  using MapCheck::MapCheck;
+
+ private:
+  RuleRow read(const Query& row) override {
+    ++done_;
+    return {row.text(0), row.number(1), decode_guarded(row.blob(2), decode_rule)};
+  }
+  Result<void> look(const RuleRow& row, Findings& findings) override {
+    const std::string name = "rule " + row.name;
+    check_revision(row.revision, name, findings);
+    if (!row.rule) {
+      findings.push_back(name + ": " + row.rule.error().message);
+    } else if (row.rule->name != row.name) {
+      findings.push_back(name + ": the row of another rule");
+    }
+    return {};
+  }
+};
+
 struct ApartRow {
   Apart apart;
   std::uint64_t revision = 0;
@@ -362,6 +390,7 @@ Result<void> add_map_checks(const Parts& parts, CheckParts& to) {
         parts, to, "apart",
         {"one_experience", "one_first", "one_last", "other_experience", "other_first", "other_last", "revision"}, "");
   }
+  if (done) done = add<RuleCheck>(parts, to, "rule", {"name", "revision"}, "row");
   if (done) {
     done = add<MovedPlacesCheck>(parts, to, "moved_places", {"revision", "experience", "first_place", "is_back"},
                                  "last_place");

@@ -223,29 +223,30 @@ class DeletePlacesAnew final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Deletes meanings of a label that have been replaced by a later one in every kept map. From the newest to the
-/// oldest.
-class DeleteLabels final : public CompactPart {
+/// Deletes meanings of a label, or rules of a name, that have been replaced by a later one in every kept map. From
+/// the newest to the oldest.
+class DeleteNamed final : public CompactPart {
  public:
-  DeleteLabels(Scan scan, Statement drop) : scan_(std::move(scan)), drop_(std::move(drop)) {}
+  enum class What : std::uint8_t { labels, rules };
+  DeleteNamed(What what, Scan scan, Statement drop) : what_(what), scan_(std::move(scan)), drop_(std::move(drop)) {}
 
   Result<bool> step(Compaction& compaction) override {
     std::vector<std::pair<std::string, std::uint64_t>> gone;
     const Result<bool> more = scan_.next(kMarkPiece, [&](const Query& row) {
       ++done_;
-      if (!rows_ || label_ != row.text(0)) {
-        label_ = row.text(0);
+      if (!rows_ || name_ != row.text(0)) {
+        name_ = row.text(0);
         rows_.emplace(compaction.retention());
       }
-      if (!rows_->keeps(row.number(1))) gone.emplace_back(label_, row.number(1));
+      if (!rows_->keeps(row.number(1))) gone.emplace_back(name_, row.number(1));
     });
     if (!more) return fail(more.error());
     if (gone.empty()) return more;
     const auto done = compaction.write([&](StoreRow&) -> Result<void> {
-      for (const auto& [label, revision] : gone) {
-        const auto count = run(compaction.parts().database, drop_, std::string_view(label), revision);
+      for (const auto& [name, revision] : gone) {
+        const auto count = run(compaction.parts().database, drop_, std::string_view(name), revision);
         if (!count) return fail(count.error());
-        compaction.deleted.labels += *count;
+        if (what_ == What::labels) compaction.deleted.labels += *count;
       }
       return {};
     });
@@ -255,9 +256,10 @@ class DeleteLabels final : public CompactPart {
   std::uint64_t done() const override { return done_; }
 
  private:
+  What what_;
   Scan scan_;
   Statement drop_;
-  std::string label_;
+  std::string name_;
   std::optional<LatestRetention> rows_;
   std::uint64_t done_ = 0;
 };
@@ -384,6 +386,8 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
       need(database.prepare("DELETE FROM place_anew WHERE experience = ? AND place = ? AND revision = ?"));
   auto labels = need(Scan::make(database, "label", {"label", "revision"}, "", Scan::Order::down));
   auto drop_label = need(database.prepare("DELETE FROM label WHERE label = ? AND revision = ?"));
+  auto rules = need(Scan::make(database, "rule", {"name", "revision"}, "", Scan::Order::down));
+  auto drop_rule = need(database.prepare("DELETE FROM rule WHERE name = ? AND revision = ?"));
   auto drop_apart = need(database.prepare(
       "DELETE FROM apart WHERE one_experience = ? AND one_first = ? AND one_last = ? AND other_experience = ?"
       " AND other_first = ? AND other_last = ? AND revision = ?"));
@@ -395,7 +399,8 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
   to.push_back(std::make_unique<DeleteEdges>(std::move(*edges), std::move(*edge_lookup), std::move(*drop_edge)));
   to.push_back(std::make_unique<DeletePlaces>(std::move(*marks), std::move(*drop_places)));
   to.push_back(std::make_unique<DeletePlacesAnew>(std::move(*anew), std::move(*anew_lookup), std::move(*drop_anew)));
-  to.push_back(std::make_unique<DeleteLabels>(std::move(*labels), std::move(*drop_label)));
+  to.push_back(std::make_unique<DeleteNamed>(DeleteNamed::What::labels, std::move(*labels), std::move(*drop_label)));
+  to.push_back(std::make_unique<DeleteNamed>(DeleteNamed::What::rules, std::move(*rules), std::move(*drop_rule)));
   to.push_back(std::make_unique<DeleteAparts>(std::move(*drop_apart)));
   to.push_back(std::make_unique<DeleteMoves>(std::move(*drop_moved_places), std::move(*drop_moved_stitches)));
   return {};

@@ -145,6 +145,11 @@ Result<RevisionChanges> load_changes(const Database& database, Revision revision
         database, std::string("SELECT ") + kApartColumns + " FROM apart WHERE revision = ?",
         [&](const Query& row) { changes.aparts.insert(apart(row)); }, revision.value);
   }
+  if (done) {
+    done = for_each_row(
+        database, "SELECT name FROM rule WHERE revision = ?",
+        [&](const Query& row) { changes.rules.insert(row.text(0)); }, revision.value);
+  }
   if (!done) return fail(done.error());
   return changes;
 }

@@ -108,6 +108,19 @@ Result<void> load_aparts(const Database& database, const Lineage& lineage, Netwo
                       });
 }
 
+Result<void> load_rules(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  return for_each_row(
+      database, "SELECT name, holds, row, revision FROM rule ORDER BY revision", [&](const Query& row) {
+        if (!lineage.contains(row.number(3))) return;
+        const auto rule = decode_guarded(row.blob(2), decode_rule);
+        if (!rule) {
+          builder.add_damage("rule " + row.text(0) + ": " + rule.error().message + "; lay it down again");
+          return;
+        }
+        builder.add_rule(*rule, row.number(1) != 0);
+      });
+}
+
 Result<void> load_moves(const Database& database, const Scope& scope, const Lineage& lineage,
                         NetworkBuilder& builder) {
   auto done = for_each_row(
@@ -174,6 +187,7 @@ Result<void> load_network(const Database& database, const Scope& scope, const Li
   if (done) done = load_edges(database, scope, lineage, builder);
   if (done) done = load_labels(database, lineage, builder);
   if (done) done = load_aparts(database, lineage, builder);
+  if (done) done = load_rules(database, lineage, builder);
   return done;
 }
 
@@ -225,6 +239,10 @@ Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
   }
   if (done) done = load_occupancies(database, builder, stored);
   if (done) done = load_robots(database, stored);
+  if (done) {
+    done = for_each_row(database, "SELECT robot, who FROM hold",
+                        [&](const Query& row) { stored.holds[row.id<RobotId>(0)] = row.text(1); });
+  }
   if (done) done = load_quarantined_contents(database, builder);
   if (!done) return fail(done.error());
   stored.snapshot = builder.build(revision);

@@ -185,6 +185,16 @@ CREATE TABLE apart (
   holds            INTEGER NOT NULL,
   PRIMARY KEY (one_experience, one_first, one_last, other_experience, other_first, other_last, revision)
 ) WITHOUT ROWID;
+
+CREATE TABLE rule (
+  name     TEXT NOT NULL,
+  revision INTEGER NOT NULL,
+  holds    INTEGER NOT NULL,
+  row      BLOB NOT NULL,
+  PRIMARY KEY (name, revision)
+) WITHOUT ROWID;
+
+CREATE TABLE hold (robot BLOB PRIMARY KEY NOT NULL, who TEXT NOT NULL) WITHOUT ROWID;
 )sql",
 };
 

@@ -41,6 +41,7 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::put_apart,
        "INSERT OR REPLACE INTO apart (one_experience, one_first, one_last, other_experience, other_first, other_last,"
        " revision, holds) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"},
+      {&Statements::put_rule, "INSERT OR REPLACE INTO rule (name, revision, holds, row) VALUES (?, ?, ?, ?)"},
       {&Statements::seal, "UPDATE experience SET sealed = 1, seal_reason = ? WHERE id = ?"},
       {&Statements::put_revision,
        "INSERT INTO revision (id, base, at_ns, kind, who, cause) VALUES (?, ?, ?, ?, ?, ?)"},
@@ -56,6 +57,8 @@ Result<Statements> Statements::prepare(const Database& database) {
        "INSERT OR REPLACE INTO occupancy (robot, first_place, last_place, row) VALUES (?, ?, ?, ?)"},
       {&Statements::free_occupancy, "DELETE FROM occupancy WHERE robot = ?"},
       {&Statements::put_robot, "INSERT OR REPLACE INTO robot (id, name) VALUES (?, ?)"},
+      {&Statements::put_hold, "INSERT OR REPLACE INTO hold (robot, who) VALUES (?, ?)"},
+      {&Statements::free_hold, "DELETE FROM hold WHERE robot = ?"},
       {&Statements::put_event, "INSERT INTO event (at_ns, kind, robot, goal, cause, who) VALUES (?, ?, ?, ?, ?, ?)"},
       {&Statements::put_preparation, "INSERT OR REPLACE INTO preparation (methods, hash, bytes) VALUES (?, ?, ?)"},
       {&Statements::read_preparation, "SELECT hash, bytes FROM preparation WHERE methods = ?"},

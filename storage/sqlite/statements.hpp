@@ -9,9 +9,10 @@ struct Statements {
   Statement read_store, write_store;
   Statement find_experience, find_batch, find_content, read_content;
   Statement find_edge, find_deleted;
-  Statement put_content, put_experience, put_batch, put_place, put_place_anew, put_edge, put_label, put_apart, seal;
+  Statement put_content, put_experience, put_batch, put_place, put_place_anew, put_edge, put_label, put_apart,
+      put_rule, seal;
   Statement put_revision, move_places, move_stitch;
-  Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_event;
+  Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_hold, free_hold, put_event;
   Statement put_preparation, read_preparation;
   Statement quarantine;
   Statement events, events_of_goal, events_of_robot, events_of_both;

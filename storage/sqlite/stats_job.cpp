@@ -31,6 +31,7 @@ std::vector<Table> tables() {
       {"revision", "history", {"id"}, "length(kind) + length(who) + length(cause) + 24"},
       {"label", "history", {"label", "revision"}, "length(label) + 24"},
       {"apart", "history", apart, "64"},
+      {"rule", "history", {"name", "revision"}, "length(name) + length(row) + 16"},
       {"moved_places", "history", {"revision", "experience", "first_place", "is_back"}, "32"},
       {"moved_stitch", "history", stitch, "40"},
       {"deleted_places", "history", {"experience", "first_place"}, "20"},
@@ -39,6 +40,7 @@ std::vector<Table> tables() {
       {"route", "goals", {"goal"}, "length(row) + 20"},
       {"occupancy", "goals", {"robot"}, "length(row) + 24"},
       {"robot", "goals", {"id"}, "length(name) + 20"},
+      {"hold", "goals", {"robot"}, "length(who) + 20"},
       {"preparation", "preparations", {"methods"}, "length(bytes) + 64"},
   };
 }

@@ -56,6 +56,13 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutRule& put) const {
+    const Bytes bytes = guard_row(encode(put.rule));
+    Query query(statements_.put_rule);
+    query << std::string_view(put.rule.name) << row_.revision.value << std::uint64_t{put.holds} << ByteView(bytes);
+    return query.run();
+  }
+
   Result<void> operator()(const SealExperience& seal) const {
     Query query(statements_.seal);
     query << std::string_view(seal.reason) << seal.experience.value;
@@ -96,6 +103,13 @@ class Writer {
   Result<void> operator()(const PutRobot& put) const {
     Query query(statements_.put_robot);
     query << put.robot << std::string_view(put.name);
+    return query.run();
+  }
+
+  Result<void> operator()(const PutHold& put) const {
+    Query query(put.who.empty() ? statements_.free_hold : statements_.put_hold);
+    query << put.robot;
+    if (!put.who.empty()) query << std::string_view(put.who);
     return query.run();
   }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/network/rules.hpp"
+
 namespace weft::storage::sample {
 
 PlaceId RandomHistory::pick(const Snapshot& now) {
@@ -58,12 +60,26 @@ std::optional<RandomHistory::Step> RandomHistory::draw_apart(const Snapshot& now
   return Step{{{PutApart{apart}}, {}}, with_apart(now, apart)};
 }
 
+RandomHistory::Step RandomHistory::draw_rule(const Snapshot& now, const PlaceId& place) {
+  Rule rule;
+  rule.name = "rule" + std::to_string(random_.below(3));
+  if (now.rules().contains(rule.name) && random_.below(2) == 0) {
+    return {{{PutRule{rule, false}}, {}}, without_rule(now, rule.name)};
+  }
+  rule.kind = RuleKind::speed;
+  rule.value = 0.25 * static_cast<double>(1 + random_.below(4));
+  rule.spans = {{place, place}};
+  return {{{PutRule{rule}}, {}}, with_rule(now, rule)};
+}
+
 std::optional<RandomHistory::Step> RandomHistory::draw(const Snapshot& now, Revision oldest) {
   const std::uint64_t kind = random_.below(10);
   const PlaceId some = pick(now);
   if (kind < 5 || !some.experience) return draw_batch(now, some);
-  if (kind == 5 && random_.below(2) == 0) return draw_apart(now, some);
   if (kind == 5) {
+    const std::uint64_t word = random_.below(4);
+    if (word < 2) return draw_apart(now, some);
+    if (word == 2) return draw_rule(now, some);
     const std::string label = "label" + std::to_string(random_.below(3));
     return Step{{{PutLabel{label, some}}, {}}, with_label(now, label, some)};
   }

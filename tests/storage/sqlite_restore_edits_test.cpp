@@ -37,6 +37,7 @@ struct EditedStore {
   sample::Delivery taught = old.next(8);
   Edge stitch = sample::stitch({ExperienceId{0x11}, 2}, {ExperienceId{0x22}, 1});
   Apart apart{{ExperienceId{0x11}, 4, 7}, {ExperienceId{0x22}, 3, 5}};
+  Rule rule{.name = "shut", .spans = {{{ExperienceId{0x11}, 4}, {ExperienceId{0x11}, 7}}}, .label = "dock"};
 };
 
 struct EditKind {
@@ -90,6 +91,12 @@ const std::vector<EditKind>& edit_kinds() {
        [](EditedStore& of) {
          of.commit({{PutApart{of.apart}}});
          of.commit({{PutApart{of.apart, false}}});
+       }},
+      {"Ruled", [](EditedStore& of) { of.commit({{PutRule{of.rule}}}); }},
+      {"RuledNoLonger",
+       [](EditedStore& of) {
+         of.commit({{PutRule{of.rule}}});
+         of.commit({{PutRule{of.rule, false}}});
        }},
       {"Learned", learn_better},
       {"Sealed",
@@ -185,7 +192,7 @@ TEST_F(SqliteRestoreEdits, AnEditedSnapshotOfAnOlderSchemaIsBroughtUpToDateAndRe
                   "INSERT INTO older (revision, experience, first_place, is_back, last_place)"
                   " SELECT revision, experience, first_place, is_back, last_place FROM moved_places;"
                   "DROP TABLE moved_places; ALTER TABLE older RENAME TO moved_places;"
-                  "DROP TABLE apart; PRAGMA user_version = 5"));
+                  "DROP TABLE rule; DROP TABLE hold; DROP TABLE apart; PRAGMA user_version = 5"));
   }
   EXPECT_EQ(restored(file), whole);
 }

@@ -118,6 +118,14 @@ TEST_F(SqliteUpkeep, CheckNamesADamagedStitch) {
 TEST_F(SqliteUpkeep, CheckNamesALabelOfNoPlace) {
   expect_found("UPDATE label SET place = 4000", "label dock");
 }
+TEST_F(SqliteUpkeep, CheckNamesADamagedRule) {
+  commit({{PutRule{{.name = "shut", .label = "dock"}}}});
+  expect_found("UPDATE rule SET row = zeroblob(length(row))", "rule shut");
+}
+TEST_F(SqliteUpkeep, CheckNamesARuleOfAnotherName) {
+  commit({{PutRule{{.name = "shut", .label = "dock"}}}});
+  expect_found("UPDATE rule SET name = 'other'", "rule other: the row of another rule");
+}
 TEST_F(SqliteUpkeep, CheckNamesAMissingBatch) {
   expect_found("DELETE FROM batch WHERE experience = 17 AND sequence = 12", "batch 13 of experience");
 }

@@ -50,10 +50,36 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"resume", "--all"}, Command::resume},
       {{"robot", "clear", "r1"}, Command::robot_clear},
       {{"robot", "clear", "r1", "--yes"}, Command::robot_clear},
+      {{"rule", "add", "x", "--kind", "closed", "--place", "00000000000000a1:3..5"}, Command::rule_add},
+      {{"rule", "list"}, Command::rule_list},
+      {{"rule", "remove", "x"}, Command::rule_remove},
+      {{"edge", "close", "00000000000000a1:3", "00000000000000a1:4", "--both"}, Command::edge_close},
+      {{"edge", "open", "00000000000000a1:3", "00000000000000a1:4"}, Command::edge_open},
+      {{"hold", "r1"}, Command::hold},
+      {{"unhold", "r1"}, Command::unhold},
       {{"doctor"}, Command::doctor},
       {{"calibrate", "camera", "--help"}, Command::calibrate},
   };
   for (const auto& [arguments, command] : all) EXPECT_EQ(good(arguments).command, command) << arguments.front();
+}
+
+TEST(Invocation, KindsOfRulesAreReadWithTheirValues) {
+  const auto kind = [](const std::string& text) {
+    return good({"rule", "add", "x", "--kind", text, "--label", "dock", "--within", "2.5"}).rule;
+  };
+  EXPECT_EQ(kind("speed=0.3").kind, RuleKind::speed);
+  EXPECT_EQ(kind("speed=0.3").value, 0.3);
+  EXPECT_EQ(kind("capacity=2").value, 2.0);
+  EXPECT_EQ(kind("parking").within_m, 2.5);
+  EXPECT_EQ(kind("parking").label, "dock");
+  for (const auto* const text : {"shut", "speed", "speed=", "speed=fast", "closed=1", "speed=0.3m"}) {
+    const auto result = parsed({"rule", "add", "x", "--kind", text, "--label", "dock"});
+    const auto* const not_run = std::get_if<NotRun>(&result);
+    ASSERT_NE(not_run, nullptr) << text;
+    EXPECT_NE(not_run->text.find(std::string("--kind ") + text), std::string::npos) << not_run->text;
+  }
+  EXPECT_EQ(good({"goal", "send", "--to", "dock", "--priority", "7", "--no-return"}).priority, 7U);
+  EXPECT_TRUE(std::holds_alternative<NotRun>(parsed({"goal", "send", "--to", "dock", "--priority", "10"})));
 }
 
 TEST(Invocation, FieldsArriveWhereTheyBelong) {

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/network/network.hpp"
+
+namespace weft {
+
+/// Returns nothing for a rule that fits the map. invalid: a name that breaks the rule for names, a value out of its
+/// kind's bounds, nothing named, one way or one direction without spans. not_found: a span's end or the label is not
+/// in the snapshot, or no edge joins the ends of a span between two runs.
+Result<void> check(const Snapshot& snapshot, const Rule& rule);
+
+/// Tells where a rule holds on one map.
+struct RuleExtent {
+  std::vector<PlaceId> places;  ///< sorted; of every run that covers the floor
+  /// Names neighbouring places, from and to, between which the rule forbids to drive; sorted. Of one_way rules, and
+  /// of those that close one direction.
+  std::vector<Span> forbidden;
+  std::string problem;  ///< what the rule names and the map has not; empty: nothing is missing
+};
+/// Finds where a rule holds; costs what the extent is large, not the map.
+RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule);
+
+/// Return the snapshot with the rule, in the place of one of its name, or without the one of that name; one revision
+/// on.
+Snapshot with_rule(const Snapshot& snapshot, const Rule& rule);
+Snapshot without_rule(const Snapshot& snapshot, const std::string& name);
+
+}  // namespace weft
