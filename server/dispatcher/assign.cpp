@@ -39,7 +39,10 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
     if (goal.wanted && *goal.wanted != id) continue;
     std::string why = not_ready(robot);
     if (why.empty()) {
-      ready.push_back({.robot = id, .at = robot.state->place, .methods = methods_of(robot)});
+      ready.push_back({.robot = id,
+                       .at = robot.state->place,
+                       .methods = methods_of(robot),
+                       .keeps_limits = robot.description->knows_limits});
     } else if (goal.wanted) {
       why_none = std::move(why);
     }
@@ -51,15 +54,26 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
 /// nothing may lead on although its end lies on another run's way.
 FindWay Dispatcher::ways_to(const PlaceId& to, Now now) {
   return [this, to, now](const Candidate& from) {
-    Result<Path> way = routes_.find(from.at, to, from.methods, now.steady);
+    Result<Path> way = routes_.find_allowed(from.at, to, from.methods, from.keeps_limits, now.steady);
     if (way) return way;
     std::vector<PlaceId> beside = places_beside(context_.snapshots.current(), from.at);
     beside.resize(std::min(beside.size(), kStartsTried));
     for (const PlaceId& start : beside) {
-      if (Result<Path> other = routes_.find(start, to, from.methods, now.steady)) return other;
+      Result<Path> other = routes_.find_allowed(start, to, from.methods, from.keeps_limits, now.steady);
+      if (other) return other;
     }
     return way;
   };
+}
+
+/// Returns the goals that nobody has yet, in the order in which they were accepted.
+std::vector<const Goal*> Dispatcher::pending() const {
+  std::vector<const Goal*> waiting;
+  for (const auto& [number, id] : book_.alive()) {
+    const Goal* const goal = book_.find(id);
+    if (goal->state == GoalState::pending) waiting.push_back(goal);
+  }
+  return waiting;
 }
 
 void Dispatcher::assign_waiting(Now now) {
@@ -67,10 +81,10 @@ void Dispatcher::assign_waiting(Now now) {
   if (tried_at_ != revision) tried_.clear();
   tried_at_ = revision;
   Queues queues;
-  const std::map<std::uint64_t, GoalId> alive = book_.alive();
-  for (const auto& [number, id] : alive) {
+  std::vector<GoalId> turns;
+  for (const Goal* const goal : turns_.in_turn(pending(), now.steady)) turns.push_back(goal->id);
+  for (const GoalId& id : turns) {
     const Goal& goal = *book_.find(id);
-    if (goal.state != GoalState::pending) continue;
     std::string why_none = "no robot is idle and knows where it is";
     const std::vector<Candidate> ready = candidates(goal, why_none);
     if (ready.empty()) {
@@ -188,8 +202,11 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   if (context_.snapshots.current().place(state.place) == nullptr) {
     return wait_for(goal, known->name + " stands on a place that was taken out of the map: it looks for itself", now);
   }
-  const Result<Choice> choice =
-      choose({{.robot = robot, .at = state.place, .methods = methods_of(*known)}}, ways_to(goal.to, now));
+  const Result<Choice> choice = choose({{.robot = robot,
+                                         .at = state.place,
+                                         .methods = methods_of(*known),
+                                         .keeps_limits = known->description->knows_limits}},
+                                       ways_to(goal.to, now));
   if (!choice) return wait_for(goal, choice.error().message, now);
   const GoalBook::Step step = {.state = goal.state,
                                .cause = "planned anew for " + known->name + " from " + to_string(state.place) + ", " +
@@ -203,6 +220,7 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   assignment.cut_short = false;
   assignment.is_closed = false;
   assignment.noted_way = {};  // told anew, if it waits again
+  assignment.noted_rule.clear();
   assignment.has_latest_order = false;
   assignment.latest_report.reset();
   assignment.missing_since.reset();

@@ -14,6 +14,7 @@ struct Candidate {
   RobotId robot;
   PlaceId at;
   std::set<std::string> methods;  ///< what it can drive
+  bool keeps_limits = false;
   bool operator==(const Candidate&) const = default;
 };
 

@@ -88,6 +88,7 @@ msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const s
     step.cause = "the map has no label " + request.label + known_labels(snapshot);
   } else {
     goal.to = label->second;
+    goal.priority = std::max(goal.priority, routes_.rules().priority(goal.to));
   }
   if (step.state == GoalState::pending && !request.robot.empty()) {
     const Result<RobotId> wanted = fleet_.by_name(request.robot);

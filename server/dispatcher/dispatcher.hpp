@@ -12,6 +12,7 @@
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
 #include "server/dispatcher/planning.hpp"
+#include "server/dispatcher/turns.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
@@ -92,11 +93,14 @@ class Dispatcher {
     bool look_at_release = true;     ///< it is worth while to ask traffic for more
     Traffic::Way way;                ///< as traffic said last
     Traffic::Way noted_way;          ///< what it waits for, as it was told
+    std::string ruled_by;            ///< the name of the rule that ends its release; empty: none does
+    std::string noted_rule;          ///< the same, as it was told
     std::optional<Now> waits_since;  ///< that it was released no farther
     bool stands_at_end = false;      ///< the robot said so of its latest order
   };
 
   // assign.cpp
+  std::vector<const Goal*> pending() const;
   void assign_waiting(Now now);
   bool assign(const Goal& goal, const Choice& choice, Now now);
   /// Tells why a goal is not given to a robot: the robots have others first or are not ready, or there is no way.
@@ -146,14 +150,17 @@ class Dispatcher {
     Route route;  ///< with the places that are planned
     Traffic::Stops stops;
     Traffic::Way way;
+    std::optional<std::uint32_t> reach;  ///< how far nobody is in the way, of what is not the robot's turn
   };
   void release(const RobotId& robot, RouteAssignment& assignment, Now now);
   std::optional<Piece> next_piece(const RobotId& robot, const Goal& goal, const Route& route, bool told, Now now);
   void name_what_is_beyond(Piece& piece);
+  std::string end_by_rules(const RobotId& robot, std::uint32_t kept, bool told, Piece& piece) const;
   std::optional<Route> led_along(const Goal& goal, const Route& route, bool told, const std::vector<PlaceId>& places,
                                  Now now);
   void grant(const RobotId& robot, RouteAssignment& assignment, const Piece& piece, bool told, Now now);
   std::string why_held(const RobotId& robot) const;
+  bool keeps_limits(const RobotId& robot) const;
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;
   std::string why_it_stands(const Traffic::Way& way) const;
@@ -185,7 +192,9 @@ class Dispatcher {
   std::map<RobotId, RouteAssignment> assignments_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started
+  Turns turns_;
   Revision tried_at_;
+  RuleMap seen_rules_;  ///< as routes under way were checked against them
   bool routes_checked_ = false;
   bool look_again_ = true;
   SteadyTime look_at_;

@@ -225,6 +225,7 @@ bool Dispatcher::has_to_send(const RobotId& robot, const RouteAssignment& assign
 
 void Dispatcher::tick(Now now) {
   if (!std::exchange(routes_checked_, true)) {
+    seen_rules_ = routes_.rules();
     for (auto& [robot, assignment] : assignments_) reroute(robot, assignment, now);
   }
   for (const RobotId& robot : traffic_.take_woken()) {

@@ -34,7 +34,7 @@ void Dispatcher::plan_moves(Now now) {
     if (known.description) footprint_m = std::max(footprint_m, known.description->footprint_radius_m);
   }
   for (const RobotId& robot : traffic_.holding()) requests.push_back(plan_request(robot, now));
-  planning_.plan(context_.snapshots.shared_current(), footprint_m, requests, now.steady);
+  planning_.plan({context_.snapshots.shared_current(), &routes_.rules()}, footprint_m, requests, now.steady);
   for (auto& [robot, assignment] : assignments_) assignment.look_at_release = true;
   for (const PlanRequest& request : requests) {
     const bool can_be_asked = !request.stays && request.handles == 0 && !assignments_.contains(request.robot);
@@ -49,7 +49,7 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   request.held.assign(held.held.places.begin() + held.from, held.held.places.begin() + held.to + 1);
   const Robot* const known = fleet_.find(robot);
   const bool is_described = known != nullptr && known->description;
-  if (is_described) request.methods = methods_of(*known);
+  if (is_described) request.drives = {methods_of(*known), known->description->knows_limits};
   request.avoids = avoided_by(robot, now.steady);
   const std::optional<Stays> stays = this->stays(robot);
   const auto found = assignments_.find(robot);
@@ -119,6 +119,7 @@ void Dispatcher::begin_yield(Route route, std::uint32_t through, Now now) {
   route.places.resize(through + std::size_t{1});
   route.relations.resize(through);
   route.released = through;
+  route.limits = limits_of(routes_.rules(), route.places);
   Goal goal;
   for (std::uint8_t& byte : goal.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
   goal.kind = GoalKind::yield;

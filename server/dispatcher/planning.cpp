@@ -22,8 +22,8 @@ std::optional<Relation> hop(const Snapshot& network, const PlaceId& from, const 
 
 }  // namespace
 
-void Planning::plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
-                    const std::vector<PlanRequest>& requests, SteadyTime now) {
+void Planning::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
+                    SteadyTime now) {
   planner_.plan(network, footprint_m, requests);
   robots_.clear();
   of_.clear();

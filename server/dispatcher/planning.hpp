@@ -24,8 +24,8 @@ class Planning {
   void want() { next_ = {}; }
   /// Asks for another plan soon: a robot is not where the plan has it.
   void want_soon() { next_ = std::min(next_, soonest_); }
-  void plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
-            const std::vector<PlanRequest>& requests, SteadyTime now);
+  void plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
+            SteadyTime now);
 
   /// Returns the robot's number in the plan, if it stands, or will, where the plan has it; none: it is to be planned.
   std::optional<std::uint32_t> number(const RobotId& robot, const PlaceId& end) const;

@@ -26,12 +26,14 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   if (is_all && goal.kind != GoalKind::yield) return;
   if (!std::exchange(assignment.look_at_release, false)) return;
   if (const std::string why = why_held(robot); !why.empty()) return wait_for(goal, why, now);
-  const std::optional<Piece> piece = next_piece(robot, goal, route, told, now);
+  std::optional<Piece> piece = next_piece(robot, goal, route, told, now);
   if (!piece) return;
+  assignment.ruled_by = end_by_rules(robot, told ? route.released : 0, told, *piece);
   if (piece->way.through) {
     grant(robot, assignment, *piece, told, now);
   } else if (told && !is_all) {
-    const std::string reason = why_it_stands(piece->way);
+    const std::string reason = assignment.ruled_by.empty() ? why_it_stands(piece->way)
+                                                           : "waits as rule " + assignment.ruled_by + " keeps it";
     if (route.reason != reason) {
       Route next = route;
       next.reason = reason;
@@ -57,7 +59,7 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
     planning_.want_soon();
     return std::nullopt;
   }
-  Piece piece{.route = route, .stops = {}, .way = {}};
+  Piece piece{.route = route, .stops = {}, .way = {}, .reach = {}};
   std::vector<PlaceId> held = {route.places[kept]};
   if (const storage::PutOccupancy* const holds = traffic_.held(robot); told && holds != nullptr) {
     held.assign(holds->held.places.begin() + holds->from, holds->held.places.begin() + holds->to + 1);
@@ -75,6 +77,7 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
   // Nothing is planned, or others come first: who is in the way is told all the same. A robot that stands within what
   // another one holds may get out of it.
   piece.way = traffic_.way(route, told ? route.released + 1 : 0);
+  piece.reach = piece.way.through;
   const bool is_there = !told && route.places.size() == 1;
   if (!piece.way.is_away && !is_there) piece.way.through.reset();
   if (piece.way.end == Traffic::Way::End::free) {
@@ -109,7 +112,8 @@ std::optional<Route> Dispatcher::led_along(const Goal& goal, const Route& route,
     } else {
       const Robot* const known = fleet_.find(route.robot);
       if (known == nullptr || !known->description) return std::nullopt;
-      const Result<Path> way = routes_.find(places.back(), route.places.back(), methods_of(*known), now.steady);
+      const Result<Path> way = routes_.find_allowed(places.back(), route.places.back(), methods_of(*known),
+                                                    known->description->knows_limits, now.steady);
       if (!way) return std::nullopt;
       tail.assign(way->places.begin() + 1, way->places.end());
     }
@@ -122,11 +126,13 @@ void Dispatcher::grant(const RobotId& robot, RouteAssignment& assignment, const 
   Route next = piece.route;
   const bool is_other_way = next.version != book_.route(assignment.goal)->version;
   next.released = *piece.way.through;
-  next.reason = why_it_stands(piece.way);
+  next.reason = assignment.ruled_by.empty() ? why_it_stands(piece.way)
+                                            : "waits as rule " + assignment.ruled_by + " keeps it";
   if (book_.find(assignment.goal)->kind == GoalKind::yield) {
     next.places.resize(next.released + std::size_t{1});
     next.relations.resize(next.released);
   }
+  if (is_other_way) next.limits = limits_of(routes_.rules(), next.places);
   const std::uint32_t from = told ? traffic_.held(robot)->from : 0;
   const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, from, next.released);
   storage::Transaction transaction;
@@ -194,16 +200,40 @@ std::string Dispatcher::why_it_goes_on(const Traffic::Way& way) const {
 }
 
 void Dispatcher::note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now) {
-  if (assignment.noted_way.ends_alike(way)) return;
+  const std::string& rule = assignment.ruled_by;
+  if (assignment.noted_way.ends_alike(way) && assignment.noted_rule == rule) return;
   const Traffic::Way before = std::exchange(assignment.noted_way, way);
+  const std::string rule_before = std::exchange(assignment.noted_rule, rule);
   const Goal& goal = *book_.find(assignment.goal);
-  const bool waits = way.end != Traffic::Way::End::free;
-  const std::string cause =
-      waits ? fleet_.name_of(robot) + " waits until " + why_it_waits(way) : why_it_goes_on(before);
+  const bool waits = way.end != Traffic::Way::End::free || !rule.empty();
+  const std::string cause = !rule.empty()
+                                ? fleet_.name_of(robot) + " waits until rule " + rule + " lets it on: weft rule list"
+                            : waits                ? fleet_.name_of(robot) + " waits until " + why_it_waits(way)
+                            : !rule_before.empty() ? "rule " + rule_before + " lets it on"
+                                                   : why_it_goes_on(before);
   // Lost only if the store takes nothing; the next change is told again.
   std::ignore = book_.write(
       goal, {.state = goal.state, .cause = cause, .who = "traffic", .kind = waits ? "goal.waits" : "goal.goes_on"},
       std::nullopt, {}, now);
+}
+
+bool Dispatcher::keeps_limits(const RobotId& robot) const {
+  const Robot* const known = fleet_.find(robot);
+  return known != nullptr && known->description && known->description->knows_limits;
+}
+
+/// Ends the piece where rules do, at a stop. Returns the name of the rule that ends it; empty: none does.
+std::string Dispatcher::end_by_rules(const RobotId& robot, std::uint32_t kept, bool told, Piece& piece) const {
+  const std::optional<std::uint32_t> most = piece.way.through ? piece.way.through : piece.reach;
+  const ReleasedByRules ruled = released_by_rules(routes_.rules(), piece.route, kept, most, keeps_limits(robot));
+  if (ruled.rule.empty() || !piece.way.through || piece.way.is_away) return ruled.rule;
+  const std::uint32_t allowed = ruled.through.value_or(kept);
+  const auto beyond = std::upper_bound(piece.stops.begin(), piece.stops.end(), allowed);
+  piece.way.through.reset();
+  if (beyond != piece.stops.begin()) piece.way.through = *std::prev(beyond);
+  // Also who stands off the berths may stand where it does.
+  if (!told && !piece.way.through) piece.way.through = 0;
+  return ruled.rule;
 }
 
 }  // namespace weft::server

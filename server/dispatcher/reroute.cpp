@@ -30,6 +30,11 @@ std::optional<std::uint32_t> first_broken(const Snapshot& snapshot, const Route&
 
 void Dispatcher::network_changed() {
   look_again_ = true;
+  if (routes_.rules() != seen_rules_) {
+    seen_rules_ = routes_.rules();
+    tried_.clear();
+    routes_checked_ = false;
+  }
   const bool any_cut_short =
       std::any_of(assignments_.begin(), assignments_.end(), [](const auto& entry) { return entry.second.cut_short; });
   // What was added may lead on where something was taken away.
@@ -40,10 +45,13 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
   if (assignment.ending || assignment.recalled || assignment.route_lost) return;
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
-  const std::optional<std::uint32_t> broken =
+  std::optional<std::uint32_t> broken =
       first_broken(context_.snapshots.current(), route, told ? traffic_.held(robot)->from : 0);
+  // What is released stays so whatever rules say: who is inside may leave.
+  if (!broken) broken = first_barred(routes_.rules(), route, told ? route.released : 0, keeps_limits(robot));
   if (!broken) {
-    if (std::exchange(assignment.cut_short, false)) assignment.look_at_release = true;
+    const bool was_cut_short = std::exchange(assignment.cut_short, false);
+    if (was_cut_short || !assignment.ruled_by.empty()) assignment.look_at_release = true;
     return;
   }
   if (!told) {
@@ -63,8 +71,11 @@ void Dispatcher::replan_ahead(const RobotId& robot, RouteAssignment& assignment,
   const Robot* const known = fleet_.find(robot);
   if (known == nullptr || !known->description)
     return cut_off(robot, assignment, "its robot has not been heard yet", now);
-  const Result<Choice> choice = choose(
-      {{.robot = robot, .at = route.places[route.released], .methods = methods_of(*known)}}, ways_to(goal.to, now));
+  const Result<Choice> choice = choose({{.robot = robot,
+                                         .at = route.places[route.released],
+                                         .methods = methods_of(*known),
+                                         .keeps_limits = known->description->knows_limits}},
+                                       ways_to(goal.to, now));
   if (!choice) return cut_off(robot, assignment, choice.error().message, now);
   Route next = route;
   const auto kept = static_cast<std::ptrdiff_t>(route.released);

@@ -22,6 +22,8 @@ std::string is_what(Stays stays) {
       return "is stopped";
     case Stays::held:
       return "is held";
+    case Stays::ruled:
+      return "is kept from going on by a rule";
     case Stays::lost:
       return "does not know where it is";
     case Stays::faulted:
@@ -40,6 +42,8 @@ std::string what_helps(Stays stays, const std::string& name) {
       return "send it elsewhere: weft goal send --to LABEL --robot " + name;
     case Stays::paused:
       return "weft resume " + name;
+    case Stays::ruled:
+      return "see weft goal why " + name + " for the rule; weft rule remove RULE lets it on";
     case Stays::held:
       return "weft unhold " + name;
     case Stays::lost:

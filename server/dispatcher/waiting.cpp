@@ -8,17 +8,29 @@ std::vector<Wait> Dispatcher::waits() {
   std::vector<Wait> all;
   for (const auto& [robot, assignment] : assignments_) {
     const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost || assignment.cut_short;
-    if (is_over || assignment.way.end == Traffic::Way::End::free || !assignment.waits_since) continue;
+    const bool is_let_on = assignment.way.end == Traffic::Way::End::free && assignment.ruled_by.empty();
+    if (is_over || is_let_on || !assignment.waits_since) continue;
     if (book_.find(assignment.goal)->state == GoalState::paused) continue;
     const Route& route = *book_.route(assignment.goal);
     const bool told = is_told(robot, route);
     const bool drives = told && (!assignment.stands_at_end || route.released + 1 == route.places.size());
     if (drives) continue;
+    if (!assignment.ruled_by.empty()) {
+      const std::uint32_t next = told ? route.released + 1 : 1;
+      all.push_back({.robot = robot,
+                     .at = route.places[next - 1],
+                     .needs = next < route.places.size() ? route.places[next] : PlaceId{},
+                     .held_by = {},
+                     .since = *assignment.waits_since,
+                     .rule = assignment.ruled_by});
+      continue;
+    }
     Wait wait{.robot = robot,
               .at = route.places[told ? route.released : 0],
               .needs = assignment.way.needs.place,
               .held_by = traffic_.holders_of(robot, assignment.way),
-              .since = *assignment.waits_since};
+              .since = *assignment.waits_since,
+              .rule = {}};
     const bool is_for_robots =
         assignment.way.end == Traffic::Way::End::held || assignment.way.end == Traffic::Way::End::turn;
     const bool is_free = is_for_robots && wait.held_by.empty();
@@ -45,6 +57,7 @@ std::optional<Stays> Dispatcher::stays(const RobotId& robot) const {
   if (assignment.ending) return std::nullopt;
   if (book_.find(assignment.goal)->state == GoalState::paused) return Stays::paused;
   if (assignment.cut_short || assignment.route_lost) return Stays::no_way;
+  if (!assignment.ruled_by.empty() && assignment.stands_at_end) return Stays::ruled;
   return std::nullopt;
 }
 

@@ -103,7 +103,7 @@ Answers::Parts Answers::robots(SteadyTime now) const {
                   .needs = wait->needs,
                   .held_by = {wait->held_by.begin(), wait->held_by.end()},
                   .since = wait->since.wall,
-                  .rule = {}};
+                  .rule = wait->rule};
     }
     row.standstill = clipped(standstills_.text_of(id));
     row.held_by = robot.held_by;

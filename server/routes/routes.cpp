@@ -68,6 +68,23 @@ Result<Path> Routes::find(const PlaceId& from, const PlaceId& to, const std::set
   return *std::move(*path);
 }
 
+const RuleMap& Routes::rules() {
+  const Snapshot& snapshot = context_.snapshots.current();
+  if (rules_of_ == snapshot.revision()) return rules_;
+  rules_of_ = snapshot.revision();
+  if (!snapshot.rules().empty() || !rules_.empty()) rules_ = RuleMap(snapshot);
+  return rules_;
+}
+
+Result<Path> Routes::find_allowed(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods,
+                                  bool keeps_limits, SteadyTime now) {
+  Result<Path> free = find(from, to, methods, now);
+  const Passage passage{.begins = from, .keeps_limits = keeps_limits};
+  // Rules make ways longer and never shorter: the best of all is the best of those that are left, if it is one.
+  if (!free || is_free(rules(), *free, passage)) return free;
+  return shortest_path(context_.snapshots.current(), rules(), from, to, methods, passage);
+}
+
 Error Routes::no_way(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now) {
   const Snapshot& snapshot = context_.snapshots.current();
   const Key key{to, methods};

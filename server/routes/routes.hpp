@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/network/routing/routing.hpp"
+#include "core/network/rule_map.hpp"
 #include "server/base/context.hpp"
 
 namespace weft::server {
@@ -24,6 +25,11 @@ class Routes {
   /// Finds a route as `weft::shortest_path`, of equally long ones any. Where there is no way the words are those of
   /// an earlier look at the same goal, when that was not long ago: they cost a search of everything.
   Result<Path> find(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now);
+  /// Finds one that rules let a robot drive, which begins at `from`. not_found: there is none; names the rule.
+  Result<Path> find_allowed(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods,
+                            bool keeps_limits, SteadyTime now);
+  /// Returns what the rules of the map come to, as it is.
+  const RuleMap& rules();
 
   /// Does one bounded piece of work, if there is any.
   void tick(Now now);
@@ -63,6 +69,8 @@ class Routes {
   Context& context_;
   std::map<std::set<std::string>, Prepared> prepared_;
   std::map<Key, Words> words_;
+  RuleMap rules_;
+  Revision rules_of_;
   Revision seen_;
   SteadyTime seen_at_;  ///< the first time
 };

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "core/ids.hpp"
@@ -18,6 +19,7 @@ struct Wait {
   PlaceId needs;  ///< the first place that it cannot have; none: its wait is not for a place
   std::set<RobotId> held_by;
   Now since;
+  std::string rule{};  ///< the name of the one that keeps it from there; empty: none does
 };
 
 /// Tells why a robot will not move by itself.
@@ -29,6 +31,7 @@ enum class Stays : std::uint8_t {
   silent,   ///< it is not heard
   no_way,   ///< it has a goal and no route there
   held,     ///< an operator holds it
+  ruled,    ///< a rule keeps it from going on
 };
 
 /// Names robots that wait and will not go on: those of a cycle, or one that will not move, and who waits for them.

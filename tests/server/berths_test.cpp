@@ -22,8 +22,8 @@ struct BerthsTest : testing::Test {
   void follow() {
     proximity.emplace(proximity_of(site.network()));
     berths.emplace(*proximity);
-    berths->follow(shared(site.network()), kFootprint_m);
-    methods = berths->methods(kFloor);
+    berths->follow({shared(site.network()), &no_rules}, kFootprint_m);
+    methods = berths->methods({kFloor, true});
   }
   std::vector<PlaceId> ends(const PlaceId& from) {
     std::vector<PlaceId> all;
@@ -33,6 +33,7 @@ struct BerthsTest : testing::Test {
 
   SurveyedSite site{1};
   std::optional<Proximity> proximity;
+  const RuleMap no_rules;
   std::optional<Berths> berths;
   std::uint32_t methods = 0;
 };
@@ -83,7 +84,7 @@ TEST_F(BerthsTest, RunsOverOneFloorAreBesideEachOther) {
 TEST_F(BerthsTest, WhoDrivesOtherMethodsHasNoWay) {
   const std::uint64_t run = site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
   follow();
-  const std::uint32_t others = berths->methods({"marks"});
+  const std::uint32_t others = berths->methods({{"marks"}, true});
   EXPECT_NE(others, methods);
   EXPECT_THAT(berths->next(berths->at(SurveyedSite::place(run, 5)), others), IsEmpty());
 }
@@ -91,7 +92,7 @@ TEST_F(BerthsTest, WhoDrivesOtherMethodsHasNoWay) {
 TEST_F(BerthsTest, NothingIsMadeAnewWhileTheMapIsTheSame) {
   site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
   follow();
-  const auto network = shared(site.network());
+  const RuledNetwork network{shared(site.network()), &no_rules};
   EXPECT_TRUE(berths->follow(network, kFootprint_m));
   EXPECT_FALSE(berths->follow(network, kFootprint_m));
   EXPECT_TRUE(berths->follow(network, kFootprint_m + 0.1));

@@ -14,12 +14,13 @@ constexpr double kLongestSlack_m = 5.0;
 
 }  // namespace
 
-bool Berths::follow(std::shared_ptr<const Snapshot> network, double footprint_m) {
-  const bool is_same = network_ != nullptr && network_ == network && footprint_m_ == footprint_m &&
+bool Berths::follow(const RuledNetwork& network, double footprint_m) {
+  rules_ = network.rules;
+  const bool is_same = network_ != nullptr && network_ == network.network && footprint_m_ == footprint_m &&
                        laid_moves_ == proximity_.layout().moves() && laid_ == proximity_.layout().laid();
   if (is_same) return false;
   if (footprint_m_ != footprint_m) runs_.clear();
-  network_ = std::move(network);
+  network_ = network.network;
   footprint_m_ = footprint_m;
   laid_moves_ = proximity_.layout().moves();
   laid_ = proximity_.layout().laid();
@@ -33,10 +34,10 @@ bool Berths::follow(std::shared_ptr<const Snapshot> network, double footprint_m)
   return true;
 }
 
-std::uint32_t Berths::methods(const std::set<std::string>& methods) {
+std::uint32_t Berths::methods(const Drives& drives) {
   const auto number =
-      static_cast<std::uint32_t>(std::find(methods_.begin(), methods_.end(), methods) - methods_.begin());
-  if (number == methods_.size()) methods_.push_back(methods);
+      static_cast<std::uint32_t>(std::find(methods_.begin(), methods_.end(), drives) - methods_.begin());
+  if (number == methods_.size()) methods_.push_back(drives);
   return number;
 }
 
@@ -193,6 +194,14 @@ const std::vector<PlaceId>& Berths::way(Berth from, const BerthArc& arc, std::ui
   return known.ways[static_cast<std::size_t>(&arc - known.next.data())];
 }
 
+/// Returns what can be driven by who stands at that berth.
+Drivables Berths::ruled(Berth berth, std::uint32_t methods) const {
+  return {.network = *network_,
+          .rules = *rules_,
+          .methods = methods_[methods].methods,
+          .passage = {.begins = place(berth), .keeps_limits = methods_[methods].keeps_limits}};
+}
+
 /// Returns whether who stands at the berth stands at that cut, too: no drive ends there.
 bool Berths::is_beside(Berth berth, const PlaceId& cut) {
   const std::vector<Berth>& all = beside(berth);
@@ -206,7 +215,7 @@ const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
     if (is_cut(place)) return is_beside(from, place) ? Stop::on_the_way : Stop::end;
     return numbers_.contains(place) ? Stop::on_the_way : Stop::none;
   };
-  for (Drive& drive : drives(*network_, place(from), methods_[methods], Heading::onward, stops)) {
+  for (Drive& drive : drives(ruled(from, methods), place(from), Heading::onward, stops)) {
     std::set<Berth> touched;
     for (const PlaceId& place : drive.places) {
       const LocatedPlace here = locate(place);
@@ -238,7 +247,7 @@ const std::vector<BerthGraph::Before>& Berths::before(Berth to, std::uint32_t me
     if (!is_cut(place)) return Stop::none;
     return is_beside(to, place) ? Stop::on_the_way : Stop::end;
   };
-  for (const Drive& drive : drives(*network_, place(to), methods_[methods], Heading::backward, stops)) {
+  for (const Drive& drive : drives(ruled(to, methods), place(to), Heading::backward, stops)) {
     known.before.push_back({number(drive.to, true), drive.length_m});
   }
   return known.before;

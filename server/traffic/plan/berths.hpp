@@ -9,11 +9,25 @@
 #include <tuple>
 #include <vector>
 
+#include "core/network/rule_map.hpp"
 #include "server/traffic/plan/berth_graph.hpp"
 #include "server/traffic/plan/drives.hpp"
 #include "server/traffic/proximity.hpp"
 
 namespace weft::server {
+
+/// Is the network with the rules on it, which live as long as what follows them.
+struct RuledNetwork {
+  std::shared_ptr<const Snapshot> network;
+  const RuleMap* rules = nullptr;
+};
+
+/// Says what a robot can drive.
+struct Drives {
+  std::set<std::string> methods;
+  bool keeps_limits = false;
+  bool operator==(const Drives&) const = default;
+};
 
 /// Makes berths of the network: each run is cut where robots can stand one behind another, and the places at which
 /// robots stand or want to stand besides are berths of their own. What can be touched is decided as for leases, by
@@ -23,9 +37,9 @@ class Berths final : public BerthGraph {
   explicit Berths(Proximity& proximity) : proximity_(proximity) {}
 
   /// Follows the map and the size of robots: numbers that were given mean nothing any more when this returns true.
-  bool follow(std::shared_ptr<const Snapshot> network, double footprint_m);
-  /// Numbers a set of methods.
-  std::uint32_t methods(const std::set<std::string>& methods);
+  bool follow(const RuledNetwork& network, double footprint_m);
+  /// Numbers a way of driving.
+  std::uint32_t methods(const Drives& drives);
   /// Numbers a place; one that is no cut becomes a berth of its own. Not to be called while a plan is made.
   Berth at(const PlaceId& place);
   const PlaceId& place(Berth berth) const { return berths_[berth].located.touched.place; }
@@ -67,6 +81,7 @@ class Berths final : public BerthGraph {
   double reach_m(const PlaceId& place) const;
   LocatedPlace locate(const PlaceId& place);
   Berth number(const PlaceId& place, bool is_cut);
+  Drivables ruled(Berth berth, std::uint32_t methods) const;
   bool is_beside(Berth berth, const PlaceId& cut);
   Berth middle(const PlaceId& place);
   using Cells = std::map<Cell, std::vector<PlaceId>>;
@@ -79,6 +94,7 @@ class Berths final : public BerthGraph {
 
   Proximity& proximity_;
   std::shared_ptr<const Snapshot> network_;
+  const RuleMap* rules_ = nullptr;
   double footprint_m_ = 0.0;
   std::uint64_t laid_moves_ = 0;
   std::uint64_t laid_ = 0;
@@ -88,7 +104,7 @@ class Berths final : public BerthGraph {
   std::map<PlaceId, Berth> numbers_;
   std::map<PlaceId, Berth> middles_;
   std::deque<Known> berths_;
-  std::vector<std::set<std::string>> methods_;
+  std::vector<Drives> methods_;
   std::map<PlaceId, LocatedPlace> located_;
 };
 

@@ -29,8 +29,8 @@ std::vector<PlaceId> way_to(const std::map<PlaceId, PlaceId>& before, const Plac
 
 }  // namespace
 
-std::vector<Drive> drives(const Snapshot& network, const PlaceId& from, const std::set<std::string>& methods,
-                          Heading heading, const std::function<Stop(const PlaceId&)>& stops) {
+std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Heading heading,
+                          const std::function<Stop(const PlaceId&)>& stops) {
   std::vector<Drive> found;
   std::map<PlaceId, PlaceId> before;
   std::priority_queue<Open> open;
@@ -42,10 +42,12 @@ std::vector<Drive> drives(const Snapshot& network, const PlaceId& from, const st
     const Stop stop = here.place == from ? Stop::none : stops(here.place);
     if (stop != Stop::none) found.push_back({here.place, here.length_m, way_to(before, from, here.place)});
     if (stop == Stop::end || here.length_m > kFarthest_m) continue;
-    network.for_each_edge(here.place, [&](const Edge& edge) {
+    drivables.network.for_each_edge(here.place, [&](const Edge& edge) {
       const PlaceId there = other_end(edge, here.place);
       const PlaceId& leaves = heading == Heading::onward ? here.place : there;
-      if (!can_drive(edge, leaves) || !methods.contains(edge.method) || before.contains(there)) return;
+      const PlaceId& enters = heading == Heading::onward ? there : here.place;
+      if (!can_drive(edge, leaves) || !drivables.methods.contains(edge.method) || before.contains(there)) return;
+      if (drivables.rules.barrier(leaves, enters, drivables.passage) != nullptr) return;
       open.push({here.length_m + norm(edge.a_from_b), there, here.place});
     });
   }

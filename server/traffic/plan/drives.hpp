@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/network/network.hpp"
+#include "core/network/rule_map.hpp"
 #include "core/network/search.hpp"
 
 namespace weft::server {
@@ -21,10 +22,17 @@ enum class Heading : std::uint8_t { onward, backward };
 /// Says what a place is to a search: nothing, where one can stop and drive on, or where every way ends.
 enum class Stop : std::uint8_t { none, on_the_way, end };
 
-/// Searches from a place along edges that one of `methods` drives, onward or backward, and no farther than to the
-/// first places at which every way ends. Lengths are norms of relations, as those
+/// Says which edges can be driven.
+struct Drivables {
+  const Snapshot& network;
+  const RuleMap& rules;
+  const std::set<std::string>& methods;
+  Passage passage;
+};
+
+/// Searches from a place along edges that can be driven, onward or backward, and no farther than to the first places at which every way ends. Lengths are norms of relations, as those
 /// of routes. In order of their lengths, ties by place; of a backward search `places` are given from `from` on, too.
-std::vector<Drive> drives(const Snapshot& network, const PlaceId& from, const std::set<std::string>& methods,
-                          Heading heading, const std::function<Stop(const PlaceId&)>& stops);
+std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Heading heading,
+                          const std::function<Stop(const PlaceId&)>& stops);
 
 }  // namespace weft::server

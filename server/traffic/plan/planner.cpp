@@ -19,8 +19,7 @@ constexpr std::uint32_t kBerthsAheadAlone = 8;
 
 }  // namespace
 
-void Planner::plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
-                   const std::vector<PlanRequest>& requests) {
+void Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests) {
   order_ = {};
   if (berths_.follow(network, footprint_m)) {
     distances_.clear();
@@ -69,7 +68,7 @@ PlanRobot Planner::robot_of(const PlanRequest& request) {
   for (std::size_t i = 0; i + 1 < request.held.size(); ++i) {
     if (berths_.is_cut(request.held[i])) robot.behind.push_back(berths_.at(request.held[i]));
   }
-  robot.methods = berths_.methods(request.methods);
+  robot.methods = berths_.methods(request.drives);
   robot.stays = request.stays;
   for (const PlaceId& place : request.avoids) {
     if (berths_.has(place) && berths_.is_cut(place)) robot.avoids.push_back(berths_.at(place));

@@ -21,7 +21,7 @@ struct PlanRequest {
   std::vector<PlaceId> held;    ///< what it was released and has not left, in order; it stands at the last one then
   std::optional<PlaceId> goal;  ///< none: it makes way if it is asked to
   std::vector<PlaceId> ahead;   ///< its way to the goal beyond what is held, as it was found last
-  std::set<std::string> methods;
+  Drives drives;
   std::set<PlaceId> avoids;      ///< it could not drive there
   bool stays = false;            ///< it does not move, and cannot be asked to
   bool stands_for_long = false;  ///< others are led round it
@@ -43,8 +43,7 @@ class Planner {
 
   /// Plans anew for all of them; `footprint_m` is that of the largest. Robots that stand where the map has no place
   /// are left out. The robots' numbers, below, are those of the requests.
-  void plan(const std::shared_ptr<const Snapshot>& network, double footprint_m,
-            const std::vector<PlanRequest>& requests);
+  void plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests);
   /// Returns the robot's planned moves from `first` to before `last`.
   PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`

@@ -32,7 +32,7 @@ class Ours final : public Policy {
   void plan() {
     std::vector<server::PlanRequest> requests;
     for (std::size_t i = 0; i < leased_.ways().size(); ++i) requests.push_back(request(i));
-    planner_.plan(leased_.network(), kRadius_m, requests);
+    planner_.plan({leased_.network(), &no_rules_}, kRadius_m, requests);
     is_blocked_.assign(requests.size(), false);
     release_all();
   }
@@ -49,7 +49,7 @@ class Ours final : public Policy {
     const Robot& mine = fleet_.robots()[robot];
     server::PlanRequest request;
     request.robot = fleet_robot_id(robot);
-    request.methods = {"marks"};
+    request.drives = {{"marks"}, true};
     request.handles = static_cast<std::uint32_t>(mine.handles);
     request.waits_s = kStep_s * (fleet_.now() - mine.asked_at);
     const storage::PutOccupancy& held = *leased_.traffic().held(request.robot);
@@ -102,6 +102,7 @@ class Ours final : public Policy {
 
   Fleet& fleet_;
   Leased leased_;
+  const RuleMap no_rules_;
   server::Planner planner_;
   std::vector<bool> is_blocked_;  ///< by what others hold, until something of that is freed
 };
