@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 
+#include "agents/agent/safety_stop.hpp"
 #include "agents/perception/motion.hpp"
 
 namespace weft::agents {
@@ -15,10 +16,13 @@ struct Condition {
   bool lost = false;
   bool stopped = false;  ///< by an operator
   std::string fault;     ///< of the body; empty: none
+  SafetyStop safety;     ///< of the base
 
   bool is_faulted() const { return !fault.empty(); }
   /// Returns the navigator's command, or none for a robot that has to stand.
-  Twist allowed_command() const { return stopped || lost || is_faulted() ? Twist{} : command; }
+  Twist allowed_command() const { return is_kept_standing() || lost || is_faulted() ? Twist{} : command; }
+  /// Returns whether an operator or the base's safety keeps the robot from driving.
+  bool is_kept_standing() const { return stopped || safety.keeps_from_driving(); }
 };
 
 }  // namespace weft::agents

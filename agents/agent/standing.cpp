@@ -6,6 +6,7 @@ namespace {
 constexpr const char* kStoppedByOperator = "stopped by an operator";
 
 std::string reason_of_waiting(const Standing& standing) {
+  if (!standing.safety.empty()) return standing.safety;
   if (!standing.route_waits_for.empty()) return standing.route_waits_for;
   const std::string& given = standing.task.route()->reason;
   return given.empty() ? standing.condition.stands_for : given;
@@ -22,7 +23,7 @@ msg::RobotMode mode_of(const Standing& standing) {
   const Condition& condition = standing.condition;
   if (condition.is_faulted()) return msg::RobotMode::faulted;
   if (standing.taught.has_value()) return msg::RobotMode::teaching;
-  if (condition.stopped) return msg::RobotMode::stopped;
+  if (condition.stopped || condition.safety.holds()) return msg::RobotMode::stopped;
   if (condition.lost) return msg::RobotMode::lost;
   if (!standing.task.route().has_value() || standing.task.arrived()) return msg::RobotMode::idle;
   return standing.task.phase() == msg::RoutePhase::driving ? msg::RobotMode::driving : msg::RobotMode::waiting;
@@ -36,7 +37,7 @@ std::string reason_of(const Standing& standing) {
     case msg::RobotMode::teaching:
       return standing.condition.stopped ? std::string(kStoppedByOperator) : *standing.taught;
     case msg::RobotMode::stopped:
-      return kStoppedByOperator;
+      return standing.safety.empty() ? std::string(kStoppedByOperator) : standing.safety;
     case msg::RobotMode::lost:
       return standing.condition.stands_for;
     case msg::RobotMode::waiting:

@@ -18,6 +18,7 @@ struct Standing {
   std::string searches;                 ///< how it looks for itself; empty: it does not
   const std::string& route_waits_for;   ///< why its route is not followed yet
   std::string notice;                   ///< of what people should look at
+  std::string safety{};                 ///< how its base's safety keeps it from driving; empty: it does not
 };
 
 msg::RobotMode mode_of(const Standing& standing);

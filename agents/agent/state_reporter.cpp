@@ -60,6 +60,7 @@ msg::RobotDescription description_of(const AgentConfig& config, const std::vecto
   description.footprint_radius_m = config.footprint_radius_m;
   description.can_be_taught_along = config.can_be_taught_along;
   description.cameras = config.cameras;
+  description.knows_limits = true;
   return description;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/control/spline.hpp"
+#include "agents/navigation/route_limit.hpp"
 #include "agents/navigation/speed_limit.hpp"
 
 namespace weft::agents {
@@ -168,10 +169,14 @@ Follower::Drive Follower::look(const Seen& seen) {
   }
   fill(drive.navigated);
   drive.navigated.following = Following::driving;
+  const double sure_m_s = speed_limit(config_.follow, *seen.estimate);
+  const double limit_m_s =
+      route_limit(*route_, around, *at_, config_.follow.footprint_radius_m, config_.tracker.speed.deceleration_m_s2)
+          .value_or(sure_m_s);
   drive.along = Ahead{std::move(ahead.robot_from_path),
                       0.0,
                       ahead.reaches_end && ends_at_goal(*route_),
-                      speed_limit(config_.follow, *seen.estimate),
+                      std::min(sure_m_s, limit_m_s),
                       seen.speed_m_s,
                       !std::holds_alternative<AlongPath>(seen.estimate->place_from_robot),
                       seen.elapsed};

@@ -6,6 +6,7 @@
 
 #include "agents/perception/motion.hpp"
 #include "agents/perception/view.hpp"
+#include "core/safety.hpp"
 #include "core/time.hpp"
 
 namespace weft::agents {
@@ -14,10 +15,11 @@ namespace weft::agents {
 struct Sample {
   std::uint64_t frame = 0;
   SensorTime time{};
-  std::vector<View> views;  ///< none: no sensor was due, or its frame was dropped
-  Motion motion;            ///< since the last sample
-  bool hand = false;        ///< someone else drives (teaching): `motion.command` is his
-  bool hand_done = false;   ///< the hand has reached the end of what it was asked to drive
+  std::vector<View> views;     ///< none: no sensor was due, or its frame was dropped
+  Motion motion;               ///< since the last sample
+  bool hand = false;           ///< someone else drives (teaching): `motion.command` is his
+  bool hand_done = false;      ///< the hand has reached the end of what it was asked to drive
+  Safety safety = Safety::ok;  ///< as the base's own rated functions say
 
   /// Returns the view of that sensor; null: it has none. "" is whichever sensor fired first, for bodies that have
   /// one.

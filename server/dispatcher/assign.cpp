@@ -146,6 +146,7 @@ Route Dispatcher::route_of(const Goal& goal, const Choice& choice) {
   route.robot = choice.robot;
   route.places = choice.path.places;
   route.relations = choice.path.relations;
+  route.limits = limits_of(routes_.rules(), route.places);
   return route;
 }
 

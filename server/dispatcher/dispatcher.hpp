@@ -131,6 +131,9 @@ class Dispatcher {
   // reroute.cpp
   void reroute(const RobotId& robot, RouteAssignment& assignment, Now now);
   void replan_ahead(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void limit_anew(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void put_version(const RobotId& robot, RouteAssignment& assignment, const Route& next, const GoalBook::Step& step,
+                   Now now);
   void cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
   void recall(const RobotId& robot, RouteAssignment& assignment, Now now);
 

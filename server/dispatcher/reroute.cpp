@@ -52,6 +52,9 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
   if (!broken) {
     const bool was_cut_short = std::exchange(assignment.cut_short, false);
     if (was_cut_short || !assignment.ruled_by.empty()) assignment.look_at_release = true;
+    const bool is_limited_anew = limits_of(routes_.rules(), route.places) != route.limits;
+    if (is_limited_anew && told) limit_anew(robot, assignment, now);
+    if (is_limited_anew && !told) assignment.route_lost = true;
     return;
   }
   if (!told) {
@@ -86,15 +89,36 @@ void Dispatcher::replan_ahead(const RobotId& robot, RouteAssignment& assignment,
   next.relations.erase(next.relations.begin() + kept, next.relations.end());
   next.places.insert(next.places.end(), choice->path.places.begin(), choice->path.places.end());
   next.relations.insert(next.relations.end(), choice->path.relations.begin(), choice->path.relations.end());
-  const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, traffic_.held(robot)->from, route.released);
-  storage::Transaction transaction;
-  for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
+  next.limits = limits_of(routes_.rules(), next.places);
   const GoalBook::Step step = {.state = goal.state,
                                .cause = "the map was changed ahead of " + known->name + ": it goes on from " +
                                         to_string(route.places[route.released]) + " another way",
                                .who = "dispatcher",
                                .kind = "goal.planned_anew"};
-  if (!book_.write(goal, step, next, std::move(transaction), now)) {
+  put_version(robot, assignment, next, step, now);
+}
+
+/// Tells the robot which speed limits hold along its route now: as its next version, which it answers to.
+void Dispatcher::limit_anew(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  const Goal& goal = *book_.find(assignment.goal);
+  Route next = *book_.route(assignment.goal);
+  next.limits = limits_of(routes_.rules(), next.places);
+  next.version += 1;
+  next.made_of = context_.snapshots.current().revision();
+  const GoalBook::Step step = {.state = goal.state,
+                               .cause = "other speed limits hold on the way of " + fleet_.name_of(robot),
+                               .who = "dispatcher",
+                               .kind = "goal.limited_anew"};
+  put_version(robot, assignment, next, step, now);
+}
+
+/// Gives the robot the next version of its route, which begins with all that was released, and holds that under it.
+void Dispatcher::put_version(const RobotId& robot, RouteAssignment& assignment, const Route& next,
+                             const GoalBook::Step& step, Now now) {
+  const std::vector<storage::PutOccupancy> claims = traffic_.claim(next, traffic_.held(robot)->from, next.released);
+  storage::Transaction transaction;
+  for (const storage::PutOccupancy& claim : claims) transaction.changes.emplace_back(claim);
+  if (!book_.write(*book_.find(assignment.goal), step, next, std::move(transaction), now)) {
     routes_checked_ = false;  // the store takes nothing now; nothing more of the old one is released meanwhile
     assignment.cut_short = true;
     return;

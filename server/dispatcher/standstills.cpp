@@ -20,6 +20,8 @@ std::string is_what(Stays stays) {
       return "is idle";
     case Stays::paused:
       return "is stopped";
+    case Stays::stopped:
+      return "is stopped by its base";
     case Stays::held:
       return "is held";
     case Stays::ruled:
@@ -44,6 +46,8 @@ std::string what_helps(Stays stays, const std::string& name) {
       return "weft resume " + name;
     case Stays::ruled:
       return "see weft goal why " + name + " for the rule; weft rule remove RULE lets it on";
+    case Stays::stopped:
+      return "look what stops it; after an emergency stop weft resume " + name;
     case Stays::held:
       return "weft unhold " + name;
     case Stays::lost:

@@ -45,6 +45,7 @@ std::optional<Stays> Dispatcher::stays(const RobotId& robot) const {
   if (known->incarnations.twins()) return Stays::paused;
   const msg::RobotState& state = *known->state;
   if (state.mode == msg::RobotMode::teaching) return std::nullopt;
+  if (is_stop(state.safety)) return Stays::stopped;
   if (!known->held_by.empty()) return Stays::held;
   if (state.mode == msg::RobotMode::faulted) return Stays::faulted;
   if (state.mode == msg::RobotMode::lost || !state.localised) return Stays::lost;

@@ -92,6 +92,7 @@ class OperatorRequests {
   std::string label_moves(const std::string& label, const PlaceId& place) const;
   Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
+  bool is_said_before_answer(const msg::RobotState& state) const;
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
   void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
 
@@ -112,6 +113,7 @@ class OperatorRequests {
   std::map<Key, GroupCommand> group_commands_;
   std::map<std::uint64_t, Key> asked_for_;          ///< by command
   std::map<Key, std::string> asked_by_;             ///< names, of those that wait for a kept place
+  std::map<RobotId, msg::Header> answered_;         ///< of the last answer to a command
   std::map<RobotId, std::string> unstored_stops_;   ///< who asked; the goal is still to be paused
   std::map<PlaceId, PendingLabel> pending_labels_;  ///< places that were kept and have not come yet
 };

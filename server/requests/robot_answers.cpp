@@ -6,7 +6,17 @@ namespace weft::server {
 
 void OperatorRequests::on_reply(const msg::AgentReply& reply, Now now) {
   const std::optional<msg::AgentCommand> command = commands_.on_reply(reply, now.steady);
-  if (command) robot_answered(*command, reply, now);
+  if (!command) return;
+  answered_[command->to] = reply.header;
+  robot_answered(*command, reply, now);
+}
+
+/// Returns whether the robot said that before it answered its last command, or has not answered that yet.
+bool OperatorRequests::is_said_before_answer(const msg::RobotState& state) const {
+  if (commands_.is_busy(state.header.sender)) return true;
+  const auto answered = answered_.find(state.header.sender);
+  return answered != answered_.end() && answered->second.incarnation == state.header.incarnation &&
+         state.header.sequence < answered->second.sequence;
 }
 
 void OperatorRequests::robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now) {
@@ -94,8 +104,12 @@ void OperatorRequests::on_state(const Robot& robot, Now now) {
     if (!dispatcher_.pause(robot.id, stop->second, now)) return;
     unstored_stops_.erase(stop);
   }
+  // A person has to let it go on: its goal waits for that.
+  if (robot.state->safety == Safety::emergency_stop && !is_said_before_answer(*robot.state)) {
+    std::ignore = dispatcher_.pause(robot.id, robot.name + "'s emergency stop", now);
+  }
   const Goal* const goal = dispatcher_.goal_of(robot.id);
-  if (goal == nullptr || commands_.is_busy(robot.id)) return;
+  if (goal == nullptr || commands_.is_busy(robot.id) || is_stop(robot.state->safety)) return;
   const msg::RobotMode mode = robot.state->mode;
   const bool drives = mode == msg::RobotMode::driving || mode == msg::RobotMode::waiting;
   const bool is_to_stop = goal->state == GoalState::paused && drives;

@@ -30,6 +30,7 @@ enum class Stays : std::uint8_t {
   faulted,  ///< its agent says that it cannot work
   silent,   ///< it is not heard
   no_way,   ///< it has a goal and no route there
+  stopped,  ///< its base's own safety holds it
   held,     ///< an operator holds it
   ruled,    ///< a rule keeps it from going on
 };

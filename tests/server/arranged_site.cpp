@@ -153,6 +153,7 @@ void Site::arrive(Peer& robot, const std::optional<PlaceId>& place) {
   description.name = robot.name;
   description.body = "sim";
   description.methods = {"marks"};
+  description.knows_limits = robot.knows_limits;
   say(description);
   say(state(robot, place));
 }

@@ -24,6 +24,7 @@ struct Peer {
   std::uint64_t incarnation = 1;
   std::uint64_t sequence = 0;
   std::string name;
+  bool knows_limits = false;
 
   msg::Header header() { return {id, incarnation, {}, ++sequence, {}}; }
 };

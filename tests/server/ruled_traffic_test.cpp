@@ -153,6 +153,102 @@ TEST_F(RuledTraffic, AnAgentThatDoesNotKnowLimitsIsNotReleasedIntoThem) {
   EXPECT_THAT(start().places, Contains(bypass.place(2)));
 }
 
+TEST_F(RuledTraffic, AnAgentThatKeepsLimitsIsToldThemWithItsRoute) {
+  r1.knows_limits = true;
+  site.arrive(r1, run.place(0));
+  put({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
+  const Route route = start();
+  ASSERT_THAT(route.limits, SizeIs(1));
+  EXPECT_EQ(route.limits[0], (SpeedLimit{14, 16, 0.5}));
+  EXPECT_EQ(route.released, 39U);
+}
+
+TEST_F(RuledTraffic, LimitsThatChangeUnderWayComeWithTheNextVersion) {
+  r1.knows_limits = true;
+  site.arrive(r1, run.place(0));
+  const Route before = start();
+  ASSERT_THAT(before.limits, SizeIs(0));
+  put({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
+  site.pass(1s);
+  const Route after = order();
+  EXPECT_EQ(after.version, before.version + 1);
+  EXPECT_EQ(after.places, before.places);
+  EXPECT_EQ(after.released, before.released);
+  EXPECT_THAT(after.limits, SizeIs(1));
+  site.restart();
+  site.arrive(r1, run.place(0));
+  site.pass(5s);
+  EXPECT_THAT(order().limits, SizeIs(1)) << "and stay";
+  remove("slow");
+  site.pass(1s);
+  EXPECT_THAT(order().limits, SizeIs(0));
+}
+
+TEST_F(RuledTraffic, AnEmergencyStopPausesTheGoalAndOnlyAPersonResumesIt) {
+  const Route route = start();
+  site.progress(r1, route, msg::RoutePhase::driving);
+  msg::RobotState stopped = site.state(r1, run.place(5));
+  stopped.mode = msg::RobotMode::stopped;
+  stopped.safety = Safety::emergency_stop;
+  stopped.goal = route.goal;
+  stopped.route = route.id;
+  stopped.route_version = route.version;
+  site.hush();
+  site.say(stopped);
+  site.pass(2s);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused);
+  EXPECT_THAT(why(), HasSubstr("told to stop"));
+  EXPECT_FALSE(site.last<msg::AgentCommand>()) << "nobody tells it to go on";
+}
+
+TEST_F(RuledTraffic, AWordFromBeforeThePersonsResumePausesNothing) {
+  const Route route = start();
+  site.progress(r1, route, msg::RoutePhase::driving);
+  msg::RobotState stopped = site.state(r1, run.place(5));
+  stopped.mode = msg::RobotMode::stopped;
+  stopped.safety = Safety::emergency_stop;
+  stopped.goal = route.goal;
+  stopped.route = route.id;
+  stopped.route_version = route.version;
+  site.say(stopped);
+  ASSERT_EQ(site.goal(1).state, GoalState::paused);
+  msg::RobotState late = stopped;
+  late.header = r1.header();
+  msg::OperatorRequest resume = site.request(Kind::resume);
+  resume.robot = "r1";
+  site.say(resume);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  const msg::AgentCommand command = site.last<msg::AgentCommand>().value();
+  msg::AgentReply reply;
+  reply.header = r1.header();
+  reply.command = command.command;
+  reply.done = true;
+  site.say(late);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing) << "it has not answered yet";
+  site.say(reply);
+  site.say(late);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  stopped.header = r1.header();
+  site.say(stopped);
+  EXPECT_EQ(site.goal(1).state, GoalState::paused) << "it was pressed again";
+}
+
+TEST_F(RuledTraffic, AProtectiveStopPausesNothing) {
+  const Route route = start();
+  site.progress(r1, route, msg::RoutePhase::driving);
+  msg::RobotState stopped = site.state(r1, run.place(5));
+  stopped.mode = msg::RobotMode::stopped;
+  stopped.safety = Safety::protective_stop;
+  stopped.goal = route.goal;
+  stopped.route = route.id;
+  stopped.route_version = route.version;
+  site.hush();
+  site.say(stopped);
+  site.pass(2s);
+  EXPECT_EQ(site.goal(1).state, GoalState::executing);
+  EXPECT_FALSE(site.last<msg::AgentCommand>());
+}
+
 TEST_F(RuledTraffic, GoalsHaveTheClassOfTheirPlace) {
   put({.name = "first", .kind = RuleKind::priority, .value = 6, .label = "dock"});
   start();

@@ -91,9 +91,9 @@ void FollowMission::tick(bool may_drive, SteadyTime now) {
   task_.set(msg::RoutePhase::waiting, waits_for_, now);
 }
 
-void FollowMission::stop(SteadyTime now) {
+void FollowMission::stop(const std::string& reason, SteadyTime now) {
   is_pending_ = is_under_way();
-  task_.set(msg::RoutePhase::stopped, "stopped by an operator", now);
+  task_.set(msg::RoutePhase::stopped, reason, now);
 }
 
 void FollowMission::fail(const std::string& reason, SteadyTime now) {

@@ -32,7 +32,8 @@ class FollowMission {
   /// `may_drive`: nobody has stopped the robot, its body is well, and it is not being taught.
   void tick(bool may_drive, SteadyTime now);
 
-  void stop(SteadyTime now);
+  /// Stops the robot; `reason` is reported.
+  void stop(const std::string& reason, SteadyTime now);
   /// Lets the robot drive on after a stop.
   void resume(SteadyTime now) { at_latest_ = now; }
   void fail(const std::string& reason, SteadyTime now);

@@ -93,11 +93,12 @@ void RobotAgent::work(SteadyTime now) {
 
 void RobotAgent::search_if_due(SteadyTime now) {
   if (teach_.is_active() || localise_.is_active()) return;
-  const SearchPolicy::Situation situation{.estimate = navigator_->estimate(),
-                                          .has_route = follow_.has_route(),
-                                          .strays = follow_.strays(),
-                                          .is_held = condition_.lost || condition_.stopped,
-                                          .is_out_of_order = condition_.is_faulted()};
+  const SearchPolicy::Situation situation{
+      .estimate = navigator_->estimate(),
+      .has_route = follow_.has_route(),
+      .strays = follow_.strays(),
+      .is_held = condition_.lost || condition_.stopped || condition_.safety.holds(),
+      .is_out_of_order = condition_.is_faulted()};
   if (localise_.search_if_due(situation, now) != LocaliseMission::Begun::anew) return;
   follow_.await_localisation(now);
   map_.look_anywhere(now);

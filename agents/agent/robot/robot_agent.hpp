@@ -71,6 +71,7 @@ class RobotAgent final : public Agent {
   void report_counts(const CommandKey& key);
 
   // Samples (robot_agent_step.cpp).
+  void obey(Safety safety, bool has_fix, SteadyTime now);
   void learn(std::vector<LearnedPlace> learned_places, SensorTime seen_at);
   void count(const Navigated& navigated);
   void take_fix(const Fix& fix, SteadyTime now);
@@ -81,7 +82,7 @@ class RobotAgent final : public Agent {
   void search_if_due(SteadyTime now);
   void send_due(SteadyTime now);
   AgentOutput finish(SteadyTime now);
-  bool may_drive() const { return !condition_.stopped && !condition_.is_faulted() && !teach_.is_active(); }
+  bool may_drive() const { return !condition_.is_kept_standing() && !condition_.is_faulted() && !teach_.is_active(); }
   MapContext map_context() { return {*navigator_, follow_.route(), teach_.experience()}; }
 
   // Reports of its own state (robot_agent_state.cpp).

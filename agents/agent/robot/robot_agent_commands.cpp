@@ -71,12 +71,13 @@ void RobotAgent::localise(const msg::AgentCommand& command, const CommandKey& ke
 void RobotAgent::stop(const CommandKey& key, SteadyTime now) {
   condition_.stopped = true;
   navigator_->stop();
-  follow_.stop(now);
+  follow_.stop("stopped by an operator", now);
   if (teach_.is_active()) outbox_.stop_hand();
   replies_.give(key, carried_out());
 }
 
 void RobotAgent::resume(const CommandKey& key, SteadyTime now) {
+  if (!condition_.safety.resume()) return replies_.refuse(key, condition_.safety.reason(config_.name));
   if (condition_.stopped) follow_.resume(now);
   condition_.stopped = false;
   replies_.give(key, carried_out());

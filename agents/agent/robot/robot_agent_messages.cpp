@@ -84,7 +84,7 @@ void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {
   if (!session_.is_meant_for_me(order.header, now)) return;
   // The server learns from our state that we are being taught.
   if (teach_.is_active() && !order.route.ended) return;
-  switch (follow_.take(order.route, condition_.stopped, now)) {
+  switch (follow_.take(order.route, condition_.is_kept_standing(), now)) {
     case FollowMission::Took::nothing:
       return;
     case FollowMission::Took::end:

@@ -29,7 +29,8 @@ Standing RobotAgent::standing() const {
           .teaching_failure = teach_.failure(),
           .searches = localise_.describe(),
           .route_waits_for = follow_.waits_for(),
-          .notice = diagnostics_.notice()};
+          .notice = diagnostics_.notice(),
+          .safety = condition_.safety.reason(config_.name)};
 }
 
 msg::RobotState RobotAgent::state() const {
@@ -57,6 +58,7 @@ msg::RobotState RobotAgent::state() const {
   state.memory_bytes = map_.contents().bytes();
   state.memory_cap_bytes = config_.content_cache_bytes;
   state.diagnostics = diagnostics();
+  state.safety = condition_.safety.shown();
   state.reason = reason_of(now);
   return state;
 }

@@ -21,6 +21,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.lost = navigated.lost;
   condition_.stands_for = navigated.reason;
   condition_.command = navigated.command;
+  obey(sample.safety, navigated.fix.has_value(), now);
   outbox_.expose(navigated.exposes);
   teach_.step(navigated.kept, sample.hand_done, now);
   learn(std::move(navigated.learned_places), sample.time);
@@ -29,9 +30,22 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   if (!sample.views.empty() && !teach_.is_active()) keep_place_.on_view(now);
   recogniser_.want(navigator_->question(), now);
   map_.follow_search(navigated.fix.has_value(), map_context(), now);
-  follow_.step(navigated, condition_.stopped, now);
+  follow_.step(navigated, condition_.is_kept_standing(), now);
   move_window(now);
   return finish(now);
+}
+
+/// Stands while the base's safety holds the robot, and follows its route again once it may and has seen where it is.
+void RobotAgent::obey(Safety safety, bool has_fix, SteadyTime now) {
+  const bool was_kept = condition_.safety.keeps_from_driving();
+  if (condition_.safety.take(safety)) {
+    const std::string reason = condition_.safety.reason(config_.name);
+    navigator_->stop();
+    follow_.stop(reason, now);
+    outbox_.note(reason);
+  }
+  if (has_fix) condition_.safety.fixed();
+  if (was_kept && !condition_.safety.keeps_from_driving()) follow_.resume(now);
 }
 
 void RobotAgent::learn(std::vector<LearnedPlace> learned_places, SensorTime seen_at) {

@@ -56,6 +56,23 @@ TEST_F(Follow, NeverPassesTheReleasedPlaceAndGoesOnWhenMoreIsReleased) {
   EXPECT_EQ(drive(robot, route).last.following, Following::arrived);
 }
 
+TEST_F(Follow, KeepsToTheLimitsOfItsRoute) {
+  NavigatedRobot robot = localised_at(truth.at({first, 0}), {first, 0}, 6);
+  Route route = route_to_last({first, 0});
+  route.limits = {{8, 12, 0.2}};
+  double fastest_within = 0.0;
+  double fastest = 0.0;
+  const Driven driven = drive(robot, route, 1.0, [&](const Navigated& navigated) {
+    const double speed_m_s = navigated.command.linear_m_s;
+    fastest = std::max(fastest, speed_m_s);
+    if (navigated.route_at >= 8 && navigated.route_at <= 12) fastest_within = std::max(fastest_within, speed_m_s);
+  });
+  EXPECT_EQ(driven.last.following, Following::arrived) << driven.last.reason;
+  EXPECT_GT(fastest, 0.45);
+  EXPECT_LT(fastest_within, 0.25);
+  EXPECT_GT(fastest_within, 0.1);
+}
+
 TEST_F(Follow, MoreReleasedInTimeIsDrivenWithoutAStop) {
   NavigatedRobot robot = localised_at(truth.at({first, 0}), {first, 0}, 4);
   Route route = route_to_last({first, 0});

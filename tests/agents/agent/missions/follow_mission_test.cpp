@@ -77,7 +77,7 @@ TEST(FollowMission, ItsDeadlineCountsOnlyWhenItMayDrive) {
 TEST(FollowMission, StopHoldsTheRouteUntilItMayDriveAgain) {
   FollowBench bench;
   bench.drive();
-  bench.mission.stop(bench.now);
+  bench.mission.stop("stopped by an operator", bench.now);
   EXPECT_EQ(bench.phase(), msg::RoutePhase::stopped);
   bench.mission.tick(false, bench.now + 1s);
   EXPECT_EQ(bench.script->followed.size(), 1U);
