@@ -51,7 +51,9 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   const bool is_described = known != nullptr && known->description;
   if (is_described) request.drives = {methods_of(*known), known->description->knows_limits};
   request.avoids = avoided_by(robot, now.steady);
-  const std::optional<Stays> stays = this->stays(robot);
+  std::optional<Stays> stays = this->stays(robot);
+  // Whom a rule keeps from going on is led up to where it does.
+  if (stays == Stays::ruled) stays.reset();
   const auto found = assignments_.find(robot);
   if (is_described && !stays && found != assignments_.end() && is_led(found->second)) {
     lead(request, found->second, now);

@@ -126,8 +126,8 @@ void Dispatcher::grant(const RobotId& robot, RouteAssignment& assignment, const 
   Route next = piece.route;
   const bool is_other_way = next.version != book_.route(assignment.goal)->version;
   next.released = *piece.way.through;
-  next.reason = assignment.ruled_by.empty() ? why_it_stands(piece.way)
-                                            : "waits as rule " + assignment.ruled_by + " keeps it";
+  next.reason =
+      assignment.ruled_by.empty() ? why_it_stands(piece.way) : "waits as rule " + assignment.ruled_by + " keeps it";
   if (book_.find(assignment.goal)->kind == GoalKind::yield) {
     next.places.resize(next.released + std::size_t{1});
     next.relations.resize(next.released);

@@ -34,6 +34,7 @@ void Dispatcher::network_changed() {
     seen_rules_ = routes_.rules();
     tried_.clear();
     routes_checked_ = false;
+    planning_.want();
   }
   const bool any_cut_short =
       std::any_of(assignments_.begin(), assignments_.end(), [](const auto& entry) { return entry.second.cut_short; });

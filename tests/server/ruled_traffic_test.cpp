@@ -37,6 +37,12 @@ struct RuledTraffic : testing::Test {
     request.rule.name = name;
     return site.ask(request);
   }
+  /// Says that an operator has stopped the robot there: it makes no way.
+  void stand(Peer& robot, const PlaceId& place) {
+    msg::RobotState state = site.state(robot, place);
+    state.mode = msg::RobotMode::stopped;
+    site.say(state);
+  }
   Route order() { return site.last<msg::RouteOrder>().value().route; }
   Route start() {
     site.say(site.state(r1, run.place(0)));
@@ -74,7 +80,8 @@ TEST_F(RuledTraffic, AGoalThatOnlyLeadsThroughItWaitsAndNamesTheRule) {
 
 TEST_F(RuledTraffic, WhatIsReleasedStaysAndWhatLiesBeyondIsPlannedAnew) {
   Peer r2{.id = robot_id(2), .name = "r2"};
-  site.arrive(r2, run.place(12));
+  site.arrive(r2, std::nullopt);
+  stand(r2, run.place(12));
   const Route before = start();
   ASSERT_LT(before.released, 12U) << "r2 stands in the way";
   close("shut", 14, 16);
@@ -96,7 +103,8 @@ TEST_F(RuledTraffic, ARobotThatWasReleasedThroughDrivesOn) {
 
 TEST_F(RuledTraffic, WithoutAnotherWayItDrivesToItsReleasedPointAndSaysTheRule) {
   Peer r2{.id = robot_id(2), .name = "r2"};
-  site.arrive(r2, run.place(25));
+  site.arrive(r2, std::nullopt);
+  stand(r2, run.place(25));
   const Route before = start();
   ASSERT_LT(before.released, 25U);
   close("shut", 30, 32);
@@ -104,7 +112,7 @@ TEST_F(RuledTraffic, WithoutAnotherWayItDrivesToItsReleasedPointAndSaysTheRule) 
   EXPECT_THAT(why(), HasSubstr("rule shut bars the way"));
   EXPECT_EQ(order().released, before.released);
   remove("shut");
-  site.say(site.state(r2, run.place(39)));
+  stand(r2, run.place(39));
   site.pass(2s);
   EXPECT_EQ(order().id, before.id);
   EXPECT_GT(order().released, before.released);
@@ -132,12 +140,13 @@ TEST_F(RuledTraffic, AHeldZoneEndsReleasesUntilItIsLetGo) {
 
 TEST_F(RuledTraffic, AHeldRobotIsReleasedNoFarther) {
   Peer r2{.id = robot_id(2), .name = "r2"};
-  site.arrive(r2, run.place(25));
+  site.arrive(r2, std::nullopt);
+  stand(r2, run.place(25));
   const Route before = start();
   msg::OperatorRequest request = site.request(Kind::hold);
   request.robot = "r1";
   site.ask(request);
-  site.say(site.state(r2, run.place(39)));
+  stand(r2, run.place(39));
   site.pass(2s);
   EXPECT_EQ(order().released, before.released);
   EXPECT_THAT(why(), HasSubstr("r1 is held by"));

@@ -370,6 +370,7 @@ struct BlockedRobot : OneRobot {
     r1.phase = msg::RoutePhase::waiting;
     r2.state.localised = true;
     r2.state.place = {first, 4};
+    r2.state.mode = msg::RobotMode::stopped;  // it makes no way
     run(1s);
     goal = weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"}).json()["goal"];
     run(4s);
@@ -389,13 +390,13 @@ TEST(Commands, WhyNamesTheChainThatARobotWaitsFor) {
   const Said said = fleet.weft({"goal", "why", "r1"});
   EXPECT_NE(said.out.find("s at "), std::string::npos) << said.out;
   EXPECT_NE(said.out.find(" for r2, to have "), std::string::npos) << said.out;
-  EXPECT_NE(said.out.find("r2 is idle"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("r2 is stopped"), std::string::npos) << said.out;
   EXPECT_EQ(fleet.weft({"goal", "why", "r2", "--json"}).json()["waits"].size(), 0U);
 }
 
 TEST(Commands, StandstillIsNamedByRobotsWhyAndDoctor) {
   BlockedRobot fleet;
-  const std::string text = "r2 is idle and in the way of r1";
+  const std::string text = "r2 is stopped and in the way of r1";
   const Said robots = fleet.weft({"robots"});
   EXPECT_NE(robots.out.find("standstill: " + text), std::string::npos) << robots.out;
   EXPECT_NE(fleet.weft({"goal", "why", "r1"}).out.find("standstill: " + text), std::string::npos);
