@@ -140,6 +140,7 @@ class Dispatcher {
   // moves.cpp
   bool needs_plan() const;
   bool is_led(const RouteAssignment& assignment) const;
+  bool is_waited_for(const RobotId& robot) const;
   void plan_moves(Now now);
   PlanRequest plan_request(const RobotId& robot, Now now) const;
   std::set<PlaceId> avoided_by(const RobotId& robot, SteadyTime now) const;

@@ -187,6 +187,7 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
       return;
     }
     assignments_.erase(found);
+    look_at_ = now.steady;  // a goal that waits for it comes before its being asked to make way
     traffic_.stands(state, now);
     return;
   }

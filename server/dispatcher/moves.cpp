@@ -27,13 +27,27 @@ bool Dispatcher::is_led(const RouteAssignment& assignment) const {
   return !is_over && book_.find(assignment.goal)->state != GoalState::paused;
 }
 
+/// Returns whether a goal waits for that robot alone.
+bool Dispatcher::is_waited_for(const RobotId& robot) const {
+  return std::any_of(book_.alive().begin(), book_.alive().end(), [&](const auto& entry) {
+    const Goal& goal = *book_.find(entry.second);
+    return goal.state == GoalState::pending && goal.wanted == robot;
+  });
+}
+
 void Dispatcher::plan_moves(Now now) {
   std::vector<PlanRequest> requests;
   double footprint_m = 0.0;
   for (const auto& [robot, known] : fleet_.robots()) {
     if (known.description) footprint_m = std::max(footprint_m, known.description->footprint_radius_m);
   }
-  for (const RobotId& robot : traffic_.holding()) requests.push_back(plan_request(robot, now));
+  // Who holds nothing, as it was cleared away, may have been given a goal all the same.
+  std::set<RobotId> robots;
+  for (const RobotId& robot : traffic_.holding()) robots.insert(robot);
+  for (const auto& [robot, assignment] : assignments_) {
+    if (is_led(assignment)) robots.insert(robot);
+  }
+  for (const RobotId& robot : robots) requests.push_back(plan_request(robot, now));
   planning_.plan({context_.snapshots.shared_current(), &routes_.rules()}, footprint_m, requests, now.steady);
   for (auto& [robot, assignment] : assignments_) assignment.look_at_release = true;
   for (const PlanRequest& request : requests) {
@@ -45,8 +59,14 @@ void Dispatcher::plan_moves(Now now) {
 PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   PlanRequest request;
   request.robot = robot;
-  const storage::PutOccupancy& held = *traffic_.held(robot);
-  request.held.assign(held.held.places.begin() + held.from, held.held.places.begin() + held.to + 1);
+  const auto found = assignments_.find(robot);
+  const bool is_led = found != assignments_.end() && this->is_led(found->second);
+  const Route* const route = is_led ? book_.route(found->second.goal) : nullptr;
+  if (const storage::PutOccupancy* const held = traffic_.held(robot)) {
+    request.held.assign(held->held.places.begin() + held->from, held->held.places.begin() + held->to + 1);
+  }
+  // A route that nothing of is released yet may begin beside where the robot stands.
+  if (route != nullptr && !is_told(robot, *route)) request.held = {route->places.front()};
   const Robot* const known = fleet_.find(robot);
   const bool is_described = known != nullptr && known->description;
   if (is_described) request.drives = {methods_of(*known), known->description->knows_limits};
@@ -54,8 +74,7 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   std::optional<Stays> stays = this->stays(robot);
   // Whom a rule keeps from going on is led up to where it does.
   if (stays == Stays::ruled) stays.reset();
-  const auto found = assignments_.find(robot);
-  if (is_described && !stays && found != assignments_.end() && is_led(found->second)) {
+  if (is_described && !stays && is_led) {
     lead(request, found->second, now);
     return request;
   }
@@ -83,8 +102,9 @@ void Dispatcher::lead(PlanRequest& request, const RouteAssignment& assignment, N
   const Goal& goal = *book_.find(assignment.goal);
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(request.robot, route);
-  if (!told) request.held = {route.places.front()};
-  if (goal.kind == GoalKind::yield) return;
+  // Whom a rule keeps where it stands can be asked to make way until the rule lets it on.
+  const bool is_kept = !assignment.ruled_by.empty() && assignment.stands_at_end;
+  if (goal.kind == GoalKind::yield || is_kept) return;
   request.goal = route.places.back();
   request.ahead.assign(route.places.begin() + (told ? route.released : 0), route.places.end());
   request.priority = goal.priority;
@@ -107,12 +127,14 @@ void Dispatcher::ask_to_make_way(const PlanRequest& request, Now now) {
   if (!route) return;
   Traffic::Stops stops;
   for (const std::uint32_t stop : piece.stops) stops.push_back(stop + 1);
-  const Traffic::Way way = traffic_.way(*route, 0, &stops);
-  if (way.through.value_or(0) == 0) return;
-  begin_yield(*std::move(route), *way.through, now);
+  Piece way{.route = *route, .stops = stops, .way = traffic_.way(*route, 0, &stops), .reach = {}};
+  end_by_rules(robot, 0, false, way);
+  const std::uint32_t through = way.way.through.value_or(0);
+  if (through == 0) return;
+  begin_yield(*std::move(route), through, now);
   if (!assignments_.contains(robot)) return;
-  const auto given =
-      static_cast<std::size_t>(std::upper_bound(stops.begin(), stops.end(), *way.through) - stops.begin());
+  const auto stop = std::find(stops.begin(), stops.end(), through);
+  const std::size_t given = stop == stops.end() ? 0 : static_cast<std::size_t>(stop - stops.begin()) + 1;
   planning_.released(robot, given, book_.route(assignments_.at(robot).goal)->places.back());
 }
 

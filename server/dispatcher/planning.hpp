@@ -29,6 +29,7 @@ class Planning {
 
   /// Returns the robot's number in the plan, if it stands, or will, where the plan has it; none: it is to be planned.
   std::optional<std::uint32_t> number(const RobotId& robot, const PlaceId& end) const;
+  bool has(const RobotId& robot) const { return robots_.contains(robot); }
 
   /// Describes what the robot may be released next.
   struct Piece {

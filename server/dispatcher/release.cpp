@@ -23,7 +23,8 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
   const bool is_all = told && route.released + 1 == route.places.size();
-  if (is_all && goal.kind != GoalKind::yield) return;
+  // Who makes way is asked on, but when an operator waits for it.
+  if (is_all && (goal.kind != GoalKind::yield || is_waited_for(robot))) return;
   if (!std::exchange(assignment.look_at_release, false)) return;
   if (const std::string why = why_held(robot); !why.empty()) return wait_for(goal, why, now);
   std::optional<Piece> piece = next_piece(robot, goal, route, told, now);
@@ -56,7 +57,7 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
   const std::size_t kept = told ? route.released : 0;
   const std::optional<std::uint32_t> number = planning_.number(robot, route.places[kept]);
   if (!number) {
-    planning_.want_soon();
+    if (planning_.has(robot)) planning_.want_soon();
     return std::nullopt;
   }
   Piece piece{.route = route, .stops = {}, .way = {}, .reach = {}};

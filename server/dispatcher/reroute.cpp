@@ -35,6 +35,7 @@ void Dispatcher::network_changed() {
     tried_.clear();
     routes_checked_ = false;
     planning_.want();
+    for (auto& [robot, assignment] : assignments_) assignment.ruled_by.clear();
   }
   const bool any_cut_short =
       std::any_of(assignments_.begin(), assignments_.end(), [](const auto& entry) { return entry.second.cut_short; });

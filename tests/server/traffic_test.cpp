@@ -250,6 +250,19 @@ TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
   EXPECT_THAT(site.events_of("traffic.cleared"), SizeIs(1));
 }
 
+TEST_F(TrafficTest, ARobotThatWasClearedAndNeverMovedIsReleasedAgain) {
+  site.say(site.state(r1, run.place(0)));
+  site.pass(20s);
+  msg::OperatorRequest clear = site.request(Kind::clear);
+  clear.robot = "r1";
+  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  r1.incarnation = 2;
+  site.arrive(r1, run.place(0));
+  site.send_goal(1, "end", "r1");
+  site.pass(1s);
+  EXPECT_EQ(order_to(r1).value().released, 59U);
+}
+
 TEST_F(TrafficTest, ClearingARobotThatIsHeardIsRefused) {
   stand(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));

@@ -110,6 +110,26 @@ TEST_F(YieldTest, WhoHasJustComeToItsGoalIsAskedOnlyAfterAWhile) {
   EXPECT_THAT(yields(), SizeIs(1));
 }
 
+TEST_F(YieldTest, NobodyIsAskedIntoAZoneThatIsHeld) {
+  msg::OperatorRequest hold = site.request(msg::OperatorRequest::Kind::rule_put);
+  hold.rule = {.name = "wait", .kind = RuleKind::hold, .spans = {{run.place(10), run.place(59)}}};
+  site.ask(hold);
+  site.send_goal(1, "end", "r1");
+  site.pass(5s);
+  EXPECT_THAT(yields(), IsEmpty());
+}
+
+TEST_F(YieldTest, AGoalForWhoMakesWayComesBeforeMakingWayAgain) {
+  site.send_goal(1, "end", "r1");
+  site.pass(3s);
+  site.label("far", run.place(59));
+  site.send_goal(2, "far", "r2");
+  arrive_at_the_end_of(r2, order_to(r2).value());
+  site.pass(1s);
+  EXPECT_EQ(site.goal(2).state, GoalState::assigned);
+  EXPECT_THAT(yields(), SizeIs(1));
+}
+
 TEST_F(YieldTest, AfterARestartOfTheServerItGoesOn) {
   site.send_goal(1, "end", "r1");
   site.pass(3s);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kCell_m = 4.0;
 constexpr double kLongestSlack_m = 5.0;
+/// Bounds how far is searched for berths, from below: they come each room along a run that does not turn back.
+constexpr double kFarthest_m = 6.0;
 
 }  // namespace
 
@@ -43,7 +45,7 @@ std::uint32_t Berths::methods(const Drives& drives) {
 
 /// Cuts runs that are not as they were, in the order of their ids.
 void Berths::cut_anew() {
-  const double room_m = 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m;
+  const double room_m = this->room_m();
   const Layout& layout = proximity_.layout();
   const CutRules rules = {.room_m = room_m,
                           .are_clear =
@@ -199,7 +201,8 @@ Drivables Berths::ruled(Berth berth, std::uint32_t methods) const {
   return {.network = *network_,
           .rules = *rules_,
           .methods = methods_[methods].methods,
-          .passage = {.begins = place(berth), .keeps_limits = methods_[methods].keeps_limits}};
+          .passage = {.begins = place(berth), .keeps_limits = methods_[methods].keeps_limits},
+          .farthest_m = std::max(kFarthest_m, (kMostRooms + 1.0) * room_m())};
 }
 
 /// Returns whether who stands at the berth stands at that cut, too: no drive ends there.

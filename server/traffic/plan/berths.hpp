@@ -76,6 +76,8 @@ class Berths final : public BerthGraph {
     std::vector<std::uint32_t> cuts;
   };
 
+  /// Returns how near two robots may stand.
+  double room_m() const { return 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m; }
   void cut_anew();
   bool is_taken(const PlaceId& place);
   double reach_m(const PlaceId& place) const;

@@ -3,10 +3,6 @@
 #include <optional>
 
 namespace weft::server {
-namespace {
-/// Bounds how many rooms a run may turn back without a cut.
-constexpr double kFar = 3.0;
-}  // namespace
 
 std::vector<std::uint32_t> cuts_of(const Experience& run, const CutRules& rules) {
   std::vector<std::uint32_t> cuts;
@@ -18,7 +14,7 @@ std::vector<std::uint32_t> cuts_of(const Experience& run, const CutRules& rules)
     const bool begins = hop == nullptr;
     since_m = begins ? 0.0 : since_m + distance_m(hop->a_from_b);
     if (begins) last.reset();
-    const bool is_far = since_m >= kFar * rules.room_m;
+    const bool is_far = since_m >= kMostRooms * rules.room_m;
     const bool is_clear = since_m >= rules.room_m && (!last || is_far || rules.are_clear(*last, here));
     if (begins ? rules.is_taken(here) : !is_clear) continue;
     cuts.push_back(here.index);

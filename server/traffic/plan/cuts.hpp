@@ -16,6 +16,9 @@ struct CutRules {
   std::function<bool(const PlaceId&)> is_taken;
 };
 
+/// Bounds how many rooms a run may turn back without a cut.
+inline constexpr double kMostRooms = 3.0;
+
 /// Cuts a run into berths: returns the indices of places at which robots can stand one behind another. A chain begins
 /// with one, unless it is taken; then the first one comes a room later.
 std::vector<std::uint32_t> cuts_of(const Experience& run, const CutRules& rules);

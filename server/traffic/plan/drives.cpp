@@ -8,9 +8,6 @@
 namespace weft::server {
 namespace {
 
-/// Bounds how far is searched for berths: they come each 1.4 m along a run.
-constexpr double kFarthest_m = 6.0;
-
 struct Open {
   double length_m = 0.0;
   PlaceId place;
@@ -41,13 +38,16 @@ std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Headi
     if (!before.emplace(here.place, here.before).second) continue;
     const Stop stop = here.place == from ? Stop::none : stops(here.place);
     if (stop != Stop::none) found.push_back({here.place, here.length_m, way_to(before, from, here.place)});
-    if (stop == Stop::end || here.length_m > kFarthest_m) continue;
+    if (stop == Stop::end || here.length_m > drivables.farthest_m) continue;
     drivables.network.for_each_edge(here.place, [&](const Edge& edge) {
       const PlaceId there = other_end(edge, here.place);
       const PlaceId& leaves = heading == Heading::onward ? here.place : there;
       const PlaceId& enters = heading == Heading::onward ? there : here.place;
       if (!can_drive(edge, leaves) || !drivables.methods.contains(edge.method) || before.contains(there)) return;
-      if (drivables.rules.barrier(leaves, enters, drivables.passage) != nullptr) return;
+      // Who drives there from far away has begun no nearer than where it leaves.
+      Passage passage = drivables.passage;
+      if (heading == Heading::backward) passage.begins = leaves;
+      if (drivables.rules.barrier(leaves, enters, passage) != nullptr) return;
       open.push({here.length_m + norm(edge.a_from_b), there, here.place});
     });
   }

@@ -28,6 +28,7 @@ struct Drivables {
   const RuleMap& rules;
   const std::set<std::string>& methods;
   Passage passage;
+  double farthest_m = 0.0;  ///< beyond which nothing is searched
 };
 
 /// Searches from a place along edges that can be driven, onward or backward, and no farther than to the first places
