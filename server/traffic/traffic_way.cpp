@@ -112,14 +112,10 @@ void Traffic::end_at_stop(const Route& route, const std::vector<Touched>& wanted
   }
 }
 
-/// Returns the robots that stand there without a route, or at the end of one.
+/// Returns the robots that stand there and never had a route: in full rings there is no more room before the others.
 std::set<RobotId> Traffic::standing_near(const RobotId& robot, const Touched& there) {
   std::set<RobotId> near = holders_near(proximity_.locate(map(), there), robot);
-  std::erase_if(near, [this](const RobotId& other) {
-    const storage::PutOccupancy& held = holders_.at(other).occupancy;
-    const bool has_arrived = held.from == held.to && held.to + 1 == held.held.places.size();
-    return held.held.id && !has_arrived;
-  });
+  std::erase_if(near, [this](const RobotId& other) { return holders_.at(other).occupancy.held.id; });
   return near;
 }
 

@@ -146,7 +146,6 @@ class Steps {
     Distances* const wanted = asker == kNobody ? nullptr : states_[asker].robot.goal;
     const double here_m = goal == nullptr ? 0.0 : goal->from_m(here);
     std::vector<Choice> choices;
-    const std::vector<Berth>& beside = graph_.beside(here);
     const bool makes_way = asker != kNobody || is_refused(robot);
     for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
       const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
@@ -154,9 +153,7 @@ class Steps {
       // From there it would never come to its goal, or it has tried that in vain.
       const std::vector<Berth>& avoids = states_[robot].robot.avoids;
       if (there_m == Distances::kFar_m || std::find(avoids.begin(), avoids.end(), arc.to) != avoids.end()) continue;
-      // Who stands at the one stands at the other, too: nobody's way is freed.
-      const bool is_no_move = std::binary_search(beside.begin(), beside.end(), arc.to);
-      const bool is_a_stop = (graph_.is_cut(arc.to) && !is_no_move) || (goal != nullptr && there_m == 0.0);
+      const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
       if (!is_a_stop || (!is_better && !makes_way) || !may_go(robot, arc.to, asker != kNobody)) continue;
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
       const double cost_m = goal == nullptr || is_sent_out ? there_m : arc.length_m + there_m;

@@ -91,7 +91,9 @@ class Ball {
       if (!depth_m.emplace(here, here_m).second) continue;
       const auto reach = [&, here_m = here_m](Berth there, double length_m) {
         if (!std::binary_search(inside.begin(), inside.end(), there)) return;
-        shortest_m = std::min(shortest_m, length_m);
+        const std::vector<Berth>& beside = graph_.beside(here);
+        const bool is_move = !std::binary_search(beside.begin(), beside.end(), there);
+        if (is_move) shortest_m = std::min(shortest_m, length_m);
         open.insert({here_m + length_m, there});
       };
       for (const BerthArc& arc : graph_.next(here, methods_)) {
