@@ -156,7 +156,7 @@ std::uint8_t RuleMap::priority(const PlaceId& place) const {
 ReleasedByRules released_by_rules(const RuleMap& rules, const Route& route, std::uint32_t from,
                                   std::optional<std::uint32_t> through, bool keeps_limits) {
   if (rules.empty() || from >= route.places.size()) return {through, {}};
-  // Who is let no farther by others waits for the rule all the same, if that is the next thing.
+  // Names the rule also for a robot that others let no farther, if the rule is the next thing.
   const auto last = static_cast<std::uint32_t>(route.places.size() - 1);
   const std::uint32_t farthest = through ? *through : std::min(from + 1, last);
   const Passage passage{.begins = route.places[from], .keeps_limits = keeps_limits};
