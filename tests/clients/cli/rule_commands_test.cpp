@@ -2,7 +2,7 @@
 
 #include "tests/clients/cli/fleet.hpp"
 
-/// What operators lay down for pieces of the map, and take away.
+/// Lays down rules for pieces of the map, and takes them away, as operators ask.
 namespace weft::cli::test {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
-/// What operators lay down: a revision like others, on every engine; and which robots they hold, which is none.
+/// Checks rules on every engine, a revision each, and which robots are held, which is no revision.
 namespace weft::storage {
 namespace {
 
