@@ -91,7 +91,7 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
   assignment.has_latest_order = progress.released >= route->released;
   assignment.stands_at_end = assignment.has_latest_order && progress.phase == msg::RoutePhase::waiting;
-  // Who stands at the end of its release touches nothing beyond what standing there does.
+  // Frees all but the end for a robot that stands there: standing touches nothing beyond.
   const bool stands = assignment.stands_at_end && progress.at >= route->released;
   traffic_.freed(robot, route->id, stands ? route->released : progress.freed);
   const std::string who = fleet_.name_of(robot);

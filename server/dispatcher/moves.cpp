@@ -41,7 +41,7 @@ void Dispatcher::plan_moves(Now now) {
   for (const auto& [robot, known] : fleet_.robots()) {
     if (known.description) footprint_m = std::max(footprint_m, known.description->footprint_radius_m);
   }
-  // Who holds nothing, as it was cleared away, may have been given a goal all the same.
+  // Adds robots that hold nothing, as they were cleared away, and have a goal all the same.
   std::set<RobotId> robots;
   for (const RobotId& robot : traffic_.holding()) robots.insert(robot);
   for (const auto& [robot, assignment] : assignments_) {

@@ -23,7 +23,7 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
   const bool is_all = told && route.released + 1 == route.places.size();
-  // Who makes way is asked on, but when an operator waits for it.
+  // Lets a yield grow, unless an operator waits for the robot.
   if (is_all && (goal.kind != GoalKind::yield || is_waited_for(robot))) return;
   if (!std::exchange(assignment.look_at_release, false)) return;
   if (const std::string why = why_held(robot); !why.empty()) return wait_for(goal, why, now);

@@ -49,7 +49,7 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
   const bool told = is_told(robot, route);
   std::optional<std::uint32_t> broken =
       first_broken(context_.snapshots.current(), route, told ? traffic_.held(robot)->from : 0);
-  // What is released stays so whatever rules say: who is inside may leave.
+  // Looks beyond the released point alone: rules let those leave who are inside.
   if (!broken) broken = first_barred(routes_.rules(), route, told ? route.released : 0, keeps_limits(robot));
   if (!broken) {
     const bool was_cut_short = std::exchange(assignment.cut_short, false);

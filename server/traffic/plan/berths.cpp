@@ -53,7 +53,7 @@ void Berths::cut_anew() {
                                 const std::optional<Spot> first = layout.spot(a);
                                 const std::optional<Spot> second = layout.spot(b);
                                 if (!first || !second || first->part != second->part) return true;
-                                // What lies around may tell apart what the whole layout does not.
+                                // Asks what lies around where the whole layout does not tell them apart.
                                 return !layout.are_near(*first, *second, room_m) ||
                                        !proximity_.overlap(TrafficMap(*network_), locate(a), locate(b));
                               },
@@ -227,7 +227,7 @@ const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
         if (proximity_.overlap(TrafficMap(*network_), here, locate(other))) touched.insert(middles_.at(other));
       });
     }
-    // Where it sets off it stands already, and nobody beside it.
+    // Leaves out where it sets off: it stands there already, and nobody beside it.
     touched.erase(from);
     for (const Berth berth : beside(from)) touched.erase(berth);
     const Berth to = number(drive.to, is_cut(drive.to));

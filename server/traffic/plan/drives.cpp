@@ -44,7 +44,7 @@ std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Headi
       const PlaceId& leaves = heading == Heading::onward ? here.place : there;
       const PlaceId& enters = heading == Heading::onward ? there : here.place;
       if (!can_drive(edge, leaves) || !drivables.methods.contains(edge.method) || before.contains(there)) return;
-      // Who drives there from far away has begun no nearer than where it leaves.
+      // Counts a robot from far away as beginning where it leaves: it begins no nearer.
       Passage passage = drivables.passage;
       if (heading == Heading::backward) passage.begins = leaves;
       if (drivables.rules.barrier(leaves, enters, passage) != nullptr) return;

@@ -70,7 +70,7 @@ class Steps {
     for (const std::uint32_t robot : order_) {
       if (is_there(robot) && !states_[robot].has_wish) wish(robot, kNobody);
     }
-    // Who was asked goes before those who were looked at later, whatever its own priority.
+    // Moves asked robots before those that were looked at later, whatever their priority.
     moving_.clear();
     for (const std::uint32_t robot : std::exchange(decided_, {})) {
       const BerthArc* const arc = states_[robot].wish;

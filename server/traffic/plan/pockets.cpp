@@ -161,7 +161,7 @@ std::uint32_t Pockets::look(Berth berth, std::uint32_t methods) {
   if (known != of_.end()) return known->second;
   std::optional<Pocket> pocket = pocket_around(graph_, berth, methods);
   if (!pocket) return of_[berth] = kNone;
-  // What overlaps with a pocket that is known is a part of it, seen from elsewhere.
+  // Takes what overlaps with a known pocket for a part of it, seen from elsewhere.
   const auto same = std::find_if(pocket->inside.begin(), pocket->inside.end(),
                                  [this](Berth inside) { return of(inside) != kNone; });
   const auto number = same == pocket->inside.end() ? static_cast<std::uint32_t>(pockets_.size()) : of(*same);
