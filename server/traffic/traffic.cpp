@@ -200,6 +200,7 @@ void Traffic::follow_lead(Holder& known, const msg::RobotState& state) {
 void Traffic::stands(const msg::RobotState& state, Now now) {
   if (!state.localised || !state.place) return;
   Holder& known = holder(state.header.sender);
+  known.beside_m = distance_m(state.place_from_robot);
   follow_lead(known, state);
   if (known.cleared_at == state.place) return;
   if (!known.intruding && is_there_still(known, state)) return;

@@ -101,6 +101,7 @@ class Traffic {
     std::optional<Touched> led_on;      ///< where it may be, as it names a place that has not come yet
     std::optional<PlaceId> cleared_at;  ///< where an operator says that it is not
     bool moves_away = false;            ///< out of what somebody else holds, a piece at a time
+    double beside_m = 0.0;              ///< how far from its place it stood when it said so last
   };
 
   // traffic_way.cpp

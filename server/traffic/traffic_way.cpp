@@ -120,7 +120,8 @@ std::set<RobotId> Traffic::standing_near(const RobotId& robot, const Touched& th
 }
 
 /// Lets a robot out of what somebody else holds, when it stands in there: by places of its route that do not come
-/// nearer to that, and lie farther off in the end; a piece at a time. Returns whether that was to be decided.
+/// nearer to that, and lie farther off in the end; a piece at a time. Who stands beside its place would first drive
+/// there, and may come nearer by that. Returns whether that was to be decided.
 bool Traffic::move_away(const Route& route, std::uint32_t from, Way& way) {
   const std::uint32_t stand = from == 0 ? 0 : from - 1;
   Holder& known = holder(route.robot);
@@ -134,7 +135,8 @@ bool Traffic::move_away(const Route& route, std::uint32_t from, Way& way) {
   way.end = Way::End::held;
   way.blocked_by = inside;
   way.needs = ahead.front();
-  if (from == 0 || has_driven(known, stand)) way.through = away_through(route, stand, ahead, inside);
+  const bool is_there = from == 0 ? known.beside_m <= kLeastSlack_m : has_driven(known, stand);
+  if (is_there) way.through = away_through(route, stand, ahead, inside);
   way.is_away = way.through.has_value();
   return true;
 }

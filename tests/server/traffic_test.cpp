@@ -168,6 +168,19 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseMayMoveAway) {
   EXPECT_EQ(order_to(r2)->released, 48U) << "a piece, and from there nobody is in the way";
 }
 
+TEST_F(TrafficTest, RobotBesideItsPlaceDoesNotMoveAwayByWayOfIt) {
+  site.say(site.state(r1, run.place(10)));
+  msg::RobotState beside = site.state(r2, run.place(11));
+  Metric2 off;
+  off.a_from_b.y = 1.4;
+  beside.place_from_robot = off;
+  site.say(beside);
+  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
+  site.send_goal(1, "end", "r2");
+  site.pass(1s);
+  EXPECT_FALSE(order_to(r2)) << "it would drive to its place first, which is nearer to the other robot";
+}
+
 TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
