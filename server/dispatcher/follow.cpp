@@ -161,6 +161,7 @@ void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route,
   if (has_it) {
     assignment.missing_since.reset();
     if (state.route_version == route.version) assignment.route_lost = false;
+    if (!assignment.route_lost) traffic_.follows(state.header.sender);
     return;
   }
   const bool had_it = assignment.latest_report && *assignment.latest_report < state.header.sequence;
@@ -205,6 +206,9 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   } else {
     watch_for_loss(assignment, route, state, now.steady);
   }
+  // It may have been put down elsewhere.
+  const bool has_none = state.mode == msg::RobotMode::idle && !state.route;
+  if (has_none && (assignment.route_lost || assignment.missing_since)) traffic_.stands_without_route(state);
   if (assignment.route_lost) replan(robot.id, assignment, now);
 }
 

@@ -239,6 +239,24 @@ void Traffic::settle(const RobotId& robot, Holder& known, const msg::RobotState&
   hold(robot, known);
 }
 
+void Traffic::stands_without_route(const msg::RobotState& state) {
+  if (!state.localised || context_.snapshots.current().place(state.place) == nullptr) return;
+  Holder& known = holder(state.header.sender);
+  known.beside_m = distance_m(state.place_from_robot);
+  const Touched here = standing(state, known.footprint_m);
+  if (known.intruding && known.intruding->place == here.place && known.intruding->reach_m >= here.reach_m) return;
+  known.intruding = here;
+  hold(state.header.sender, known);
+}
+
+void Traffic::follows(const RobotId& robot) {
+  const auto found = holders_.find(robot);
+  if (found == holders_.end() || !found->second.intruding) return;
+  found->second.intruding.reset();
+  hold(robot, found->second);
+  drop_history();
+}
+
 bool Traffic::store(const RobotId& robot, Holder& known, storage::PutOccupancy next, Now now) {
   storage::Transaction transaction;
   for (const auto& [other, holder] : holders_) {

@@ -60,6 +60,11 @@ class Traffic {
   void freed(const RobotId& robot, const RouteId& route, std::uint32_t from);
   /// Takes the holder's report that it stands there, and follows no route (any more).
   void stands(const msg::RobotState& state, Now now);
+  /// Takes the report of a robot that has lost its route: where it stands is held, too, until it follows a route
+  /// again. What it held stays held, as an order for that may be on its way.
+  void stands_without_route(const msg::RobotState& state);
+  /// Notes that the robot follows the route that it holds.
+  void follows(const RobotId& robot);
   /// Takes an operator's word that the robot is not there. It holds nothing until it reports another place.
   Result<std::string> clear(const RobotId& robot, const std::string& who, Now now);
   /// Takes the route from the robot, as an operator asked. It holds where it stands: `at`, or else the first place it
