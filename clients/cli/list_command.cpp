@@ -16,6 +16,15 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "-" : text;
 }
 
+/// Returns the labels, and says of those that no robot could leave again.
+std::vector<std::string> shown_labels(const msg::ExperienceRow& row) {
+  std::vector<std::string> shown = row.labels;
+  for (std::string& label : shown) {
+    if (std::ranges::find(row.leads_nowhere, label) != row.leads_nowhere.end()) label += " (leads nowhere)";
+  }
+  return shown;
+}
+
 /// An import is no robot's.
 std::string taught_by(const msg::ExperienceRow& row, const Names& robots) {
   return row.method == kImportedMethod ? std::string("-") : name_of(robots, row.robot);
@@ -29,6 +38,7 @@ nlohmann::json document_of(const msg::ExperienceRow& row, const Names& robots) {
                              {"places", row.places},
                              {"metres", row.metres},
                              {"labels", row.labels},
+                             {"leads_nowhere", row.leads_nowhere},
                              {"joined", nlohmann::json::array()},
                              {"joined_count", row.joined_count}};
   if (row.method != kImportedMethod) document["robot"] = name_of(robots, row.robot);
@@ -52,8 +62,8 @@ void print(const std::vector<msg::ExperienceRow>& rows, const Names& robots, con
     }
     table.add({row.name.empty() ? "-" : row.name, to_string(row.id), taught_by(row, robots),
                row.begun == WallTime{} ? "-" : to_text(row.begun), row.method,
-               std::to_string(row.places) + (row.sealed ? "" : ", goes on"), fixed(row.metres, 1), joined(row.labels),
-               joined(others)});
+               std::to_string(row.places) + (row.sealed ? "" : ", goes on"), fixed(row.metres, 1),
+               joined(shown_labels(row)), joined(others)});
   }
   table.print(output.out);
 }

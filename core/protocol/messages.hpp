@@ -456,7 +456,8 @@ struct ExperienceRow {
   double metres = 0.0;  ///< along it
   WallTime begun{};     ///< 1970: not known
   std::vector<std::string> labels;
-  std::vector<ExperienceId> joined;  ///< those that a stitch leads to, up to kJoinedTold
+  std::vector<std::string> leads_nowhere;  ///< those of the labels that no robot could leave again
+  std::vector<ExperienceId> joined;        ///< those that a stitch leads to, up to kJoinedTold
   std::uint32_t joined_count = 0;
 };
 inline constexpr std::size_t kJoinedTold = 200;

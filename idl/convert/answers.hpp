@@ -92,6 +92,7 @@ void describe(Io& io, Value<Io, msg::ExperienceRow>& value, Wire<Io, idl::Experi
   io.not_negative("metres", value.metres, wire.metres());
   io.any(value.begun, wire.begun_ns());
   io.texts("labels", value.labels, wire.labels(), msg::kPatchEntities, kNameLength);
+  io.texts("leads_nowhere", value.leads_nowhere, wire.leads_nowhere(), msg::kPatchEntities, kNameLength);
   const std::size_t joined = io.entries("joined", value.joined, wire.joined(), msg::kJoinedTold);
   for (std::size_t i = 0; i < joined; ++i) io.any(value.joined[i], wire.joined()[i]);
   io.any(value.joined_count, wire.joined_count());

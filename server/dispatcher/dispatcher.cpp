@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/network/way_on.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -99,6 +101,10 @@ msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const s
       step.cause = wanted.error().message;
     }
   }
+  if (std::string why = step.state == GoalState::pending ? no_return(goal) : std::string(); !why.empty()) {
+    step.state = GoalState::rejected;
+    step.cause = std::move(why);
+  }
   const GoalId id = goal.id;
   if (const Result<void> stored = book_.write(std::move(goal), step, std::nullopt, {}, now); !stored) {
     return reply(msg::Outcome::refused, id, "the goal could not be stored: " + stored.error().message);
@@ -106,6 +112,18 @@ msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const s
   look_again_ = true;
   look_at_ = now.steady;
   return state_reply(*book_.find(id));
+}
+
+/// Says why a robot that has come to the goal could not leave again; empty: it could, or that is wanted.
+std::string Dispatcher::no_return(const Goal& goal) const {
+  if (goal.no_return) return {};
+  const Robot* const wanted = goal.wanted ? fleet_.find(*goal.wanted) : nullptr;
+  const Snapshot& network = context_.snapshots.current();
+  const bool is_described = wanted != nullptr && wanted->description;
+  const std::string why = no_way_on(network, goal.to, is_described ? methods_of(*wanted) : methods_in(network));
+  if (why.empty()) return {};
+  return "a robot could not leave " + goal.label + " again: " + why +
+         ", or send it all the same with --no-return and fetch it by hand";
 }
 
 msg::OperatorReply Dispatcher::cancel(const GoalId& id, const std::string& who, Now now) {

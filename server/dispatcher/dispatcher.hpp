@@ -124,6 +124,7 @@ class Dispatcher {
   Route route_of(const Goal& goal, const Choice& choice);
   FindWay ways_to(const PlaceId& to, Now now);
   RouteId new_route_id();
+  std::string no_return(const Goal& goal) const;
 
   Result<std::string> clear_heard(const Robot& robot, const std::string& who, Now now);
   Result<void> fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/network/way_on.hpp"
 #include "server/base/outcome.hpp"
 
 namespace weft::server {
@@ -234,6 +235,10 @@ void OperatorRequests::label(const Key& key, const msg::OperatorRequest& request
   const Result<void> done = put_label(request.label, request.place, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
   reply.place = request.place;
+  const Snapshot& network = context_.snapshots.current();
+  if (const std::string why = no_way_on(network, request.place, methods_in(network)); !why.empty()) {
+    reply.message += "; " + why;
+  }
   answer(key, std::move(reply));
 }
 

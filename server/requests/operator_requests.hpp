@@ -94,6 +94,7 @@ class OperatorRequests {
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
   bool is_said_before_answer(const msg::RobotState& state) const;
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
+  std::string what_the_end_lacks(const ExperienceId& run) const;
   void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
 
   struct PendingLabel {

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "core/network/way_on.hpp"
 #include "server/requests/operator_requests.hpp"
 
 namespace weft::server {
@@ -51,7 +52,19 @@ void OperatorRequests::robot_answered(const msg::AgentCommand& command, const ms
   answered.experience = reply.experience;
   answered.report = reply.report;
   answered.counts = reply.counts;
+  if (command.kind == msg::AgentCommand::Kind::teach_stop) answered.message += what_the_end_lacks(reply.experience);
   answer(key, std::move(answered));
+}
+
+/// Says that nothing leads on from the end of a run that is here as a whole; empty: something does, or it is not
+/// here.
+std::string OperatorRequests::what_the_end_lacks(const ExperienceId& run) const {
+  const Snapshot& network = context_.snapshots.current();
+  const auto found = network.experiences().find(run);
+  if (found == network.experiences().end() || !found->second->sealed || found->second->places.empty()) return {};
+  const PlaceId end{run, (found->second->places.end() - 1)->id.index};
+  const std::string why = no_way_on(network, end, methods_in(network));
+  return why.empty() ? std::string() : "; from its end, " + to_string(end) + ": " + why;
 }
 
 /// Sets the label of a place that the robot has kept, once that place is on disk.

@@ -216,6 +216,7 @@ msg::QueryReply query_reply() {
                        45.25,
                        WallTime(std::chrono::seconds(1'700'000'000)),
                        {"dock"},
+                       {"dock"},
                        {ExperienceId{0xfedcba}},
                        1}};
   made.rules = {{rule(), 37, "no label 'dock'"}};

@@ -254,6 +254,7 @@ msg::OperatorReply Site::send_goal(std::uint8_t number, const std::string& label
   send.goal = goal_id(number);
   send.label = label;
   send.robot = robot;
+  send.no_return = true;  // most sites are one road
   return ask(send);
 }
 

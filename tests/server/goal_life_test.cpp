@@ -7,6 +7,7 @@ namespace weft::server::test {
 namespace {
 
 using Kind = msg::OperatorRequest::Kind;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -121,6 +122,7 @@ TEST_F(GoalLife, RepeatedRequestIsDoneOnce) {
   msg::OperatorRequest send = site.request(Kind::goal_send);
   send.goal = goal_id(1);
   send.label = "dock";
+  send.no_return = true;
   const msg::OperatorReply first = site.ask(send);
   const msg::OperatorReply second = site.ask(send);
   EXPECT_EQ(first.message, second.message);
@@ -128,6 +130,26 @@ TEST_F(GoalLife, RepeatedRequestIsDoneOnce) {
   EXPECT_EQ(site.service().goals().size(), 1U);
   site.label("gate", run.place(3));
   EXPECT_EQ(site.send_goal(1, "gate").outcome, msg::Outcome::refused);
+}
+
+TEST_F(GoalLife, GoalThatARobotCouldNotLeaveAgainIsRefusedUnlessThatIsWanted) {
+  msg::OperatorRequest send = site.request(Kind::goal_send);
+  send.goal = goal_id(1);
+  send.label = "dock";
+  const msg::OperatorReply refused = site.ask(send);
+  EXPECT_EQ(refused.outcome, msg::Outcome::refused);
+  EXPECT_THAT(refused.message, AllOf(HasSubstr("could not leave dock again"), HasSubstr("--no-return")));
+  EXPECT_EQ(site.goal(1).state, GoalState::rejected);
+  // The road is closed to a round.
+  TaughtRun back(r1, 99);
+  Handed handed = back.next(5);
+  handed.batch.edges.push_back(stitch(run.place(39), back.place(0)));
+  handed.batch.edges.push_back(stitch(run.place(0), back.place(4)));
+  site.hand_in(r1, handed);
+  send = site.request(Kind::goal_send);
+  send.goal = goal_id(2);
+  send.label = "dock";
+  EXPECT_EQ(site.ask(send).outcome, msg::Outcome::accepted);
 }
 
 TEST_F(GoalLife, WantedRobotIsWaitedForWithTheReason) {

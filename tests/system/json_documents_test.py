@@ -140,14 +140,14 @@ class JsonDocuments(Fleet):
         done('map compact', '--before', 1)
         done('map snapshot', self.folder / 'snapshot')
         done('map restore', self.folder / 'snapshot', '--store', self.folder / 'restored')
-        goal = done('goal send', '--to', LABEL, '--robot', 'r1')['goal']
+        goal = done('goal send', '--to', LABEL, '--robot', 'r1', '--no-return')['goal']
         self.poll(lambda said: any(word in said for word in ('succeeded', 'failed')), 60, 'goal', 'list')
         done('goal list')
         done('goal show', goal)
         done('goal why', goal)
         done('goal why', 'r1')
         done('goal watch', goal, exits=(0, 1))
-        later = done('goal send', '--to', LABEL)['goal']
+        later = done('goal send', '--to', LABEL, '--no-return')['goal']
         ended, documents = self.documents('goal', 'cancel', later)  # it may be over already
         self.fits('error' if ended else 'reply', documents[0], 'goal cancel')
         done('doctor', exits=(0, 1))

@@ -47,7 +47,7 @@ class TwoCameras(Fleet):
                 with Running(self.folder / 'r4.log', *self.agent('r4', both, 'cyclonedds')) as robot:
                     self.ready(robot, 'r4')
                     self.poll(lambda said: ':' in said.split('r4 ')[-1], 60, 'robots')
-                    self.weft('goal', 'send', '--to', 'far-end', '--robot', 'r4')
+                    self.weft('goal', 'send', '--to', 'far-end', '--robot', 'r4', '--no-return')
                     self.poll(lambda said: 'succeeded' in said or 'failed' in said, 150, 'goal', 'list')
                     self.assertIn('succeeded', self.weft('goal', 'list'), robot.text()[-3000:])
                     x, y, heading = self.pose(self.folder / 'r4.jsonl')

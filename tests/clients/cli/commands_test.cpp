@@ -258,7 +258,7 @@ TEST(Commands, MapDrawWithRobotsDrawsTheRouteThatOneHolds) {
   const std::string before = (folder() / "before.png").string();
   const std::string after = (folder() / "after.png").string();
   ASSERT_EQ(fleet.weft({"map", "draw", before, "--robots"}).exit, Exit::done);
-  ASSERT_EQ(fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1"}).exit, Exit::done);
+  ASSERT_EQ(fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--robot", "r1"}).exit, Exit::done);
   fleet.run(3s);
   r3.speak_at = SteadyTime::max();
   fleet.run(10s);
@@ -276,7 +276,7 @@ TEST(Commands, RobotsAreNotDrawnOnAnOldMap) {
 
 TEST(Commands, AGoalsLife) {
   OneRobot fleet;
-  const Said sent = fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"});
+  const Said sent = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--robot", "r1", "--json"});
   ASSERT_EQ(sent.exit, Exit::done) << sent.err;
   const std::string id = sent.json()["goal"];
   fleet.run(3s);
@@ -303,7 +303,7 @@ TEST(Commands, AGoalsLife) {
 
 TEST(Commands, WatchingACancelledGoalFails) {
   OneRobot fleet;
-  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--json"}).json()["goal"];
   fleet.run(1s);
   EXPECT_EQ(fleet.weft({"goal", "cancel", id.substr(0, 8)}).exit, Exit::done);
   EXPECT_EQ(fleet.weft({"goal", "watch", id}).exit, Exit::failed);
@@ -311,7 +311,7 @@ TEST(Commands, WatchingACancelledGoalFails) {
 
 TEST(Commands, WatchingLastsAcrossARestartOfTheServer) {
   OneRobot fleet;
-  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--json"}).json()["goal"];
   fleet.run(2s);
   fleet.restart_server();
   fleet.r1.phase = msg::RoutePhase::arrived;
@@ -320,7 +320,7 @@ TEST(Commands, WatchingLastsAcrossARestartOfTheServer) {
 
 TEST(Commands, WatchTimesOutWithWhatToDo) {
   OneRobot fleet;
-  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--json"}).json()["goal"];
   const Said said = fleet.weft({"goal", "watch", id, "--timeout", "3"});
   EXPECT_EQ(said.exit, Exit::timed_out);
   EXPECT_NE(said.err.find("goal why"), std::string::npos);
@@ -328,7 +328,7 @@ TEST(Commands, WatchTimesOutWithWhatToDo) {
 
 TEST(Commands, WatchingWithJsonIsADocumentALine) {
   OneRobot fleet;
-  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--json"}).json()["goal"];
   const Said early = fleet.weft({"goal", "watch", id, "--timeout", "3", "--json"});
   EXPECT_EQ(early.exit, Exit::timed_out);
   fleet.r1.phase = msg::RoutePhase::arrived;
@@ -348,7 +348,7 @@ TEST(Commands, WatchingWithJsonIsADocumentALine) {
 
 TEST(Commands, AGoalThatIsUnderWayAges) {
   OneRobot fleet;
-  std::ignore = fleet.weft({"goal", "send", "--to", "packing"});
+  std::ignore = fleet.weft({"goal", "send", "--to", "packing", "--no-return"});
   fleet.run(30s);
   const auto goals = fleet.weft({"goal", "list", "--json"}).json()["goals"];
   EXPECT_GE(goals[0]["duration_s"].get<double>(), 30.0);
@@ -356,7 +356,7 @@ TEST(Commands, AGoalThatIsUnderWayAges) {
 
 TEST(Commands, WhyAGoalThatIsOverSaysNothingOfWaiting) {
   OneRobot fleet;
-  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--json"}).json()["goal"];
+  const std::string id = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--json"}).json()["goal"];
   fleet.r1.phase = msg::RoutePhase::arrived;
   EXPECT_EQ(fleet.weft({"goal", "watch", id, "--timeout", "30"}).exit, Exit::done);
   const Said why = fleet.weft({"goal", "why", id});
@@ -372,7 +372,7 @@ struct BlockedRobot : OneRobot {
     r2.state.place = {first, 4};
     r2.state.mode = msg::RobotMode::stopped;  // it makes no way
     run(1s);
-    goal = weft({"goal", "send", "--to", "packing", "--robot", "r1", "--json"}).json()["goal"];
+    goal = weft({"goal", "send", "--to", "packing", "--no-return", "--robot", "r1", "--json"}).json()["goal"];
     run(4s);
   }
   Puppet& r2;

@@ -14,7 +14,7 @@ TEST(Doctor, NamesRobotsThatDoNotKnowWhereTheyAreAndGoalsThatGetNowhere) {
   OneRobot fleet;
   fleet.r1.state.localised = false;
   fleet.run(2s);
-  std::ignore = fleet.weft({"goal", "send", "--to", "packing", "--robot", "r1"});
+  std::ignore = fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--robot", "r1"});
   fleet.run(70s);
   const Said said = fleet.weft({"doctor"});
   EXPECT_EQ(said.exit, Exit::failed);
