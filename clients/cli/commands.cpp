@@ -56,6 +56,7 @@ constexpr std::array kAskings{
     Asking{Command::goal_show, run_goals, kSoon},
     Asking{Command::goal_watch, run_goals, 24h},
     Asking{Command::goal_cancel, run_goals, kSoon},
+    Asking{Command::goal_hand_over, run_goals, kSoon},
     Asking{Command::goal_why, run_goals, kSoon},
     Asking{Command::rule_add, run_rules, kAMinute},
     Asking{Command::rule_list, run_rules, kSoon},

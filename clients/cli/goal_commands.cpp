@@ -159,9 +159,11 @@ Exit watch(Session& session, const Goal& goal, const Invocation& invocation, con
                 invocation.json, output);
 }
 
-Exit cancel(Session& session, const Goal& goal, const Invocation& invocation, const Output& output) {
+/// Asks for what needs the goal's id alone.
+Exit ask_of(Session& session, const Goal& goal, msg::OperatorRequest::Kind kind, const Invocation& invocation,
+            const Output& output) {
   msg::OperatorRequest request;
-  request.kind = msg::OperatorRequest::Kind::goal_cancel;
+  request.kind = kind;
   request.goal = goal.id;
   const Result<msg::OperatorReply> reply = session.ask(std::move(request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
@@ -243,7 +245,12 @@ Exit run_goals(Session& session, const Invocation& invocation, const Output& out
   const Result<Goal> goal = find(*goals, invocation.goal);
   if (!goal) return report(goal.error(), invocation.json, output);
   if (invocation.command == Command::goal_watch) return watch(session, *goal, invocation, output);
-  if (invocation.command == Command::goal_cancel) return cancel(session, *goal, invocation, output);
+  using Kind = msg::OperatorRequest::Kind;
+  if (invocation.command == Command::goal_cancel)
+    return ask_of(session, *goal, Kind::goal_cancel, invocation, output);
+  if (invocation.command == Command::goal_hand_over) {
+    return ask_of(session, *goal, Kind::goal_hand_over, invocation, output);
+  }
   return show_one(*goal, *goals, invocation, output);
 }
 

@@ -362,6 +362,7 @@ class Grammar {
     one_goal(*goal, "show", "One goal with its history", Command::goal_show);
     one_goal(*goal, "watch", "Follow a goal to its end", Command::goal_watch);
     one_goal(*goal, "cancel", "Call a goal off", Command::goal_cancel);
+    one_goal(*goal, "hand-over", "Let another robot have the goal of one that is not heard", Command::goal_hand_over);
     one_goal(*goal, "why", "Why it, or a robot, does not get on: what it waits for, since when, who asked",
              Command::goal_why, "A goal's id or its beginning, or a robot's name");
   }

@@ -42,6 +42,7 @@ struct Invocation {
     goal_show,
     goal_watch,
     goal_cancel,
+    goal_hand_over,
     goal_why,
     stop,
     resume,

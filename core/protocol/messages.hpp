@@ -324,7 +324,8 @@ struct OperatorRequest {
     rule_put = 28,     ///< in the place of the rule with that name, if there is one
     rule_remove = 29,  ///< by its name
     hold = 30,         ///< a robot or the places of a rule: releases stop growing
-    unhold = 31
+    unhold = 31,
+    goal_hand_over = 32  ///< from a robot that is not heard to any other
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
@@ -336,7 +337,7 @@ struct OperatorRequest {
   std::string label;
   std::string new_label;  ///< label_rename
   PlaceId place;          ///< label, localise: which place, when not by label
-  GoalId goal;            ///< goal_cancel; goal_send: the id to be, drawn by the client
+  GoalId goal;            ///< goal_cancel, goal_hand_over; goal_send: the id to be, drawn by the client
   std::vector<AgentCommand::Point> along;
   MapWork work;
   bool is_sure = false;  ///< clear: also when the robot is heard

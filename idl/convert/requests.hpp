@@ -23,14 +23,15 @@ void describe(Io& io, Value<Io, msg::OperatorRequest>& value, Wire<Io, idl::Oper
   using Kind = msg::OperatorRequest::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::unhold);
+  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::goal_hand_over);
   io.text("who", value.who, wire.who(), kNameLength);
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.text("label", value.label, wire.label(), kNameLength);
   io.text("new_label", value.new_label, wire.new_label(), kNameLength);
   io.any(value.place, wire.place());
   io.any(value.goal, wire.goal());
-  const bool needs_goal = value.kind == Kind::goal_send || value.kind == Kind::goal_cancel;
+  const bool needs_goal =
+      value.kind == Kind::goal_send || value.kind == Kind::goal_cancel || value.kind == Kind::goal_hand_over;
   io.require(!needs_goal || value.goal, "goal", "must not be none");
   io.in("along", value.along, wire.along());
   io.in("work", value.work, wire.work());

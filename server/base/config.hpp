@@ -13,6 +13,13 @@ enum class Unjoined : std::uint8_t {
   one_drives  ///< and no more than one robot is on its way at a time
 };
 
+/// States the rule for goals of robots that are not heard any more, and that were asked for no robot in particular.
+enum class SilentGoal : std::uint8_t {
+  keep,       ///< they wait until the robot is heard
+  hand_over,  ///< another robot gets them
+  ask         ///< an operator is told that one could
+};
+
 /// Holds the settings of one server, checked by `start`.
 struct ServiceConfig {
   PeerId self;
@@ -24,7 +31,9 @@ struct ServiceConfig {
   Unjoined unjoined = Unjoined::warn;
   /// [0, 3600]; for so long after it has come to a goal a robot is at work there, and is not asked to make way.
   double handling_s = 10.0;
-  Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
+  SilentGoal silent_goal = SilentGoal::hand_over;
+  double silent_goal_after_s = 60.0;  ///< [1, 86400]; for so long a robot is not heard before that rule holds
+  Signers signers{};                  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 
 }  // namespace weft::server

@@ -36,6 +36,9 @@ class Dispatcher {
   // These do what operators ask for. Each leaves the request's number, sender and header to the caller.
   msg::OperatorReply send(const msg::OperatorRequest& request, const std::string& who, Now now);
   msg::OperatorReply cancel(const GoalId& id, const std::string& who, Now now);
+  /// Takes the goal from a robot that is not heard, for any other. Refused when the robot is heard, or the goal was
+  /// asked for it alone.
+  msg::OperatorReply hand_over(const GoalId& id, const std::string& who, Now now);
   /// Stops or continues the robot's goal, if it has one; returns a text of what happened.
   Result<std::string> pause(const RobotId& robot, const std::string& who, Now now);
   Result<std::string> resume(const RobotId& robot, const std::string& who, Now now);
@@ -89,14 +92,15 @@ class Dispatcher {
     bool is_closed = false;   ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
-    SteadyTime given_at;             ///< since the server has it: its turn comes the sooner the longer
-    bool look_at_release = true;     ///< it is worth while to ask traffic for more
-    Traffic::Way way;                ///< as traffic said last
-    Traffic::Way noted_way;          ///< what it waits for, as it was told
-    std::string ruled_by;            ///< the name of the rule that ends its release; empty: none does
-    std::string noted_rule;          ///< the same, as it was told
-    std::optional<Now> waits_since;  ///< that it was released no farther
-    bool stands_at_end = false;      ///< the robot said so of its latest order
+    SteadyTime given_at;              ///< since the server has it: its turn comes the sooner the longer
+    bool look_at_release = true;      ///< it is worth while to ask traffic for more
+    Traffic::Way way;                 ///< as traffic said last
+    Traffic::Way noted_way;           ///< what it waits for, as it was told
+    std::string ruled_by;             ///< the name of the rule that ends its release; empty: none does
+    std::string noted_rule;           ///< the same, as it was told
+    std::optional<Now> waits_since;   ///< that it was released no farther
+    bool stands_at_end = false;       ///< the robot said so of its latest order
+    bool is_hand_over_asked = false;  ///< people were told that another robot could have the goal
   };
 
   // assign.cpp
@@ -128,6 +132,12 @@ class Dispatcher {
 
   Result<std::string> clear_heard(const Robot& robot, const std::string& who, Now now);
   Result<void> fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
+
+  // hand_over.cpp
+  std::string keeps_goal(const RobotId& robot, const RouteAssignment& assignment) const;
+  Result<void> hand_over(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
+  void look_at_silent(Now now);
+  std::optional<SteadyTime> next_look_at_silent() const;
 
   // reroute.cpp
   void reroute(const RobotId& robot, RouteAssignment& assignment, Now now);
@@ -203,6 +213,7 @@ class Dispatcher {
   bool routes_checked_ = false;
   bool look_again_ = true;
   SteadyTime look_at_;
+  SteadyTime look_at_silent_{};
 };
 
 }  // namespace weft::server

@@ -14,6 +14,9 @@ constexpr Duration kBetweenLooks = 500ms;
 constexpr Duration kLongestOnItsWay = 3s;
 /// Bounds how long a robot may say that it has no such route before it has lost it.
 constexpr Duration kLostAfter = 2s;
+/// Bounds how long a robot may say so that is sent its route and has not reported on it since the server knows: it
+/// was given back while the server was away, and the robot takes no more orders for it.
+constexpr Duration kIgnoredAfter = 10s;
 /// Bounds how long a robot is not asked to make way to where it could not drive.
 constexpr Duration kAvoidsFor = 1min;
 }  // namespace
@@ -165,9 +168,12 @@ void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route,
     return;
   }
   const bool had_it = assignment.latest_report && *assignment.latest_report < state.header.sequence;
-  if (!had_it || assignment.route_lost) return;
+  if (assignment.route_lost) return;
+  if (!had_it && !has_to_send(state.header.sender, assignment)) return assignment.missing_since.reset();
   if (!assignment.missing_since) assignment.missing_since = now;
-  if (now - *assignment.missing_since >= kLostAfter) assignment.route_lost = true;
+  if (now - *assignment.missing_since < (had_it ? kLostAfter : kIgnoredAfter)) return;
+  assignment.route_lost = true;
+  if (!had_it) assignment.is_closed = true;
 }
 
 void Dispatcher::on_state(const Robot& robot, Now now) {
@@ -175,11 +181,13 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   look_again_ = true;
   const auto found = assignments_.find(robot.id);
   if (found == assignments_.end()) {
-    traffic_.stands(state, now);
+    // Its goal may have been given to another robot while it was not heard: it drives on to the end of what it holds.
+    if (!state.route || !traffic_.holds_route(robot.id, state.route)) traffic_.stands(state, now);
     if (state.route) end_unknown(robot.id, state.goal, state.route);
     return;
   }
   RouteAssignment& assignment = found->second;
+  assignment.is_hand_over_asked = false;
   const Route& route = *book_.route(assignment.goal);
   if (assignment.ending) {
     if (!has_forgotten(assignment, state, route, now.steady)) {
@@ -233,6 +241,7 @@ void Dispatcher::tick(Now now) {
     seen_rules_ = routes_.rules();
     for (auto& [robot, assignment] : assignments_) reroute(robot, assignment, now);
   }
+  look_at_silent(now);
   for (const RobotId& robot : traffic_.take_woken()) {
     const auto woken = assignments_.find(robot);
     if (woken == assignments_.end()) continue;
@@ -271,6 +280,7 @@ std::optional<SteadyTime> Dispatcher::next() const {
   if (look_again_ && anybody_waits) sooner(look_at_);
   if (traffic_.has_woken()) sooner(SteadyTime{});
   if (needs_plan()) sooner(planning_.next());
+  if (const std::optional<SteadyTime> at = next_look_at_silent()) sooner(*at);
   return next;
 }
 

@@ -50,6 +50,7 @@ Result<void> GoalBook::write(Goal goal, const Step& step, const std::optional<Ro
     return fail(done.error());
   }
   if (route) routes_[goal.id] = *route;
+  if (!goal.route) routes_.erase(goal.id);
   index(goal);
   goals_[goal.id] = std::move(goal);
   return {};

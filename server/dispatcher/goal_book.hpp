@@ -23,7 +23,7 @@ class GoalBook {
     const char* kind = nullptr;  ///< of the event; none: "goal.<state>"
   };
   /// Writes `goal`, with the step added to its history, its event, and what else is in `transaction`; on success the
-  /// book has it. A route in `route` becomes the goal's latest.
+  /// book has it. A route in `route` becomes the goal's latest; a goal that has none any more is without one.
   Result<void> write(Goal goal, const Step& step, const std::optional<Route>& route, storage::Transaction transaction,
                      Now now);
   struct Waiting {

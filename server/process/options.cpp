@@ -18,9 +18,9 @@ constexpr int kUsage = 2;
 /// Holds settings as given on the command line; none: not given.
 struct Flags {
   std::string config;
-  std::optional<std::string> store, name, dds, listen, unjoined;
+  std::optional<std::string> store, name, dds, listen, unjoined, silent_goal;
   std::optional<unsigned> domain, index;
-  std::optional<double> robot_silent_after_s, handling_s;
+  std::optional<double> robot_silent_after_s, handling_s, silent_goal_after_s;
 };
 
 void declare(CLI::App& app, Flags& flags) {
@@ -39,6 +39,10 @@ void declare(CLI::App& app, Flags& flags) {
                  "How long a robot that has come to its goal is not asked to make way, 0 to 3600 [10]");
   app.add_option("--robot-silent-after-s", flags.robot_silent_after_s,
                  "Seconds after which a robot counts as silent, over 0 to 3600 [5]");
+  app.add_option("--silent-goal", flags.silent_goal,
+                 "keep | hand_over | ask: what becomes of a goal for any robot whose robot is not heard [hand_over]");
+  app.add_option("--silent-goal-after-s", flags.silent_goal_after_s,
+                 "Seconds after which that is done, 1 to 86400 [60]");
   app.add_option("--unjoined", flags.unjoined,
                  "warn | one_drives: whether, of robots in parts of the map that nothing joins, one at a time is "
                  "released [warn]");
@@ -79,6 +83,11 @@ Options read(const config::Table& table) {
   options.index = static_cast<unsigned>(table.integer("index", 0, 0, 100));
   options.handling_s = table.number("handling_s", 10.0, 0.0, 3600.0);
   options.robot_silent_after_s = table.number("robot_silent_after_s", 5.0, 0.001, 3600.0);
+  options.silent_goal_after_s = table.number("silent_goal_after_s", 60.0, 1.0, 86400.0);
+  const std::string silent = table.choice("silent_goal", "hand_over", {"keep", "hand_over", "ask"});
+  options.silent_goal = silent == "keep"  ? SilentGoal::keep
+                        : silent == "ask" ? SilentGoal::ask
+                                          : SilentGoal::hand_over;
   const std::string unjoined = table.choice("unjoined", "warn", {"warn", "one_drives"});
   options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
   options.effective = table.effective();
@@ -93,6 +102,8 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.domain) options.domain = given.domain;
   if (flags.listen) options.listen = given.listen;
   if (flags.index) options.index = given.index;
+  if (flags.silent_goal) options.silent_goal = given.silent_goal;
+  if (flags.silent_goal_after_s) options.silent_goal_after_s = given.silent_goal_after_s;
   if (flags.unjoined) options.unjoined = given.unjoined;
   if (flags.handling_s) options.handling_s = given.handling_s;
   if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
@@ -138,6 +149,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "index", flags.index);
   lay_over(text, "handling_s", flags.handling_s);
   lay_over(text, "robot_silent_after_s", flags.robot_silent_after_s);
+  lay_over(text, "silent_goal", flags.silent_goal);
+  lay_over(text, "silent_goal_after_s", flags.silent_goal_after_s);
   lay_over(text, "unjoined", flags.unjoined);
   const config::Table from_flags = config::parse(text, "command line");
   const Options given = read(from_flags);

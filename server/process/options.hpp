@@ -21,6 +21,8 @@ struct Options {
   double handling_s = 0.0;
   double robot_silent_after_s = 0.0;
   Unjoined unjoined = Unjoined::warn;
+  SilentGoal silent_goal = SilentGoal::hand_over;
+  double silent_goal_after_s = 0.0;
   std::vector<config::Setting> effective;  ///< for the log
 };
 

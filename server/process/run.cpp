@@ -196,6 +196,8 @@ Result<void> run(const Options& options) {
   config.vendor = link.bus().vendor();
   config.handling_s = options.handling_s;
   config.robot_silent_after_s = options.robot_silent_after_s;
+  config.silent_goal = options.silent_goal;
+  config.silent_goal_after_s = options.silent_goal_after_s;
   config.unjoined = options.unjoined;
   config.signers = all_signers();
   Result<std::unique_ptr<Service>> service = start(config, **store, random, now());

@@ -56,6 +56,9 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::goal_cancel:
       answer(key, dispatcher_.cancel(request.goal, who, now));
       return;
+    case Kind::goal_hand_over:
+      answer(key, dispatcher_.hand_over(request.goal, who, now));
+      return;
     case Kind::stop:
     case Kind::resume:
       stop_or_resume(key, request, who, now);

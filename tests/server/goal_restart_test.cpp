@@ -61,6 +61,18 @@ TEST_F(GoalRestart, RestartedServerSendsTheSameRouteUntilTheRobotAnswers) {
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
+TEST_F(GoalRestart, RouteThatWasGivenBackWhileTheServerWasAwayIsPlannedAnew) {
+  site.restart();
+  site.arrive(r1, std::nullopt);
+  // It was told meanwhile where it is, has given its route back for that, and ignores the orders to follow it.
+  for (int i = 0; i < 14; ++i) {
+    site.say(site.state(r1, run.place(8)));
+    site.pass(1s);
+  }
+  EXPECT_NE(order().id, route.id);
+  EXPECT_EQ(order().places.front(), run.place(8));
+}
+
 TEST_F(GoalRestart, GoalThatWaitsSurvivesToo) {
   site.send_goal(2, "dock", "r1");
   site.restart();

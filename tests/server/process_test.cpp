@@ -112,6 +112,8 @@ TEST_F(ServerProcess, WrongUsageIsExitTwo) {
   EXPECT_THAT(said, HasSubstr("[0, 200]"));
   expect_one_line();
   EXPECT_EQ(run({"--store", directory.string(), "--unjoined", "ignore"}), 2);
+  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal", "forget"}), 2);
+  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal-after-s", "0"}), 2);
   EXPECT_THAT(said, HasSubstr("one_drives"));
   expect_one_line();
 }

@@ -52,9 +52,13 @@ void Planner::occupy(const std::vector<PlanRequest>& requests) {
   std::set<Berth> occupied;
   for (const PlanRequest& request : requests) {
     if (!request.stands_for_long || request.held.empty() || !berths_.has(request.held.back())) continue;
-    const Berth berth = berths_.at(request.held.back());
-    occupied.insert(berth);
-    occupied.insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
+    // It may be anywhere in what it holds.
+    for (const PlaceId& place : request.held) {
+      if (place != request.held.back() && (!berths_.has(place) || !berths_.is_cut(place))) continue;
+      const Berth berth = berths_.at(place);
+      occupied.insert(berth);
+      occupied.insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
+    }
   }
   if (std::equal(occupied.begin(), occupied.end(), occupied_.begin(), occupied_.end())) return;
   distances_.clear();

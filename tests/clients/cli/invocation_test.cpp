@@ -44,6 +44,7 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"goal", "show", "ab"}, Command::goal_show},
       {{"goal", "watch", "ab"}, Command::goal_watch},
       {{"goal", "cancel", "ab"}, Command::goal_cancel},
+      {{"goal", "hand-over", "ab"}, Command::goal_hand_over},
       {{"goal", "why", "ab"}, Command::goal_why},
       {{"stop", "r1"}, Command::stop},
       {{"stop", "--all"}, Command::stop},
