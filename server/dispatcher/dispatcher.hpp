@@ -59,7 +59,10 @@ class Dispatcher {
 
   void network_changed();
   /// Has routes under way checked at the next tick: something left the map or came back.
-  void network_edited() { routes_checked_ = false; }
+  void network_edited() {
+    routes_checked_ = false;
+    planning_.map_edited();
+  }
   void tick(Now now);
   /// Leaves out of every wait for a robot's word what the server itself was away.
   void excuse(Duration away, SteadyTime now);
@@ -97,6 +100,7 @@ class Dispatcher {
     Traffic::Way way;                 ///< as traffic said last
     Traffic::Way noted_way;           ///< what it waits for, as it was told
     std::string ruled_by;             ///< the name of the rule that ends its release; empty: none does
+    bool was_bent = false;            ///< the robot could not drive as it was led, and was given another way for that
     std::string noted_rule;           ///< the same, as it was told
     std::optional<Now> waits_since;   ///< that it was released no farther
     bool stands_at_end = false;       ///< the robot said so of its latest order
@@ -146,7 +150,7 @@ class Dispatcher {
   void put_version(const RobotId& robot, RouteAssignment& assignment, const Route& next, const GoalBook::Step& step,
                    Now now);
   void cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
-  void recall(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
 
   // moves.cpp
   bool needs_plan() const;

@@ -17,6 +17,8 @@ constexpr Duration kLostAfter = 2s;
 /// Bounds how long a robot may say so that is sent its route and has not reported on it since the server knows: it
 /// was given back while the server was away, and the robot takes no more orders for it.
 constexpr Duration kIgnoredAfter = 10s;
+/// Is what a robot says that cannot bend into what lies ahead of it on its route.
+constexpr const char* kNoPath = "route_makes_no_path";
 /// Bounds how long a robot is not asked to make way to where it could not drive.
 constexpr Duration kAvoidsFor = 1min;
 }  // namespace
@@ -107,6 +109,11 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
     traffic_.freed(robot, route->id, last);
     finish(robot, assignment, GoalState::succeeded, "arrived", who, now);
     return;
+  }
+  const bool can_be_bent =
+      progress.reason == kNoPath && book_.find(assignment.goal)->kind == GoalKind::operator_asked;
+  if (progress.phase == msg::RoutePhase::failed && can_be_bent && !std::exchange(assignment.was_bent, true)) {
+    return recall(robot, assignment, who + " cannot drive as it was led", now);
   }
   if (progress.phase == msg::RoutePhase::failed) {
     finish(robot, assignment, GoalState::failed, progress.reason.empty() ? "the robot gave up" : progress.reason, who,

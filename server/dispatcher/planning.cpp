@@ -10,6 +10,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenPlans = 1s;
 constexpr Duration kLeastBetweenPlans = 100ms;
+/// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
+constexpr Duration kBetweenMaps = 10s;
 
 /// Returns how one drives from one place to the next; none: one does not.
 std::optional<Relation> hop(const Snapshot& network, const PlaceId& from, const PlaceId& to) {
@@ -24,7 +26,8 @@ std::optional<Relation> hop(const Snapshot& network, const PlaceId& from, const 
 
 void Planning::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
                     SteadyTime now) {
-  planner_.plan(network, footprint_m, requests);
+  const bool may_lag = followed_at_ && now < *followed_at_ + kBetweenMaps;
+  if (planner_.plan(network, footprint_m, requests, may_lag)) followed_at_ = now;
   robots_.clear();
   of_.clear();
   for (const PlanRequest& request : requests) {

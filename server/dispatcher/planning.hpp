@@ -24,6 +24,8 @@ class Planning {
   void want() { next_ = {}; }
   /// Asks for another plan soon: a robot is not where the plan has it.
   void want_soon() { next_ = std::min(next_, soonest_); }
+  /// Notes that something was taken out of the map, came back, or is ruled otherwise: the next plan has to know.
+  void map_edited() { followed_at_.reset(); }
   void plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
             SteadyTime now);
 
@@ -55,6 +57,7 @@ class Planning {
   std::vector<RobotId> of_;  ///< by number
   SteadyTime next_;
   SteadyTime soonest_;
+  std::optional<SteadyTime> followed_at_;  ///< when a plan was made of the map as it was then
 };
 
 /// Returns the route that goes on with these places from its released end, or from its beginning when nothing is

@@ -64,7 +64,7 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
   } else if (*broken > route.released) {
     replan_ahead(robot, assignment, now);
   } else {
-    recall(robot, assignment, now);
+    recall(robot, assignment, "the map was changed under " + fleet_.name_of(robot), now);
   }
 }
 
@@ -152,15 +152,15 @@ void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, cons
   send_order(robot, assignment, now.steady);
 }
 
-void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, Now now) {
+/// Has the robot stop, and plans from where it stands.
+void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
   const Goal& goal = *book_.find(assignment.goal);
   assignment.recalled = true;
   assignment.wait = Duration{};
   // Told even when it cannot be written down: to stand is more urgent.
   std::ignore = book_.write(goal,
                             {.state = goal.state,
-                             .cause = "the map was changed under " + fleet_.name_of(robot) +
-                                      ": it stops, and is given another route from where it stands",
+                             .cause = why + ": it stops, and is given another route from where it stands",
                              .who = "dispatcher",
                              .kind = "goal.waits"},
                             std::nullopt, {}, now);

@@ -305,6 +305,29 @@ TEST_F(GoalLife, RobotThatGivesUpFailsTheGoalWithItsReason) {
   EXPECT_EQ(site.goal(1).history.back().cause, "the wheel is off");
 }
 
+TEST_F(GoalLife, RobotThatCannotBendIntoItsRouteIsGivenAnotherOneOnce) {
+  for (int tried = 0; tried < 2; ++tried) {
+    const Route route = tried == 0 ? start() : site.last<msg::RouteOrder>()->route;
+    msg::RouteProgress progress;
+    progress.header = r1.header();
+    progress.goal = route.goal;
+    progress.route = route.id;
+    progress.version = route.version;
+    progress.phase = msg::RoutePhase::failed;
+    progress.reason = "route_makes_no_path";
+    site.say(progress);
+    if (tried == 1) break;
+    EXPECT_EQ(site.goal(1).state, GoalState::executing);
+    EXPECT_TRUE(site.last<msg::RouteOrder>()->route.ended);
+    site.pass(4s);
+    stand(run.place(3));
+    site.pass(1s);
+    EXPECT_NE(site.last<msg::RouteOrder>()->route.id, route.id);
+    EXPECT_EQ(site.last<msg::RouteOrder>()->route.places.front(), run.place(3));
+  }
+  EXPECT_EQ(site.goal(1).state, GoalState::failed);
+}
+
 TEST_F(GoalLife, OrderIsRepeatedUntilTheRobotHasIt) {
   stand(run.place(0));
   site.send_goal(1, "dock");

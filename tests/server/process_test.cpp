@@ -112,9 +112,11 @@ TEST_F(ServerProcess, WrongUsageIsExitTwo) {
   EXPECT_THAT(said, HasSubstr("[0, 200]"));
   expect_one_line();
   EXPECT_EQ(run({"--store", directory.string(), "--unjoined", "ignore"}), 2);
-  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal", "forget"}), 2);
-  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal-after-s", "0"}), 2);
   EXPECT_THAT(said, HasSubstr("one_drives"));
+  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal", "forget"}), 2);
+  EXPECT_THAT(said, HasSubstr("hand_over"));
+  EXPECT_EQ(run({"--store", directory.string(), "--silent-goal-after-s", "0"}), 2);
+  EXPECT_THAT(said, HasSubstr("[1, 86400]"));
   expect_one_line();
 }
 

@@ -38,6 +38,8 @@ class Berths final : public BerthGraph {
 
   /// Follows the map and the size of robots: numbers that were given mean nothing any more when this returns true.
   bool follow(const RuledNetwork& network, double footprint_m);
+  /// Returns whether a map is followed, for robots of that size.
+  bool is_for(double footprint_m) const { return network_ != nullptr && footprint_m_ == footprint_m; }
   /// Numbers a way of driving.
   std::uint32_t methods(const Drives& drives);
   /// Numbers a place; one that is no cut becomes a berth of its own. Not to be called while a plan is made.

@@ -19,9 +19,11 @@ constexpr std::uint32_t kBerthsAheadAlone = 8;
 
 }  // namespace
 
-void Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests) {
+bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
+                   bool may_lag) {
   order_ = {};
-  if (berths_.follow(network, footprint_m)) {
+  const bool lags = may_lag && berths_.is_for(footprint_m) && knows(requests);
+  if (!lags && berths_.follow(network, footprint_m)) {
     distances_.clear();
     pockets_.clear();
   }
@@ -45,6 +47,16 @@ void Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   asked_several_ += plan.asked_several;
   order_ = PlanOrder(std::move(plan));
   forget_unused();
+  return !lags;
+}
+
+/// Returns whether all places that the requests name are in the map as it is followed.
+bool Planner::knows(const std::vector<PlanRequest>& requests) const {
+  const auto has = [this](const PlaceId& place) { return berths_.has(place); };
+  return std::all_of(requests.begin(), requests.end(), [&](const PlanRequest& request) {
+    return std::all_of(request.held.begin(), request.held.end(), has) &&
+           std::all_of(request.ahead.begin(), request.ahead.end(), has) && (!request.goal || has(*request.goal));
+  });
 }
 
 /// Notes which berths are occupied for long. Distances are searched anew when that changes.

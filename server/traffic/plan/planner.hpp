@@ -42,8 +42,11 @@ class Planner {
   Planner(Proximity& proximity, PlanRules rules) : berths_(proximity), rules_(rules) {}
 
   /// Plans anew for all of them; `footprint_m` is that of the largest. Robots that stand where the map has no place
-  /// are left out. The robots' numbers, below, are those of the requests.
-  void plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests);
+  /// are left out. The robots' numbers, below, are those of the requests. Where `may_lag`, the map and the layout may
+  /// be those of an earlier plan, if all that the requests name lies in that: to cut a map into berths again takes
+  /// what the map does. Returns whether it is the latest.
+  bool plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
+            bool may_lag = false);
   /// Returns the robot's planned moves from `first` to before `last`.
   PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
@@ -62,6 +65,7 @@ class Planner {
  private:
   using Key = std::pair<PlaceId, std::uint32_t>;
 
+  bool knows(const std::vector<PlanRequest>& requests) const;
   void occupy(const std::vector<PlanRequest>& requests);
   PlanRobot robot_of(const PlanRequest& request);
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
