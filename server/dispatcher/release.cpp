@@ -47,7 +47,9 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   if (is_all) return;
   assignment.way = piece->way;
   if (!assignment.waits_since) assignment.waits_since = now;
-  note_waiting(robot, assignment, piece->way, now);
+  // Its turn comes mostly while it still drives: then it does not wait.
+  const bool drives_on = told && !assignment.stands_at_end && piece->way.end == Traffic::Way::End::turn;
+  note_waiting(robot, assignment, drives_on ? Traffic::Way{} : piece->way, now);
 }
 
 /// Finds what comes next by the plan, and how far that can be had. None: the robot is not where the plan has it, and

@@ -93,6 +93,18 @@ void Play::put(const std::string& robot, const PlaceId& place) {
   site_.arrive(puppet.peer, place);
 }
 
+void Play::close(const std::string& rule, const PlaceId& first, const PlaceId& last) {
+  msg::OperatorRequest request = site_.request(msg::OperatorRequest::Kind::rule_put);
+  request.rule = {.name = rule, .spans = {{first, last}}};
+  site_.ask(request);
+}
+
+void Play::open(const std::string& rule) {
+  msg::OperatorRequest request = site_.request(msg::OperatorRequest::Kind::rule_remove);
+  request.rule.name = rule;
+  site_.ask(request);
+}
+
 void Play::send(const std::string& robot, const std::string& label) {
   site_.send_goal(++goals_, label, robot);
 }
@@ -149,7 +161,8 @@ void Play::take_orders() {
         continue;
       }
       const bool is_news = !is_known || order.route.version > robot.route->version;
-      if (is_news) robot.index = 0;
+      // A version begins with all that was released before it.
+      if (!is_known) robot.index = 0;
       if (is_news || order.route.released > robot.route->released) robot.route = order.route;
     }
   }

@@ -24,6 +24,9 @@ class Play {
 
   void put(const std::string& robot, const PlaceId& place);
   void send(const std::string& robot, const std::string& label);
+  /// Closes a stretch of a run, both ways, until it is opened.
+  void close(const std::string& rule, const PlaceId& first, const PlaceId& last);
+  void open(const std::string& rule);
   void end(const std::string& robot) { robots_.at(robot).is_alive = false; }
   void pass(double seconds);
   /// Returns whether every goal ended within that time; stops as soon as that is so.
