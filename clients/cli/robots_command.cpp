@@ -34,6 +34,13 @@ std::string held_by(const msg::RobotState& state) {
          fixed(static_cast<double>(state.memory_cap_bytes) / bytes_a_mib, 0) + " MiB";
 }
 
+/// Returns what the robot's battery holds, as it said last.
+std::string charge(const msg::RobotRow& row) {
+  if (!row.power.header.sender) return "-";
+  const std::string percent = fixed(100.0 * row.power.share, 0) + " %";
+  return row.power.is_charging ? percent + ", charging" : percent;
+}
+
 std::string why(const msg::RobotRow& row) {
   const std::string stands = row.standstill.empty()     ? ""
                              : row.state.reason.empty() ? "in a standstill"
@@ -68,10 +75,11 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
     return Exit::done;
   }
   Table table;
-  table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "REASON"});
+  table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "CHARGE", "REASON"});
   for (const msg::RobotRow& row : rows) {
     table.add({row.description.name, row.is_heard ? msg::to_string(row.state.mode) : "silent", where(row.state),
-               doing(row.state), fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), why(row)});
+               doing(row.state), fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), charge(row),
+               why(row)});
   }
   table.print(output.out);
   for (const std::string& text : standstills(rows)) output.out << "standstill: " << text << '\n';

@@ -37,7 +37,8 @@ MarksBody::MarksBody(std::shared_ptr<const Site> site, const Pose2& site_from_ro
 
 Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   const bool hand = by_hand() || hand_done_;
-  const agents::Twist drive = by_hand() ? hand_twist() : hand ? agents::Twist{} : command;
+  const bool is_empty = battery_ && battery_->is_empty();
+  const agents::Twist drive = by_hand() ? hand_twist() : hand || is_empty ? agents::Twist{} : command;
   // A base that still turns, or has a command under way, does not rest.
   const agents::Twist turning = base_.wheels();
   const bool still = std::abs(turning.linear_m_s) < 1e-3 && std::abs(turning.angular_rad_s) < 1e-3;
@@ -54,6 +55,10 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   sample.motion.elapsed = from_seconds(period);
   sample.motion.command = drive;
   const double rolled = base_.wheels().linear_m_s * period;
+  if (battery_) {
+    battery_->advance(rolled, period, {site_from_robot().x, site_from_robot().y});
+    sample.charge = battery_->charge();
+  }
   sample.motion.wheels = agents::WheelStep{rolled * wheel_scale_, base_.last_step().heading + wheel_turn_ * rolled};
   // Lamps fail, mostly for longer than a robot may drive blind.
   const bool may_darken = !hand && !resting && time_ >= dark_until_;

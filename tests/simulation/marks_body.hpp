@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "agents/bodies/battery.hpp"
 #include "agents/bodies/body.hpp"
 #include "core/random.hpp"
 #include "tests/simulation/site.hpp"
@@ -31,6 +33,8 @@ class MarksBody : public agents::Body {
   /// Returns the true pose, for the invariants alone.
   const Pose2& site_from_robot() const { return base_.world_from_robot(); }
   double true_speed_m_s() const { return base_.wheels().linear_m_s; }
+  /// Gives it a battery; without one it says nothing of its charge.
+  void equip(agents::Battery battery) { battery_ = std::move(battery); }
   bool by_hand() const { return !hand_.empty(); }
   /// Returns where the robot was at a frame of the last few minutes.
   std::optional<Pose2> at_frame(std::uint64_t frame) const;
@@ -54,6 +58,7 @@ class MarksBody : public agents::Body {
   std::optional<Eigen::Vector2d> hand_turns_to_;  ///< on the spot, before it goes along the line
   double wander_ = 0.0;
   agents::Twist driven_;  ///< the last command
+  std::optional<agents::Battery> battery_;
   std::map<std::uint64_t, Pose2> truth_;
 };
 

@@ -112,6 +112,7 @@ void RobotAgent::send_due(SteadyTime now) {
   send(session_.due(now));
   if (reporter_.description_due(now)) outbox_.send(description_of(config_, navigator_->drives()));
   if (msg::RobotState present = state(); reporter_.state_due(present, now)) outbox_.send(std::move(present));
+  send(power_.due(now));
   send(follow_.due(now));
   send(map_.window_due(now));
   send(recogniser_.due(now));
@@ -130,7 +131,8 @@ AgentOutput RobotAgent::finish(SteadyTime now) {
 std::optional<SteadyTime> RobotAgent::next_tick() const {
   SteadyTime next = std::min({session_.next(), reporter_.next(), map_.next()});
   const std::optional<SteadyTime> others[] = {upload_.next(),   recogniser_.next(),        teach_.next(),
-                                              localise_.next(), follow_.next(may_drive()), keep_place_.next()};
+                                              localise_.next(), follow_.next(may_drive()), keep_place_.next(),
+                                              power_.next()};
   for (const std::optional<SteadyTime>& at : others) next = std::min(next, at.value_or(next));
   return next;
 }

@@ -15,6 +15,7 @@
 #include "agents/agent/missions/teach_mission.hpp"
 #include "agents/agent/outbox.hpp"
 #include "agents/agent/place_learning.hpp"
+#include "agents/agent/power_reporter.hpp"
 #include "agents/agent/recogniser.hpp"
 #include "agents/agent/replies.hpp"
 #include "agents/agent/session.hpp"
@@ -102,6 +103,7 @@ class RobotAgent final : public Agent {
   Condition condition_;
   PlaceLearning learning_;
   StateReporter reporter_;
+  PowerReporter power_;
   DiagnosticWatches diagnostics_;
   Counters seen_;  ///< fixes, and refusals of the navigator by their reason
 

@@ -44,6 +44,7 @@ void RobotAgent::heard(Session::Heard heard, SteadyTime now) {
   recogniser_.server_restarted(now);
   follow_.server_restarted(now);
   reporter_.server_restarted(now);
+  power_.server_restarted(now);
 }
 
 void RobotAgent::on(const msg::Hello& hello, SteadyTime now) {

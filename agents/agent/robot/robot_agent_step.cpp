@@ -21,6 +21,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.lost = navigated.lost;
   condition_.stands_for = navigated.reason;
   condition_.command = navigated.command;
+  power_.take(sample.charge, now);
   obey(sample.safety, navigated.fix.has_value(), now);
   outbox_.expose(navigated.exposes);
   teach_.step(navigated.kept, sample.hand_done, now);

@@ -95,6 +95,7 @@ class SimBody final : public SimulatedBody {
   std::optional<TruthFile> truth_;
   std::optional<Hand> hand_;
   bool hand_done_ = false;
+  std::optional<Battery> battery_;
 };
 
 SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
@@ -113,6 +114,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       timing_(random_of(seed_, timing, day_)),
       truth_(std::move(truth)) {
   const CameraOwner owner{robot_, day_, random_of(seed_, calibration, day_), random_of(seed_, calibration)};
+  if (site_.battery) battery_.emplace(*site_.battery);
   const auto looks = [&start](Gaze gaze) {
     return std::find(start.looks.begin(), start.looks.end(), gaze) != start.looks.end();
   };
@@ -238,7 +240,8 @@ TimedCamera& SimBody::next_camera(bool at_rest) {
 
 Result<Sample> SimBody::step(const Twist& command) {
   Sample sample;
-  sample.motion.command = hand_ ? hand_->command(base_.site_from_robot(), now_s_) : command;
+  const Twist own = battery_ && battery_->is_empty() ? Twist{} : command;
+  sample.motion.command = hand_ ? hand_->command(base_.site_from_robot(), now_s_) : own;
   TimedCamera& looks = next_camera(at_rest(command));
   const double period_s = looks.wait_s(now_s_, at_rest(command));
   base_.advance(sample.motion.command, period_s);
@@ -249,6 +252,11 @@ Result<Sample> SimBody::step(const Twist& command) {
   sample.motion.elapsed = stamp - last_stamp_;
   const WheelStep rolled = base_.take_wheel_step();
   if (site_.base.has_encoders) sample.motion.wheels = rolled;
+  if (battery_) {
+    const Pose2 here = base_.site_from_robot();
+    battery_->advance(rolled.distance_m, period_s, {here.x, here.y});
+    sample.charge = battery_->charge();
+  }
   last_stamp_ = stamp;
   sample.frame = frame_;
   sample.time = SensorTime(stamp);

@@ -1,5 +1,6 @@
 #include "agents/bodies/sim/site.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -254,6 +255,29 @@ HandSetup hand_in(const Table& table) {
   return h;
 }
 
+BatterySetup battery_in(const Table& table, const std::vector<Station>& stations) {
+  constexpr double per_hour = 3600.0;
+  constexpr double per_km = 1000.0;
+  BatterySetup b;
+  b.share = 0.01 * table.number("start_percent", 100 * b.share, 0.0, 100.0);
+  b.drains_per_m = 0.01 / per_km * table.number("drains_percent_per_km", 100 * per_km * b.drains_per_m, 0.0, 1000.0);
+  b.drains_per_s =
+      0.01 / per_hour * table.number("drains_percent_per_h", 100 * per_hour * b.drains_per_s, 0.0, 10'000.0);
+  b.charges_per_s =
+      0.01 / per_hour * table.number("charges_percent_per_h", 100 * per_hour * b.charges_per_s, 0.0, 100'000.0);
+  b.reach_m = table.number("charger_reach_m", b.reach_m, 0.05, 5.0);
+  for (const std::string& name : table.texts("chargers", std::vector<std::string>{}, 0, 1000)) {
+    const auto station =
+        std::find_if(stations.begin(), stations.end(), [&](const Station& one) { return one.name == name; });
+    if (station == stations.end()) {
+      table.refuse("chargers", "there is no station \"" + name + "\"; name a [[station]]");
+    } else {
+      b.chargers.push_back({station->site_from_station.x, station->site_from_station.y});
+    }
+  }
+  return b;
+}
+
 Disturbances disturbances_in(const Table& table) {
   Disturbances d;
   d.focal_error = 0.01 * table.number("focal_error_percent", 100 * d.focal_error, 0.0, 5.0);
@@ -328,6 +352,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   add_walls(root, site);
   add_pillars(root, site);
   add_names_and_lamps(root, site);
+  if (root.has("battery")) site.battery = battery_in(root.table("battery"), site.stations);
   add_robots(root, site);
   add_change(root.table("change"), site);
   if (auto checked = root.result(); !checked) {

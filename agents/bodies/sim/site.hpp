@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "agents/bodies/battery.hpp"
 #include "agents/bodies/body.hpp"
 #include "agents/bodies/sim/change.hpp"
 #include "core/geometry/pose2.hpp"
@@ -150,6 +152,7 @@ struct Site {
   std::vector<Mover> movers;
   BaseSetup base;
   HandSetup hand;
+  std::optional<BatterySetup> battery;  ///< of every robot; none: they have none
   Disturbances disturbances;
   Change change;
 };

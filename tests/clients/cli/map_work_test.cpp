@@ -173,6 +173,7 @@ TEST(Robots, ShowWhatTheyWereSentAndHold) {
   EXPECT_TRUE(row.contains("window_bytes_sent"));
   EXPECT_TRUE(row.contains("memory_cap_bytes"));
   EXPECT_NE(fleet.weft({"robots"}).out.find("HOLDS"), std::string::npos);
+  EXPECT_NE(fleet.weft({"robots"}).out.find("CHARGE"), std::string::npos);
 }
 
 }  // namespace

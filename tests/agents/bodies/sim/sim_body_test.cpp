@@ -296,6 +296,18 @@ TEST(SimBody, ReportsTheHandsCommandAsItsOwn) {
   EXPECT_EQ(after[0].motion.command, (Twist{0.0, 1.0}));
 }
 
+TEST(SimBody, SaysItsChargeWhereItHasABatteryAndStandsOnceThatIsEmpty) {
+  SimBodyConfig config = config_of(quick_site());
+  EXPECT_FALSE(run(*body_of(config), 1, {0.3, 0.0}).back().charge);
+  config.site.battery = BatterySetup{.share = 0.002, .drains_per_m = 0.01};
+  auto body = body_of(config);
+  const std::vector<Sample> driven = run(*body, 60, {0.3, 0.0});
+  EXPECT_LT(driven.back().charge.value().share, driven.front().charge.value().share);
+  const std::vector<Sample> empty = run(*body, 200, {0.3, 0.0});
+  EXPECT_EQ(empty.back().charge.value().share, 0.0);
+  EXPECT_EQ(empty.back().motion.command, Twist{});
+}
+
 TEST(SimBody, WritesTruthForEveryFrame) {
   const fs::path path = fs::temp_directory_path() / "weft-sim-truth-test.jsonl";
   fs::remove(path);

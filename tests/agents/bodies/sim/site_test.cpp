@@ -385,6 +385,31 @@ ambient_percent = 3
   EXPECT_EQ(site->change.ambient, 0.03);
 }
 
+TEST(Site, ABatteryIsOnlyThereWhereTheFileHasOne) {
+  EXPECT_FALSE(parse_site(kSmall, "small.toml")->battery);
+  const std::string charged = std::string(kSmall) + R"(
+[[station]]
+name = "dock"
+x = 3
+y = 1
+[battery]
+start_percent = 30
+drains_percent_per_km = 10
+charges_percent_per_h = 36
+chargers = ["dock"]
+)";
+  const Result<Site> site = parse_site(charged, "charged.toml");
+  ASSERT_TRUE(site) << site.error().message;
+  ASSERT_TRUE(site->battery);
+  EXPECT_NEAR(site->battery->share, 0.3, 1e-12);
+  EXPECT_NEAR(site->battery->drains_per_m, 1e-4, 1e-12);
+  EXPECT_NEAR(site->battery->charges_per_s, 1e-4, 1e-12);
+  EXPECT_EQ(site->battery->chargers, (std::vector<SitePoint>{{3.0, 1.0}}));
+  const Result<Site> wrong = parse_site(std::string(kSmall) + "[battery]\nchargers = [\"dok\"]\n", "wrong.toml");
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().message, HasSubstr("there is no station \"dok\""));
+}
+
 TEST(Site, AWayThatIsNoneIsRefused) {
   const auto refused = [](const std::string& more) {
     const auto site = parse_site(std::string(kSmall) + more, "small.toml");
