@@ -304,6 +304,7 @@ Result<std::unique_ptr<Service>> start(const ServiceConfig& config, storage::Map
     return fail(ErrorCode::invalid, "robot_silent_after_s is " + std::to_string(config.robot_silent_after_s) +
                                         "; it must be over 0 and at most 3600");
   }
+  if (const Result<void> good = check(config.charge); !good) return fail(good.error());
   Result<storage::Stored> stored = store.open();
   if (!stored) return fail(stored.error());
   return std::make_unique<FleetMapServer>(config, store, *std::move(stored), random, now);

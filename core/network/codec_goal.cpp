@@ -46,7 +46,7 @@ Goal read_goal(ByteReader& in) {
   goal.route_version = in.number<std::uint32_t>("route version");
   goal.priority = in.ranged<std::uint8_t>("priority", 0, kHighestPriority);
   goal.kind = static_cast<GoalKind>(in.ranged("kind", static_cast<std::uint8_t>(GoalKind::operator_asked),
-                                              static_cast<std::uint8_t>(GoalKind::yield)));
+                                              static_cast<std::uint8_t>(GoalKind::park)));
   goal.no_return = in.flag("no return");
   goal.history.resize(in.count("history", kEventLeast));
   for (GoalEvent& event : goal.history) event = read_event(in);

@@ -30,6 +30,10 @@ const char* to_string(GoalKind kind) {
       return "operator";
     case GoalKind::yield:
       return "yield";
+    case GoalKind::charge:
+      return "charge";
+    case GoalKind::park:
+      return "park";
   }
   return "unknown";
 }

@@ -26,7 +26,9 @@ bool is_terminal(GoalState state);
 
 enum class GoalKind : std::uint8_t {
   operator_asked = 1,
-  yield = 2  ///< traffic asks a robot to make way; ends by itself
+  yield = 2,   ///< traffic asks a robot to make way; ends by itself
+  charge = 3,  ///< the server sends it to a charger
+  park = 4     ///< the server sends it out of others' way, to a parking place
 };
 const char* to_string(GoalKind kind);
 

@@ -29,6 +29,8 @@ class RuleMap {
   const Rule* barrier(const PlaceId& from, const PlaceId& to, const Passage& passage) const;
   /// Returns the rule that holds robots there; null: none does.
   const Rule* hold(const PlaceId& place) const;
+  /// Returns whether a rule of that kind holds there.
+  bool is_of(const PlaceId& place, RuleKind kind) const { return first_of(place, kind) != nullptr; }
   /// Returns the lowest limit there, metres a second; none: there is none.
   std::optional<double> limit_m_s(const PlaceId& place) const;
   /// Returns the highest class that a rule gives goals there.

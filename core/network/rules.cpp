@@ -273,6 +273,20 @@ RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule) {
   return extent;
 }
 
+std::vector<PlaceId> spots_of(const Snapshot& snapshot, RuleKind kind) {
+  std::vector<PlaceId> spots;
+  const auto add = [&](const PlaceId& place) {
+    if (snapshot.place(place) != nullptr && std::ranges::find(spots, place) == spots.end()) spots.push_back(place);
+  };
+  for (const auto& [name, rule] : snapshot.rules()) {
+    if (rule.kind != kind) continue;
+    const auto label = snapshot.labels().find(rule.label);
+    if (label != snapshot.labels().end()) add(label->second);
+    for (const Span& span : rule.spans) add(span.to);
+  }
+  return spots;
+}
+
 Snapshot with_rule(const Snapshot& snapshot, const Rule& rule) {
   Snapshot::Rules rules = snapshot.rules();
   rules.insert_or_assign(rule.name, rule);

@@ -22,6 +22,10 @@ struct RuleExtent {
 /// Finds where a rule holds; costs what the extent is large, not the map.
 RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule);
 
+/// Returns where robots stand by the rules of that kind, of those places that the map has: the place of each rule's
+/// label, and the last place of each of its stretches. In order of the rules' names, each place once.
+std::vector<PlaceId> spots_of(const Snapshot& snapshot, RuleKind kind);
+
 /// Return the snapshot with the rule, in the place of one of its name, or without the one of that name; one revision
 /// on.
 Snapshot with_rule(const Snapshot& snapshot, const Rule& rule);

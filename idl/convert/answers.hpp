@@ -25,7 +25,7 @@ void describe(Io& io, Value<Io, Goal>& value, Wire<Io, idl::Goal>& wire) {
   io.maybe("route", value.route, wire.has_route(), wire.route());
   io.any(value.route_version, wire.route_version());
   io.at_most("priority", value.priority, wire.priority(), kHighestPriority);
-  io.choice("kind", value.kind, wire.kind(), GoalKind::operator_asked, GoalKind::yield);
+  io.choice("kind", value.kind, wire.kind(), GoalKind::operator_asked, GoalKind::park);
   io.any(value.no_return, wire.no_return());
   io.each("history", value.history, wire.history(), kHistory);
 }

@@ -20,6 +20,16 @@ enum class SilentGoal : std::uint8_t {
   ask         ///< an operator is told that one could
 };
 
+/// States from which charge on what is decided, as shares of full.
+struct ChargeLevels {
+  double critical = 0.10;   ///< to a charger before the next goal
+  double low = 0.25;        ///< to a charger when there is no goal
+  double enough = 0.60;     ///< who charges takes goals again
+  double full = 0.95;       ///< makes way at a charger
+  double range_m = 5000.0;  ///< that a full battery drives; [1, 1e6]
+};
+inline constexpr double kChargeReserve = 0.05;  ///< that a robot comes to a charger with, after a goal
+
 /// Holds the settings of one server, checked by `start`.
 struct ServiceConfig {
   PeerId self;
@@ -33,6 +43,7 @@ struct ServiceConfig {
   double handling_s = 10.0;
   SilentGoal silent_goal = SilentGoal::hand_over;
   double silent_goal_after_s = 60.0;  ///< [1, 86400]; for so long a robot is not heard before that rule holds
+  ChargeLevels charge{};
   Signers signers{};                  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 

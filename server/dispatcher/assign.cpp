@@ -38,16 +38,23 @@ std::vector<Candidate> Dispatcher::candidates(const Goal& goal, std::string& why
   for (const auto& [id, robot] : fleet_.robots()) {
     if (goal.wanted && *goal.wanted != id) continue;
     std::string why = not_ready(robot);
+    if (why.empty()) why = why_recharging(robot);
     if (why.empty()) {
-      ready.push_back({.robot = id,
-                       .at = robot.state->place,
-                       .methods = methods_of(robot),
-                       .keeps_limits = robot.description->knows_limits});
+      ready.push_back(candidate_of(robot));
     } else if (goal.wanted) {
       why_none = std::move(why);
     }
   }
   return ready;
+}
+
+/// Describes a robot that has described itself and said where it stands.
+Candidate Dispatcher::candidate_of(const Robot& robot) const {
+  return {.robot = robot.id,
+          .at = robot.state->place,
+          .methods = methods_of(robot),
+          .keeps_limits = robot.description->knows_limits,
+          .percent = charge_that_counts(robot.id)};
 }
 
 /// Searches ways from a robot's place and, where there is none, from places beside it: from the last place of a run
@@ -88,7 +95,12 @@ void Dispatcher::assign_waiting(Now now) {
     std::string why_none = "no robot is idle and knows where it is";
     const std::vector<Candidate> ready = candidates(goal, why_none);
     if (ready.empty()) {
+      recall_from_parking(goal, now);
       still_pending(goal, Why::turn, why_none, queues);
+      continue;
+    }
+    if (const std::string first = why_another_first(goal, ready, queues, now); !first.empty()) {
+      still_pending(goal, Why::taken, first, queues);
       continue;
     }
     const auto tried = tried_.find(id);
@@ -96,8 +108,9 @@ void Dispatcher::assign_waiting(Now now) {
       queues.begun.insert(goal.wanted);
       continue;
     }
-    const Result<Choice> choice = choose(ready, ways_to(goal.to, now));
+    const Result<Choice> choice = choose(ready, ways_that_charge_covers(goal.to, now));
     if (!choice) {
+      note_fell_short(now);
       tried_[id] = ready;
       still_pending(goal, Why::no_way, choice.error().message, queues);
       continue;
@@ -163,7 +176,12 @@ bool Dispatcher::assign(const Goal& goal, const Choice& choice, Now now) {
                                .cause = "to " + fleet_.name_of(choice.robot) + ", " + metres(choice.path.length_m) +
                                         " away by " + std::to_string(choice.path.places.size()) + " places",
                                .who = "dispatcher"};
-  if (!book_.write(next, step, route_of(goal, choice), {}, now)) return false;
+  return give(next, step, choice, now);
+}
+
+/// Stores that the robot has the goal from now on, and its route.
+bool Dispatcher::give(const Goal& goal, const GoalBook::Step& step, const Choice& choice, Now now) {
+  if (!book_.write(goal, step, route_of(goal, choice), {}, now)) return false;
   RouteAssignment assignment;
   assignment.goal = goal.id;
   assignment.send_at = now.steady;
@@ -188,8 +206,8 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   const Goal& goal = *book_.find(assignment.goal);
   if (assignment.plan_at > now.steady || goal.state == GoalState::paused) return;
   if (known == nullptr || !unreachable_reason(*known).empty() || !known->state) return;
-  if (goal.kind == GoalKind::yield) {
-    return finish(robot, assignment, GoalState::cancelled, "its route was lost; it made way, or is asked again",
+  if (goal.kind != GoalKind::operator_asked) {
+    return finish(robot, assignment, GoalState::cancelled, "its route was lost; it is asked again if need be",
                   "traffic", now);
   }
   const msg::RobotState& state = *known->state;

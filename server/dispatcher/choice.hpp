@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct Candidate {
   PlaceId at;
   std::set<std::string> methods;  ///< what it can drive
   bool keeps_limits = false;
+  std::optional<int> percent{};  ///< of its charge; none: it is not known, or does not count
   bool operator==(const Candidate&) const = default;
 };
 

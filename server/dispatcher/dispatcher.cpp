@@ -44,6 +44,7 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
       random_(random),
       book_(context, std::move(goals), std::move(given)),
       planning_(traffic.proximity()),
+      own_goals_(context.config.charge),
       look_at_(now) {
   for (const auto& [id, goal] : book_.goals()) {
     const Route* const route = book_.route(id);

@@ -11,6 +11,7 @@
 #include "server/base/context.hpp"
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
+#include "server/dispatcher/own_goals.hpp"
 #include "server/dispatcher/planning.hpp"
 #include "server/dispatcher/turns.hpp"
 #include "server/fleet/fleet.hpp"
@@ -111,8 +112,11 @@ class Dispatcher {
   std::vector<const Goal*> pending() const;
   void assign_waiting(Now now);
   bool assign(const Goal& goal, const Choice& choice, Now now);
-  /// Tells why a goal is not given to a robot: the robots have others first or are not ready, or there is no way.
-  enum class Why : std::uint8_t { turn, no_way };
+  bool give(const Goal& goal, const GoalBook::Step& step, const Choice& choice, Now now);
+  Candidate candidate_of(const Robot& robot) const;
+  /// Tells why a goal is not given to a robot: the robots have others first or are not ready, there is no way, or
+  /// another robot comes first where it leads.
+  enum class Why : std::uint8_t { turn, no_way, taken };
   /// Collects what one look at all pending goals finds.
   struct Queues {
     struct Waits {
@@ -121,6 +125,7 @@ class Dispatcher {
     };
     std::set<std::optional<RobotId>> begun;  ///< for whom a goal waits; none: for any robot
     std::vector<Waits> waiting;              ///< what is to be noted
+    std::set<PlaceId> places;                ///< to which a goal waits to be given out, as another robot comes first
   };
   void still_pending(const Goal& goal, Why kind, const std::string& why, Queues& queues) const;
   void note_pending(const Queues& queues, Now now);
@@ -142,6 +147,34 @@ class Dispatcher {
   Result<void> hand_over(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
   void look_at_silent(Now now);
   std::optional<SteadyTime> next_look_at_silent() const;
+
+  // charging.cpp
+  void look_at_charge(Now now);
+  void send_low_to_chargers(Now now);
+  void send_to_charger(const RobotId& id, const std::vector<PlaceId>& chargers, Now now);
+  std::string why_recharging(const Robot& robot) const;
+  std::optional<int> charge_that_counts(const RobotId& robot) const;
+  FindWay ways_that_charge_covers(const PlaceId& to, Now now);
+  double way_on_m(const PlaceId& from, const std::vector<PlaceId>& chargers, const Candidate& drives, Now now);
+  void note_fell_short(Now now);
+  void say_unknown_charge(const Robot& robot, Now now);
+
+  // parking.cpp
+  void say_once(const Robot& robot, const char* kind, const std::string& cause, Now now);
+  void send_idle_robots(Now now);
+  void park(const Robot& robot, Now now);
+  bool is_handling(const RobotId& robot, Now now) const;
+  bool has_to_park(const Robot& robot);
+  std::vector<PlaceId> free_spots(const RobotId& robot, const std::vector<PlaceId>& spots);
+  std::optional<Path> nearest(const Robot& robot, const std::vector<PlaceId>& places, Now now);
+  bool send_by_itself(const Robot& robot, GoalKind kind, const Path& way, const std::string& cause, Now now);
+  void give_up_taken_spots(Now now);
+  bool recall_from_parking(const Goal& goal, Now now);
+
+  // place_queue.cpp
+  std::optional<RobotId> who_comes_first_at(const Goal& goal, const std::vector<Candidate>& ready, Now now);
+  bool is_at_rest(const RobotId& robot) const;
+  std::string why_another_first(const Goal& goal, const std::vector<Candidate>& ready, Queues& queues, Now now);
 
   // reroute.cpp
   void reroute(const RobotId& robot, RouteAssignment& assignment, Now now);
@@ -212,6 +245,8 @@ class Dispatcher {
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started
   Turns turns_;
+  OwnGoals own_goals_;
+  bool decides_by_charge_ = false;  ///< the map has chargers
   Revision tried_at_;
   RuleMap seen_rules_;  ///< as routes under way were checked against them
   bool routes_checked_ = false;

@@ -258,7 +258,9 @@ void Dispatcher::tick(Now now) {
   if (look_again_ && look_at_ <= now.steady) {
     look_again_ = false;
     look_at_ = now.steady + kBetweenLooks;
+    look_at_charge(now);
     assign_waiting(now);
+    send_idle_robots(now);
   }
   if (needs_plan() && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {

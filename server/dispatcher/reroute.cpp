@@ -140,6 +140,8 @@ void Dispatcher::put_version(const RobotId& robot, RouteAssignment& assignment, 
 void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
   assignment.cut_short = true;
   const Goal& goal = *book_.find(assignment.goal);
+  if (goal.kind != GoalKind::operator_asked)
+    return finish(robot, assignment, GoalState::cancelled, why, "traffic", now);
   const std::string cause = "the map was changed ahead of " + fleet_.name_of(robot) + ": " + why;
   if (goal.history.back().cause == cause) return;
   Route next = *book_.route(assignment.goal);

@@ -88,6 +88,12 @@ Options read(const config::Table& table) {
   options.silent_goal = silent == "keep"  ? SilentGoal::keep
                         : silent == "ask" ? SilentGoal::ask
                                           : SilentGoal::hand_over;
+  ChargeLevels& charge = options.charge;
+  charge.critical = 0.01 * table.number("charge_critical_percent", 10.0, 0.0, 100.0);
+  charge.low = 0.01 * table.number("charge_low_percent", 25.0, 0.0, 100.0);
+  charge.enough = 0.01 * table.number("charge_enough_percent", 60.0, 0.0, 100.0);
+  charge.full = 0.01 * table.number("charge_full_percent", 95.0, 0.0, 100.0);
+  charge.range_m = table.number("charge_range_m", charge.range_m, 1.0, 1e6);
   const std::string unjoined = table.choice("unjoined", "warn", {"warn", "one_drives"});
   options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
   options.effective = table.effective();

@@ -23,6 +23,7 @@ struct Options {
   Unjoined unjoined = Unjoined::warn;
   SilentGoal silent_goal = SilentGoal::hand_over;
   double silent_goal_after_s = 0.0;
+  ChargeLevels charge;
   std::vector<config::Setting> effective;  ///< for the log
 };
 

@@ -199,6 +199,7 @@ Result<void> run(const Options& options) {
   config.silent_goal = options.silent_goal;
   config.silent_goal_after_s = options.silent_goal_after_s;
   config.unjoined = options.unjoined;
+  config.charge = options.charge;
   config.signers = all_signers();
   Result<std::unique_ptr<Service>> service = start(config, **store, random, now());
   if (!service) return fail(service.error());

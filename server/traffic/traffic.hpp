@@ -89,6 +89,8 @@ class Traffic {
   bool holds_what_is_out() const;
   std::set<PlaceId> held_places() const;
 
+  /// Returns who holds something that a robot which stands at the place could touch, `except` one robot.
+  std::set<RobotId> near(const PlaceId& place, const RobotId& except);
   /// Returns who holds something.
   std::vector<RobotId> holding() const;
   /// Returns what the robot holds; null: nothing.

@@ -199,6 +199,13 @@ void Traffic::watch(const RobotId& robot, const Way& way) {
   }
 }
 
+std::set<RobotId> Traffic::near(const PlaceId& place, const RobotId& except) {
+  if (!map().is_in(place)) return {};
+  const auto known = holders_.find(except);
+  const double footprint_m = known == holders_.end() ? 0.0 : known->second.footprint_m;
+  return holders_near(proximity_.locate(map(), {.place = place, .reach_m = footprint_m + kLeastSlack_m}), except);
+}
+
 std::set<RobotId> Traffic::holders_of(const RobotId& robot, const Way& way) {
   if (way.end != Way::End::held) return way.blocked_by;
   return holders_near(proximity_.locate(map(), way.needs), robot);

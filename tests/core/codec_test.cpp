@@ -23,7 +23,7 @@ Goal random_goal(Random& random) {
   if (random.chance(0.5)) goal.route = random_id<RouteId>(random);
   goal.route_version = 3;
   goal.priority = static_cast<std::uint8_t>(random.below(10));
-  goal.kind = static_cast<GoalKind>(1 + random.below(2));
+  goal.kind = static_cast<GoalKind>(1 + random.below(4));
   goal.no_return = random.chance(0.5);
   for (std::uint64_t i = random.below(4); i > 0; --i) {
     goal.history.push_back({WallTime(Duration(static_cast<std::int64_t>(random.next()))),

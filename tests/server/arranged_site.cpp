@@ -102,6 +102,7 @@ void Site::start_server() {
   config.vendor = "inprocess";
   config.signers = signers_;
   config.unjoined = unjoined;
+  config.charge = charge;
   Result<std::unique_ptr<Service>> started = start(config, *store_, Random(42 + starts_), now);
   ASSERT_TRUE(started) << started.error().message;
   service_ = *std::move(started);
@@ -165,6 +166,14 @@ msg::RobotState Site::state(Peer& robot, const std::optional<PlaceId>& place) co
   state.localised = place.has_value();
   state.place = place.value_or(PlaceId{});
   return state;
+}
+
+void Site::power(Peer& robot, double share, bool is_charging) {
+  msg::RobotPower power;
+  power.header = robot.header();
+  power.share = share;
+  power.is_charging = is_charging;
+  say(power);
 }
 
 void Site::progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed,

@@ -74,6 +74,7 @@ class Site {
   /// Hello, description, and a state when a place is given.
   void arrive(Peer& robot, const std::optional<PlaceId>& place);
   msg::RobotState state(Peer& robot, const std::optional<PlaceId>& place) const;
+  void power(Peer& robot, double share, bool is_charging = false);
   void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0,
                 std::optional<std::uint32_t> at = std::nullopt);
   /// The batch and all its contents.
@@ -112,6 +113,7 @@ class Site {
 
   std::shared_ptr<storage::MemoryDisk> disk;
   Unjoined unjoined = Unjoined::warn;  ///< from the next restart on
+  ChargeLevels charge;                 ///< the same
   Service& service() { return *service_; }
   Now now{.steady = SteadyTime(1000s), .wall = WallTime(5000s)};
   Peer client{.id = robot_id(200), .incarnation = 7, .sequence = 0, .name = "anna"};

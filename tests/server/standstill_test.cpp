@@ -129,7 +129,8 @@ TEST_F(StandstillTest, IdleRobotOnTheWayIsNamedWithThoseBehindIt) {
   site.say(site.state(r2, there.place(0)));
   site.send_goal(1, "end", "r1");
   site.progress(r1, order_to(r1), msg::RoutePhase::waiting, order_to(r1).released);
-  site.send_goal(2, "end", "r2");
+  site.label("before-end", there.place(57));
+  site.send_goal(2, "before-end", "r2");
   site.progress(r2, order_to(r2), msg::RoutePhase::waiting, order_to(r2).released);
   site.pass(2s);
   ASSERT_THAT(site.events_of("traffic.standstill"), SizeIs(1));

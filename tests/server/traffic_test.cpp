@@ -186,7 +186,8 @@ TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
   site.send_goal(1, "end", "r1");
   site.say(site.state(r2, run.place(20)));
   ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.send_goal(2, "end", "r2");
+  site.label("before-end", run.place(57));
+  site.send_goal(2, "before-end", "r2");
   EXPECT_FALSE(order_to(r2));
   EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has left its way"));
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agents/agent/agent.hpp"
@@ -54,6 +55,8 @@ class Fleet {
   /// Leads the robot along a line without teaching it; how far it is, `body` tells. False: too far from the line.
   bool take_by_hand(std::size_t robot, const std::vector<agents::SitePoint>& along);
   void let_go(std::size_t robot) { robots_[robot].body->stop_hand(); }
+  /// Gives the robot a battery; without one it says nothing of its charge.
+  void equip(std::size_t robot, agents::Battery battery) { robots_[robot].body->equip(std::move(battery)); }
   const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }
   const msg::RobotState& state(std::size_t robot) const { return ledger_.robots.at(robots_[robot].id).state; }
   const RobotId& id_of(std::size_t robot) const { return robots_[robot].id; }

@@ -1,0 +1,20 @@
+#pragma once
+#include <map>
+#include <set>
+#include <string>
+
+#include "server/dispatcher/charge.hpp"
+
+namespace weft::server {
+
+/// Keeps what goals of the server's own are decided by: to charge, and to park. Not stored: reports bring it again.
+struct OwnGoals {
+  explicit OwnGoals(const ChargeLevels& levels) : charge(levels) {}
+
+  ChargeWatch charge;
+  std::set<RobotId> fell_short;                   ///< whose charge did not cover the goal that was looked at last
+  std::map<RobotId, SteadyTime> idle_since;       ///< or since it was tried in vain to park it
+  std::map<RobotId, std::set<std::string>> said;  ///< kinds of events that were said of a robot, and hold
+};
+
+}  // namespace weft::server
