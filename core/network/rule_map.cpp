@@ -153,6 +153,19 @@ std::uint8_t RuleMap::priority(const PlaceId& place) const {
   return highest;
 }
 
+bool RuleMap::counts_robots() const {
+  return std::ranges::any_of(rules_, [](const Rule& rule) { return rule.kind == RuleKind::capacity; });
+}
+
+std::map<std::string, std::size_t> RuleMap::capacities(const PlaceId& place) const {
+  std::map<std::string, std::size_t> most;
+  for (const std::uint32_t number : at(place)) {
+    const Rule& rule = rules_[number];
+    if (rule.kind == RuleKind::capacity) most.emplace(rule.name, static_cast<std::size_t>(rule.value));
+  }
+  return most;
+}
+
 ReleasedByRules released_by_rules(const RuleMap& rules, const Route& route, std::uint32_t from,
                                   std::optional<std::uint32_t> through, bool keeps_limits) {
   if (rules.empty() || from >= route.places.size()) return {through, {}};

@@ -29,6 +29,10 @@ class RuleMap {
   const Rule* barrier(const PlaceId& from, const PlaceId& to, const Passage& passage) const;
   /// Returns the rule that holds robots there; null: none does.
   const Rule* hold(const PlaceId& place) const;
+  /// Returns whether there is a rule of kind capacity.
+  bool counts_robots() const;
+  /// Returns how many robots rules of kind capacity let in there, by the rules' names.
+  std::map<std::string, std::size_t> capacities(const PlaceId& place) const;
   /// Returns whether a rule of that kind holds there.
   bool is_of(const PlaceId& place, RuleKind kind) const { return first_of(place, kind) != nullptr; }
   /// Returns the lowest limit there, metres a second; none: there is none.

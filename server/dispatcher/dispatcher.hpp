@@ -9,6 +9,7 @@
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
 #include "server/base/context.hpp"
+#include "server/dispatcher/capacity.hpp"
 #include "server/dispatcher/choice.hpp"
 #include "server/dispatcher/goal_book.hpp"
 #include "server/dispatcher/own_goals.hpp"
@@ -213,6 +214,7 @@ class Dispatcher {
   void grant(const RobotId& robot, RouteAssignment& assignment, const Piece& piece, bool told, Now now);
   std::string why_held(const RobotId& robot) const;
   bool keeps_limits(const RobotId& robot) const;
+  HeldPlaces held_by_others(const RobotId& robot) const;
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;
   std::string why_it_stands(const Traffic::Way& way) const;

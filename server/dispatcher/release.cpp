@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/dispatcher/capacity.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 
 /// Releases routes, a piece at a time, in the order of the plan.
@@ -225,10 +226,26 @@ bool Dispatcher::keeps_limits(const RobotId& robot) const {
   return known != nullptr && known->description && known->description->knows_limits;
 }
 
+/// Returns what everybody else holds, where rules count robots.
+HeldPlaces Dispatcher::held_by_others(const RobotId& robot) const {
+  HeldPlaces others;
+  if (!routes_.rules().counts_robots()) return others;
+  for (const RobotId& other : traffic_.holding()) {
+    if (other == robot) continue;
+    const storage::PutOccupancy& held = *traffic_.held(other);
+    const auto begin = held.held.places.begin();
+    others[other].assign(begin + held.from, begin + held.to + 1);
+  }
+  return others;
+}
+
 /// Ends the piece where rules do, at a stop. Returns the name of the rule that ends it; empty: none does.
 std::string Dispatcher::end_by_rules(const RobotId& robot, std::uint32_t kept, bool told, Piece& piece) const {
   const std::optional<std::uint32_t> most = piece.way.through ? piece.way.through : piece.reach;
-  const ReleasedByRules ruled = released_by_rules(routes_.rules(), piece.route, kept, most, keeps_limits(robot));
+  ReleasedByRules ruled = released_by_rules(routes_.rules(), piece.route, kept, most, keeps_limits(robot));
+  const ReleasedByRules full =
+      released_by_capacity(routes_.rules(), piece.route, kept, ruled.through, held_by_others(robot));
+  if (!full.rule.empty()) ruled = full;
   if (ruled.rule.empty() || !piece.way.through || piece.way.is_away) return ruled.rule;
   const std::uint32_t allowed = ruled.through.value_or(kept);
   const auto beyond = std::upper_bound(piece.stops.begin(), piece.stops.end(), allowed);
