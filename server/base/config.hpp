@@ -44,7 +44,7 @@ struct ServiceConfig {
   SilentGoal silent_goal = SilentGoal::hand_over;
   double silent_goal_after_s = 60.0;  ///< [1, 86400]; for so long a robot is not heard before that rule holds
   ChargeLevels charge{};
-  Signers signers{};                  ///< of contents that can be recognised; none: robots look for themselves alone
+  Signers signers{};  ///< of contents that can be recognised; none: robots look for themselves alone
 };
 
 }  // namespace weft::server
