@@ -12,6 +12,8 @@ const char* to_string(Safety safety) {
       return "emergency_stop";
     case Safety::speed_limited:
       return "speed_limited";
+    case Safety::blocked:
+      return "blocked";
   }
   return "unknown";
 }

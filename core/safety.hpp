@@ -8,7 +8,8 @@ enum class Safety : std::uint8_t {
   ok = 1,
   protective_stop = 2,  ///< a scanner or bumper holds it; it goes on when its base allows
   emergency_stop = 3,   ///< goes on only after a person's `weft resume`
-  speed_limited = 4     ///< its base drives more slowly than asked
+  speed_limited = 4,    ///< its base drives more slowly than asked
+  blocked = 5           ///< no word of its base: it is asked to drive, and does not move
 };
 const char* to_string(Safety safety);
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 
+#include "agents/agent/blocked_watch.hpp"
 #include "agents/agent/safety_stop.hpp"
 #include "agents/perception/motion.hpp"
 
@@ -17,10 +18,13 @@ struct Condition {
   bool stopped = false;  ///< by an operator
   std::string fault;     ///< of the body; empty: none
   SafetyStop safety;     ///< of the base
+  BlockedWatch blocked;  ///< by what is seen
 
   bool is_faulted() const { return !fault.empty(); }
   /// Returns the navigator's command, or none for a robot that has to stand.
   Twist allowed_command() const { return is_kept_standing() || lost || is_faulted() ? Twist{} : command; }
+  /// Returns what others are told of the base, and of what holds the robot.
+  Safety shown() const { return blocked.is_blocked() && !is_stop(safety.shown()) ? Safety::blocked : safety.shown(); }
   /// Returns whether an operator or the base's safety keeps the robot from driving.
   bool is_kept_standing() const { return stopped || safety.keeps_from_driving(); }
 };

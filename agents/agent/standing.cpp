@@ -4,6 +4,7 @@ namespace weft::agents {
 namespace {
 
 constexpr const char* kStoppedByOperator = "stopped by an operator";
+constexpr const char* kBlocked = "it is asked to drive and does not move: see what holds it";
 
 std::string reason_of_waiting(const Standing& standing) {
   if (!standing.safety.empty()) return standing.safety;
@@ -44,8 +45,10 @@ std::string reason_of(const Standing& standing) {
       return reason_of_waiting(standing);
     case msg::RobotMode::idle:
       return reason_of_idling(standing);
-    case msg::RobotMode::off:
     case msg::RobotMode::driving:
+      if (standing.condition.blocked.is_blocked()) return kBlocked;
+      break;
+    case msg::RobotMode::off:
       break;
   }
   return standing.notice;

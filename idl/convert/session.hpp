@@ -66,7 +66,7 @@ void describe(Io& io, Value<Io, msg::RobotState>& value, Wire<Io, idl::RobotStat
   io.any(value.memory_bytes, wire.memory_bytes());
   io.any(value.memory_cap_bytes, wire.memory_cap_bytes());
   io.each("diagnostics", value.diagnostics, wire.diagnostics(), kDiagnostics);
-  io.choice("safety", value.safety, wire.safety(), Safety::ok, Safety::speed_limited);
+  io.choice("safety", value.safety, wire.safety(), Safety::ok, Safety::blocked);
   io.text("reason", value.reason, wire.reason(), kTextLength);
 }
 

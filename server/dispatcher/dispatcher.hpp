@@ -223,6 +223,7 @@ class Dispatcher {
 
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
+  void note_blocked(const Robot& robot, Now now);
   void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void avoid(const RobotId& robot, const Route& route, SteadyTime now);
@@ -240,6 +241,8 @@ class Dispatcher {
   Random random_;
   GoalBook book_;
   Planning planning_;
+  std::map<RobotId, SteadyTime> blocked_since_;
+  std::set<RobotId> blocked_for_long_;        ///< others are led round them
   std::map<RobotId, SteadyTime> arrived_at_;  ///< where an operator sent it
   /// Holds where a robot could not drive when it was to make way, and until when it is not asked to again.
   std::map<RobotId, std::map<PlaceId, SteadyTime>> avoids_;

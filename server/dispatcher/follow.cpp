@@ -19,6 +19,8 @@ constexpr Duration kLostAfter = 2s;
 constexpr Duration kIgnoredAfter = 10s;
 /// Is what a robot says that cannot bend into what lies ahead of it on its route.
 constexpr const char* kNoPath = "route_makes_no_path";
+/// Bounds how long a robot may be blocked before others are led round it.
+constexpr Duration kBlockedForLong = 30s;
 /// Bounds how long a robot is not asked to make way to where it could not drive.
 constexpr Duration kAvoidsFor = 1min;
 }  // namespace
@@ -183,9 +185,30 @@ void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route,
   if (!had_it) assignment.is_closed = true;
 }
 
+/// Notes since when the robot is blocked, and says so once it is for long.
+void Dispatcher::note_blocked(const Robot& robot, Now now) {
+  if (robot.state->safety != Safety::blocked) {
+    blocked_since_.erase(robot.id);
+    if (blocked_for_long_.erase(robot.id) > 0) planning_.want();
+    return;
+  }
+  const SteadyTime since = blocked_since_.try_emplace(robot.id, now.steady).first->second;
+  if (now.steady - since < kBlockedForLong || !blocked_for_long_.insert(robot.id).second) return;
+  planning_.want();
+  const Goal* const goal = goal_of(robot.id);
+  context_.writer.note({.at = {},
+                        .kind = "robot.blocked",
+                        .robot = robot.id,
+                        .goal = goal != nullptr ? goal->id : GoalId{},
+                        .cause = "it is asked to drive and does not move: see what holds it",
+                        .who = robot.name},
+                       now);
+}
+
 void Dispatcher::on_state(const Robot& robot, Now now) {
   const msg::RobotState& state = *robot.state;
   look_again_ = true;
+  note_blocked(robot, now);
   const auto found = assignments_.find(robot.id);
   if (found == assignments_.end()) {
     // Its goal may have been given to another robot while it was not heard: it drives on to the end of what it holds.

@@ -26,6 +26,8 @@ std::string is_what(Stays stays) {
       return "is held";
     case Stays::ruled:
       return "is kept from going on by a rule";
+    case Stays::blocked:
+      return "is asked to drive and does not move";
     case Stays::lost:
       return "does not know where it is";
     case Stays::faulted:
@@ -50,6 +52,8 @@ std::string what_helps(Stays stays, const std::string& name) {
       return "look what stops it; after an emergency stop weft resume " + name;
     case Stays::held:
       return "weft unhold " + name;
+    case Stays::blocked:
+      return "see what holds it";
     case Stays::lost:
       return "weft localise " + name + " --at LABEL, or lead it to where it was taught";
     case Stays::faulted:

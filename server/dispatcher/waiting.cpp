@@ -49,6 +49,7 @@ std::optional<Stays> Dispatcher::stays(const RobotId& robot) const {
   if (!known->held_by.empty()) return Stays::held;
   if (state.mode == msg::RobotMode::faulted) return Stays::faulted;
   if (state.mode == msg::RobotMode::lost || !state.localised) return Stays::lost;
+  if (blocked_for_long_.contains(robot)) return Stays::blocked;
   const auto found = assignments_.find(robot);
   if (found == assignments_.end()) {
     if (state.mode == msg::RobotMode::stopped) return Stays::paused;

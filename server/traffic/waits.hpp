@@ -33,6 +33,7 @@ enum class Stays : std::uint8_t {
   stopped,  ///< its base's own safety holds it
   held,     ///< an operator holds it
   ruled,    ///< a rule keeps it from going on
+  blocked,  ///< it is asked to drive, and has not moved for long
 };
 
 /// Names robots that wait and will not go on: those of a cycle, or one that will not move, and who waits for them.

@@ -65,6 +65,39 @@ struct StandstillTest : testing::Test {
   TaughtRun back{r2, 11};
 };
 
+TEST_F(StandstillTest, RobotThatIsAskedToDriveAndDoesNotMoveIsNamedAfterHalfAMinute) {
+  site.say(site.state(r1, there.place(10)));
+  site.say(site.state(r2, there.place(0)));
+  site.send_goal(1, "end", "r1");
+  const Route order = order_to(r1);
+  site.label("before", there.place(50));
+  site.send_goal(2, "before", "r2");
+  const auto blocked_for = [&](Duration time) {
+    for (Duration past{}; past < time; past += 1s) {
+      msg::RobotState state = site.state(r1, there.place(10));
+      state.mode = msg::RobotMode::driving;
+      state.goal = order.goal;
+      state.route = order.id;
+      state.route_version = order.version;
+      state.safety = Safety::blocked;
+      site.say(state);
+      site.progress(r1, order, msg::RoutePhase::driving, 0);
+      if (const auto mine = site.last<msg::RouteOrder>(); mine && mine->to == r2.id) {
+        site.progress(r2, mine->route, msg::RoutePhase::waiting, mine->route.released);
+      }
+      site.say(site.state(r2, there.place(0)));
+      site.pass(1s);
+    }
+  };
+  blocked_for(28s);
+  EXPECT_THAT(site.events_of("robot.blocked"), IsEmpty());
+  blocked_for(6s);
+  ASSERT_THAT(site.events_of("robot.blocked"), SizeIs(1));
+  ASSERT_THAT(site.events_of("traffic.standstill"), SizeIs(1));
+  EXPECT_THAT(site.events_of("traffic.standstill").front(),
+              AllOf(HasSubstr("r1 is asked to drive and does not move"), HasSubstr("in the way of r2")));
+}
+
 TEST_F(StandstillTest, TwoThatMeetHeadOnAreNamedWithinTwoSeconds) {
   meet_head_on();
   EXPECT_THAT(site.events_of("traffic.standstill"), IsEmpty());

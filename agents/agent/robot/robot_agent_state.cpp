@@ -58,7 +58,7 @@ msg::RobotState RobotAgent::state() const {
   state.memory_bytes = map_.contents().bytes();
   state.memory_cap_bytes = config_.content_cache_bytes;
   state.diagnostics = diagnostics();
-  state.safety = condition_.safety.shown();
+  state.safety = condition_.shown();
   state.reason = reason_of(now);
   return state;
 }

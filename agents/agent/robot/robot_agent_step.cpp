@@ -31,6 +31,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   if (!sample.views.empty() && !teach_.is_active()) keep_place_.on_view(now);
   recogniser_.want(navigator_->question(), now);
   map_.follow_search(navigated.fix.has_value(), map_context(), now);
+  condition_.blocked.take(condition_.allowed_command(), navigator_->estimate(), now);
   follow_.step(navigated, condition_.is_kept_standing(), now);
   move_window(now);
   return finish(now);
