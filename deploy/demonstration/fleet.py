@@ -1,16 +1,17 @@
-"""The fleet of a demo: one server, three robots, and the operator's command line, each on the vendor it was given."""
+"""The fleet of a demo: one server, some robots, and the operator's command line, each on the vendor it was given."""
 import json
 import pathlib
 import subprocess
 
 from processes import Process, Watch, wait_until
 
-VENDORS = {
-    'fastdds': dict(server='fastdds', r1='fastdds', r2='fastdds', r3='fastdds', cli='fastdds'),
-    'cyclonedds': dict(server='cyclonedds', r1='cyclonedds', r2='cyclonedds', r3='cyclonedds', cli='cyclonedds'),
-    'mixed': dict(server='fastdds', r1='cyclonedds', r2='fastdds', r3='cyclonedds', cli='cyclonedds'),
-}
-ROBOTS = ('r1', 'r2', 'r3')
+SERVERS = {'fastdds': ('fastdds', 'fastdds'), 'cyclonedds': ('cyclonedds', 'cyclonedds'), 'mixed': ('fastdds', 'cyclonedds')}
+
+
+def vendors(dds, robots):
+    """Who speaks what: when mixed, the server and every second robot Fast DDS, the others and the operator Cyclone DDS."""
+    server, other = SERVERS[dds]
+    return dict(server=server, **{name: server if number % 2 else other for number, name in enumerate(robots)}, cli=other)
 
 
 class Refused(RuntimeError):
@@ -18,41 +19,50 @@ class Refused(RuntimeError):
 
 
 class Fleet:
-    def __init__(self, options, say):
+    def __init__(self, options, robots, say, server_flags=(), agent_flags=()):
         self.options, self.say = options, say
-        self.vendors = VENDORS[options.dds]
+        self.server_flags, self.agent_flags = server_flags, agent_flags
+        self.vendors = vendors(options.dds, robots)
         self.out = pathlib.Path(options.out)
         self.bin = pathlib.Path('build/release/bin')
         self.work = self.out / 'run'
         self.experiences = {}      # id -> the name that it was taught as
+        self.killed = set()        # robots, for good
         self.work.mkdir(parents=True, exist_ok=True)
         self.server = Process('server', self.server_argv(), self.work / 'server.log')
-        self.robots = {name: Process(name, self.robot_argv(name), self.work / f'{name}.log') for name in ROBOTS}
+        self.robots = {name: Process(name, self.robot_argv(name), self.work / f'{name}.log') for name in robots}
         self.watch = Watch(self.all())
 
     def all(self):
-        return [self.server, *self.robots.values()]
+        """Those that are to run."""
+        return [self.server, *(robot for name, robot in self.robots.items() if name not in self.killed)]
 
     def wire(self, who):
         return ['--dds', self.vendors[who], '--domain', self.options.domain]
 
     def server_argv(self):
-        return [self.bin / 'weft-server', *self.wire('server'), '--store', self.work / 'store', '--name', 'server']
+        return [self.bin / 'weft-server', *self.wire('server'), '--store', self.work / 'store', '--name', 'server',
+                *self.server_flags]
 
     def robot_argv(self, name):
         argv = [self.bin / 'weft-agent', *self.wire(name), '--server', '127.0.0.1', '--name', name,
                 '--state', self.work / name, '--method', 'floor', '--body', 'sim', '--site', self.options.site_file,
                 '--seed', self.options.seed, '--records', self.out, '--truth', self.out / 'truth.jsonl', '--pace', self.options.pace]
-        return argv + (['--floors', self.options.floors] if self.options.floors else [])
+        return argv + (['--floors', self.options.floors] if self.options.floors else []) + list(self.agent_flags)
 
     def weft(self, *arguments, timeout=20):
         """What the operator types; the answer as JSON. Refused carries the command's own words."""
+        answer = self.answer(*arguments, timeout=timeout)
+        return json.loads(answer) if answer.strip() else None
+
+    def answer(self, *arguments, timeout=20):
+        """The same, as it is printed."""
         argv = [self.bin / 'weft', '--server', '127.0.0.1', *self.wire('cli'), '--timeout', timeout, '--json', *arguments]
         done = subprocess.run([str(a) for a in argv], capture_output=True, text=True, timeout=timeout + 30)
         if done.returncode != 0:
             words = ' '.join(str(a) for a in arguments)
             raise Refused(f'weft {words}: exit {done.returncode}: {(done.stderr or done.stdout).strip()}')
-        return json.loads(done.stdout) if done.stdout.strip() else None
+        return done.stdout
 
     def start(self):
         self.server.start()
@@ -60,7 +70,8 @@ class Fleet:
         for robot in self.robots.values():
             robot.start()
         self.watch.start()
-        wait_until('three robots to report', lambda: len(self.weft('robots')['robots']) == len(ROBOTS), 60, self.all())
+        wait_until('all robots to report', lambda: sum(row['heard'] for row in self.weft('robots')['robots']) == len(self.robots), 60,
+                   self.all())
 
     def answers(self):
         try:
@@ -76,6 +87,11 @@ class Fleet:
 
     def wait_robot(self, name, what, condition, seconds):
         return wait_until(f'{name} {what}', lambda: condition(self.robot(name)), seconds, self.all(), every=0.5)
+
+    def kill_robot(self, name):
+        """Its agent; nobody restarts it."""
+        self.killed.add(name)
+        self.robots[name].kill()
 
     def kill_and_restart_server(self):
         self.server.kill()

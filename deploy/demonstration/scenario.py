@@ -2,22 +2,30 @@
 import lines
 from processes import wait_until
 
+SITE, PACE, FLAGS = 'demo', 1.5, {}
+ROBOTS = ('r1', 'r2', 'r3')
 TEACH = {'r1': 'loop-1', 'r2': 'loop-2'}
 R2_SEED = 'handover'          # a label of r1's, near which r2 starts
 GOALS = (('packing-3', 'r1'), ('dock-2', None))
+OVER = ('succeeded', 'failed', 'cancelled', 'rejected')
 CROSSING = (('handover', 'r3'), ('yard', 'r2'))      # sent at once, on ways that cross
 
 
-def teach(fleet, robot, line, say):
+def spots():
+    """The labels that the lines have to name."""
+    return {R2_SEED, *(label for label, _ in GOALS + CROSSING)}
+
+
+def teach(fleet, robot, line, say, name):
     """The operator drives along the line; where it names a spot, the place under the robot gets that label."""
     pieces = lines.parts(line)
     total = sum(lines.length_m(points) for points, _ in pieces)
-    say(f'teach {robot}: {total:.0f} m as "{TEACH[robot]}"')
+    say(f'teach {robot}: {total:.0f} m as "{name}"')
     done = 0.0
 
     def begin(*more):
-        reply = fleet.weft('teach', robot, 'start', '--as', TEACH[robot], *more)
-        fleet.experiences[reply['experience']] = TEACH[robot]
+        reply = fleet.weft('teach', robot, 'start', '--as', name, *more)
+        fleet.experiences[reply['experience']] = name
 
     for number, (points, label) in enumerate(pieces):
         if len(points) > 1:
@@ -70,7 +78,7 @@ def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
         if meanwhile and meanwhile(row):
             say('the server is killed with -9 and started again')
             fleet.kill_and_restart_server()
-        return row if row['state'] in ('succeeded', 'failed', 'cancelled', 'rejected') else None
+        return row if row['state'] in OVER else None
     return wait_until(f'goal {goal_id} to end', over, seconds, fleet.robots.values(), every=0.5)
 
 
@@ -103,11 +111,12 @@ class OnceInTheMiddle:
 
 
 def run(fleet, site_lines, say):
-    teach(fleet, 'r1', site_lines['r1'], say)
+    """Whether all goals succeeded."""
+    teach(fleet, 'r1', site_lines['r1'], say, TEACH['r1'])
     wait_for_map(fleet, 1, say)
     fleet.weft('localise', 'r2', '--at', R2_SEED)
     fleet.wait_robot('r2', 'to find itself', lambda row: row['localised'], 60)
-    teach(fleet, 'r2', site_lines['r2'], say)
+    teach(fleet, 'r2', site_lines['r2'], say, TEACH['r2'])
     wait_for_map(fleet, 2, say)
     ended = []
     (first, first_robot), (second, second_robot) = GOALS
@@ -119,4 +128,4 @@ def run(fleet, site_lines, say):
     ended.append(watch(fleet, send(fleet, second, second_robot, say), say, middle))
     if not middle.fired:
         raise RuntimeError(f'the goal {second} ended before the server could be killed in the middle of it')
-    return ended + cross(fleet, say)
+    return all(row['state'] == 'succeeded' for row in ended + cross(fleet, say))

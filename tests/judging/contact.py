@@ -23,10 +23,10 @@ def drives(records, frames_of):
     return found
 
 
-def nearest(records, frames_of):
-    """The least gap between two bodies of which one moved by itself: gap_m (negative: they touched), robots, frame (of
-    the one that moved); None where no two were ever seen at once."""
-    by_itself, last, least = drives(records, frames_of), {}, None
+def nearest(records, by_itself):
+    """The least gap between two bodies of which one moved in a frame of `by_itself`, a robot's frames: gap_m (negative: they
+    touched), robots, frame (of the one that moved); None where no two were ever seen at once."""
+    last, least = {}, None
     diameter = 2 * radius_m(records.site)
     for robot, frame in records.order:
         here = records.truth[robot][frame]

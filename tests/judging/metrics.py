@@ -145,8 +145,8 @@ def judge_goal(records, goal):
     return row
 
 
-def summarise(records):
-    found = stitches(records)
+def common(records, found, by_itself):
+    """What every demo is told by: `found` are its stitches, `by_itself` as contact.nearest wants it."""
     acknowledged, lost = lost_acknowledged(records)
     rss = {row['name']: row['peak_memory_mb'] for row in records.processes}
     return dict(
@@ -154,9 +154,14 @@ def summarise(records):
         robots=len(records.truth), places=len(records.places),
         experiences=len({row['experience'] for row in records.places.values()}),
         stitches=len(found), wrong_stitches=sum(not row['right'] for row in found),
-        stitched_metres=stitched_metres(records, found),
-        nearest=contact.nearest(records, goal_frames),
-        goals=[judge_goal(records, goal) for goal in records.goals],
+        nearest=contact.nearest(records, by_itself),
         acknowledged=acknowledged, lost_acknowledged=lost,
         server_rss_mb=rss.get('server'),
         agent_rss_mb={name: mb for name, mb in rss.items() if name not in ('server', 'cli')})
+
+
+def summarise(records):
+    found = stitches(records)
+    return dict(common(records, found, contact.drives(records, goal_frames)),
+                stitched_metres=stitched_metres(records, found),
+                goals=[judge_goal(records, goal) for goal in records.goals])

@@ -101,13 +101,17 @@ def draw(records, found, frames_of, path):
         x, y, _ = records.true_place(place)
         axes.annotate(name, (x, y), xytext=(8, 9), textcoords='offset points', fontsize=9, zorder=8,
                       bbox=dict(boxstyle='round,pad=0.2', facecolor='white', edgecolor='#555555', linewidth=0.5))
+    finish(figure, axes, f'What {len(records.truth)} robots taught, stitched and drove: true positions, by the simulation', path)
+
+
+def finish(figure, axes, title, path):
     axes.set_aspect('equal')
     axes.margins(0.03)
     axes.xaxis.set_major_locator(MultipleLocator(2))
     axes.yaxis.set_major_locator(MultipleLocator(2))
     axes.set_xlabel('x, metres (site frame)')
     axes.set_ylabel('y, metres (site frame)')
-    axes.set_title(f'What {len(records.truth)} robots taught, stitched and drove: true positions, by the simulation')
+    axes.set_title(title)
     axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.0), fontsize=9, frameon=False)
     axes.grid(linewidth=0.3)
     figure.savefig(path, dpi=110, bbox_inches='tight', pad_inches=0.15)

@@ -22,6 +22,13 @@ def lines(path):
     return rows
 
 
+def document(path):
+    try:
+        return json.loads(path.read_text())
+    except (OSError, json.JSONDecodeError) as fault:
+        end(f'{path.name}: {fault}')
+
+
 def pose(row):
     return (row['x'], row['y'], row['heading'])
 
@@ -29,6 +36,7 @@ def pose(row):
 @dataclass
 class Records:
     truth: dict = field(default_factory=dict)        # robot -> frame -> (x, y, heading)
+    times: dict = field(default_factory=dict)        # robot -> frame -> seconds of its own true time
     order: list = field(default_factory=list)        # (robot, frame) as the truth was written
     fixes: list = field(default_factory=list)        # robot, frame, place, place_from_robot
     drives: list = field(default_factory=list)       # robot, frame, goal, phase
@@ -38,6 +46,8 @@ class Records:
     names: dict = field(default_factory=dict)        # experience -> the name that it was taught as
     network: dict = field(default_factory=dict)
     places: dict = field(default_factory=dict)       # id -> row, robot by name
+    whys: list = field(default_factory=list)         # goal, answer; of a demo with --traffic, as is what follows
+    traffic: dict = None
     site: pathlib.Path = None
     floor: pathlib.Path = None                       # a picture of it
 
@@ -59,6 +69,7 @@ def read(folder):
     records = Records(site=folder / 'site.toml', floor=folder / 'floor.pgm')
     for row in lines(folder / 'truth.jsonl'):
         records.truth.setdefault(row['robot'], {})[row['frame']] = pose(row)
+        records.times.setdefault(row['robot'], {})[row['frame']] = row['t']
         records.order.append((row['robot'], row['frame']))
     records.fixes = lines(folder / 'fixes.jsonl')
     records.drives = lines(folder / 'drives.jsonl')
@@ -67,10 +78,9 @@ def read(folder):
     records.processes = lines(folder / 'processes.jsonl')
     if (folder / 'experiences.jsonl').exists():
         records.names = {row['experience']: row['name'] for row in lines(folder / 'experiences.jsonl')}
-    try:
-        records.network = json.loads((folder / 'network.json').read_text())
-    except (OSError, json.JSONDecodeError) as fault:
-        end(f'network.json: {fault}')
+    records.network = document(folder / 'network.json')
+    if (folder / 'traffic.json').exists():
+        records.traffic, records.whys = document(folder / 'traffic.json'), lines(folder / 'whys.jsonl')
     names = {row['peer']: row['name'] for row in records.processes if row.get('peer')}
     for row in records.network['places']:
         records.places[row['id']] = dict(row, robot=names.get(row['robot'], row['robot']))
