@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
+/// Bounds how far before the mouth of a pocket a robot is on its way into it, for others that stand there.
+constexpr double kNearMouth_m = 15.0;
+
 struct Nobody {
   std::uint32_t robot = kNobody;
 };
@@ -26,7 +29,7 @@ class Steps {
         states_(robots.size()),
         order_(robots.size()),
         owner_(pockets.size(), kNobody),
-        is_wanted_(pockets.size(), false) {
+        wanted_by_(pockets.size()) {
     plan_.moves.resize(robots.size());
     for (std::uint32_t i = 0; i < robots.size(); ++i) {
       states_[i].robot = robots[i];
@@ -88,7 +91,7 @@ class Steps {
   /// Finds who is in which pocket, and who has to come out.
   void look_at_pockets() {
     std::fill(owner_.begin(), owner_.end(), kNobody);
-    std::fill(is_wanted_.begin(), is_wanted_.end(), false);
+    for (std::vector<std::uint32_t>& robots : wanted_by_) robots.clear();
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
       State& state = states_[robot];
       state.in = pockets_.of(state.robot.at);
@@ -97,11 +100,11 @@ class Steps {
       }
       own(state.in, robot);
       const bool wants = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
-      if (wants && state.in != state.robot.pocket) is_wanted_[state.robot.pocket] = true;
+      if (wants && state.in != state.robot.pocket) wanted_by_[state.robot.pocket].push_back(robot);
     }
     for (State& state : states_) {
       state.leaves = state.in != Pockets::kNone && state.handles == 0 &&
-                     (state.robot.goal == nullptr ? is_wanted_[state.in] : state.robot.pocket != state.in);
+                     (state.robot.goal == nullptr ? !wanted_by_[state.in].empty() : state.robot.pocket != state.in);
     }
   }
 
@@ -146,7 +149,9 @@ class Steps {
     Distances* const wanted = asker == kNobody ? nullptr : states_[asker].robot.goal;
     const double here_m = goal == nullptr ? 0.0 : goal->from_m(here);
     std::vector<Choice> choices;
-    const bool makes_way = asker != kNobody || is_refused(robot);
+    const bool clears_mouth = asker == kNobody && is_in_a_mouth(robot);
+    if (clears_mouth) ++plan_.pushes;
+    const bool makes_way = asker != kNobody || is_refused(robot) || clears_mouth;
     for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
       const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
       const bool is_better = goal != nullptr && there_m < here_m;
@@ -176,6 +181,26 @@ class Steps {
     const PlanRobot& known = states_[robot].robot;
     if (known.goal == nullptr || known.pocket == Pockets::kNone || states_[robot].in == known.pocket) return false;
     return pockets_.is_at_mouth(known.pocket, known.at) && !is_open(known.pocket, robot);
+  }
+
+  /// Returns whether the robot has nothing to do and stands in the mouth of a pocket to which another one comes:
+  /// there is no room to ask it on from there once that one has come.
+  bool is_in_a_mouth(std::uint32_t robot) const {
+    const PlanRobot& known = states_[robot].robot;
+    if (known.goal != nullptr) return false;
+    for (std::uint32_t pocket = 0; pocket < wanted_by_.size(); ++pocket) {
+      if (wanted_by_[pocket].empty() || !pockets_.is_at_mouth(pocket, known.at)) continue;
+      const auto comes = [&](std::uint32_t other) { return is_near_mouth(other, pocket); };
+      if (std::any_of(wanted_by_[pocket].begin(), wanted_by_[pocket].end(), comes)) return true;
+    }
+    return false;
+  }
+
+  bool is_near_mouth(std::uint32_t robot, std::uint32_t pocket) const {
+    const PlanRobot& known = states_[robot].robot;
+    double mouth_m = Distances::kFar_m;
+    for (const Berth berth : pockets_.at_mouth(pocket)) mouth_m = std::min(mouth_m, known.goal->from_m(berth));
+    return known.goal->from_m(known.at) <= mouth_m + kNearMouth_m;
   }
 
   bool is_open(std::uint32_t pocket, std::uint32_t robot) const {
@@ -326,8 +351,8 @@ class Steps {
   PlanRules rules_;
   std::vector<State> states_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> owner_;    ///< of each pocket: who is in it, or goes there
-  std::vector<bool> is_wanted_;         ///< somebody wants to go into that pocket
+  std::vector<std::uint32_t> owner_;                   ///< of each pocket: who is in it, or goes there
+  std::vector<std::vector<std::uint32_t>> wanted_by_;  ///< who wants to go into that pocket
   std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
   std::vector<std::uint32_t> moving_;
   ByBerth<Nobody> standing_;                                ///< who stands there as the step begins

@@ -12,6 +12,9 @@ namespace {
 
 /// Bounds how many berths are looked at around one.
 constexpr std::size_t kBall = 200;
+/// Bounds how many berths a lane and what is at its end have together, for one robot in all of them, where robots
+/// could pass each other at its end.
+constexpr std::size_t kWideEnd = 30;
 
 /// Holds the berths around one, with who is joined with whom, and which of them lead on beyond.
 class Ball {
@@ -58,14 +61,15 @@ class Ball {
   }
 
   enum class Way : std::uint8_t { out, in };
-  /// Returns whether one can drive from the centre through those to one of these, or the other way round.
-  bool leads(Way way, const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
+  /// Returns the first of these to which one can drive from the centre through those, or from which to the centre;
+  /// none: one cannot.
+  std::optional<Berth> leads(Way way, const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
     std::set<Berth> seen = {centre_};
     std::deque<Berth> open = {centre_};
     while (!open.empty()) {
       const Berth here = open.front();
       open.pop_front();
-      if (std::binary_search(mouth.begin(), mouth.end(), here)) return true;
+      if (std::binary_search(mouth.begin(), mouth.end(), here)) return here;
       if (!std::binary_search(inside.begin(), inside.end(), here)) continue;
       const auto go_to = [&](Berth there) {
         if (seen.insert(there).second) open.push_back(there);
@@ -76,10 +80,12 @@ class Ball {
         for (const BerthGraph::Before& arc : graph_.before(here, methods_)) go_to(arc.from);
       }
     }
-    return false;
+    return std::nullopt;
   }
 
   /// Returns whether two robots cannot pass each other in there: berths as deep as each other are beside each other.
+  /// In what lies deeper than the centre they may, where that is small: who stands in a lane keeps others from its
+  /// end.
   bool is_narrow(const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
     std::map<Berth, double> depth_m;
     std::set<std::pair<double, Berth>> open;
@@ -101,7 +107,10 @@ class Ball {
       }
       for (const BerthGraph::Before& arc : graph_.before(here, methods_)) reach(arc.from, arc.length_m);
     }
+    const auto centre = depth_m.find(centre_);
+    const bool may_be_wide = centre != depth_m.end() && inside.size() <= kWideEnd;
     for (auto a = depth_m.begin(); a != depth_m.end(); ++a) {
+      if (may_be_wide && a->second > centre->second + shortest_m / 2.0) continue;
       const std::vector<Berth>& beside = graph_.beside(a->first);
       for (auto b = std::next(a); b != depth_m.end(); ++b) {
         const bool is_as_deep = std::abs(a->second - b->second) < shortest_m / 2.0;
@@ -147,11 +156,10 @@ std::optional<Pocket> pocket_around(BerthGraph& graph, Berth berth, std::uint32_
     const std::vector<Berth> blocked = standing_in(graph, mouth);
     if (std::binary_search(blocked.begin(), blocked.end(), berth)) continue;
     std::optional<std::vector<Berth>> inside = ball.cut_off_by(blocked);
-    if (!inside || !ball.leads(Ball::Way::out, *inside, blocked) || !ball.leads(Ball::Way::in, *inside, blocked) ||
-        !ball.is_narrow(*inside, blocked)) {
-      break;
-    }
-    largest = Pocket{.mouth = mouth, .at_mouth = blocked, .inside = *std::move(inside)};
+    if (!inside || !ball.leads(Ball::Way::in, *inside, blocked) || !ball.is_narrow(*inside, blocked)) break;
+    const std::optional<Berth> exit = ball.leads(Ball::Way::out, *inside, blocked);
+    if (!exit) break;
+    largest = Pocket{.exit = *exit, .at_mouth = blocked, .inside = *std::move(inside)};
   }
   return largest;
 }
@@ -183,7 +191,7 @@ bool Pockets::is_at_mouth(std::uint32_t pocket, Berth berth) const {
 Distances& Pockets::to_mouth(std::uint32_t pocket, std::uint32_t methods) {
   std::unique_ptr<Distances>& known = to_mouth_[{pocket, methods}];
   if (known == nullptr) {
-    known = std::make_unique<Distances>(graph_, pockets_[pocket].mouth, methods, nothing_);
+    known = std::make_unique<Distances>(graph_, pockets_[pocket].exit, methods, nothing_);
   }
   return *known;
 }

@@ -11,11 +11,13 @@
 
 namespace weft::server {
 
-/// Describes berths that can only be left past one of them, the mouth: two robots cannot pass each other in there.
+/// Describes berths that can only be left past one of them, the mouth: two robots cannot pass each other in there,
+/// or only at the end of it.
 struct Pocket {
-  Berth mouth = kNoBerth;
-  std::vector<Berth> at_mouth;  ///< where standing is standing in the mouth: it and what is beside it, sorted
-  std::vector<Berth> inside;    ///< sorted; without the mouth
+  Berth exit = kNoBerth;  ///< the berth at the mouth to which one drives out
+  std::vector<Berth>
+      at_mouth;  ///< where standing is standing in the mouth: the berth there and what is beside it, sorted
+  std::vector<Berth> inside;  ///< sorted; without the mouth
 };
 
 /// Finds pockets around berths as they are asked for: places to which robots go, or where they stand.
@@ -30,7 +32,8 @@ class Pockets {
   /// Returns the pocket that is known to hold the berth.
   std::uint32_t of(Berth berth) const;
   bool is_at_mouth(std::uint32_t pocket, Berth berth) const;
-  /// Tells how far it is to the mouth.
+  const std::vector<Berth>& at_mouth(std::uint32_t pocket) const { return pockets_[pocket].at_mouth; }
+  /// Tells how far it is out to the mouth.
   Distances& to_mouth(std::uint32_t pocket, std::uint32_t methods);
   std::size_t size() const { return pockets_.size(); }
   void clear();

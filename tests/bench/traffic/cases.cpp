@@ -96,6 +96,19 @@ void dead_end(Play& play) {
   play.send("r2", "out");
 }
 
+/// A lane that two robots cannot pass each other in, with a loop at its end that is wide enough for two; who stands
+/// in the lane, on the way out, is in the way of who comes in.
+void lane_with_a_loop(Play& play) {
+  const ExperienceId lane = play.teach({{-10, 0}, {10, 0}});
+  const ExperienceId end = play.teach(
+      {{-4, 0}, {-0.5, 0}, {0, 1}, {0, 6}, {-0.9, 7}, {0, 8}, {0.9, 7}, {0.2, 6}, {0.2, 1}, {1, 0}, {4, 0}});
+  play.label("bay", play.near(end, {0.2, 4}));
+  play.label("out", play.near(lane, {9, 0}));
+  play.put("r1", play.near(lane, {-4, 0}));
+  play.put("r2", play.near(end, {0.2, 4}));
+  play.send("r1", "bay");
+}
+
 void inside_a_stretch(Play& play) {
   const ExperienceId run = play.teach(kAisle);
   const ExperienceId aside = play.teach({{4, 0}, {6, 0}, {7, -1}, {7, -6}});
@@ -178,6 +191,7 @@ std::vector<Case> all_cases() {
   const std::vector<Case> more = {{"idle on the way", idle_on_the_way},
                                   {"parked at my goal", parked_at_my_goal},
                                   {"dead end with one inside", dead_end},
+                                  {"lane with a loop at its end", lane_with_a_loop},
                                   {"inside a stretch", inside_a_stretch},
                                   {"dead robot in one of two aisles", dead_in_one_of_two},
                                   {"closed edge ahead, another way", closed_ahead_of_two},
