@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/simulation/bends.hpp"
 #include "tests/simulation/course.hpp"
 
 namespace weft::simulation {
@@ -14,31 +15,18 @@ class AislesCourse : public Course {
   AislesCourse();
 
   const std::string& name() const override { return name_; }
-  double length_m() const override { return length_m_; }
+  double length_m() const override { return bends_.length_m(); }
   Pose2 at(double along_m) const override;
   const std::vector<Station>& stations() const override { return stations_; }
   double start_m(std::size_t robot, std::size_t robots) const override;
   Lesson lesson(std::size_t robot, std::size_t robots) const override;
 
  private:
-  /// A straight or an arc.
-  struct Bend {
-    double length_m = 0.0;
-    double turn_rad = 0.0;  ///< left is positive
-    double from_m = 0.0;
-    Pose2 start;
-  };
-
-  void go(double metres);
-  void turn(double degrees, double radius_m);
-  void turn_round();
-  void add(double length_m, double turn_rad);
-  /// `along_m` is of the last bend.
-  void station(double along_m, double right_m);
+  /// `along_m` is of the way that has been laid out.
+  void station(double along_m, double right_m) { stations_.push_back({along_m, right_m}); }
 
   std::string name_ = "aisles";
-  double length_m_ = 0.0;
-  std::vector<Bend> bends_;
+  Bends bends_;
   std::vector<Station> stations_;
 };
 

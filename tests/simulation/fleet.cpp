@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "agents/navigation/navigator_of.hpp"
+#include "tests/simulation/stored_map.hpp"
 #include "tests/support/marks.hpp"
 
 namespace weft::simulation {
@@ -24,18 +25,25 @@ std::optional<agents::Signature> sign_marks(ByteView content) {
   return decoded ? method.sign(*decoded) : std::nullopt;
 }
 
+Site site_of(const FleetConfig& config, Random random) {
+  if (config.map == MapFrom::stored) return make_large_site(config.robots, random);
+  return make_site(config.site, random);
+}
+
 }  // namespace
 
-Fleet::Fleet(std::string_view site, std::uint64_t seed, std::size_t robots)
-    : random_(seed),
+Fleet::Fleet(const FleetConfig& config)
+    : random_(config.seed),
       now_(std::chrono::hours(1)),
-      site_(std::make_shared<const Site>(make_site(site, random_.fork(1)))),
+      site_(std::make_shared<const Site>(site_of(config, random_.fork(1)))),
       net_(random_.fork(2)),
       ledger_(kFootprint_m) {
   net_.set_now(now_);
   server_.id = draw_id();
   server_.disk = std::make_shared<storage::MemoryDisk>();
   server_.wall_offset = from_seconds(random_.uniform(-2.0, 2.0));
+  const std::size_t robots = config.robots;
+  if (config.map == MapFrom::stored) store_map(robots);
   start_server();
   client_.id = draw_id();
   client_.incarnation = random_.next();
@@ -51,6 +59,12 @@ Fleet::Fleet(std::string_view site, std::uint64_t seed, std::size_t robots)
     ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}, 0.0, false};
     start_robot(i);
   }
+}
+
+void Fleet::store_map(std::size_t robots) {
+  const StoredMap map(*site_, robots, draw_id(), random_.fork(5));
+  if (!map.write(server_.disk)) throw std::runtime_error("the stored map: the disk refuses it");
+  for (const auto& [place, pose] : map.places()) ledger_.stored(place, pose);
 }
 
 PeerId Fleet::draw_id() {
@@ -75,6 +89,7 @@ void Fleet::start_server() {
   }
   server_.service = std::move(*started);
   server_.link = std::make_unique<bus::Link>(net_.attach(msg::Role::server, server_.id));
+  note_wake();
 }
 
 void Fleet::crash_server() {
@@ -107,6 +122,7 @@ void Fleet::start_robot(std::size_t index) {
   robot.due = now_;
   robot.next.reset();
   ledger_.robots[robot.id].agent = robot.agent.get();
+  note_wake(robot);
 }
 
 void Fleet::crash_robot(std::size_t index) {
@@ -122,27 +138,30 @@ void Fleet::crash_robot(std::size_t index) {
   robot.command = {};  // a base stops when nobody speaks to it
 }
 
-std::optional<SteadyTime> Fleet::next_event() const {
+void Fleet::note_wake() {
+  const std::optional<SteadyTime> due = server_.service->next_tick();
+  server_.wakes = due ? *due - server_.steady_offset : SteadyTime::max();
+}
+
+void Fleet::note_wake(RobotProcess& robot) {
+  const std::optional<SteadyTime> due = robot.agent->next_tick();
+  robot.wakes = due ? *due - robot.steady_offset : SteadyTime::max();
+}
+
+SteadyTime Fleet::next_event() const {
   SteadyTime next = next_look_;
   if (const auto due = net_.next_delivery()) next = std::min(next, *due);
-  if (server_.service && !server_.hung_since) {
-    if (const auto due = server_.service->next_tick()) next = std::min(next, *due - server_.steady_offset);
-  }
+  if (server_.service && !server_.hung_since) next = std::min(next, server_.wakes);
   for (const RobotProcess& robot : robots_) {
     if (robot.hung_since) continue;
     next = std::min(next, robot.due);
-    if (!robot.agent) continue;
-    if (const auto due = robot.agent->next_tick()) next = std::min(next, *due - robot.steady_offset);
+    if (robot.agent) next = std::min(next, robot.wakes);
   }
   return std::max(next, now_);
 }
 
 void Fleet::run_until(SteadyTime until) {
-  while (true) {
-    const auto next = next_event();
-    if (!next || *next > until) break;
-    play(*next);
-  }
+  for (SteadyTime next = next_event(); next <= until; next = next_event()) play(next);
   now_ = until;
   net_.deliver_until(now_);
 }
@@ -165,13 +184,16 @@ void Fleet::play(SteadyTime at) {
 }
 
 void Fleet::serve() {
+  bool has_heard = false;
   while (const auto message = server_.link->take()) {
+    has_heard = true;
     ledger_.server_heard(*message);
     send_all(server_.service->handle(*message, server_now()));
   }
-  if (const auto due = server_.service->next_tick(); due && *due - server_.steady_offset <= now_) {
-    send_all(server_.service->tick(server_now()));
-  }
+  if (has_heard) note_wake();
+  if (server_.wakes > now_) return;
+  send_all(server_.service->tick(server_now()));
+  note_wake();
 }
 
 void Fleet::send_all(const std::vector<msg::Message>& messages) {
@@ -185,14 +207,17 @@ void Fleet::send_all(const std::vector<msg::Message>& messages) {
 }
 
 void Fleet::serve(RobotProcess& robot) {
+  bool has_heard = false;
   while (const auto message = robot.link->take()) {
+    has_heard = true;
     ledger_.agent_heard(robot.id, *message, *server_.disk);
     carry_out(robot, robot.agent->handle(*message, clock(robot), wall(robot.wall_offset)));
     if (std::holds_alternative<msg::RouteOrder>(*message)) ledger_.agent_took(robot.id);
   }
-  if (const auto due = robot.agent->next_tick(); due && *due - robot.steady_offset <= now_) {
-    carry_out(robot, robot.agent->tick(clock(robot)));
-  }
+  if (has_heard) note_wake(robot);
+  if (robot.wakes > now_) return;
+  carry_out(robot, robot.agent->tick(clock(robot)));
+  note_wake(robot);
 }
 
 void Fleet::sample(RobotProcess& robot) {
@@ -201,6 +226,7 @@ void Fleet::sample(RobotProcess& robot) {
     robot.command = output.command;
     ledger_.agent_stepped(robot.id, output);
     carry_out(robot, std::move(output));
+    note_wake(robot);
   }
   robot.next = need(robot.body->step(robot.command), "body");
   ledger_.body_moved(robot.id);

@@ -19,11 +19,24 @@
 
 namespace weft::simulation {
 
+/// Tells how the fleet comes to its map.
+enum class MapFrom : std::uint8_t {
+  taught,  ///< robots teach a named site, nobody knows anything at first
+  stored   ///< a large site is in the store already; robots stand on it and have to be told where
+};
+
+struct FleetConfig {
+  std::string site = "ring";  ///< one of site_names(); stored: "aisles"
+  std::uint64_t seed = 1;
+  std::size_t robots = 4;
+  MapFrom map = MapFrom::taught;
+};
+
 /// Server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at any
 /// moment and started again on what its disk holds; each has clocks of its own.
 class Fleet {
  public:
-  Fleet(std::string_view site, std::uint64_t seed, std::size_t robots);
+  explicit Fleet(const FleetConfig& config);
 
   SteadyTime now() const { return now_; }
   /// Plays everything due up to `until`.
@@ -79,6 +92,7 @@ class Fleet {
     std::unique_ptr<storage::MapStore> store;
     std::unique_ptr<bus::Link> link;
     std::unique_ptr<server::Service> service;
+    SteadyTime wakes = SteadyTime::max();  ///< its next tick is due
     std::optional<SteadyTime> hung_since;
     Duration steady_offset{};
     Duration wall_offset{};
@@ -94,6 +108,7 @@ class Fleet {
     agents::Twist command;
     std::optional<agents::Sample> next;  ///< due at `due`
     SteadyTime due{};
+    SteadyTime wakes = SteadyTime::max();  ///< its agent's next tick is due
     std::optional<SteadyTime> hung_since;
     Duration steady_offset{};
     Duration wall_offset{};
@@ -107,8 +122,12 @@ class Fleet {
     std::vector<msg::QueryReply> answers;
   };
 
-  std::optional<SteadyTime> next_event() const;
+  SteadyTime next_event() const;
+  // These look when the next tick is due, after everything that may have changed it: that is too dear for each event.
+  void note_wake();
+  void note_wake(RobotProcess& robot);
   void play(SteadyTime at);
+  void store_map(std::size_t robots);
   void serve();
   void serve(RobotProcess& robot);
   void sample(RobotProcess& robot);

@@ -21,6 +21,7 @@ void Fleet::hang_server(bool hangs) {
   const std::vector<msg::Message> said = server_.service->tick(server_now());
   ledger_.server_woke(said);
   send_all(said);
+  note_wake();
 }
 
 void Fleet::hang_robot(std::size_t index, bool hangs) {
@@ -34,6 +35,7 @@ void Fleet::hang_robot(std::size_t index, bool hangs) {
   robot.due = now_;
   robot.agent->was_away(now_ - *robot.hung_since, clock(robot));
   robot.hung_since.reset();
+  note_wake(robot);
 }
 
 void Fleet::stray_server(bool speaks) {

@@ -43,6 +43,8 @@ class Ledger {
 
   /// Sets the time of everything that follows.
   void set_now(SteadyTime now) { now_ = now; }
+  /// Notes where a place of a map truly lies that was in the store before.
+  void stored(const PlaceId& place, const Pose2& site_from_place) { truth_.emplace(place, site_from_place); }
   void agent_sent(const RobotId& robot, const msg::Message& message);
   /// An acknowledgement as it arrives, checked against the disk at once.
   void agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk);

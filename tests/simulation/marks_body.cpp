@@ -74,14 +74,7 @@ agents::View MarksBody::look() {
   Pose2 from = site_from_robot();
   if (luck < 0.003) from = site_->pose(random_.uniform(0.0, site_->length_m()), {});  // looks like somewhere else
   agents::Marks marks;
-  if (luck < 0.99) {
-    marks.sightings = site_->seen_from(from);
-    for (auto& sighting : marks.sightings) {
-      sighting.robot_from_mark.x += random_.normal(0.0, 0.004);
-      sighting.robot_from_mark.y += random_.normal(0.0, 0.004);
-      sighting.robot_from_mark.heading = wrap_angle(sighting.robot_from_mark.heading + random_.normal(0.0, 0.008));
-    }
-  }
+  if (luck < 0.99) marks = read_marks(*site_, from, random_);
   return {frame_, time_, "marks", "marks", std::move(marks)};
 }
 

@@ -12,16 +12,23 @@
 
 namespace weft::simulation {
 
+/// Tells what people do where robots wait for one another.
+enum class People : std::uint8_t {
+  none,  ///< nothing: they find lost robots, lead back who cannot set off, and no more
+  help
+};
+
 /// Asks of the fleet what people do: they teach the course and its sidings, then send robots about, change their
 /// minds, teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until
 /// it is answered, as `weft` does. Faults play on meanwhile.
 class Operator {
  public:
-  Operator(Fleet& fleet, Chaos& chaos, Random random) : fleet_(fleet), chaos_(chaos), random_(random) {}
+  Operator(Fleet& fleet, Chaos& chaos, Random random, People people)
+      : fleet_(fleet), chaos_(chaos), random_(random), people_(people) {}
 
-  /// Each robot its lesson; then each is sent to a station. False when it could not be done
-  /// in time.
-  bool teach_all();
+  /// Gives each robot its lesson, or tells it where it stands on a stored map; then sends each to a station. False
+  /// when it could not be done in time.
+  bool begin(MapFrom map);
   /// One random errand. Never waits longer than a few minutes for it.
   void errand();
   /// Looks at the goals that have not ended, and helps.
@@ -30,10 +37,12 @@ class Operator {
   void pass(Duration time);
   /// Goals that this operator has not seen end, as of its last look.
   std::size_t open_goals() const { return open_.size(); }
-  /// Returns why `teach_all` gave up.
+  /// Returns why `begin` gave up.
   const std::string& trouble() const { return trouble_; }
   std::uint64_t goals_sent() const { return goals_sent_; }
   std::uint64_t goals_accepted() const { return goals_accepted_; }
+  /// Returns how often a robot was led back to where it can set off.
+  std::uint64_t led_back() const { return led_back_; }
 
  private:
   struct Open {
@@ -43,8 +52,10 @@ class Operator {
   };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
   std::optional<msg::QueryReply> answer_to(msg::Query query);
-  std::optional<msg::QueryReply> look_at(const GoalId& goal);
+  std::map<GoalId, std::vector<Goal>> look_at(std::vector<GoalId> goals);
   Revision quarantined();
+  bool teach_all();
+  bool find_all();
   bool teach_lesson(std::size_t robot);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);
@@ -58,6 +69,8 @@ class Operator {
   void edit_a_while();
   void note_stray(const Goal& goal);
   void look_around();
+  void help_all_waiting();
+  void lead_back(std::size_t robot);
   void help_waiting(const GoalId& id, Open& open);
   bool waits_for(std::size_t robot, const std::string& other) const;
   std::optional<std::size_t> blocker_of(const Goal& goal) const;
@@ -83,6 +96,7 @@ class Operator {
   Fleet& fleet_;
   Chaos& chaos_;
   Random random_;
+  People people_;
   std::string trouble_;
   std::set<std::size_t> starts_;                 ///< robots whose start has a label
   std::map<std::string, std::size_t> stations_;  ///< labels that stand, and which station of the site
@@ -90,6 +104,7 @@ class Operator {
   std::set<std::size_t> strays_;  ///< robots to be led back to where they can set off
   std::uint64_t goals_sent_ = 0;
   std::uint64_t goals_accepted_ = 0;
+  std::uint64_t led_back_ = 0;
 };
 
 }  // namespace weft::simulation

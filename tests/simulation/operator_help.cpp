@@ -97,12 +97,33 @@ std::optional<msg::QueryReply> Operator::answer_to(msg::Query query) {
   return std::nullopt;
 }
 
-/// `weft goal show`.
-std::optional<msg::QueryReply> Operator::look_at(const GoalId& goal) {
-  msg::Query query;
-  query.kind = msg::Query::Kind::goals;
-  query.goal = goal;
-  return answer_to(query);
+/// `weft goal show` of many at once. Returns what each answer holds: nothing where the server knows of no such goal.
+/// Those that are not answered are missing.
+std::map<GoalId, std::vector<Goal>> Operator::look_at(std::vector<GoalId> goals) {
+  std::map<GoalId, std::vector<Goal>> found;
+  for (int tries = 0; tries < 5 && !goals.empty(); ++tries) {
+    std::map<std::uint64_t, GoalId> asked;
+    for (const GoalId& goal : goals) {
+      msg::Query query;
+      query.kind = msg::Query::Kind::goals;
+      query.goal = goal;
+      query.request = random_.next();
+      asked[query.request] = goal;
+      fleet_.send(query);
+    }
+    for (int i = 0; i < 8 && !asked.empty(); ++i) {
+      pass(std::chrono::milliseconds(250));
+      for (msg::QueryReply& answer : fleet_.take_answers()) {
+        const auto goal = asked.find(answer.request);
+        if (goal == asked.end()) continue;
+        found[goal->second] = std::move(answer.goals);
+        asked.erase(goal);
+      }
+    }
+    goals.clear();
+    for (const auto& [request, goal] : asked) goals.push_back(goal);
+  }
+  return found;
 }
 
 /// `weft map log`: the latest revision, when it took places out of the map; 0 when the latest edit was another one.
@@ -128,19 +149,16 @@ void Operator::note_stray(const Goal& goal) {
 void Operator::look_around() {
   std::vector<GoalId> ids;
   for (const auto& [id, open] : open_) ids.push_back(id);
-  for (const GoalId& id : ids) {
-    const std::optional<msg::QueryReply> answer = look_at(id);
-    if (!answer) continue;
+  for (auto& [id, goals] : look_at(std::move(ids))) {
     // A server that knows of no such goal: the request never arrived.
-    if (answer->goals.empty() || is_terminal(answer->goals.front().state)) {
+    if (goals.empty() || is_terminal(goals.front().state)) {
       open_.erase(id);
-      if (!answer->goals.empty()) note_stray(answer->goals.front());
+      if (!goals.empty()) note_stray(goals.front());
       continue;
     }
-    const Goal& goal = answer->goals.front();
     Open& open = open_[id];
-    if (open.goal.history.size() != goal.history.size()) open.since = fleet_.now();
-    open.goal = goal;
+    if (open.goal.history.size() != goals.front().history.size()) open.since = fleet_.now();
+    open.goal = std::move(goals.front());
   }
 }
 
@@ -188,14 +206,26 @@ void Operator::help_waiting(const GoalId& id, Open& open) {
   if (face_to_face || !teach_more(*waiting)) take_away(*waiting);
 }
 
-void Operator::help() {
-  look_around();
+void Operator::help_all_waiting() {
   std::vector<GoalId> ids;
   for (const auto& [id, open] : open_) ids.push_back(id);
   for (const GoalId& id : ids) {
     if (const auto found = open_.find(id); found != open_.end()) help_waiting(id, found->second);
   }
-  for (const std::size_t robot : std::exchange(strays_, {})) take_away(robot);
+}
+
+/// Leads a stray to where it can set off: out of everybody's way, or, where people do not help with traffic, on along
+/// the lane that it stands beside; later when that cannot be done now.
+void Operator::lead_back(std::size_t robot) {
+  if (people_ == People::help) return take_away(robot);
+  ++led_back_;
+  if (is_idle(robot) && !teach_more(robot)) strays_.insert(robot);
+}
+
+void Operator::help() {
+  look_around();
+  if (people_ == People::help) help_all_waiting();
+  for (const std::size_t robot : std::exchange(strays_, {})) lead_back(robot);
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     const msg::RobotState& state = fleet_.state(robot);
     if (!fleet_.robot_up(robot)) continue;

@@ -71,7 +71,6 @@ bool Operator::teach_lesson(std::size_t robot) {
 }
 
 bool Operator::teach_all() {
-  pass(std::chrono::seconds(45));  // until everybody has been heard
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     if (robot > 0) {
       msg::OperatorRequest localise;
@@ -85,6 +84,31 @@ bool Operator::teach_all() {
     }
     if (!teach_lesson(robot)) return false;
   }
+  return true;
+}
+
+/// Tells every robot where it stands on the stored map, again until it knows.
+bool Operator::find_all() {
+  constexpr int most_rounds = 20;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::optional<std::size_t> last;
+    for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+      if (fleet_.state(robot).localised) continue;
+      last = robot;
+      find_at(robot, "start-" + std::to_string(robot));
+    }
+    if (!last) break;
+    pass(std::chrono::seconds(5));
+    if (round + 1 == most_rounds) return give_up("localise " + fleet_.name(*last), std::nullopt);
+  }
+  const Course& course = fleet_.site().course();
+  for (std::size_t k = 0; k < course.stations().size(); ++k) stations_["station-" + std::to_string(k)] = k;
+  return true;
+}
+
+bool Operator::begin(MapFrom map) {
+  pass(std::chrono::seconds(45));  // until everybody has been heard
+  if (!(map == MapFrom::stored ? find_all() : teach_all())) return false;
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) send_goal(free_station(), fleet_.name(robot));
   return true;
 }
@@ -118,22 +142,7 @@ bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>&
 bool Operator::teach_more(std::size_t robot) {
   if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return false;
   const Site& site = fleet_.site();
-  const Pose2& here = fleet_.body(robot).site_from_robot();
-  double best = 1e9;
-  double at = 0.0;
-  std::vector<std::size_t> through;
-  for (double along = 0.0; along < site.length_m(); along += 0.1) {
-    for (std::size_t k = 0; k <= site.stations(); ++k) {
-      const std::vector<std::size_t> way = k < site.stations() ? std::vector{k} : std::vector<std::size_t>{};
-      const Pose2 there = site.pose(along, way);
-      const double away = (there.translation() - here.translation()).norm();
-      if (away < best && std::abs(wrap_angle(there.heading - here.heading)) < std::numbers::pi / 2.0) {
-        best = away;
-        at = along;
-        through = way;
-      }
-    }
-  }
+  const auto [at, through] = site.nearest(fleet_.body(robot).site_from_robot());
   const double to = at + random_.uniform(3.0, 9.0);
   if (!is_clear(robot, site.line(at, to, through), false)) return false;
   teach_piece(robot, at, to, through);

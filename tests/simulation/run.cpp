@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "tests/simulation/chaos.hpp"
-#include "tests/simulation/fleet.hpp"
-#include "tests/simulation/operator.hpp"
 
 namespace weft::simulation {
 namespace {
@@ -16,18 +14,18 @@ constexpr Duration kUntilQuiet = std::chrono::minutes(2);
 }  // namespace
 
 RunResult run(const RunConfig& config) {
-  Random random(config.seed * 0x9e3779b97f4a7c15ULL + 1);
-  Fleet fleet(config.site, config.seed, config.robots);
+  Random random(config.fleet.seed * 0x9e3779b97f4a7c15ULL + 1);
+  Fleet fleet(config.fleet);
   Chaos chaos(fleet, random.fork(1));
-  Operator people(fleet, chaos, random.fork(2));
+  Operator people(fleet, chaos, random.fork(2), config.people);
   const SteadyTime began = fleet.now();
   RunResult result;
   chaos.mild();
-  if (!people.teach_all()) result.violations.push_back({"teach", people.trouble()});
+  if (!people.begin(config.fleet.map)) result.violations.push_back({"teach", people.trouble()});
 
   chaos.full();
   const SteadyTime end = fleet.now() + from_seconds(3600.0 * config.hours);
-  const double mean_s = 3600.0 / (config.goals_per_robot_hour / 0.7 * static_cast<double>(config.robots));
+  const double mean_s = 3600.0 / (config.goals_per_robot_hour / 0.7 * static_cast<double>(config.fleet.robots));
   SteadyTime next = fleet.now();
   SteadyTime help = fleet.now();
   while (result.violations.empty() && fleet.now() < end && fleet.ledger().violations().empty()) {
@@ -58,7 +56,7 @@ RunResult run(const RunConfig& config) {
   result.goals_sent = people.goals_sent();
   result.goals_accepted = people.goals_accepted();
   result.acknowledged = fleet.ledger().acknowledged();
-  result.simulated_hours = seconds(fleet.now() - began) / 3600.0 * static_cast<double>(config.robots);
+  result.simulated_hours = seconds(fleet.now() - began) / 3600.0 * static_cast<double>(config.fleet.robots);
   result.diary = fleet.diary();
   result.goals = fleet.ledger().goals_by_state();
   return result;

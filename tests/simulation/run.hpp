@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "tests/simulation/ledger.hpp"
+#include "tests/simulation/fleet.hpp"
+#include "tests/simulation/operator.hpp"
 
 namespace weft::simulation {
 
 struct RunConfig {
-  std::string site = "ring";  ///< one of site_names()
-  std::uint64_t seed = 1;
-  std::size_t robots = 4;
+  FleetConfig fleet;
+  People people = People::help;
   double hours = 1.0;
   double goals_per_robot_hour = 3.0;
 };

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "tests/simulation/run.hpp"
@@ -18,9 +19,11 @@
 namespace {
 
 struct Options {
-  std::vector<std::string> sites = weft::simulation::site_names();
+  std::vector<std::string> sites;  ///< none: all that have room
   std::string seeds = "1..10";
   std::size_t robots = 4;
+  weft::simulation::People people = weft::simulation::People::help;
+  std::optional<weft::simulation::MapFrom> map;
   double hours = 1.0;
   std::size_t jobs = 2;
   bool verbose = false;
@@ -40,6 +43,26 @@ bool parse(const std::string& text, Seeds& seeds) {
   return (first >> seeds.first) && first.eof() && (last >> seeds.last) && last.eof() && seeds.first <= seeds.last;
 }
 
+/// Settles what was not given: many robots live on a stored map. Returns what does not fit together; empty: all does.
+std::string settle(Options& options) {
+  using weft::simulation::MapFrom;
+  const bool are_many = options.robots > weft::simulation::kMostTaught;
+  if (are_many && options.map == MapFrom::taught) {
+    return "--map taught with --robots " + std::to_string(options.robots) + ": a site that is taught has room for " +
+           std::to_string(weft::simulation::kMostTaught) + "; leave --map out";
+  }
+  if (!options.map) options.map = are_many ? MapFrom::stored : MapFrom::taught;
+  if (options.map == MapFrom::taught) {
+    if (options.sites.empty()) options.sites = weft::simulation::site_names();
+    return {};
+  }
+  for (const std::string& site : options.sites) {
+    if (site != "aisles") return "--site " + site + ": a stored map is of aisles; --site aisles, or leave it out";
+  }
+  options.sites = {"aisles"};
+  return {};
+}
+
 /// One fleet's life: a seed on a site.
 struct Life {
   std::string site;
@@ -56,8 +79,10 @@ std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
 }
 
 std::string one(const Options& options, const Life& life) {
-  const auto result =
-      weft::simulation::run({.site = life.site, .seed = life.seed, .robots = options.robots, .hours = options.hours});
+  const auto result = weft::simulation::run(
+      {.fleet = {.site = life.site, .seed = life.seed, .robots = options.robots, .map = *options.map},
+       .people = options.people,
+       .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
   for (const auto& entry : result.diary) {
@@ -172,10 +197,28 @@ int main(int argc, char** argv) try {
       ->delimiter(',')
       ->type_name("NAME")
       ->check(CLI::IsMember(weft::simulation::site_names()).description(""));
-  app.add_option("--robots", options.robots, "robots in each fleet, 1 to 8")
+  app.add_option("--robots", options.robots,
+                 "robots in each fleet, 1 to 200; more than 8 live on larger aisles\n"
+                 "whose map is stored at first")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(1, 8).description(""));
+      ->check(CLI::Range(std::size_t{1}, weft::simulation::kMostStored).description(""));
+  app.add_option("--map", options.map,
+                 "taught: by the robots themselves; stored: of larger aisles, in the\n"
+                 "store at first; taught for up to 8 robots when not given")
+      ->type_name("taught|stored")
+      ->transform(CLI::CheckedTransformer(
+                      std::map<std::string, weft::simulation::MapFrom>{{"taught", weft::simulation::MapFrom::taught},
+                                                                       {"stored", weft::simulation::MapFrom::stored}})
+                      .description(""));
+  app.add_option("--people", options.people,
+                 "help: send away and lead away who stands in others' way; none: only\n"
+                 "find lost robots and lead back who stands askew; help when not given")
+      ->type_name("none|help")
+      ->transform(CLI::CheckedTransformer(
+                      std::map<std::string, weft::simulation::People>{{"none", weft::simulation::People::none},
+                                                                      {"help", weft::simulation::People::help}})
+                      .description(""));
   app.add_option("--hours", options.hours, "simulated hours of errands for each seed, 0.05 to 1000")
       ->capture_default_str()
       ->type_name("H")
@@ -197,6 +240,10 @@ int main(int argc, char** argv) try {
     return 2;
   }
   parse(options.seeds, seeds);
+  if (const std::string problem = settle(options); !problem.empty()) {
+    std::cerr << "simulate: " << problem << "; see tests/simulate --help\n";
+    return 2;
+  }
   const std::vector<Life> lives = lives_of(options, seeds);
 
   int ends[2];

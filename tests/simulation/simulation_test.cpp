@@ -9,7 +9,7 @@ namespace {
 class Simulation : public testing::TestWithParam<std::string> {};
 
 TEST_P(Simulation, TheSameSeedGivesTheSameLife) {
-  const RunConfig config{.site = GetParam(), .seed = 1, .robots = 2, .hours = 0.05};
+  const RunConfig config{.fleet = {.site = GetParam(), .seed = 1, .robots = 2}, .hours = 0.05};
   const RunResult first = run(config);
   const RunResult second = run(config);
   EXPECT_GT(first.acknowledged, 0U);
@@ -19,9 +19,9 @@ TEST_P(Simulation, TheSameSeedGivesTheSameLife) {
 }
 
 TEST_P(Simulation, AnotherSeedGivesAnotherLife) {
-  const RunConfig config{.site = GetParam(), .seed = 1, .robots = 1, .hours = 0.05};
+  const RunConfig config{.fleet = {.site = GetParam(), .seed = 1, .robots = 1}, .hours = 0.05};
   RunConfig other = config;
-  other.seed = 2;
+  other.fleet.seed = 2;
   EXPECT_NE(run(config).trace, run(other).trace);
 }
 

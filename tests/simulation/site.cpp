@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tests/simulation/aisles_course.hpp"
+#include "tests/simulation/grid_course.hpp"
 #include "tests/simulation/ring_course.hpp"
 
 namespace weft::simulation {
@@ -46,6 +47,39 @@ std::vector<agents::SitePoint> Site::line(double from_m, double to_m, const std:
   return points;
 }
 
+Site::Spot Site::nearest(const Pose2& site_from_robot) const {
+  constexpr double step_m = 0.1;
+  Spot nearest;
+  double least_m = 1e9;
+  const auto look = [&](double at_m, const std::vector<std::size_t>& through) {
+    const Pose2 there = pose(at_m, through);
+    const double away_m = (there.translation() - site_from_robot.translation()).norm();
+    const bool leads_on = std::abs(wrap_angle(there.heading - site_from_robot.heading)) < std::numbers::pi / 2.0;
+    if (away_m >= least_m || !leads_on) return;
+    least_m = away_m;
+    nearest = {at_m, through};
+  };
+  for (double at_m = 0.0; at_m < length_m(); at_m += step_m) {
+    for (std::size_t k = 0; k < stations(); ++k) {
+      const Station& station = course_->stations()[k];
+      if (station.right_m == 0.0) continue;
+      if (std::abs(std::remainder(at_m - station.at_m, length_m())) < kSidingHalf) look(at_m, {k});
+    }
+    look(at_m, {});
+  }
+  return nearest;
+}
+
+agents::Marks read_marks(const Site& site, const Pose2& site_from_robot, Random& random) {
+  agents::Marks marks{site.seen_from(site_from_robot)};
+  for (auto& sighting : marks.sightings) {
+    sighting.robot_from_mark.x += random.normal(0.0, 0.004);
+    sighting.robot_from_mark.y += random.normal(0.0, 0.004);
+    sighting.robot_from_mark.heading = wrap_angle(sighting.robot_from_mark.heading + random.normal(0.0, 0.008));
+  }
+  return marks;
+}
+
 const std::vector<std::string>& site_names() {
   static const std::vector<std::string> names = {"ring", "aisles"};
   return names;
@@ -56,6 +90,14 @@ Site make_site(std::string_view name, Random random) {
   if (name == "ring") return {std::make_unique<RingCourse>(), MarkedFloor(-6.0, -6.0, 46, 28, random)};
   if (name == "aisles") return {std::make_unique<AislesCourse>(), MarkedFloor(-10.0, -14.0, 38, 28, random)};
   throw std::invalid_argument("there is no site " + std::string(name));
+}
+
+Site make_large_site(std::size_t robots, Random random) {
+  constexpr double margin_m = 14.0;
+  auto course = std::make_unique<GridCourse>(robots);
+  const auto columns = static_cast<int>(course->east_m() + 2.0 * margin_m);
+  const auto rows = static_cast<int>(course->north_m() + 2.0 * margin_m);
+  return {std::move(course), MarkedFloor(-margin_m, -margin_m, columns, rows, random)};
 }
 
 }  // namespace weft::simulation

@@ -25,6 +25,13 @@ class Site {
   /// Returns a pose on the course, or on the sidings of `through` where one is passed; it looks along the path.
   Pose2 pose(double along_m, const std::vector<std::size_t>& through) const;
   std::vector<agents::SitePoint> line(double from_m, double to_m, const std::vector<std::size_t>& through) const;
+  /// Names a spot: so far along the course, on the sidings of `through`.
+  struct Spot {
+    double at_m = 0.0;
+    std::vector<std::size_t> through;
+  };
+  /// Returns the spot nearest to a robot of those that lead more or less where it looks.
+  Spot nearest(const Pose2& site_from_robot) const;
   /// Returns what stands within the camera's view of a robot, without noise; `mark` as the robot reads it.
   std::vector<agents::Marks::Sighting> seen_from(const Pose2& site_from_robot) const {
     return floor_.seen_from(site_from_robot);
@@ -37,9 +44,16 @@ class Site {
   MarkedFloor floor_;
 };
 
+/// Returns what a robot's camera reads there, with its noise.
+agents::Marks read_marks(const Site& site, const Pose2& site_from_robot, Random& random);
+
 /// The names of all sites.
 const std::vector<std::string>& site_names();
 /// `name` is one of them.
 Site make_site(std::string_view name, Random random);
+/// Makes a site of aisles on a grid, large enough for so many robots.
+Site make_large_site(std::size_t robots, Random random);
+inline constexpr std::size_t kMostTaught = 8;    ///< robots that have room on a named site
+inline constexpr std::size_t kMostStored = 200;  ///< and on a large one
 
 }  // namespace weft::simulation
