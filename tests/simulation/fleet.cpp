@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFootprint_m = 0.4;
 constexpr Duration kLookEvery = std::chrono::seconds(60);
+constexpr Duration kLookAtTrafficEvery = std::chrono::seconds(4);
 
 template <class T>
 T need(Result<T> result, const char* what) {
@@ -56,7 +57,8 @@ Fleet::Fleet(const FleetConfig& config)
     robot.disk = std::make_shared<storage::SpoolDisk>();
     const Pose2 start = site_->pose(site_->course().start_m(i, robots), {});
     robot.body = std::make_unique<MarksBody>(site_, start, random_.fork(100 + i));
-    ledger_.robots[robot.id] = {robot.body.get(), nullptr, robot.name, {}, {}, {}, {}, 0.0, false};
+    ledger_.robots[robot.id].body = robot.body.get();
+    ledger_.robots[robot.id].name = robot.name;
     start_robot(i);
   }
 }
@@ -129,6 +131,7 @@ void Fleet::crash_robot(std::size_t index) {
   RobotProcess& robot = robots_[index];
   net_.detach(robot.id);
   robot.hung_since.reset();
+  ledger_.robots[robot.id].is_hung = false;
   ledger_.robots[robot.id].agent = nullptr;
   ledger_.robots[robot.id].had.reset();
   robot.agent.reset();
@@ -149,7 +152,7 @@ void Fleet::note_wake(RobotProcess& robot) {
 }
 
 SteadyTime Fleet::next_event() const {
-  SteadyTime next = next_look_;
+  SteadyTime next = std::min(next_look_, next_look_at_traffic_);
   if (const auto due = net_.next_delivery()) next = std::min(next, *due);
   if (server_.service && !server_.hung_since) next = std::min(next, server_.wakes);
   for (const RobotProcess& robot : robots_) {
@@ -177,10 +180,50 @@ void Fleet::play(SteadyTime at) {
     if (robot.due <= now_) sample(robot);
   }
   hear_client();
+  look();
+}
+
+void Fleet::look() {
+  if (now_ >= next_look_at_traffic_) {
+    next_look_at_traffic_ = now_ + kLookAtTrafficEvery;
+    const bool is_served = server_.service && !server_.hung_since;
+    ledger_.look_at_goals(*server_.disk, is_served);
+    if (is_served) ledger_.look_at_waits(robot_rows(), *server_.disk);
+  }
   if (now_ >= next_look_) {
     next_look_ = now_ + kLookEvery;
     if (server_.service) ledger_.look(*server_.service, *server_.disk);
   }
+}
+
+/// Asks as `weft goal why` does, and keeps the answer from the network.
+std::vector<msg::RobotRow> Fleet::robot_rows() {
+  msg::Query query;
+  query.header.sender = client_.id;
+  query.header.incarnation = client_.incarnation;
+  query.header.sequence = ++client_.sequence;
+  query.kind = msg::Query::Kind::robots;
+  query.request = client_.sequence;
+  std::vector<msg::RobotRow> rows;
+  std::vector<msg::Message> others;
+  for (msg::Message& message : server_.service->handle(query, server_now())) {
+    auto* const answer = std::get_if<msg::QueryReply>(&message);
+    if (answer == nullptr || answer->request != query.request) {
+      others.push_back(std::move(message));
+    } else {
+      rows.insert(rows.end(), answer->robots.begin(), answer->robots.end());
+    }
+  }
+  send_all(others);
+  note_wake();
+  return rows;
+}
+
+std::uint64_t Fleet::ways_made() const {
+  const auto& events = server_.disk->events;
+  return static_cast<std::uint64_t>(std::ranges::count_if(events, [](const msg::Event& event) {
+    return event.kind == "traffic.makes_way" || event.kind == "traffic.standstill_over";
+  }));
 }
 
 void Fleet::serve() {
@@ -314,8 +357,11 @@ std::vector<std::string> Fleet::diary() const {
       for (const auto& [name, count] : robot.agent->counters()) counts += " " + name + "=" + std::to_string(count);
       lines.push_back(counts);
     }
+    const Pose2& truth = robot.body->site_from_robot();
     lines.push_back("robot " + robot.name + " " + to_string(robot.state.mode) + " at " +
-                    to_string(robot.state.place) + ": " + robot.state.reason);
+                    to_string(robot.state.place) + ", truly (" + std::to_string(truth.x) + ", " +
+                    std::to_string(truth.y) + ") m, " + std::to_string(truth.heading) +
+                    " rad: " + robot.state.reason);
   }
   return lines;
 }

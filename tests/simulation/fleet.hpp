@@ -49,7 +49,7 @@ class Fleet {
   void start_robot(std::size_t robot);
   bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
   std::size_t robots() const { return robots_.size(); }
-  void partition(std::size_t robot, bool cut) { net_.partition(robots_[robot].id, cut); }
+  void partition(std::size_t robot, bool cut);
   /// The process stands still and hears nothing until it goes on; what is sent to it waits.
   void hang_server(bool hangs);
   void hang_robot(std::size_t robot, bool hangs);
@@ -79,6 +79,8 @@ class Fleet {
   /// A few places in a row of an experience that has ended, as the map has it; none while the server is down.
   Removal some_places(Random& random) const;
   void look_when_quiet();
+  /// Returns how often robots were asked to make way, and standstills ended.
+  std::uint64_t ways_made() const;
   /// The server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
   std::vector<std::string> diary() const;
   /// Returns a hash over every message of the run, in order: the same seed gives the same.
@@ -127,6 +129,8 @@ class Fleet {
   void note_wake();
   void note_wake(RobotProcess& robot);
   void play(SteadyTime at);
+  void look();
+  std::vector<msg::RobotRow> robot_rows();
   void store_map(std::size_t robots);
   void serve();
   void serve(RobotProcess& robot);
@@ -152,6 +156,7 @@ class Fleet {
   ClientProcess client_;
   std::unique_ptr<bus::Link> stray_;
   SteadyTime next_look_{};
+  SteadyTime next_look_at_traffic_{};
   std::uint64_t trace_ = 1469598103934665603ULL;
   std::uint64_t messages_ = 0;
 };

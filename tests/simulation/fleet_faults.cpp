@@ -24,13 +24,20 @@ void Fleet::hang_server(bool hangs) {
   note_wake();
 }
 
+void Fleet::partition(std::size_t robot, bool cut) {
+  net_.partition(robots_[robot].id, cut);
+  ledger_.robots.at(robots_[robot].id).is_cut_off = cut;
+}
+
 void Fleet::hang_robot(std::size_t index, bool hangs) {
   RobotProcess& robot = robots_[index];
   if (!robot.agent || hangs == robot.hung_since.has_value()) return;
   if (hangs) {
     robot.hung_since = now_;
+    ledger_.robots.at(robot.id).is_hung = true;
     return;
   }
+  ledger_.robots.at(robot.id).is_hung = false;
   // The body was driven by the same process, or has stopped by itself when nobody spoke to it.
   robot.due = now_;
   robot.agent->was_away(now_ - *robot.hung_since, clock(robot));

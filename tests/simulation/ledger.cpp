@@ -154,6 +154,7 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
       }
     }
   }
+  check_rules(route, first, snapshot);
   held_[route.robot] = {route, continued ? before->second.from : first, continued && before->second.known};
 }
 
@@ -195,6 +196,7 @@ void Ledger::agent_took(const RobotId& robot) {
   if (same && route->released == mine.had->released) return;
   const std::uint32_t first = same ? mine.had->released + 1 : 0;
   mine.had = route;
+  mine.stands_since = now_;
   if (!route) return;
   const std::uint32_t begin = std::max(first, ahead_from(mine, *route));
   for (const auto& [id, other] : robots) {
@@ -266,6 +268,8 @@ void Ledger::body_moved(const RobotId& robot) {
   }
   if (stance.led || stance.drives) mine.unheard = false;
   mine.led = stance.led;
+  if (moves || stance.led || !is_at_work(mine)) mine.stands_since = now_;
+  if (stance.drives) check_driver(robot, mine);
   for (const Contacts::Touch& touch : touches) {
     const Robot& other = robots.at(touch.other);
     if (mine.unheard || other.unheard) continue;

@@ -12,6 +12,7 @@
 #include "storage/memory/memory_store.hpp"
 #include "tests/simulation/contacts.hpp"
 #include "tests/simulation/marks_body.hpp"
+#include "tests/simulation/progress.hpp"
 
 namespace weft::simulation {
 
@@ -36,6 +37,9 @@ class Ledger {
     double footprint_m = 0.0;     ///< as it describes itself
     bool led = false;             ///< when it last moved
     bool unheard = false;         ///< since a hand has put it down
+    bool is_hung = false;         ///< its process stands still
+    bool is_cut_off = false;      ///< nobody hears it
+    SteadyTime stands_since{};    ///< it has not moved, was told nothing new, and was at work
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
@@ -58,6 +62,10 @@ class Ledger {
   void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
   /// The body has taken a step: how that stands to all others, by the truth.
   void body_moved(const RobotId& robot);
+  /// Looks at goals every few seconds, also while no server is up: they do not count then.
+  void look_at_goals(const storage::MemoryDisk& disk, bool is_served);
+  /// Looks at what a client is told of all robots.
+  void look_at_waits(const std::vector<msg::RobotRow>& rows, const storage::MemoryDisk& disk);
   /// Checks what must hold at any moment at which a server is up.
   void look(const server::Service& service, const storage::MemoryDisk& disk);
   /// Checks what must hold once faults are over, everyone is up, people have helped where robots waited for one
@@ -67,6 +75,11 @@ class Ledger {
   /// People have asked for an edit of the map, or have undone it: meanwhile not all that is stored is served.
   void map_edited(bool is_edited) { is_edited_ = is_edited; }
 
+  /// People have laid down a rule that closes something, or have removed it.
+  void ruled(bool is_ruled) { is_ruled_ = is_ruled; }
+
+  /// Returns how often a robot was found to stand for long, and what was told of it was looked at.
+  std::uint64_t stood() const { return stood_; }
   const std::vector<Violation>& violations() const { return violations_; }
   std::uint64_t acknowledged() const { return acknowledged_count_; }
   std::map<std::string, std::uint64_t> goals_by_state() const;
@@ -90,6 +103,15 @@ class Ledger {
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);
   void check_revisions(const server::Service& service, const storage::MemoryDisk& disk);
   void check_stitches(const Snapshot& snapshot);
+  bool is_at_work(const Robot& robot) const;
+  bool counts(const Goal& goal, const std::set<RobotId>& busy) const;
+  void check_driver(const RobotId& id, const Robot& robot);
+  double away_from_closed_m(const Rule& rule, const Pose2& at) const;
+  void check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot);
+  const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;
+  bool is_near(const RobotId& robot, const PlaceId& place, double within_m) const;
+  bool is_to_pass(const RobotId& robot, const PlaceId& place, double within_m, const storage::MemoryDisk& disk) const;
+  std::string wrong_wait(const RobotId& id, const msg::RobotWait& wait, const storage::MemoryDisk& disk) const;
   void check_goals(const server::Service& service);
   bool waits_for_the_lost(const Goal& goal) const;
 
@@ -102,6 +124,11 @@ class Ledger {
   std::map<ExperienceId, std::uint64_t> acknowledged_;
   std::uint64_t acknowledged_count_ = 0;
   bool is_edited_ = false;
+  bool is_ruled_ = false;
+  Progress progress_;
+  std::map<GoalId, RobotId> drivers_;  ///< who drove last for a goal
+  std::map<RobotId, int> wrong_;       ///< looks in a row at which what was told of its wait was wrong
+  std::uint64_t stood_ = 0;
   std::map<RobotId, Stretch> held_;           ///< released to a robot, not yet freed
   std::map<RobotId, msg::RobotState> known_;  ///< as the server last heard
   std::set<GoalId> accepted_;

@@ -86,6 +86,27 @@ void Operator::edit_a_while() {
   fleet_.ledger().map_edited(false);
 }
 
+/// Closes a stretch of the map by a rule, and opens it again.
+void Operator::close_a_while() {
+  const Removal places = fleet_.some_places(random_);
+  if (places.empty() || places.places.front().first == places.places.front().last) return;
+  const Stretch& stretch = places.places.front();
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::rule_put;
+  request.rule.name = "closed";
+  request.rule.spans = {{{stretch.experience, stretch.first}, {stretch.experience, stretch.last}}};
+  fleet_.ledger().ruled(true);
+  ask(request);
+  pass(from_seconds(random_.uniform(10.0, 120.0)));
+  request.kind = msg::OperatorRequest::Kind::rule_remove;
+  while (true) {
+    const auto removed = ask(request, 600.0);
+    if (removed && removed->outcome != msg::Outcome::failed) break;
+    pass(std::chrono::seconds(5));
+  }
+  fleet_.ledger().ruled(false);
+}
+
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
@@ -106,7 +127,9 @@ void Operator::errand() {
     stop_a_while(robot);
   } else if (what < 0.92) {
     edit_a_while();
-  } else if (what < 0.96) {
+  } else if (what < 0.94) {
+    close_a_while();
+  } else if (what < 0.97) {
     teach_more(robot);
   } else if (!fleet_.state(robot).localised) {
     msg::OperatorRequest request;

@@ -67,6 +67,7 @@ class Operator {
   void send_goal(const std::string& label, const std::string& robot);
   void stop_a_while(std::size_t robot);
   void edit_a_while();
+  void close_a_while();
   void note_stray(const Goal& goal);
   void look_around();
   void help_all_waiting();

@@ -218,8 +218,12 @@ void Operator::help_all_waiting() {
 /// the lane that it stands beside; later when that cannot be done now.
 void Operator::lead_back(std::size_t robot) {
   if (people_ == People::help) return take_away(robot);
+  if (!is_idle(robot)) return;
+  if (!teach_more(robot)) {
+    strays_.insert(robot);
+    return;
+  }
   ++led_back_;
-  if (is_idle(robot) && !teach_more(robot)) strays_.insert(robot);
 }
 
 void Operator::help() {

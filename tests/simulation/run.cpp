@@ -9,6 +9,7 @@ namespace {
 
 constexpr Duration kBetweenHelps = std::chrono::seconds(20);
 constexpr Duration kUntilAllEnd = std::chrono::minutes(20);
+constexpr Duration kUntilAllEndAlone = std::chrono::minutes(60);  // what `progress` allows, and more
 constexpr Duration kUntilQuiet = std::chrono::minutes(2);
 
 }  // namespace
@@ -40,8 +41,8 @@ RunResult run(const RunConfig& config) {
     people.pass(std::chrono::seconds(2));
   }
   chaos.over();
-  // With nothing broken and people who help, every goal ends.
-  const SteadyTime patience = fleet.now() + kUntilAllEnd;
+  // With nothing broken every goal ends.
+  const SteadyTime patience = fleet.now() + (config.people == People::none ? kUntilAllEndAlone : kUntilAllEnd);
   while (fleet.ledger().violations().empty() && people.open_goals() > 0 && fleet.now() < patience) {
     people.help();
     people.pass(kBetweenHelps);
@@ -56,6 +57,9 @@ RunResult run(const RunConfig& config) {
   result.goals_sent = people.goals_sent();
   result.goals_accepted = people.goals_accepted();
   result.acknowledged = fleet.ledger().acknowledged();
+  result.ways_made = fleet.ways_made();
+  result.stood = fleet.ledger().stood();
+  result.led_back = people.led_back();
   result.simulated_hours = seconds(fleet.now() - began) / 3600.0 * static_cast<double>(config.fleet.robots);
   result.diary = fleet.diary();
   result.goals = fleet.ledger().goals_by_state();

@@ -93,7 +93,8 @@ std::string one(const Options& options, const Life& life) {
          << '\n';
   line << life.seed << ' ' << life.site << ' ' << result.violations.size() << ' ' << result.simulated_hours << ' '
        << result.messages << ' ' << result.faults << ' ' << result.goals_sent << ' ' << result.goals_accepted << ' '
-       << result.acknowledged << ' ' << result.trace;
+       << result.acknowledged << ' ' << result.ways_made << ' ' << result.stood << ' ' << result.led_back << ' '
+       << result.trace;
   for (const auto& [state, count] : result.goals) line << ' ' << state << '=' << count;
   return line.str() + "\n";
 }
@@ -118,6 +119,7 @@ void work(const Options& options, const std::vector<Life>& lives, std::size_t wo
 
 struct Totals {
   std::uint64_t lives = 0, broken = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
+  std::uint64_t ways_made = 0, stood = 0, led_back = 0;
   double hours = 0.0;
   std::map<std::string, std::uint64_t> goals;
 };
@@ -128,9 +130,11 @@ using Tally = std::map<std::string, Totals>;
 void add(Tally& tally, const std::string& line) {
   std::istringstream in(line);
   std::uint64_t seed = 0, violations = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
+  std::uint64_t ways_made = 0, stood = 0, led_back = 0;
   double hours = 0.0;
   std::string site, trace;
-  in >> seed >> site >> violations >> hours >> messages >> faults >> sent >> accepted >> acknowledged >> trace;
+  in >> seed >> site >> violations >> hours >> messages >> faults >> sent >> accepted >> acknowledged >> ways_made >>
+      stood >> led_back >> trace;
   Totals& totals = tally[site];
   ++totals.lives;
   totals.broken += violations > 0 ? 1 : 0;
@@ -140,6 +144,9 @@ void add(Tally& tally, const std::string& line) {
   totals.sent += sent;
   totals.accepted += accepted;
   totals.acknowledged += acknowledged;
+  totals.ways_made += ways_made;
+  totals.stood += stood;
+  totals.led_back += led_back;
   for (std::string word; in >> word;) {
     totals.goals[word.substr(0, word.find('='))] += std::stoull(word.substr(word.find('=') + 1));
   }
@@ -150,13 +157,16 @@ void say(const std::string& site, const Totals& totals) {
             << " messages, " << totals.faults << " faults, " << totals.sent << " goals sent, " << totals.accepted
             << " accepted (";
   for (const auto& [state, count] : totals.goals) std::cout << ' ' << state << ' ' << count;
-  std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.broken
+  std::cout << " ), " << totals.acknowledged << " batches acknowledged, " << totals.ways_made << " ways made, "
+            << totals.stood << " looks at who stands, " << totals.led_back << " led back, " << totals.broken
             << " seeds broke an invariant\n";
 }
 
-/// A simulation in which nothing drives checks nothing. Empty when enough did.
-std::string too_quiet(const Totals& totals) {
-  constexpr double least_share = 0.8;  // of the goals that nobody cancelled
+/// A simulation in which nothing drives, or nobody is in anybody's way, checks nothing. Empty when enough did.
+std::string too_quiet(const Options& options, const Totals& totals) {
+  constexpr std::size_t crowd = 10;       // robots
+  constexpr double hours_each_way = 5.0;  // of a robot
+  constexpr double least_share = 0.8;     // of the goals that nobody cancelled
   const auto count = [&](const char* state) {
     const auto found = totals.goals.find(state);
     return found == totals.goals.end() ? 0.0 : static_cast<double>(found->second);
@@ -164,6 +174,12 @@ std::string too_quiet(const Totals& totals) {
   std::ostringstream why;
   if (static_cast<double>(totals.accepted) < totals.hours) {
     why << totals.accepted << " goals were accepted in " << totals.hours << " robot-hours: less than one each";
+    return why.str();
+  }
+  const bool is_crowd = options.people == weft::simulation::People::none && options.robots >= crowd;
+  if (is_crowd && static_cast<double>(totals.ways_made) < totals.hours / hours_each_way) {
+    why << totals.ways_made << " ways were made and standstills ended in " << totals.hours
+        << " robot-hours: less than one in " << hours_each_way;
     return why.str();
   }
   double all = 0.0;
@@ -308,7 +324,7 @@ int main(int argc, char** argv) try {
   }
   for (const auto& [site, totals] : tally) {
     say(site, totals);
-    const std::string why = done == lives.size() ? too_quiet(totals) : "";
+    const std::string why = done == lives.size() ? too_quiet(options, totals) : "";
     quiet = quiet || !why.empty();
     if (!why.empty()) std::cout << site << ": " << why << '\n';
   }

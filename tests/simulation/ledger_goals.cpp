@@ -1,0 +1,80 @@
+#include <cmath>
+
+#include "tests/simulation/ledger.hpp"
+
+/// Checks that goals get on without people, and that nobody else drives them.
+namespace weft::simulation {
+namespace {
+
+constexpr double kFreeSpeed_m_s = 0.5;
+
+/// Returns how long its robot would drive if nobody else were there.
+double driving_s(const Route& route) {
+  double length_m = 0.0;
+  for (const Relation& relation : route.relations) length_m += planar(relation).translation().norm();
+  return length_m / kFreeSpeed_m_s;
+}
+
+bool is_given(const Goal& goal) {
+  return goal.robot && !is_terminal(goal.state) && goal.state != GoalState::pending;
+}
+
+}  // namespace
+
+/// Returns whether the robot is there, knows where it is, and does what it is told.
+bool Ledger::is_at_work(const Robot& robot) const {
+  const bool is_still = robot.state.mode == msg::RobotMode::lost || robot.state.mode == msg::RobotMode::teaching ||
+                        robot.state.mode == msg::RobotMode::stopped || robot.state.mode == msg::RobotMode::faulted;
+  return robot.agent != nullptr && !robot.is_hung && !robot.is_cut_off && !robot.body->by_hand() && robot.state.localised && !is_still;
+}
+
+/// Returns whether nothing excuses the goal: the one that has it, or whose turn it is, could drive.
+bool Ledger::counts(const Goal& goal, const std::set<RobotId>& busy) const {
+  if (goal.state == GoalState::paused || is_edited_ || is_ruled_) return false;
+  if (is_given(goal)) return is_at_work(robots.at(*goal.robot));
+  for (const auto& [id, robot] : robots) {
+    const bool is_meant = !goal.wanted || *goal.wanted == id;
+    if (is_meant && !busy.contains(id) && is_at_work(robot) && robot.state.mode == msg::RobotMode::idle) return true;
+  }
+  return false;
+}
+
+void Ledger::look_at_goals(const storage::MemoryDisk& disk, bool is_served) {
+  std::set<RobotId> busy;
+  for (const auto& [id, goal] : disk.goals) {
+    if (is_given(goal)) busy.insert(*goal.robot);
+  }
+  std::vector<GoalSight> sights;
+  const bool is_sound = is_served && !disk.faults.full && disk.faults.fail_next == 0;
+  for (const auto& [id, goal] : disk.goals) {
+    if (is_terminal(goal.state)) continue;
+    GoalSight sight{id, goal.kind, {}, is_sound && counts(goal, busy)};
+    const auto route = disk.routes.find(id);
+    if (route != disk.routes.end()) sight.free_s = driving_s(route->second);
+    sights.push_back(sight);
+  }
+  for (const Progress::Late& late : progress_.look(now_, sights)) {
+    const Goal& goal = disk.goals.at(late.goal.id);
+    const std::string robot = goal.robot ? robots.at(*goal.robot).name : "nobody";
+    broken(goal.kind == GoalKind::yield ? "yields" : "progress",
+           "goal " + to_string(goal.id) + " of " + robot + " to " + goal.label + " is " + to_string(goal.state) +
+               " after " + std::to_string(std::lround(late.spent_s)) + " s, at most " +
+               std::to_string(std::lround(late.most_s)) + ": " + goal.history.back().cause);
+  }
+}
+
+/// Checks that no goal is driven by two robots.
+void Ledger::check_driver(const RobotId& id, const Robot& robot) {
+  if (robot.agent == nullptr) return;
+  const std::optional<GoalId> goal = robot.had ? std::optional(robot.had->goal) : std::nullopt;
+  if (!goal || !*goal) return;
+  const auto [driver, is_new] = drivers_.emplace(*goal, id);
+  if (is_new || driver->second == id) return;
+  const Robot& other = robots.at(driver->second);
+  if (other.had && other.had->goal == *goal) {
+    broken("once", "goal " + to_string(*goal) + " is driven by " + robot.name + ", and " + other.name + " has it");
+  }
+  driver->second = id;
+}
+
+}  // namespace weft::simulation
