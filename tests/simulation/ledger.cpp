@@ -15,6 +15,15 @@ std::uint32_t freed_by(const msg::RouteProgress& progress) {
   return stands ? std::max(progress.freed, progress.released) : progress.freed;
 }
 
+/// Returns what is passed of the next version of a route when `passed` is of the one before: the same where both
+/// begin by the same places. A route may come by one floor several times.
+std::uint32_t passed_of(const Route& before, const Route& next, std::uint32_t passed) {
+  const bool is_long_enough = passed < before.places.size() && passed < next.places.size();
+  if (before.id != next.id || !is_long_enough) return 0;
+  const auto end = before.places.begin() + passed + 1;
+  return std::equal(before.places.begin(), end, next.places.begin()) ? passed : 0;
+}
+
 }  // namespace
 
 void Ledger::broken(const std::string& invariant, const std::string& what) {
@@ -140,7 +149,9 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
   const bool continued =
       before != held_.end() && before->second.route.id == route.id && before->second.route.version == route.version;
   const Robot& mine = robots.at(route.robot);
-  const std::uint32_t first = continued ? before->second.route.released + 1 : ahead_from(mine, route);
+  const std::uint32_t kept = before != held_.end() ? passed_of(before->second.route, route, before->second.from) : 0;
+  const std::uint32_t first =
+      continued ? before->second.route.released + 1 : std::max(kept, ahead_from(mine, route, kept));
   for (std::uint32_t i = first; i <= route.released && i < route.places.size(); ++i) {
     check_standing(mine, route.places[i], snapshot);
     for (const auto& [other, stretch] : held_) {
@@ -173,13 +184,19 @@ void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snap
   }
 }
 
-/// The first of a route's places that the robot may still drive to. One that was restarted takes its route up from
-/// where it stands and has not said yet what it freed.
-std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route) const {
+/// Returns what the robot has said that it has passed of the route.
+std::uint32_t Ledger::passed_by(const Robot& robot, const Route& route) const {
+  const bool said = robot.progress.route == route.id && robot.progress.version == route.version;
+  return said ? freed_by(robot.progress) : 0;
+}
+
+/// The first of a route's places that the robot may still drive to, not before what is known to be passed. One that
+/// was restarted takes its route up from where it stands and has not said yet what it freed.
+std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route, std::uint32_t passed) const {
   constexpr double here_m = 0.6;
   const bool said = robot.progress.route == route.id && robot.progress.version == route.version;
   if (said && robot.progress.phase == msg::RoutePhase::arrived) return route.released;
-  const std::uint32_t from = said ? freed_by(robot.progress) : 0;
+  const std::uint32_t from = said ? std::max(passed, freed_by(robot.progress)) : passed;
   const Eigen::Vector2d at = robot.body->site_from_robot().translation();
   for (std::uint32_t i = from; i <= route.released; ++i) {
     const auto place = truth_of(route.places[i]);
@@ -195,10 +212,12 @@ void Ledger::agent_took(const RobotId& robot) {
   const bool same = route && mine.had && route->id == mine.had->id && route->version == mine.had->version;
   if (same && route->released == mine.had->released) return;
   const std::uint32_t first = same ? mine.had->released + 1 : 0;
+  const std::uint32_t kept =
+      route && mine.had && !same ? passed_of(*mine.had, *route, passed_by(mine, *mine.had)) : 0;
   mine.had = route;
   mine.stands_since = now_;
   if (!route) return;
-  const std::uint32_t begin = std::max(first, ahead_from(mine, *route));
+  const std::uint32_t begin = std::max(first, ahead_from(mine, *route, kept));
   for (const auto& [id, other] : robots) {
     if (id == robot || other.agent == nullptr) continue;
     const std::optional<Route> theirs = other.agent->route();

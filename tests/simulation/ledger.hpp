@@ -10,6 +10,7 @@
 #include "core/protocol/messages.hpp"
 #include "server/service.hpp"
 #include "storage/memory/memory_store.hpp"
+#include "tests/simulation/closed_floor.hpp"
 #include "tests/simulation/contacts.hpp"
 #include "tests/simulation/marks_body.hpp"
 #include "tests/simulation/progress.hpp"
@@ -94,7 +95,8 @@ class Ledger {
   std::optional<Pose2> truth_of(const PlaceId& place) const;
   bool are_close(const PlaceId& a, const PlaceId& b) const;
   bool moves_away(const Robot& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const;
-  std::uint32_t ahead_from(const Robot& robot, const Route& route) const;
+  std::uint32_t passed_by(const Robot& robot, const Route& route) const;
+  std::uint32_t ahead_from(const Robot& robot, const Route& route, std::uint32_t passed = 0) const;
   void check_release(const Route& route, const Snapshot& snapshot);
   void check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot);
   void note_put_down(const RobotId& robot);
@@ -106,7 +108,6 @@ class Ledger {
   bool is_at_work(const Robot& robot) const;
   bool counts(const Goal& goal, const std::set<RobotId>& busy) const;
   void check_driver(const RobotId& id, const Robot& robot);
-  double away_from_closed_m(const Rule& rule, const Pose2& at) const;
   void check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot);
   const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;
   bool is_near(const RobotId& robot, const PlaceId& place, double within_m) const;

@@ -2,7 +2,7 @@
 
 #include "tests/simulation/ledger.hpp"
 
-/// Checks that goals get on without people, and that nobody else drives them.
+/// Checks that goals get on without people, by one robot each, and not into what is closed.
 namespace weft::simulation {
 namespace {
 
@@ -25,7 +25,8 @@ bool is_given(const Goal& goal) {
 bool Ledger::is_at_work(const Robot& robot) const {
   const bool is_still = robot.state.mode == msg::RobotMode::lost || robot.state.mode == msg::RobotMode::teaching ||
                         robot.state.mode == msg::RobotMode::stopped || robot.state.mode == msg::RobotMode::faulted;
-  return robot.agent != nullptr && !robot.is_hung && !robot.is_cut_off && !robot.body->by_hand() && robot.state.localised && !is_still;
+  return robot.agent != nullptr && !robot.is_hung && !robot.is_cut_off && !robot.body->by_hand() &&
+         robot.state.localised && !is_still;
 }
 
 /// Returns whether nothing excuses the goal: the one that has it, or whose turn it is, could drive.
@@ -75,6 +76,17 @@ void Ledger::check_driver(const RobotId& id, const Robot& robot) {
     broken("once", "goal " + to_string(*goal) + " is driven by " + robot.name + ", and " + other.name + " has it");
   }
   driver->second = id;
+}
+
+/// Nobody is released into what was closed when he was released.
+void Ledger::check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot) {
+  for (const auto& [name, rule] : snapshot.rules()) {
+    if (rule.kind != RuleKind::closed || rule.one_direction) continue;
+    const auto place = enters_closed(rule, route, first, [this](const PlaceId& id) { return truth_of(id); });
+    if (!place) continue;
+    broken("rules",
+           robots.at(route.robot).name + " was released to " + to_string(*place) + " which rule " + name + " closes");
+  }
 }
 
 }  // namespace weft::simulation

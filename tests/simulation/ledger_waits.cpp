@@ -20,6 +20,9 @@ const Route* Ledger::stands_with(const RobotId& id, const Robot& robot, const st
     if (goal.state != GoalState::assigned && goal.state != GoalState::executing) continue;
     const auto found = disk.routes.find(goal_id);
     if (found == disk.routes.end() || found->second.ended) continue;
+    // Edits and rules may leave it no way: its history says so, and who waits behind it has it at the chain's end.
+    const std::string& cause = goal.history.back().cause;
+    if (cause.find("no other way") != std::string::npos) continue;
     const Route& route = found->second;
     const bool has_it = robot.had && robot.had->id == route.id && robot.had->version == route.version &&
                         robot.had->released == route.released;
@@ -31,14 +34,16 @@ const Route* Ledger::stands_with(const RobotId& id, const Robot& robot, const st
   return nullptr;
 }
 
-/// Returns whether the robot holds something that near to the place, by what it was released and where it stands.
+/// Returns whether the robot holds something that near to the place, by what it was released, where it stands, and
+/// where it has said that it stands.
 bool Ledger::is_near(const RobotId& robot, const PlaceId& place, double within_m) const {
   const auto there = truth_of(place);
   if (!there) return false;
-  const auto is_within = [&](const Pose2& at) {
-    return (at.translation() - there->translation()).norm() < within_m;
-  };
+  const auto is_within = [&](const Pose2& at) { return (at.translation() - there->translation()).norm() < within_m; };
   if (is_within(robots.at(robot).body->site_from_robot())) return true;
+  const auto known = known_.find(robot);
+  const auto said = known != known_.end() ? truth_of(known->second.place) : std::nullopt;
+  if (said && is_within(*said)) return true;
   const auto held = held_.find(robot);
   if (held == held_.end()) return false;
   const Route& route = held->second.route;

@@ -16,8 +16,8 @@ struct GoalSight {
   bool counts = true;  ///< nothing excuses it: its robot is there, knows where it is, and has nothing to do before it
 };
 
-/// Adds up how long goals take that nothing excuses, and tells which take too long: ten times what driving takes and a
-/// quarter of an hour; of yields, three minutes.
+/// Adds up how long goals take that nothing excuses, and tells which take too long: ten times what driving takes and
+/// a quarter of an hour; of yields, three minutes.
 class Progress {
  public:
   struct Late {
