@@ -10,6 +10,12 @@ using namespace std::chrono_literals;
 constexpr Duration kBetweenReports = 200ms;
 constexpr Duration kRepeat = 2s;
 constexpr std::size_t kRoutesRemembered = 64;
+
+/// Returns whether both lead by the same places through the one of that index.
+bool begin_alike(const Route& a, const Route& b, std::uint32_t through) {
+  if (through >= a.places.size() || through >= b.places.size()) return false;
+  return std::equal(a.places.begin(), a.places.begin() + through + 1, b.places.begin());
+}
 }  // namespace
 
 RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
@@ -33,11 +39,11 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
     return Took::extended;
   }
   if (route_.has_value() && !same) end(route_->id);
+  // What has been passed stays passed: a route may come by the same floor again.
+  if (!same || !begin_alike(*route_, order, at_)) at_ = freed_ = 0;
   route_ = order;
   phase_ = msg::RoutePhase::accepted;
   reason_.clear();
-  at_ = 0;
-  freed_ = 0;
   goal_from_robot_ = Relation{};
   return Took::renewed;
 }

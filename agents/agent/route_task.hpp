@@ -29,12 +29,15 @@ class RouteTask {
 
   const std::optional<Route>& route() const { return route_; }
   msg::RoutePhase phase() const { return phase_; }
+  /// Returns the index of the last place that the robot has passed, as far as that is known.
+  std::uint32_t at() const { return at_; }
   bool arrived() const { return phase_ == msg::RoutePhase::arrived; }
 
   /// Sets the phase: what the robot does with the route now. Having arrived, and having failed, last until another
   /// version or the end.
   void set(msg::RoutePhase phase, const std::string& reason, SteadyTime now);
-  /// Sets how far along the route the robot is; never goes back within a version.
+  /// Sets how far along the route the robot is; never goes back within a version, nor where the
+  /// next version begins by the same places.
   void set_progress(std::uint32_t at, std::uint32_t freed, SteadyTime now);
   /// goal_from_robot as believed, on arrival.
   void set_arrival(const Relation& goal_from_robot) { goal_from_robot_ = goal_from_robot; }

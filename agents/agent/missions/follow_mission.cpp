@@ -23,14 +23,14 @@ FollowMission::Took FollowMission::take(const Route& order, bool is_stopped, Ste
       renew(same_route, is_stopped, now);
       return Took::route;
     case RouteTask::Took::extended:
-      if (!is_pending_ && !is_stopped) uses_.navigator.follow(*route());
+      if (!is_pending_ && !is_stopped) uses_.navigator.follow(*route(), task_.at());
       break;
   }
   return Took::nothing;
 }
 
 void FollowMission::renew(bool same_route, bool is_stopped, SteadyTime now) {
-  if (same_route && !is_pending_ && !is_stopped) return uses_.navigator.follow(*route());
+  if (same_route && !is_pending_ && !is_stopped) return uses_.navigator.follow(*route(), task_.at());
   if (!is_pending_) uses_.navigator.stop();
   is_pending_ = true;
   at_latest_ = now + kMapAtMost;
@@ -80,10 +80,11 @@ void FollowMission::tick(bool may_drive, SteadyTime now) {
     waits_for_ = "does not know where it is: looks for itself";
     at_latest_ = now + kMapAtMost;
   } else {
-    const bool covered = uses_.map.replica().is_settled() && is_covered(uses_.map.view(), *route(), 0, kRouteAhead);
+    const bool covered =
+        uses_.map.replica().is_settled() && is_covered(uses_.map.view(), *route(), task_.at(), kRouteAhead);
     if (covered || now >= at_latest_) {
       is_pending_ = false;
-      uses_.navigator.follow(*route());
+      uses_.navigator.follow(*route(), task_.at());
       return;
     }
     waits_for_ = "waits for the map of its route";

@@ -81,7 +81,10 @@ class ScriptedNavigator final : public Navigator {
     return {{"height_offset_m", {0.007, 0.005}, {0.005, 0.003}, sunk, "its camera stands as high as before"}};
   }
   void believe(const Estimate& told) override { script_->estimate = told; }
-  void follow(const Route& route, std::uint32_t) override { script_->followed.push_back(route); }
+  void follow(const Route& route, std::uint32_t from) override {
+    script_->followed.push_back(route);
+    script_->followed_from.push_back(from);
+  }
   void stop() override { ++script_->stops; }
 
  private:

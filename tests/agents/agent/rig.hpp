@@ -29,6 +29,7 @@ struct Script {
   OrRefusal<std::vector<Edge>> joins = tl::unexpected(Refusal{"few_inliers"});  ///< of a place kept alone
   std::vector<std::optional<PlaceId>> sought;
   std::vector<Route> followed;
+  std::vector<std::uint32_t> followed_from;  ///< one for each of these
   std::optional<Question> question;
   std::vector<std::pair<std::uint64_t, std::vector<PlaceId>>> proposed;
   std::optional<PlaceId> suspected;

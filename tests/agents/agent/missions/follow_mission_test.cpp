@@ -101,6 +101,58 @@ TEST(FollowMission, ReleaseIsFollowedAtOnceButNotByAStoppedRobot) {
   EXPECT_EQ(bench.script->followed.back().released, 3U);
 }
 
+/// Twice round the same ten places, as far along it as the robot says.
+struct RoundBench : FollowBench {
+  RoundBench() : route(a_route(laid, 10, 1)) {
+    const std::vector<PlaceId> round = route.places;
+    route.places.insert(route.places.end(), round.begin(), round.end());
+    route.relations.resize(19, route.relations.front());
+    route.released = 14;
+    fetch_map();
+    mission.take(route, false, now);
+    mission.tick(true, now);
+  }
+  void reach(std::uint32_t at) {
+    Navigated navigated;
+    navigated.following = Following::driving;
+    navigated.route_at = at;
+    navigated.route_freed = at - 1;
+    mission.step(navigated, false, now);
+  }
+  Route route;
+};
+
+TEST(FollowMission, NextVersionIsFollowedFromWhereTheRobotIsOnIt) {
+  RoundBench bench;
+  bench.reach(12);
+  bench.route.version = 2;
+  bench.route.places.back() = {bench.laid, 19};
+  EXPECT_EQ(bench.mission.take(bench.route, false, bench.now), Took::route);
+  EXPECT_EQ(bench.script->followed_from.back(), 12U) << "the first round is driven again";
+  const auto report = bench.mission.due(bench.now + 1s);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->at, 12U);
+  EXPECT_EQ(report->freed, 11U);
+}
+
+TEST(FollowMission, VersionThatBeginsElsewhereIsFollowedFromItsBeginning) {
+  RoundBench bench;
+  bench.reach(12);
+  Route next = a_route(bench.laid, 15, 1);
+  next.version = 2;
+  bench.mission.take(next, false, bench.now);
+  EXPECT_EQ(bench.script->followed_from.back(), 0U);
+}
+
+TEST(FollowMission, RouteIsTakenUpAfterAStopWhereItWasLeft) {
+  RoundBench bench;
+  bench.reach(12);
+  bench.mission.stop("stopped by an operator", bench.now);
+  bench.mission.resume(bench.now);
+  bench.mission.tick(true, bench.now);
+  EXPECT_EQ(bench.script->followed_from.back(), 12U);
+}
+
 TEST(FollowMission, EndStandsAndForgetsTheRoute) {
   FollowBench bench;
   bench.drive();
