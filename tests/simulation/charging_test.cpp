@@ -29,13 +29,13 @@ struct ChargingLife : testing::Test {
   }
 
   Random random{7};
-  Fleet fleet{"ring", 7, 1};
+  Fleet fleet{FleetConfig{.site = "ring", .seed = 7, .robots = 1, .map = MapFrom::taught}};
   Chaos chaos{fleet, random.fork(1)};
-  Operator people{fleet, chaos, random.fork(2)};
+  Operator people{fleet, chaos, random.fork(2), People::help};
 };
 
 TEST_F(ChargingLife, ARobotThatIsLowDrivesToTheChargerAndCharges) {
-  ASSERT_TRUE(people.teach_all()) << people.trouble();
+  ASSERT_TRUE(people.begin(MapFrom::taught)) << people.trouble();
   people.pass(5min);
   EXPECT_FALSE(power().header.sender) << "a body without a battery says nothing";
   msg::OperatorRequest charger;
