@@ -38,7 +38,8 @@ Fleet::Fleet(const FleetConfig& config)
       now_(std::chrono::hours(1)),
       site_(std::make_shared<const Site>(site_of(config, random_.fork(1)))),
       net_(random_.fork(2)),
-      ledger_(kFootprint_m) {
+      ledger_(kFootprint_m),
+      checks_waits_(config.checks_waits) {
   net_.set_now(now_);
   server_.id = draw_id();
   server_.disk = std::make_shared<storage::MemoryDisk>();
@@ -188,7 +189,7 @@ void Fleet::look() {
     next_look_at_traffic_ = now_ + kLookAtTrafficEvery;
     const bool is_served = server_.service && !server_.hung_since;
     ledger_.look_at_goals(*server_.disk, is_served);
-    if (is_served) ledger_.look_at_waits(robot_rows(), *server_.disk);
+    if (is_served && checks_waits_) ledger_.look_at_waits(robot_rows(), *server_.disk);
   }
   if (now_ >= next_look_) {
     next_look_ = now_ + kLookEvery;

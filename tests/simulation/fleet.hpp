@@ -30,6 +30,7 @@ struct FleetConfig {
   std::uint64_t seed = 1;
   std::size_t robots = 4;
   MapFrom map = MapFrom::taught;
+  bool checks_waits = false;  ///< whether the server has to say why each robot stands that has a goal
 };
 
 /// Server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at any
@@ -156,6 +157,7 @@ class Fleet {
   ClientProcess client_;
   std::unique_ptr<bus::Link> stray_;
   SteadyTime next_look_{};
+  bool checks_waits_ = false;
   SteadyTime next_look_at_traffic_{};
   std::uint64_t trace_ = 1469598103934665603ULL;
   std::uint64_t messages_ = 0;

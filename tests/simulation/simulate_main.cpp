@@ -79,10 +79,14 @@ std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
 }
 
 std::string one(const Options& options, const Life& life) {
-  const auto result = weft::simulation::run(
-      {.fleet = {.site = life.site, .seed = life.seed, .robots = options.robots, .map = *options.map},
-       .people = options.people,
-       .hours = options.hours});
+  const auto result =
+      weft::simulation::run({.fleet = {.site = life.site,
+                                       .seed = life.seed,
+                                       .robots = options.robots,
+                                       .map = *options.map,
+                                       .checks_waits = options.people == weft::simulation::People::none},
+                             .people = options.people,
+                             .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
   for (const auto& entry : result.diary) {
