@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -12,11 +13,11 @@ namespace weft::server {
 namespace {
 
 std::string whole_percent(double share) {
-  return std::to_string(static_cast<int>(100.0 * share + 0.5)) + " %";
+  return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
 std::string whole_metres(double way_m) {
-  return std::to_string(static_cast<int>(way_m + 0.5)) + " m";
+  return std::to_string(std::lround(way_m)) + " m";
 }
 
 }  // namespace
