@@ -97,7 +97,10 @@ void Ledger::look_at_waits(const std::vector<msg::RobotRow>& rows, const storage
     if (route == nullptr) continue;
     ++stood_;
     const std::string wrong = wrong_wait(id, row.wait, disk);
-    if (wrong.empty() || ++(wrong_[id] = before[id]) < kLooks) continue;
+    if (wrong.empty()) continue;
+    const int looks = before[id] + 1;
+    wrong_[id] = looks;
+    if (looks < kLooks) continue;
     broken("named", robot.name + " stands at " + to_string(robot.state.place) + " since " +
                         std::to_string(seconds(now_ - robot.stands_since)) + " s with " +
                         to_string(route->places[route->released + 1]) + " before it" +

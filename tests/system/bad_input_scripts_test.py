@@ -23,7 +23,7 @@ class Flags(Case):
         self.refused(2, ['floor-textures: '], ROOT / 'tests/floor-textures')
         self.refused(2, ['simulate: ', '--colour', '--help'], SIMULATE, '--colour')
         self.refused(2, ['simulate: ', '--seeds', '3..1'], SIMULATE, '--seeds', '3..1')
-        self.refused(2, ['simulate: ', '--robots', '9'], SIMULATE, '--robots', '9')
+        self.refused(2, ['simulate: ', '--robots', '201'], SIMULATE, '--robots', '201')
         self.refused(2, ['simulate: ', '--site', 'moon', 'ring', 'aisles'], SIMULATE, '--site', 'moon')
 
     def test_test_runner_and_installer_too(self):
