@@ -7,6 +7,7 @@
 
 #include "core/network/change.hpp"
 #include "core/network/codec.hpp"
+#include "core/network/removal.hpp"
 
 namespace weft {
 namespace {
