@@ -13,6 +13,7 @@
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
+#include "core/network/passes.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
@@ -87,6 +88,12 @@ struct PutHold {
   RobotId robot;
   std::string who;
 };
+/// Stores the latest passes of a piece of a run, in the place of the earlier ones. At least one, up to kPassesKept.
+/// Makes no revision.
+struct PutPasses {
+  RunPiece piece;
+  std::vector<Pass> passes;
+};
 struct PutEvent {
   msg::Event event;
 };
@@ -104,9 +111,9 @@ using RevisionNote = msg::RevisionNote;
 /// together they make one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback
 /// is alone in its step.
 struct Transaction {
-  std::vector<
-      std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, SealExperience, TakeOut,
-                   BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutHold, PutEvent, PutPreparation>>
+  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, SealExperience, TakeOut,
+                           BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutHold, PutEvent,
+                           PutPreparation, PutPasses>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -133,6 +140,7 @@ struct Stored {
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
   std::map<RobotId, std::string> holds;  ///< who holds the robot
+  std::map<RunPiece, std::vector<Pass>> passes;
   std::vector<std::string> quarantined;  ///< what was damaged and is not served, each named
 };
 

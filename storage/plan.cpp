@@ -129,6 +129,15 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutPasses& put) {
+    if (put.passes.empty() || put.passes.size() > kPassesKept) {
+      return fail(ErrorCode::invalid, "passes of a piece of run " + to_string(put.piece.experience) + ": " +
+                                          std::to_string(put.passes.size()) + "; from 1 to " +
+                                          std::to_string(kPassesKept) + " are kept");
+    }
+    return true;
+  }
+
   template <class Other>
   Result<bool> operator()(const Other&) {
     return true;

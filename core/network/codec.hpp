@@ -3,6 +3,7 @@
 #include "core/network/change.hpp"
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
+#include "core/network/passes.hpp"
 #include "core/network/rule.hpp"
 
 namespace weft {
@@ -15,6 +16,7 @@ Bytes encode(const Batch& batch);
 Bytes encode(const Goal& goal);
 Bytes encode(const Route& route);
 Bytes encode(const Rule& rule);
+Bytes encode(const std::vector<Pass>& passes);
 
 /// corrupt: short, trailing, or impossible values; the message names the field and the offset.
 Result<Place> decode_place(ByteView bytes);
@@ -24,6 +26,7 @@ Result<Batch> decode_batch(ByteView bytes);
 Result<Goal> decode_goal(ByteView bytes);
 Result<Route> decode_route(ByteView bytes);
 Result<Rule> decode_rule(ByteView bytes);
+Result<std::vector<Pass>> decode_passes(ByteView bytes);
 
 /// SHA-256.
 ContentHash hash_bytes(ByteView bytes);

@@ -38,6 +38,7 @@ class MemoryCompaction {
       if (auto* const back = std::get_if<BringBack>(&step.change)) thin(back->what);
     }
     drop_contents();
+    drop_passes();
     progress_.unit = "rows";
     progress_.done = progress_.total = disk_.history.size();
     progress_.summary = "revision " + std::to_string(retention_.floor().value) + " is the oldest that is kept";
@@ -144,6 +145,19 @@ class MemoryCompaction {
       const bool goes = content.kind == msg::ContentKind::content && !used.contains(hash);
       if (goes) disk_.content_bytes -= content.size;
       return goes;
+    });
+  }
+
+  void drop_passes() {
+    std::erase_if(disk_.passes, [&](const auto& entry) {
+      const RunPiece& piece = entry.first;
+      const auto known = disk_.experiences.find(piece.experience);
+      const std::uint64_t places = known == disk_.experiences.end() ? 0 : known->second.places;
+      const std::uint32_t first = piece.number * kPlacesOfPiece;
+      for (std::uint32_t at = first; at < first + kPlacesOfPiece && at < places; ++at) {
+        if (!is_deleted(PlaceId{piece.experience, at})) return false;
+      }
+      return true;
     });
   }
 

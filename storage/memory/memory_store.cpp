@@ -76,6 +76,7 @@ class Writer {
       disk_.holds[put.robot] = put.who;
     }
   }
+  void operator()(const PutPasses& put) const { disk_.passes[put.piece] = put.passes; }
   void operator()(const PutEvent& put) const { disk_.events.push_back(put.event); }
   void operator()(const PutPreparation& put) const {
     disk_.preparations[put.methods] = std::make_shared<const Bytes>(put.bytes);
@@ -206,6 +207,7 @@ class MemoryStore final : public MapStore {
     stored.occupancies = disk_->occupancies;
     stored.robots = disk_->robots;
     stored.holds = disk_->holds;
+    stored.passes = disk_->passes;
     return stored;
   }
 

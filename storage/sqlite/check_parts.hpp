@@ -26,7 +26,7 @@ using CheckParts = std::vector<std::unique_ptr<CheckPart>>;
 Result<void> add_content_checks(Parts& parts, CheckParts& to);
 /// Places, edges, labels, and what was moved: checksums, and that what they name exists.
 Result<void> add_map_checks(const Parts& parts, CheckParts& to);
-/// Experiences, batches and revisions without a gap; goals, routes, occupancies, preparations.
+/// Experiences, batches and revisions without a gap; goals, routes, occupancies, passes.
 Result<void> add_record_checks(const Parts& parts, CheckParts& to);
 
 }  // namespace weft::storage::sqlite

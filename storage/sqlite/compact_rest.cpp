@@ -173,6 +173,51 @@ class DeleteContents final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
+/// Passes of pieces of which no place is left.
+class DeletePasses final : public CompactPart {
+ public:
+  DeletePasses(Scan scan, Statement places, Statement drop)
+      : scan_(std::move(scan)), places_(std::move(places)), drop_(std::move(drop)) {}
+
+  Result<bool> step(Compaction& compaction) override {
+    std::vector<RunPiece> pieces;
+    const Result<bool> more = scan_.next(kRowsAStep, [&](const Query& row) {
+      ++done_;
+      pieces.push_back(run_piece(row, 0));
+    });
+    if (!more) return fail(more.error());
+    std::vector<RunPiece> gone;
+    for (const RunPiece& piece : pieces) {
+      Query query(places_);
+      query << piece.experience.value << std::uint64_t{piece.number} * kPlacesOfPiece
+            << (std::uint64_t{piece.number} + 1) * kPlacesOfPiece;
+      const Result<bool> has_place = query.step();
+      if (!has_place) return fail(has_place.error());
+      if (!*has_place) gone.push_back(piece);
+    }
+    if (gone.empty()) return more;
+    const auto done = compaction.write([&](StoreRow& /*store*/) { return drop(gone); });
+    if (!done) return fail(done.error());
+    return more;
+  }
+  std::uint64_t done() const override { return done_; }
+
+ private:
+  Result<void> drop(const std::vector<RunPiece>& pieces) const {
+    for (const RunPiece& piece : pieces) {
+      Query query(drop_);
+      query << piece.experience.value << std::uint64_t{piece.number} << std::uint64_t{piece.is_onward};
+      if (auto done = query.run(); !done) return done;
+    }
+    return {};
+  }
+
+  Scan scan_;
+  Statement places_;
+  Statement drop_;
+  std::uint64_t done_ = 0;
+};
+
 /// Moves pages from the file's end to its holes and cuts it off there.
 class GiveBack final : public CompactPart {
  public:
@@ -203,6 +248,14 @@ Result<void> add_rest_compaction(const Parts& parts, CompactParts& to) {
   if (!drop_revisions) return fail(drop_revisions.error());
   auto drop_content = parts.database.prepare("DELETE FROM content WHERE rowid = ?");
   if (!drop_content) return fail(drop_content.error());
+  auto passes = Scan::make(parts.database, "passes", {"experience", "piece", "onward"}, "length(row)");
+  if (!passes) return fail(passes.error());
+  auto places =
+      parts.database.prepare("SELECT place FROM place WHERE experience = ? AND place >= ? AND place < ? LIMIT 1");
+  if (!places) return fail(places.error());
+  auto drop_passes = parts.database.prepare("DELETE FROM passes WHERE experience = ? AND piece = ? AND onward = ?");
+  if (!drop_passes) return fail(drop_passes.error());
+  to.push_back(std::make_unique<DeletePasses>(std::move(*passes), std::move(*places), std::move(*drop_passes)));
   to.push_back(std::make_unique<DeleteRevisions>(std::move(*drop_revisions)));
   to.push_back(std::make_unique<DeleteContents>(parts, std::move(*drop_content)));
   to.push_back(std::make_unique<GiveBack>());

@@ -177,6 +177,18 @@ Result<void> load_robots(const Database& database, Stored& stored) {
                       [&](const Query& row) { stored.robots[row.id<RobotId>(0)] = row.text(1); });
 }
 
+Result<void> load_passes(const Database& database, NetworkBuilder& builder, Stored& stored) {
+  return for_each_row(database, "SELECT experience, piece, onward, row FROM passes", [&](const Query& row) {
+    const RunPiece piece = run_piece(row, 0);
+    Result<std::vector<Pass>> passes = decode_guarded(row.blob(3), decode_passes);
+    if (passes) {
+      stored.passes[piece] = std::move(*passes);
+    } else {
+      builder.add_damage(passes_of(piece) + ": " + passes.error().message + "; they are learned anew");
+    }
+  });
+}
+
 Result<void> load_network(const Database& database, const Scope& scope, const Lineage& lineage,
                           NetworkBuilder& builder, std::map<ExperienceId, std::uint64_t>& durable_through) {
   Result<void> done = load_experiences(database, scope, builder, durable_through);
@@ -243,6 +255,7 @@ Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
     done = for_each_row(database, "SELECT robot, who FROM hold",
                         [&](const Query& row) { stored.holds[row.id<RobotId>(0)] = row.text(1); });
   }
+  if (done) done = load_passes(database, builder, stored);
   if (done) done = load_quarantined_contents(database, builder);
   if (!done) return fail(done.error());
   stored.snapshot = builder.build(revision);

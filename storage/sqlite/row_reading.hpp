@@ -1,8 +1,10 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 #include "core/network/apart.hpp"
 #include "core/network/network.hpp"
+#include "core/network/passes.hpp"
 #include "core/result.hpp"
 #include "storage/sqlite/database.hpp"
 #include "storage/sqlite/rows.hpp"
@@ -46,6 +48,18 @@ inline constexpr const char* kApartColumns =
 /// Reads an apart from a row that begins with kApartColumns.
 inline Apart apart(const Query& query) {
   return {stretch(query, 0), stretch(query, 3)};
+}
+
+/// Reads the key of a row of passes.
+inline RunPiece run_piece(const Query& query, int column) {
+  const PlaceId piece = place_id(query, column);
+  return {piece.experience, piece.index, query.number(column + 2) != 0};
+}
+
+/// Names a row of passes for people.
+inline std::string passes_of(const RunPiece& piece) {
+  return "passes of piece " + std::to_string(piece.number) + " of experience " + to_string(piece.experience) +
+         (piece.is_onward ? ", onward" : ", backward");
 }
 
 }  // namespace weft::storage::sqlite

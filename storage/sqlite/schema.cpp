@@ -195,6 +195,14 @@ CREATE TABLE rule (
 ) WITHOUT ROWID;
 
 CREATE TABLE hold (robot BLOB PRIMARY KEY NOT NULL, who TEXT NOT NULL) WITHOUT ROWID;
+
+CREATE TABLE passes (
+  experience INTEGER NOT NULL,
+  piece      INTEGER NOT NULL,
+  onward     INTEGER NOT NULL,
+  row        BLOB NOT NULL,
+  PRIMARY KEY (experience, piece, onward)
+) WITHOUT ROWID;
 )sql",
 };
 

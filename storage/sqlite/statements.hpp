@@ -12,7 +12,7 @@ struct Statements {
   Statement put_content, put_experience, put_batch, put_place, put_place_anew, put_edge, put_label, put_apart,
       put_rule, seal;
   Statement put_revision, move_places, move_stitch;
-  Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_hold, free_hold, put_event;
+  Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_hold, free_hold, put_event, put_passes;
   Statement put_preparation, read_preparation;
   Statement quarantine;
   Statement events, events_of_goal, events_of_robot, events_of_both;

@@ -113,6 +113,14 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutPasses& put) const {
+    const Bytes bytes = guard_row(encode(put.passes));
+    Query query(statements_.put_passes);
+    query << put.piece.experience.value << std::uint64_t{put.piece.number} << std::uint64_t{put.piece.is_onward}
+          << ByteView(bytes);
+    return query.run();
+  }
+
   Result<void> operator()(const PutEvent& put) const {
     const msg::Event& event = put.event;
     Query query(statements_.put_event);

@@ -92,7 +92,8 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX edge_by_b; DROP "
+          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "edge_by_b; DROP "
           "TABLE revision; DROP TABLE "
           "moved_places; DROP TABLE "
           "moved_stitch;"
@@ -121,7 +122,8 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX edge_by_b; DROP "
+          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "edge_by_b; DROP "
           "TABLE deleted_places; DROP TABLE "
           "preparation;"
           "ALTER TABLE store DROP COLUMN floor; ALTER TABLE content DROP COLUMN sum; PRAGMA user_version = 2");
@@ -145,7 +147,8 @@ TEST(SqliteOpen, AStoreOfTheThirdSchemaIsMigratedAndItsContentsAreServed) {
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX edge_by_b; ALTER "
+          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "edge_by_b; ALTER "
           "TABLE content DROP COLUMN sum; "
           "PRAGMA user_version = 3");
   const auto store = open_sqlite(directory.path());
@@ -164,7 +167,8 @@ TEST(SqliteOpen, AStoreOfTheFourthSchemaIsMigratedAndItsPlacesCanBeKnownBetter) 
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE apart; DROP TABLE place_anew; PRAGMA user_version = 4");
+          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; PRAGMA "
+          "user_version = 4");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;
   ASSERT_TRUE((*store)->open());

@@ -122,6 +122,11 @@ TEST_F(SqliteUpkeep, CheckNamesADamagedRule) {
   commit({{PutRule{{.name = "shut", .label = "dock"}}}});
   expect_found("UPDATE rule SET row = zeroblob(length(row))", "rule shut");
 }
+TEST_F(SqliteUpkeep, CheckNamesDamagedPasses) {
+  commit({{PutPasses{{run_.experience(), 3, false}, {{8.0, 16.0, 0.0}}}}});
+  expect_found("UPDATE passes SET row = zeroblob(length(row))",
+               "passes of piece 3 of experience " + to_string(run_.experience()) + ", backward");
+}
 TEST_F(SqliteUpkeep, CheckNamesARuleOfAnotherName) {
   commit({{PutRule{{.name = "shut", .label = "dock"}}}});
   expect_found("UPDATE rule SET name = 'other'", "rule other: the row of another rule");

@@ -23,6 +23,34 @@ TEST_P(MapUpkeep, APreparationIsKeptByItsMethodsAndMakesNoRevision) {
   EXPECT_EQ(refusal({{PutPreparation{"", first}}}), ErrorCode::invalid);
 }
 
+TEST_P(MapUpkeep, PassesAreKeptByTheirPieceAndMakeNoRevision) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(40)));
+  const RunPiece onward{run.experience(), 1, true};
+  const RunPiece back{run.experience(), 1, false};
+  const std::vector<Pass> two = {{8.0, 16.0, 0.0}, {8.0, 20.5, 3.25}};
+  EXPECT_EQ(commit({{PutPasses{onward, {two[0]}}, PutPasses{back, {two[1]}}}}), Revision{1});
+  EXPECT_EQ(commit({{PutPasses{onward, two}}}), Revision{1});
+  restart();
+  EXPECT_EQ(stored_.passes, (std::map<RunPiece, std::vector<Pass>>{{onward, two}, {back, {two[1]}}}));
+  EXPECT_TRUE(finish(store_->check()).findings.empty());
+  EXPECT_EQ(refusal({{PutPasses{onward, {}}}}), ErrorCode::invalid);
+  EXPECT_EQ(refusal({{PutPasses{onward, std::vector<Pass>(kPassesKept + 1)}}}), ErrorCode::invalid);
+}
+
+TEST_P(MapUpkeep, PassesGoWithTheLastPlaceOfTheirPiece) {
+  sample::Run run(0x11, 1);
+  commit(sample::transaction(run.next(40)));  // 1
+  const RunPiece first{run.experience(), 0, true};
+  const RunPiece second{run.experience(), 1, true};
+  const std::vector<Pass> passes = {{8.0, 16.0, 0.0}};
+  commit({{PutPasses{first, passes}, PutPasses{second, passes}}});
+  commit({{TakeOut{{{{run.experience(), 0, 20}}, {}}}}});  // 2
+  EXPECT_TRUE(finish(store_->compact({2})).finished);
+  restart();
+  EXPECT_EQ(stored_.passes, (std::map<RunPiece, std::vector<Pass>>{{second, passes}}));
+}
+
 TEST_P(MapUpkeep, ACheckOfASoundMapFindsNothingWhileCommitsGoOn) {
   sample::Run first(0x11, 1);
   sample::Run second(0xffff'ffff'0000'0001, 2);
