@@ -13,6 +13,7 @@
 #include "server/contents/content_server.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 #include "server/dispatcher/standstills.hpp"
+#include "server/eta/arrivals.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/answers.hpp"
@@ -49,11 +50,12 @@ class FleetMapServer final : public Service {
         traffic_(context_, std::move(stored.occupancies), now),
         unjoined_(context_, fleet_, traffic_),
         routes_(context_),
-        dispatcher_(context_, fleet_, traffic_, routes_, random.fork(2), std::move(stored.goals),
+        arrivals_(stored.passes),
+        dispatcher_(context_, fleet_, traffic_, routes_, arrivals_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
         standstills_(context_, fleet_, dispatcher_),
         requests_(context_, fleet_, traffic_, dispatcher_),
-        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_.book(), intake_),
+        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       writer_.note(
@@ -285,6 +287,7 @@ class FleetMapServer final : public Service {
   Traffic traffic_;
   UnjoinedWatch unjoined_;
   Routes routes_;
+  Arrivals arrivals_;
   Dispatcher dispatcher_;
   Standstills standstills_;
   OperatorRequests requests_;

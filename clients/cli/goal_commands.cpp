@@ -18,6 +18,7 @@ constexpr Duration kLook = 5s;
 struct Goals {
   std::vector<Goal> goals;
   std::vector<Route> routes;
+  std::vector<msg::Arrival> arrivals;
   std::vector<msg::RobotRow> robots;
   Names names;
   WallTime seen_at{};
@@ -27,9 +28,16 @@ struct Goals {
         std::find_if(routes.begin(), routes.end(), [&](const Route& route) { return route.goal == id; });
     return found == routes.end() ? nullptr : &*found;
   }
+  const msg::Arrival* arrival(const GoalId& id) const {
+    const auto found =
+        std::find_if(arrivals.begin(), arrivals.end(), [&](const msg::Arrival& one) { return one.goal == id; });
+    return found == arrivals.end() ? nullptr : &*found;
+  }
   nlohmann::json document(const Goal& goal) const {
     const Route* const way = route(goal.id);
     nlohmann::json object = to_json(goal, way, names, seen_at);
+    const msg::Arrival* const foretold = arrival(goal.id);
+    object["arrival"] = foretold != nullptr ? to_json(*foretold) : nlohmann::json();
     object["route_at"] = nlohmann::json();
     for (const msg::RobotRow& row : robots) {
       if (way == nullptr || row.state.goal != goal.id) continue;
@@ -48,8 +56,8 @@ Result<Goals> look(Session& session, const GoalId& only, Duration at_most) {
   query.goal = only;
   Result<msg::QueryReply> goals = session.query(query, at_most);
   if (!goals) return fail(goals.error());
-  return Goals{std::move(goals->goals), std::move(goals->routes), robots->robots, names_of(robots->robots),
-               session.world().wall()};
+  return Goals{std::move(goals->goals), std::move(goals->routes), std::move(goals->arrivals),
+               robots->robots,          names_of(robots->robots), session.world().wall()};
 }
 
 /// The goal whose id begins so.
@@ -98,11 +106,13 @@ Exit list(const Goals& goals, const Invocation& invocation, const Output& output
   }
   if (goals.goals.empty()) output.out << "no goals; send one: weft goal send --to LABEL\n";
   Table table;
-  if (!goals.goals.empty()) table.add({"GOAL", "TO", "ROBOT", "STATE", "SECONDS", "CAUSE"});
+  if (!goals.goals.empty()) table.add({"GOAL", "TO", "ROBOT", "STATE", "SECONDS", "ARRIVES IN", "CAUSE"});
   for (const Goal& goal : goals.goals) {
+    const msg::Arrival* const arrival = goals.arrival(goal.id);
     table.add({to_string(goal.id).substr(0, 8), goal.label,
                goal.robot.has_value() ? name_of(goals.names, *goal.robot) : "-", to_string(goal.state),
-               fixed(duration_s(goal, goals.seen_at), 1), goal.history.empty() ? "" : goal.history.back().cause});
+               fixed(duration_s(goal, goals.seen_at), 1), arrival != nullptr ? minutes_text(arrival->in_s) : "-",
+               goal.history.empty() ? "" : goal.history.back().cause});
   }
   table.print(output.out);
   return Exit::done;
@@ -122,6 +132,7 @@ Exit show_one(const Goal& goal, const Goals& goals, const Invocation& invocation
     output.out << "route version " << route->version << ", " << route->places.size() << " places, released through "
                << route->released << (route->reason.empty() ? "" : ": " + route->reason) << '\n';
   }
+  if (const msg::Arrival* const arrival = goals.arrival(goal.id)) output.out << to_text(*arrival) << '\n';
   for (const GoalEvent& event : goal.history) output.out << line(event) << '\n';
   return Exit::done;
 }
@@ -226,6 +237,8 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
                                                                                : ": " + goal->history.back().cause)
                << '\n';
   }
+  const msg::Arrival* const arrival = goal.has_value() ? goals.arrival(goal->id) : nullptr;
+  if (arrival != nullptr) output.out << to_text(*arrival) << '\n';
   const bool waits = goal.has_value() && !is_terminal(goal->state) && route != nullptr && !route->reason.empty();
   if (waits) output.out << "its route waits: " << route->reason << '\n';
   if (row == goals.robots.end()) return Exit::done;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -129,6 +130,24 @@ json to_json(const Goal& goal, const Route* route, const Names& names, WallTime 
   object["wanted"] = goal.wanted.has_value() ? json(name_of(names, *goal.wanted)) : json();
   object["released"] = route != nullptr ? json(route->released) : json();
   return object;
+}
+
+std::string minutes_text(double time_s) {
+  const auto whole = static_cast<std::uint64_t>(std::llround(std::max(0.0, time_s)));
+  const std::uint64_t minutes = whole / 60;
+  const std::string rest = std::to_string(whole % 60) + " s";
+  if (minutes == 0) return rest;
+  if (minutes < 60) return std::to_string(minutes) + " min" + (whole % 60 > 0 ? " " + rest : "");
+  return std::to_string(minutes / 60) + " h" + (minutes % 60 > 0 ? " " + std::to_string(minutes % 60) + " min" : "");
+}
+
+std::string to_text(const msg::Arrival& arrival) {
+  return "arrives in " + minutes_text(arrival.in_s) + " (" + minutes_text(arrival.soonest_s) + " to " +
+         minutes_text(arrival.latest_s) + ")";
+}
+
+json to_json(const msg::Arrival& arrival) {
+  return {{"in_s", arrival.in_s}, {"soonest_s", arrival.soonest_s}, {"latest_s", arrival.latest_s}};
 }
 
 json to_json(const msg::Event& event, const Names& names) {

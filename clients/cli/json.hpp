@@ -27,6 +27,7 @@ nlohmann::json to_json(const msg::RobotWait& wait, const std::string& robot, con
 nlohmann::json to_json(const GoalEvent& event);
 /// `route`: the goal's latest one, or null.
 nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names, WallTime now);
+nlohmann::json to_json(const msg::Arrival& arrival);
 nlohmann::json to_json(const msg::Event& event, const Names& names);
 nlohmann::json to_json(const msg::MapInfo& info);
 /// docs/formats/records.md, network.json.
@@ -37,5 +38,9 @@ nlohmann::json to_json(const Pose2& pose);
 std::string to_text(WallTime time);
 /// Returns how long the goal has taken, from when it was asked for until its end, or until now.
 double duration_s(const Goal& goal, WallTime now);
+/// Returns a duration to the second, from an hour on to the minute: "2 min 10 s".
+std::string minutes_text(double time_s);
+/// Returns "arrives in 2 min 10 s (1 min 50 s to 3 min)".
+std::string to_text(const msg::Arrival& arrival);
 
 }  // namespace weft::cli

@@ -46,6 +46,7 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.robots, part->second.robots);
     append(all.goals, part->second.goals);
     append(all.routes, part->second.routes);
+    append(all.arrivals, part->second.arrivals);
     append(all.events, part->second.events);
     append(all.log, part->second.log);
     append(all.network.places, part->second.network.places);

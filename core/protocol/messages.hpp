@@ -470,6 +470,14 @@ struct RuleRow {
   std::string problem;       ///< why it holds on none, or on fewer than it names; empty: it does
 };
 
+/// Foretells when a robot comes to its goal, in seconds from now.
+struct Arrival {
+  GoalId goal;
+  double in_s = 0.0;
+  double soonest_s = 0.0;  ///< with latest_s: four of five robots come between the two
+  double latest_s = 0.0;
+};
+
 struct QueryReply {
   Header header;
   PeerId to;
@@ -478,7 +486,8 @@ struct QueryReply {
   std::uint32_t parts = 1;
   std::vector<RobotRow> robots;
   std::vector<Goal> goals;
-  std::vector<Route> routes;  ///< the latest route of each goal above
+  std::vector<Route> routes;      ///< the latest route of each goal above
+  std::vector<Arrival> arrivals;  ///< of the goals above to which a robot is on its way
   std::vector<Event> events;
   MapInfo info;
   std::vector<RevisionNote> log;  ///< newest first

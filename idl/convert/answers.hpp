@@ -141,6 +141,14 @@ void describe(Io& io, Value<Io, msg::RuleRow>& value, Wire<Io, idl::RuleRow>& wi
 }
 
 template <class Io>
+void describe(Io& io, Value<Io, msg::Arrival>& value, Wire<Io, idl::Arrival>& wire) {
+  io.some("goal", value.goal, wire.goal());
+  io.not_negative("in_s", value.in_s, wire.in_s());
+  io.not_negative("soonest_s", value.soonest_s, wire.soonest_s());
+  io.not_negative("latest_s", value.latest_s, wire.latest_s());
+}
+
+template <class Io>
 void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryReply>& wire) {
   io.in("header", value.header, wire.header());
   io.some("to", value.to, wire.to());
@@ -149,6 +157,7 @@ void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryRepl
   io.each("robots", value.robots, wire.robots(), kRows);
   io.each("goals", value.goals, wire.goals(), kRows);
   io.each("routes", value.routes, wire.routes(), kRows);
+  io.each("arrivals", value.arrivals, wire.arrivals(), kRows);
   io.each("events", value.events, wire.events(), kEvents);
   io.in("info", value.info, wire.info());
   io.each("log", value.log, wire.log(), kRows);

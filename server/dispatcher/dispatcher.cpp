@@ -35,12 +35,13 @@ std::string known_labels(const Snapshot& snapshot) {
 
 }  // namespace
 
-Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Random random,
-                       std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now)
+Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Arrivals& arrivals,
+                       Random random, std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now)
     : context_(context),
       fleet_(fleet),
       traffic_(traffic),
       routes_(routes),
+      arrivals_(arrivals),
       random_(random),
       book_(context, std::move(goals), std::move(given)),
       planning_(traffic.proximity()),

@@ -15,6 +15,7 @@
 #include "server/dispatcher/own_goals.hpp"
 #include "server/dispatcher/planning.hpp"
 #include "server/dispatcher/turns.hpp"
+#include "server/eta/arrivals.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/routes/routes.hpp"
 #include "server/traffic/traffic.hpp"
@@ -32,7 +33,7 @@ inline std::set<std::string> methods_of(const Robot& robot) {
 class Dispatcher {
  public:
   /// Takes up goals that were under way where they were.
-  Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Random random,
+  Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes& routes, Arrivals& arrivals, Random random,
              std::map<GoalId, Goal> goals, std::map<GoalId, Route> given, SteadyTime now);
 
   // These do what operators ask for. Each leaves the request's number, sender and header to the caller.
@@ -79,6 +80,12 @@ class Dispatcher {
   std::vector<Wait> waits();
   /// Returns why the robot does not move by itself; none: it may.
   std::optional<Stays> stays(const RobotId& robot) const;
+
+  // foretell.cpp
+  /// Returns when a robot comes to that goal; none: no robot is on its way, or something keeps it that nobody knows
+  /// the end of.
+  std::optional<msg::Arrival> arrival(const Goal& goal) const;
+
   bool has_assignments() const { return !assignments_.empty(); }
 
  private:
@@ -238,6 +245,7 @@ class Dispatcher {
   Fleet& fleet_;
   Traffic& traffic_;
   Routes& routes_;
+  Arrivals& arrivals_;
   Random random_;
   GoalBook book_;
   Planning planning_;

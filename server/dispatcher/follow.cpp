@@ -93,6 +93,7 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   RouteAssignment& assignment = found->second;
   // The order to end it is repeated by the clock, not by its reports.
   if (assignment.ending || assignment.recalled || progress.version != route->version) return;
+  arrivals_.on_report(robot, *route, progress, now.steady);
   assignment.route_lost = false;
   assignment.missing_since.reset();
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
@@ -145,7 +146,13 @@ void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalS
   route.ended = true;
   route.reason = cause;
   const bool told = is_told(robot, route) || traffic_.holds_route(robot, route.id);
-  if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, {}, now)) return;
+  const std::vector<storage::PutPasses> passes = arrivals_.due(now.steady);
+  storage::Transaction more;
+  more.changes.assign(passes.begin(), passes.end());
+  if (!book_.write(goal, {.state = state, .cause = cause, .who = who}, route, std::move(more), now)) {
+    return arrivals_.put_back(passes);
+  }
+  arrivals_.ended(robot);
   look_again_ = true;
   if (state == GoalState::succeeded && goal.kind == GoalKind::operator_asked) arrived_at_[robot] = now.steady;
   if (state == GoalState::failed && goal.kind == GoalKind::yield) avoid(robot, route, now.steady);

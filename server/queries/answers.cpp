@@ -115,7 +115,8 @@ Answers::Parts Answers::robots(SteadyTime now) const {
 
 Answers::Parts Answers::goals(const msg::Query& query) const {
   std::vector<const Goal*> wanted;
-  for (const auto& [id, goal] : book_.goals()) {
+  const GoalBook& book = dispatcher_.book();
+  for (const auto& [id, goal] : book.goals()) {
     if (!query.goal || query.goal == id) wanted.push_back(&goal);
   }
   std::sort(wanted.begin(), wanted.end(), [](const Goal* a, const Goal* b) { return a->number < b->number; });
@@ -123,7 +124,7 @@ Answers::Parts Answers::goals(const msg::Query& query) const {
   Parts parts;
   std::size_t weight = 0;
   for (const Goal* const goal : wanted) {
-    const Route* const route = book_.route(goal->id);
+    const Route* const route = book.route(goal->id);
     const std::size_t more = 1 + goal->history.size() + (route != nullptr ? route->places.size() : 0);
     if (parts.empty() || weight + more > kGoalWeightOfPart) {
       parts.emplace_back();
@@ -132,6 +133,9 @@ Answers::Parts Answers::goals(const msg::Query& query) const {
     weight += more;
     parts.back().goals.push_back(*goal);
     if (route != nullptr) parts.back().routes.push_back(*route);
+    if (const std::optional<msg::Arrival> arrival = dispatcher_.arrival(*goal)) {
+      parts.back().arrivals.push_back(*arrival);
+    }
   }
   return parts;
 }

@@ -5,7 +5,7 @@
 
 #include "core/protocol/messages.hpp"
 #include "server/base/context.hpp"
-#include "server/dispatcher/goal_book.hpp"
+#include "server/dispatcher/dispatcher.hpp"
 #include "server/dispatcher/standstills.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
@@ -19,13 +19,13 @@ namespace weft::server {
 class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
-          const Standstills& standstills, const GoalBook& book, const Intake& intake)
+          const Standstills& standstills, const Dispatcher& dispatcher, const Intake& intake)
       : context_(context),
         fleet_(fleet),
         traffic_(traffic),
         unjoined_(unjoined),
         standstills_(standstills),
-        book_(book),
+        dispatcher_(dispatcher),
         intake_(intake),
         past_maps_(context) {}
 
@@ -52,7 +52,7 @@ class Answers {
   const Traffic& traffic_;
   const UnjoinedWatch& unjoined_;
   const Standstills& standstills_;
-  const GoalBook& book_;
+  const Dispatcher& dispatcher_;
   const Intake& intake_;
   PastMaps past_maps_;
 };

@@ -220,6 +220,7 @@ msg::QueryReply query_reply() {
                        {ExperienceId{0xfedcba}},
                        1}};
   made.rules = {{rule(), 37, "no label 'dock'"}};
+  made.arrivals = {{id_of<GoalId>(0x30), 130.5, 110.25, 180.75}};
   made.outcome = msg::Outcome::refused;
   made.message = "the map has no revision 900";
   return made;

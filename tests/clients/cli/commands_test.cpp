@@ -287,10 +287,14 @@ TEST(Commands, AGoalsLife) {
   EXPECT_EQ(goals[0]["robot"], "r1");
   EXPECT_EQ(goals[0]["route"][0], "00000000000000a1:4");
   EXPECT_EQ(goals[0]["route_at"], 0);
+  EXPECT_GT(goals[0]["arrival"]["in_s"].get<double>(), 1.0);
+  EXPECT_LT(goals[0]["arrival"]["soonest_s"], goals[0]["arrival"]["latest_s"]);
   EXPECT_NE(fleet.weft({"goal", "list"}).out.find("packing"), std::string::npos);
+  EXPECT_NE(fleet.weft({"goal", "show", id.substr(0, 6)}).out.find("\narrives in "), std::string::npos);
   EXPECT_NE(fleet.weft({"goal", "show", id.substr(0, 6)}).out.find("executing"), std::string::npos);
   const Said why = fleet.weft({"goal", "why", id.substr(0, 6)});
   EXPECT_NE(why.out.find("r1 is driving"), std::string::npos) << why.out;
+  EXPECT_NE(why.out.find("\narrives in "), std::string::npos) << why.out;
   EXPECT_NE(fleet.weft({"goal", "why", "r1"}).out.find("r1 is driving"), std::string::npos);
   fleet.r1.phase = msg::RoutePhase::arrived;
   const Said watched = fleet.weft({"goal", "watch", id, "--timeout", "30"});
@@ -298,7 +302,13 @@ TEST(Commands, AGoalsLife) {
   EXPECT_NE(watched.out.find("succeeded"), std::string::npos);
   const auto shown = fleet.weft({"goal", "show", id, "--json"}).json();
   EXPECT_EQ(shown["state"], "succeeded");
+  EXPECT_TRUE(shown["arrival"].is_null());
   EXPECT_GT(shown["duration_s"].get<double>(), 1.0);
+}
+
+TEST(Commands, AnArrivalIsToldWithItsBand) {
+  EXPECT_EQ(to_text(msg::Arrival{{}, 130.4, 110.0, 179.6}), "arrives in 2 min 10 s (1 min 50 s to 3 min)");
+  EXPECT_EQ(to_text(msg::Arrival{{}, 59.4, 0.0, 3725.0}), "arrives in 59 s (0 s to 1 h 2 min)");
 }
 
 TEST(Commands, WatchingACancelledGoalFails) {
