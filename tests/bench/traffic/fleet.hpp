@@ -59,6 +59,12 @@ class Fleet {
   std::map<Cell, std::vector<std::uint32_t>> steps_;
 };
 
+/// Tells how well one arrival was foretold half of the way there.
+struct Foreseen {
+  double error = 0.0;  ///< share of the time that it took from there
+  bool is_in_band = false;
+};
+
 /// A way to decide who moves. Deterministic: the same fleet moves alike.
 class Policy {
  public:
@@ -69,6 +75,8 @@ class Policy {
   virtual std::vector<server::Wait> waits() = 0;
   /// Counts pairs of robots that hold what overlaps.
   virtual std::uint64_t overlaps() = 0;
+  /// Returns how well it foretold arrivals; nothing of a policy that does not.
+  virtual std::vector<Foreseen> foreseen() const { return {}; }
 };
 
 std::unique_ptr<Policy> make_whole(Fleet& fleet);             ///< today's rule, by the product's Traffic

@@ -59,6 +59,10 @@ void run(const Network& network, std::uint32_t robots, double hours, std::uint64
   all.standstills += standing.seen;
   all.lasting += standing.lasting();
   add(all.resolved_s, standing.resolved_s);
+  for (const Foreseen& arrival : policy->foreseen()) {
+    all.eta_errors.push_back(arrival.error);
+    if (arrival.is_in_band) ++all.in_band;
+  }
 }
 
 }  // namespace
@@ -68,7 +72,7 @@ Measured measure(const Network& network, std::uint32_t robots, double hours, std
   Measured all;
   for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed) run(network, robots, hours, seed, make, all);
   all.goals_per_hour /= static_cast<double>(last_seed - first_seed + 1);
-  for (std::vector<double>* const values : {&all.waits_s, &all.resolved_s, &all.plan_ms}) {
+  for (std::vector<double>* const values : {&all.waits_s, &all.resolved_s, &all.plan_ms, &all.eta_errors}) {
     std::sort(values->begin(), values->end());
   }
   return all;

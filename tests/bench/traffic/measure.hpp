@@ -21,6 +21,8 @@ struct Measured {
   std::uint64_t lasting = 0;       ///< of these, not resolved at the end
   std::vector<double> resolved_s;  ///< sorted, of the others
   std::vector<double> plan_ms;     ///< sorted, of each step
+  std::vector<double> eta_errors;  ///< sorted, of all seeds, as shares of the time left half of the way
+  std::uint64_t in_band = 0;       ///< arrivals of these within the band that was foretold
 };
 
 /// One seed after the other.

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "server/traffic/plan/planner.hpp"
+#include "tests/bench/traffic/foretold.hpp"
 #include "tests/bench/traffic/leased.hpp"
 
 namespace weft::bench {
@@ -12,9 +13,13 @@ constexpr std::uint32_t kTicksBetweenPlans = 2;  // about a second
 class Ours final : public Policy {
  public:
   explicit Ours(Fleet& fleet)
-      : fleet_(fleet), leased_(fleet), planner_(leased_.traffic().proximity(), server::PlanRules{}) {}
+      : fleet_(fleet),
+        leased_(fleet),
+        foretold_(fleet),
+        planner_(leased_.traffic().proximity(), server::PlanRules{}) {}
 
   void step() override {
+    foretold_.look(leased_, kStep_s * fleet_.now());
     for (Leased::Way& way : leased_.ways()) way.is_delayed = fleet_.is_delayed();
     for (std::uint32_t tick = 0; tick < TaughtLanes::kPlacesOfCell; ++tick) {
       if (tick % kTicksBetweenPlans == 0) plan();
@@ -22,11 +27,13 @@ class Ours final : public Policy {
       for (std::size_t i = 0; i < leased_.ways().size(); ++i) leased_.drive(i);
       for (const RobotId& robot : leased_.traffic().take_woken()) is_blocked_[Leased::number(robot)] = false;
       release_all();
+      foretold_.hear(leased_, kStep_s * (fleet_.now() + (tick + 1.0) / TaughtLanes::kPlacesOfCell));
     }
   }
 
   std::vector<server::Wait> waits() override { return leased_.waits(); }
   std::uint64_t overlaps() override { return leased_.overlaps(); }
+  std::vector<Foreseen> foreseen() const override { return foretold_.foreseen(); }
 
  private:
   void plan() {
@@ -102,6 +109,7 @@ class Ours final : public Policy {
 
   Fleet& fleet_;
   Leased leased_;
+  Foretold foretold_;
   const RuleMap no_rules_;
   server::Planner planner_;
   std::vector<bool> is_blocked_;  ///< by what others hold, until something of that is freed

@@ -1,6 +1,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -63,10 +64,23 @@ double memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+std::string per_cent(const nlohmann::json& share) {
+  if (share.is_null()) return "-";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", 100.0 * share.get<double>());
+  return text.data();
+}
+
 void tell(const Options& options, const std::string& policy, std::uint32_t robots, const std::string& lanes,
           const Measured& measured) {
   double plan_ms = 0.0;
   for (const double step_ms : measured.plan_ms) plan_ms += step_ms / static_cast<double>(measured.plan_ms.size());
+  const std::size_t foretold = measured.eta_errors.size();
+  const nlohmann::json eta_error =
+      foretold > 0 ? nlohmann::json(quantile(measured.eta_errors, 0.5)) : nlohmann::json();
+  const nlohmann::json eta_in_band =
+      foretold > 0 ? nlohmann::json(static_cast<double>(measured.in_band) / static_cast<double>(foretold))
+                   : nlohmann::json();
   if (options.json) {
     const nlohmann::json line = {{"policy", policy},
                                  {"robots", robots},
@@ -84,17 +98,20 @@ void tell(const Options& options, const std::string& policy, std::uint32_t robot
                                  {"plan_ms", plan_ms},
                                  {"plan_99_ms", quantile(measured.plan_ms, 0.99)},
                                  {"plan_longest_ms", quantile(measured.plan_ms, 1.0)},
+                                 {"eta_error", eta_error},
+                                 {"eta_in_band", eta_in_band},
                                  {"memory_mb", memory_mb()}};
     std::cout << line.dump() << std::endl;
     return;
   }
-  std::printf("%-13s %6u %-8s %8.0f %7.1f %8.1f %8.1f %8.1f %9llu %6llu %6llu %8.1f %8.3f %8.2f %8.2f %7.0f\n",
-              policy.c_str(), robots, lanes.c_str(), measured.goals_per_hour, measured.oldest_goal_min,
-              quantile(measured.waits_s, 0.5), quantile(measured.waits_s, 0.99), quantile(measured.waits_s, 1.0),
-              static_cast<unsigned long long>(measured.overlaps),
-              static_cast<unsigned long long>(measured.standstills),
-              static_cast<unsigned long long>(measured.lasting), quantile(measured.resolved_s, 0.5), plan_ms,
-              quantile(measured.plan_ms, 0.99), quantile(measured.plan_ms, 1.0), memory_mb());
+  std::printf(
+      "%-13s %6u %-8s %8.0f %7.1f %8.1f %8.1f %8.1f %9llu %6llu %6llu %8.1f %8.3f %8.2f %8.2f %6s %6s %7.0f\n",
+      policy.c_str(), robots, lanes.c_str(), measured.goals_per_hour, measured.oldest_goal_min,
+      quantile(measured.waits_s, 0.5), quantile(measured.waits_s, 0.99), quantile(measured.waits_s, 1.0),
+      static_cast<unsigned long long>(measured.overlaps), static_cast<unsigned long long>(measured.standstills),
+      static_cast<unsigned long long>(measured.lasting), quantile(measured.resolved_s, 0.5), plan_ms,
+      quantile(measured.plan_ms, 0.99), quantile(measured.plan_ms, 1.0), per_cent(eta_error).c_str(),
+      per_cent(eta_in_band).c_str(), memory_mb());
   std::fflush(stdout);
 }
 
@@ -127,9 +144,9 @@ void run(const Options& options) {
     }
   }
   if (!options.json) {
-    std::printf("%-13s %6s %-8s %8s %7s %8s %8s %8s %9s %6s %6s %8s %8s %8s %8s %7s\n", "POLICY", "ROBOTS", "LANES",
-                "GOALS/H", "OLD min", "WAIT s", "99 %", "longest", "OVERLAPS", "STANDS", "last", "solved s",
-                "PLAN ms", "99 %", "longest", "MB");
+    std::printf("%-13s %6s %-8s %8s %7s %8s %8s %8s %9s %6s %6s %8s %8s %8s %8s %6s %6s %7s\n", "POLICY", "ROBOTS",
+                "LANES", "GOALS/H", "OLD min", "WAIT s", "99 %", "longest", "OVERLAPS", "STANDS", "last", "solved s",
+                "PLAN ms", "99 %", "longest", "ETA %", "band %", "MB");
   }
   const std::vector<std::string> both = !options.ring.empty()   ? std::vector<std::string>{"ring"}
                                         : options.lanes.empty() ? std::vector<std::string>{"one-way", "two-way"}
