@@ -251,9 +251,8 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   } else {
     watch_for_loss(assignment, route, state, now.steady);
   }
-  // It may have been put down elsewhere.
-  const bool has_none = state.mode == msg::RobotMode::idle && !state.route;
-  if (has_none && (assignment.route_lost || assignment.missing_since)) traffic_.stands_without_route(state);
+  // It may have been put down elsewhere, also while it is stopped.
+  if (!state.route && (assignment.route_lost || assignment.missing_since)) traffic_.stands_without_route(state);
   if (assignment.route_lost) replan(robot.id, assignment, now);
 }
 

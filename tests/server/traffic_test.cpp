@@ -259,6 +259,26 @@ TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRoute) {
   EXPECT_GT(order_to(r2)->released, 10U);
 }
 
+TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRouteAndIsStopped) {
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "middle", "r1");
+  drives(r1);
+  site.pass(4s);
+  // It was carried off and told where it is; no way leads back from there to its goal.
+  for (int i = 0; i < 3; ++i) {
+    msg::RobotState state = site.state(r1, run.place(50));
+    state.mode = msg::RobotMode::stopped;
+    site.say(state);
+    site.pass(1500ms);
+  }
+  site.say(site.state(r2, run.place(30)));
+  site.send_goal(2, "end", "r2");
+  site.pass(2s);
+  ASSERT_TRUE(order_to(r2));
+  EXPECT_LT(order_to(r2)->released, 20U) << "r1 stands at the twentieth place of that route";
+  EXPECT_GT(order_to(r2)->released, 10U);
+}
+
 TEST_F(TrafficTest, TimeFreesNothing) {
   stand(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
