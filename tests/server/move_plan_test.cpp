@@ -20,6 +20,7 @@ struct MovePlanTest : testing::Test {
   void draw(const std::vector<std::string>& rows) {
     graph.emplace(rows);
     pockets.emplace(*graph);
+    lanes.emplace(*graph);
   }
   /// Adds a robot; the earlier ones have waited longer.
   PlanRobot& put(Berth at) {
@@ -36,7 +37,7 @@ struct MovePlanTest : testing::Test {
     return robot;
   }
   const MovePlan& plan(std::uint32_t steps = 30) {
-    made = plan_moves(*graph, *pockets, robots, {.steps = steps, .handling = 2});
+    made = plan_moves(*graph, *pockets, *lanes, robots, {.steps = steps, .handling = 2});
     expect_exclusive();
     return made;
   }
@@ -67,6 +68,7 @@ struct MovePlanTest : testing::Test {
 
   std::optional<DrawnGraph> graph;
   std::optional<Pockets> pockets;
+  std::optional<Lanes> lanes;
   std::vector<Berth> occupied;
   std::deque<Distances> distances;
   std::vector<PlanRobot> robots;

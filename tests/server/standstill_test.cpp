@@ -45,9 +45,9 @@ struct StandstillTest : testing::Test {
     }
     return {};
   }
-  /// Each has driven as far as it was let, and stands before the other.
+  /// Each was in the aisle already, has driven as far as it was let, and stands before the other.
   void meet_head_on() {
-    site.say(site.state(r2, back.place(0)));
+    site.say(site.state(r2, back.place(3)));
     site.say(site.state(r1, there.place(0)));
     site.send_goal(1, "end", "r1");
     site.send_goal(2, "begin", "r2");

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "server/traffic/plan/by_berth.hpp"
+#include "server/traffic/plan/meetings.hpp"
 
 namespace weft::server {
 namespace {
@@ -22,9 +24,11 @@ struct Nobody {
 /// Steps through the plan.
 class Steps {
  public:
-  Steps(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots, const PlanRules& rules)
+  Steps(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const std::vector<PlanRobot>& robots,
+        const PlanRules& rules)
       : graph_(graph),
         pockets_(pockets),
+        meetings_(graph, lanes),
         rules_(rules),
         states_(robots.size()),
         order_(robots.size()),
@@ -33,6 +37,7 @@ class Steps {
     plan_.moves.resize(robots.size());
     for (std::uint32_t i = 0; i < robots.size(); ++i) {
       states_[i].robot = robots[i];
+      meetings_.add(robots[i].at, robots[i].methods);
       states_[i].handles = robots[i].handles;
       states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
       if (robots[i].at == kNoBerth) continue;
@@ -58,10 +63,14 @@ class Steps {
     bool is_asking = false;             ///< it, or whom it asked, is being decided
     std::uint32_t in = Pockets::kNone;  ///< the pocket where it stands
     bool leaves = false;                ///< that pocket
+    std::vector<MovesFirst> first;      ///< who has to have left a lane before it makes its move
+    std::vector<std::uint32_t> met;     ///< who is in the lane where it wants to go, or cannot make way
+    std::optional<Meeting> sent_on;     ///< it has nothing to do, and keeps one out of a lane that would go there
   };
 
   void go(std::uint32_t step) {
     look_at_pockets();
+    meetings_.begin_step();
     std::stable_sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
       const PlanRobot& first = states_[a].robot;
       const PlanRobot& second = states_[b].robot;
@@ -84,6 +93,8 @@ class Steps {
       for (const Berth berth : arc->touches) passed_.at(berth) = step + 1;
     }
     for (const std::uint32_t robot : order_) forget_wish(robot);
+    // Nobody enters a lane in the step in which another one leaves it, so all of these find the same.
+    for (const std::uint32_t robot : moving_) states_[robot].first = meetings_.first(robot, states_[robot].wish->to);
     for (const std::uint32_t robot : moving_) move(robot, step);
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) get_on(robot);
   }
@@ -142,6 +153,37 @@ class Steps {
   };
 
   bool choose(std::uint32_t robot, std::uint32_t asker) {
+    State& state = states_[robot];
+    state.met.clear();
+    const bool is_idle = state.robot.goal == nullptr && asker == kNobody;
+    const bool is_sent_on = is_idle && state.sent_on && meetings_.keeps_from(robot, *state.sent_on);
+    const bool clears_mouth = asker == kNobody && is_in_a_mouth(robot);
+    if (clears_mouth || is_sent_on) ++plan_.pushes;
+    const bool makes_way = asker != kNobody || is_refused(robot) || clears_mouth || is_sent_on;
+    if (goes(robot, asker, makes_way)) return true;
+    if (makes_way || !shuts_in_who_was_met(robot)) return false;
+    ++plan_.pushes;
+    return goes(robot, asker, true);
+  }
+
+  /// Returns whether the robot keeps one in where it stands that keeps it from going on.
+  bool shuts_in_who_was_met(std::uint32_t robot) {
+    const State& state = states_[robot];
+    return std::any_of(state.met.begin(), state.met.end(),
+                       [&](std::uint32_t other) { return meetings_.shuts_in(robot, other); });
+  }
+
+  bool goes(std::uint32_t robot, std::uint32_t asker, bool makes_way) {
+    const std::vector<Choice> choices = this->choices(robot, asker, makes_way);
+    const auto takes = [&](Care care) {
+      return std::any_of(choices.begin(), choices.end(),
+                         [&](const Choice& choice) { return take(robot, *choice.arc, care); });
+    };
+    return takes(Care::off_all_ways) || (makes_way && takes(Care::off_where_they_end));
+  }
+
+  /// Returns where the robot would go, the best first; who makes way goes anywhere.
+  std::vector<Choice> choices(std::uint32_t robot, std::uint32_t asker, bool makes_way) {
     const Berth here = states_[robot].robot.at;
     Distances* goal = states_[robot].robot.goal;
     const bool is_sent_out = goal == nullptr && states_[robot].leaves;
@@ -149,9 +191,6 @@ class Steps {
     Distances* const wanted = asker == kNobody ? nullptr : states_[asker].robot.goal;
     const double here_m = goal == nullptr ? 0.0 : goal->from_m(here);
     std::vector<Choice> choices;
-    const bool clears_mouth = asker == kNobody && is_in_a_mouth(robot);
-    if (clears_mouth) ++plan_.pushes;
-    const bool makes_way = asker != kNobody || is_refused(robot) || clears_mouth;
     for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
       const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
       const bool is_better = goal != nullptr && there_m < here_m;
@@ -169,11 +208,7 @@ class Steps {
       if (a.is_unwanted != b.is_unwanted) return a.is_unwanted;
       return a.is_free && !b.is_free;
     });
-    const auto takes = [&](Care care) {
-      return std::any_of(choices.begin(), choices.end(),
-                         [&](const Choice& choice) { return take(robot, *choice.arc, care); });
-    };
-    return takes(Care::off_all_ways) || (makes_way && takes(Care::off_where_they_end));
+    return choices;
   }
 
   /// Returns whether the robot stands in the mouth of a pocket in which it wants to go, and which is taken.
@@ -223,7 +258,7 @@ class Steps {
 
   /// Takes the arc for the robot's wish if nobody has a wish there, and all who stand there make way.
   bool take(std::uint32_t robot, const BerthArc& arc, Care care) {
-    if (!can_wish(robot, arc, care)) return false;
+    if (!can_wish(robot, arc, care) || would_meet(robot, arc.to)) return false;
     put_wish(robot, &arc);
     const std::uint32_t pocket = pockets_.of(arc.to);
     const bool goes_in = pocket != Pockets::kNone && owner_[pocket] == kNobody;
@@ -235,11 +270,25 @@ class Steps {
       ++plan_.pushes;
       if (++asked == 2) ++plan_.asked_several;
       if (wish(other, robot)) continue;
+      note_met(robot, other, arc.to);
       take_back_wish(robot);
       if (goes_in) owner_[pocket] = kNobody;
       return false;
     }
     return true;
+  }
+
+  /// Returns whether the robot would come face to face with another one from there on. One that has nothing to do is
+  /// sent on.
+  bool would_meet(std::uint32_t robot, Berth to) {
+    const std::vector<std::uint32_t> met = meetings_.refuse(robot, to);
+    for (const std::uint32_t other : met) note_met(robot, other, to);
+    return !met.empty();
+  }
+
+  void note_met(std::uint32_t robot, std::uint32_t other, Berth to) {
+    states_[robot].met.push_back(other);
+    states_[other].sent_on = {robot, to};
   }
 
   bool can_wish(std::uint32_t robot, const BerthArc& arc, Care care) {
@@ -276,6 +325,7 @@ class Steps {
 
   void put_wish(std::uint32_t robot, const BerthArc* arc) {
     states_[robot].wish = arc;
+    meetings_.wishes(robot, arc->to);
     target_.at(arc->to).robot = robot;
     target_.at(arc->middle).robot = robot;
     for (const Berth berth : arc->touches) claims_.at(berth).push_back(robot);
@@ -283,6 +333,7 @@ class Steps {
 
   void take_back_wish(std::uint32_t robot) {
     const BerthArc* const arc = std::exchange(states_[robot].wish, nullptr);
+    meetings_.takes_back(robot, arc->to);
     target_.at(arc->to).robot = kNobody;
     target_.at(arc->middle).robot = kNobody;
     for (const Berth berth : arc->touches) std::erase(claims_.at(berth), robot);
@@ -294,7 +345,10 @@ class Steps {
     const Berth there = state.wish == nullptr ? state.robot.at : state.wish->to;
     const std::vector<Berth>& touched = state.wish == nullptr ? graph_.beside(there) : state.wish->touches;
     target_.at(there).robot = kNobody;
-    if (state.wish != nullptr) target_.at(state.wish->middle).robot = kNobody;
+    if (state.wish != nullptr) {
+      target_.at(state.wish->middle).robot = kNobody;
+      meetings_.takes_back(robot, there);
+    }
     claims_.at(there).clear();
     for (const Berth berth : touched) claims_.at(berth).clear();
   }
@@ -319,9 +373,10 @@ class Steps {
   void move(std::uint32_t robot, std::uint32_t step) {
     State& state = states_[robot];
     const BerthArc* const arc = std::exchange(state.wish, nullptr);
-    plan_.moves[robot].push_back({arc, state.robot.at, step});
+    plan_.moves[robot].push_back({arc, state.robot.at, step, std::exchange(state.first, {})});
     standing_.at(state.robot.at).robot = kNobody;
     state.robot.at = arc->to;
+    meetings_.moves(robot, arc->to);
     standing_.at(arc->to).robot = robot;
     if (is_at_goal(robot)) arrive(robot, rules_.handling + 1);
   }
@@ -348,6 +403,7 @@ class Steps {
 
   BerthGraph& graph_;
   Pockets& pockets_;
+  Meetings meetings_;
   PlanRules rules_;
   std::vector<State> states_;
   std::vector<std::uint32_t> order_;
@@ -366,9 +422,9 @@ class Steps {
 
 }  // namespace
 
-MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots,
+MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const std::vector<PlanRobot>& robots,
                     const PlanRules& rules) {
-  return Steps(graph, pockets, robots, rules).take();
+  return Steps(graph, pockets, lanes, robots, rules).take();
 }
 
 }  // namespace weft::server

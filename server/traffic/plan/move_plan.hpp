@@ -5,6 +5,8 @@
 
 #include "server/traffic/plan/berth_graph.hpp"
 #include "server/traffic/plan/distances.hpp"
+#include "server/traffic/plan/lanes.hpp"
+#include "server/traffic/plan/meetings.hpp"
 #include "server/traffic/plan/pockets.hpp"
 
 namespace weft::server {
@@ -29,6 +31,7 @@ struct PlannedMove {
   const BerthArc* arc = nullptr;
   Berth from = kNoBerth;
   std::uint32_t step = 0;
+  std::vector<MovesFirst> first;  ///< who has to have left a lane before
 };
 
 struct PlanRules {
@@ -48,8 +51,9 @@ struct MovePlan {
 /// is exclusively held. A robot enters a berth only if it and all beside it are empty when the step begins, so nobody
 /// follows into what is left in that step, and robots in a circle do not rotate: a wish that would close a circle is
 /// refused. A pocket takes one robot, and one that goes there; who leaves it goes first; who finds it taken does not
-/// wait in its mouth. Deterministic: ties are broken by the order in which the robots are given.
-MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, const std::vector<PlanRobot>& robots,
+/// wait in its mouth. Nobody goes into a lane towards one that comes out of it. Deterministic: ties are broken by the
+/// order in which the robots are given.
+MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const std::vector<PlanRobot>& robots,
                     const PlanRules& rules);
 
 }  // namespace weft::server

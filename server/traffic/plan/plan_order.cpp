@@ -44,6 +44,9 @@ std::vector<std::uint32_t> PlanOrder::before(std::uint32_t robot) const {
     if (is_first) first.insert(other.robot);
     return false;
   });
+  for (const MovesFirst& other : plan_.moves[robot][next].first) {
+    if (released_[other.robot] < other.moves) first.insert(other.robot);
+  }
   return {first.begin(), first.end()};
 }
 
@@ -54,7 +57,10 @@ std::uint32_t PlanOrder::may(std::uint32_t robot) const {
     const auto comes_first = [&](const Visit& other) {
       return other.step < moves[number].step && other.move >= released_[other.robot];
     };
-    if (any_meets(robot, number, comes_first)) break;
+    const bool has_to_wait =
+        std::any_of(moves[number].first.begin(), moves[number].first.end(),
+                    [this](const MovesFirst& other) { return released_[other.robot] < other.moves; });
+    if (has_to_wait || any_meets(robot, number, comes_first)) break;
   }
   return number;
 }

@@ -26,6 +26,7 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   if (!lags && berths_.follow(network, footprint_m)) {
     distances_.clear();
     pockets_.clear();
+    lanes_.clear();
   }
   // All places are numbered before anything is planned: berths that come make others forget their arcs.
   for (const PlanRequest& request : requests) {
@@ -42,7 +43,7 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   }
   moving_ = static_cast<std::uint32_t>(
       std::count_if(requests.begin(), requests.end(), [](const PlanRequest& request) { return request.goal; }));
-  MovePlan plan = plan_moves(berths_, pockets_, robots, rules_);
+  MovePlan plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
   pushes_ += plan.pushes;
   asked_several_ += plan.asked_several;
   order_ = PlanOrder(std::move(plan));

@@ -10,6 +10,7 @@
 
 #include "server/traffic/plan/berths.hpp"
 #include "server/traffic/plan/distances.hpp"
+#include "server/traffic/plan/lanes.hpp"
 #include "server/traffic/plan/move_plan.hpp"
 #include "server/traffic/plan/plan_order.hpp"
 
@@ -77,6 +78,7 @@ class Planner {
   std::vector<Berth> occupied_;  ///< for long
   std::map<Key, std::unique_ptr<Distances>> distances_;
   Pockets pockets_{berths_};
+  Lanes lanes_{berths_};
   PlanOrder order_;
   std::vector<std::uint32_t> methods_;  ///< of each robot of the plan
   std::uint32_t moving_ = 0;            ///< robots that have a goal

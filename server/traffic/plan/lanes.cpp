@@ -1,0 +1,108 @@
+#include "server/traffic/plan/lanes.hpp"
+
+#include <algorithm>
+
+namespace weft::server {
+namespace {
+/// Bounds how many berths are looked at ahead of one.
+constexpr std::size_t kAhead = 120;
+/// Is how many of them a robot can get to that has got away: lanes of up to some 80 m are seen. Where there are fewer
+/// than kAhead, it needs all.
+constexpr std::size_t kAway = 60;
+
+bool touches(const BerthArc& arc, Berth berth) {
+  return arc.to == berth || std::binary_search(arc.touches.begin(), arc.touches.end(), berth);
+}
+}  // namespace
+
+/// Returns where one can drive from there without touching the occupied berth, the nearest first, itself included.
+std::vector<Berth> Lanes::reached(const Stand& from, Berth occupied, std::size_t most) {
+  ++searches_;
+  std::vector<Berth> reached = {from.berth};
+  seen_.at(from.berth) = searches_;
+  for (std::size_t i = 0; i < reached.size() && reached.size() < most; ++i) {
+    for (const BerthArc& arc : graph_.next(reached[i], from.methods)) {
+      if (!graph_.is_cut(arc.to) || (occupied != kNoBerth && touches(arc, occupied))) continue;
+      if (seen_.at(arc.to) == searches_) continue;
+      seen_.at(arc.to) = searches_;
+      from_.at(arc.to) = reached[i];
+      reached.push_back(arc.to);
+    }
+  }
+  return reached;
+}
+
+/// Returns the drives of the latest search from one berth to the other.
+std::vector<const BerthArc*> Lanes::way_to(const Stand& from, Berth to) {
+  std::vector<const BerthArc*> way;
+  for (Berth here = to; here != from.berth; here = from_.at(here)) {
+    const std::vector<BerthArc>& next = graph_.next(from_.at(here), from.methods);
+    way.push_back(&*std::find_if(next.begin(), next.end(), [&](const BerthArc& arc) { return arc.to == here; }));
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+const Lanes::Ahead& Lanes::ahead(const Stand& stand) {
+  const auto [entry, is_new] = ahead_.try_emplace(stand);
+  Ahead& ahead = entry->second;
+  if (!is_new) return ahead;
+  const std::vector<Berth> free = reached(stand, kNoBerth, kAhead);
+  ahead.enough = free.size() < kAhead ? free.size() : kAway;
+  // What shuts it in is touched on every way out, so on this one.
+  for (const BerthArc* const arc : way_to(stand, free[ahead.enough - 1])) {
+    bool is_any = false;
+    for (const Berth occupied : arc->touches) {
+      if (!graph_.is_cut(occupied) || is_beside(stand.berth, occupied)) continue;
+      if (reached(stand, occupied, ahead.enough).size() >= ahead.enough) continue;
+      is_any = true;
+      ahead.shutting.push_back(occupied);
+    }
+    if (!is_any && !is_beside(stand.berth, arc->to)) break;
+  }
+  std::sort(ahead.shutting.begin(), ahead.shutting.end());
+  ahead.shutting.erase(std::unique(ahead.shutting.begin(), ahead.shutting.end()), ahead.shutting.end());
+  return ahead;
+}
+
+bool Lanes::is_beside(Berth one, Berth other) {
+  const std::vector<Berth>& beside = graph_.beside(one);
+  return std::binary_search(beside.begin(), beside.end(), other);
+}
+
+const std::vector<Berth>& Lanes::shut_in_by(const Stand& stand) {
+  return ahead(stand).shutting;
+}
+
+bool Lanes::is_shut_in(const Stand& stand, Berth by) {
+  const std::size_t enough = ahead(stand).enough;
+  return reached(stand, by, enough).size() < enough;
+}
+
+/// Returns whether the first robot, shut in by the other, can stand somewhere so that the other one gets past it:
+/// away, or to where the first one was.
+bool Lanes::lets_pass(const Stand& one, const Stand& other) {
+  const std::size_t enough = ahead(other).enough;
+  const auto is_past = [&](Berth berth) { return berth == one.berth || is_beside(one.berth, berth); };
+  const std::vector<Berth> all_aside = reached(one, other.berth, kAhead);
+  return std::any_of(all_aside.begin(), all_aside.end(), [&](Berth aside) {
+    const std::vector<Berth> past = reached(other, aside, enough);
+    return past.size() >= enough || std::any_of(past.begin(), past.end(), is_past);
+  });
+}
+
+bool Lanes::meet(const Stand& one, const Stand& other) {
+  const auto [entry, is_new] = meet_.try_emplace({std::min(one, other), std::max(one, other)});
+  if (is_new) {
+    entry->second = is_shut_in(one, other.berth) && is_shut_in(other, one.berth) && !lets_pass(one, other) &&
+                    !lets_pass(other, one);
+  }
+  return entry->second;
+}
+
+void Lanes::clear() {
+  ahead_.clear();
+  meet_.clear();
+}
+
+}  // namespace weft::server

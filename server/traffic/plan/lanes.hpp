@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/by_berth.hpp"
+
+namespace weft::server {
+
+/// Finds robots that would come face to face: both are in a lane that is driven both ways, neither gets out of it but
+/// over where the other one stands, and nobody drives backwards. Remembers what it found.
+class Lanes {
+ public:
+  explicit Lanes(BerthGraph& graph) : graph_(graph) {}
+
+  struct Stand {
+    Berth berth = kNoBerth;
+    std::uint32_t methods = 0;
+    auto operator<=>(const Stand&) const = default;
+  };
+
+  /// Returns the berths that shut in who stands there: a robot at one of them has to leave before it gets away. Not
+  /// sorted. None of them where several ways lead on.
+  const std::vector<Berth>& shut_in_by(const Stand& stand);
+  /// Returns whether a robot at `by` keeps who stands there from getting away.
+  bool is_shut_in(const Stand& stand, Berth by);
+  /// Returns whether robots at the two berths are face to face, or will be wherever they drive.
+  bool meet(const Stand& one, const Stand& other);
+  void clear();
+
+ private:
+  struct Ahead {
+    std::size_t enough = 0;       ///< berths that it can get to when it gets away
+    std::vector<Berth> shutting;  ///< those that shut it in
+  };
+
+  const Ahead& ahead(const Stand& stand);
+  std::vector<Berth> reached(const Stand& from, Berth occupied, std::size_t most);
+  std::vector<const BerthArc*> way_to(const Stand& from, Berth to);
+  bool is_beside(Berth one, Berth other);
+  bool lets_pass(const Stand& one, const Stand& other);
+
+  BerthGraph& graph_;
+  std::map<Stand, Ahead> ahead_;
+  std::map<std::pair<Stand, Stand>, bool> meet_;
+  ByBerth<std::uint32_t> seen_;  ///< in which search
+  ByBerth<Berth> from_;          ///< the berth before it in the latest search
+  std::uint32_t searches_ = 0;
+};
+
+}  // namespace weft::server

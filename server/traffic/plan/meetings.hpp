@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/by_berth.hpp"
+#include "server/traffic/plan/lanes.hpp"
+
+namespace weft::server {
+
+/// Names a robot that has to have made so many of its planned moves first.
+struct MovesFirst {
+  std::uint32_t robot = 0;
+  std::uint32_t moves = 0;
+};
+
+/// Names a robot and where it would go.
+struct Meeting {
+  std::uint32_t robot = 0;
+  Berth to = kNoBerth;
+};
+
+/// Keeps where robots stand and wish to stand in a step of the plan, and finds whom one would come face to face with.
+/// Who is in a lane, or goes in, keeps others from its other end; so does who was refused before them.
+class Meetings {
+ public:
+  Meetings(BerthGraph& graph, Lanes& lanes) : graph_(graph), lanes_(lanes) {}
+
+  /// Adds a robot, with the next number.
+  void add(Berth at, std::uint32_t methods);
+  void begin_step() { refused_.clear(); }
+  void wishes(std::uint32_t robot, Berth to);
+  void takes_back(std::uint32_t robot, Berth to) { erase(robot, to); }
+  /// Returns whom the robot would meet if it went there and does not meet anyway, in order of their numbers; it is
+  /// refused then.
+  std::vector<std::uint32_t> refuse(std::uint32_t robot, Berth to);
+  /// Returns whether the robot, where it stands, keeps the other one from going there.
+  bool keeps_from(std::uint32_t robot, const Meeting& other);
+  /// Returns who has to have left a lane before the robot goes there.
+  std::vector<MovesFirst> first(std::uint32_t robot, Berth to);
+  /// Returns whether the robot keeps the other one, where they stand, from getting away.
+  bool shuts_in(std::uint32_t robot, std::uint32_t other) {
+    return lanes_.is_shut_in(robots_[other].at, robots_[robot].at.berth);
+  }
+  /// Notes that the robot makes its next move: it leaves where it stands.
+  void moves(std::uint32_t robot, Berth to);
+
+ private:
+  struct Known {
+    Lanes::Stand at;
+    std::uint32_t moves = 0;
+  };
+  struct Near {
+    std::uint32_t robot = 0;
+    Berth berth = kNoBerth;
+    std::uint32_t moves = 0;  ///< those that it had made when it left
+  };
+
+  template <class Visit>
+  void for_each_cut(Berth berth, Visit&& visit);
+  void erase(std::uint32_t robot, Berth berth);
+  bool meets(std::uint32_t robot, Berth to, std::uint32_t other, Berth at);
+
+  BerthGraph& graph_;
+  Lanes& lanes_;
+  std::vector<Known> robots_;
+  // Each by berth at which robots stop on their way: who is there, or where one beside it is.
+  ByBerth<std::vector<Near>> near_;
+  ByBerth<std::vector<Near>> left_;
+  std::vector<Meeting> refused_;
+};
+
+}  // namespace weft::server
