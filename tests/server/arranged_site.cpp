@@ -168,6 +168,28 @@ msg::RobotState Site::state(Peer& robot, const std::optional<PlaceId>& place) co
   return state;
 }
 
+msg::RobotState Site::driving(Peer& robot, const Route& route, const PlaceId& place) const {
+  msg::RobotState driving = state(robot, place);
+  driving.mode = msg::RobotMode::driving;
+  driving.goal = route.goal;
+  driving.route = route.id;
+  driving.route_version = route.version;
+  return driving;
+}
+
+void Site::stand_stopped(Peer& robot, const PlaceId& place) {
+  msg::RobotState stopped = state(robot, place);
+  stopped.mode = msg::RobotMode::stopped;
+  say(stopped);
+}
+
+void Site::stand(Peer& robot, const PlaceId& place, int seconds) {
+  for (int second = 0; second < seconds; ++second) {
+    say(state(robot, place));
+    pass(1s);
+  }
+}
+
 void Site::power(Peer& robot, double share, bool is_charging) {
   msg::RobotPower power;
   power.header = robot.header();
@@ -214,12 +236,25 @@ void Site::hand_in(Peer& robot, const Handed& handed) {
   for (const Bytes& content : handed.contents) send_content(robot, content);
 }
 
-msg::MapInfo Site::info() {
+msg::QueryReply Site::read(msg::Query::Kind kind) {
   msg::Query query;
   query.header = client.header();
-  query.kind = msg::Query::Kind::info;
+  query.kind = kind;
   say(query);
-  return last<msg::QueryReply>().value().info;
+  return last<msg::QueryReply>().value();
+}
+
+msg::MapInfo Site::info() {
+  return read(msg::Query::Kind::info).info;
+}
+
+msg::RobotRow Site::row(const std::string& robot) {
+  const msg::QueryReply reply = read(msg::Query::Kind::robots);
+  for (const msg::RobotRow& row : reply.robots) {
+    if (row.description.name == robot) return row;
+  }
+  ADD_FAILURE() << "no row of " << robot;
+  return {};
 }
 
 std::uint64_t Site::counted(const std::string& what) {
@@ -267,6 +302,12 @@ msg::OperatorReply Site::send_goal(std::uint8_t number, const std::string& label
   return ask(send);
 }
 
+msg::OperatorReply Site::put_rule(const Rule& rule) {
+  msg::OperatorRequest put = request(msg::OperatorRequest::Kind::rule_put);
+  put.rule = rule;
+  return ask(put);
+}
+
 const Goal& Site::goal(std::uint8_t number) {
   found_ = Goal{};
   for (const Goal& goal : service_->goals()) {
@@ -274,6 +315,22 @@ const Goal& Site::goal(std::uint8_t number) {
   }
   EXPECT_EQ(found_.id, goal_id(number)) << "there is no such goal";
   return found_;
+}
+
+std::vector<Goal> Site::goals_of(GoalKind kind) {
+  std::vector<Goal> found;
+  for (const Goal& goal : service_->goals()) {
+    if (goal.kind == kind) found.push_back(goal);
+  }
+  return found;
+}
+
+std::optional<Route> Site::order_to(const Peer& robot) const {
+  std::optional<Route> found;
+  for (const msg::RouteOrder& order : heard<msg::RouteOrder>()) {
+    if (order.to == robot.id && !order.route.ended) found = order.route;
+  }
+  return found;
 }
 
 std::vector<std::string> Site::events_of(const std::string& kind) const {

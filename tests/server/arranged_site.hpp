@@ -74,6 +74,12 @@ class Site {
   /// Hello, description, and a state when a place is given.
   void arrive(Peer& robot, const std::optional<PlaceId>& place);
   msg::RobotState state(Peer& robot, const std::optional<PlaceId>& place) const;
+  /// Returns the state of a robot that drives a route and is at one of its places.
+  msg::RobotState driving(Peer& robot, const Route& route, const PlaceId& place) const;
+  /// Says that an operator has stopped the robot there: it makes no way.
+  void stand_stopped(Peer& robot, const PlaceId& place);
+  /// Says each second, for so many, that the robot stands there.
+  void stand(Peer& robot, const PlaceId& place, int seconds);
   void power(Peer& robot, double share, bool is_charging = false);
   void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0,
                 std::optional<std::uint32_t> at = std::nullopt);
@@ -87,8 +93,19 @@ class Site {
   msg::OperatorRequest request(msg::OperatorRequest::Kind kind);
   msg::OperatorReply ask(const msg::OperatorRequest& request);
   msg::OperatorReply send_goal(std::uint8_t number, const std::string& label, const std::string& robot = "");
+  msg::OperatorReply put_rule(const Rule& rule);
+  msg::QueryReply read(msg::Query::Kind kind);
+  /// Returns a robot's row; fails the test when it has none.
+  msg::RobotRow row(const std::string& robot);
 
   const Goal& goal(std::uint8_t number);
+  std::vector<Goal> goals_of(GoalKind kind);
+  /// Returns the latest cause in a goal's history.
+  std::string why(std::uint8_t number) { return goal(number).history.back().cause; }
+  /// Returns the route of the latest order since the last `hush`, to whichever robot; throws when there is none.
+  Route order() const { return last<msg::RouteOrder>().value().route; }
+  /// Returns the latest route since the last `hush` that a robot was ordered to drive, not the end of one.
+  std::optional<Route> order_to(const Peer& robot) const;
   std::vector<std::string> events_of(const std::string& kind) const;
   msg::MapInfo info();
   /// Returns how often the server counted that.

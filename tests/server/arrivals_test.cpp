@@ -42,12 +42,7 @@ struct ArrivalsAtADock : testing::Test {
   }
   void say(std::uint32_t at, msg::RoutePhase phase) {
     site.progress(r1, route, phase, at, at);
-    msg::RobotState state = site.state(r1, route.places[at]);
-    state.mode = msg::RobotMode::driving;
-    state.route = route.id;
-    state.route_version = route.version;
-    state.goal = route.goal;
-    site.say(state);
+    site.say(site.driving(r1, route, route.places[at]));
     take_order();
   }
   /// Drives at a quarter of a metre a second.

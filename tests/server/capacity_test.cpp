@@ -3,36 +3,27 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/one_run.hpp"
 
 namespace weft::server::test {
 namespace {
 
 using testing::HasSubstr;
 
-/// One run of 60 places, half a metre apart, of which two robots at most may hold 20 to 40.
-struct Capacity : testing::Test {
+/// Arranges a run of which a rule lets one robot at a time hold the places 20 to 40.
+struct Capacity : OneRun {
   Capacity() {
-    site.arrive(r1, std::nullopt);
-    site.hand_in(r1, run.next(60));
     site.label("end", run.place(55));
     site.say(site.state(r1, run.place(0)));
     put(1);
     site.hush();
   }
   void put(int most) {
-    msg::OperatorRequest request = site.request(msg::OperatorRequest::Kind::rule_put);
-    request.rule = {.name = "room",
+    const Rule rule{.name = "room",
                     .kind = RuleKind::capacity,
                     .value = static_cast<double>(most),
                     .spans = {{run.place(20), run.place(40)}}};
-    ASSERT_EQ(site.ask(request).outcome, msg::Outcome::done);
-  }
-  /// Says that an operator has stopped the robot there: it makes no way.
-  void stand(Peer& robot, const PlaceId& place) {
-    msg::RobotState state = site.state(robot, place);
-    state.mode = msg::RobotMode::stopped;
-    site.say(state);
+    ASSERT_EQ(site.put_rule(rule).outcome, msg::Outcome::done);
   }
   RuleMap rules() { return RuleMap(site.service().snapshot()); }
   /// Returns the route along the run from one place to another.
@@ -41,13 +32,6 @@ struct Capacity : testing::Test {
     for (std::uint32_t place = from; place <= to; ++place) route.places.push_back(run.place(place));
     return route;
   }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
-  std::string why() { return site.goal(1).history.back().cause; }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
 };
 
 TEST_F(Capacity, ARouteEndsBeforeASetThatIsFull) {
@@ -85,22 +69,19 @@ TEST_F(Capacity, WhoStandsRightBeforeItIsReleasedNoFarther) {
 
 TEST_F(Capacity, TheNextOneWaitsBeforeItAndNamesTheRule) {
   site.arrive(r2, std::nullopt);
-  stand(r2, run.place(38));
+  site.stand_stopped(r2, run.place(38));
   site.send_goal(1, "end", "r1");
   site.pass(1s);
-  const Route route = order();
+  const Route route = site.order();
   EXPECT_LT(route.released, 20U);
   EXPECT_GE(route.released, 14U);
-  EXPECT_THAT(why(), HasSubstr("r1 waits until rule room lets it on"));
+  EXPECT_THAT(site.why(1), HasSubstr("r1 waits until rule room lets it on"));
   site.progress(r1, route, msg::RoutePhase::waiting);
   site.pass(3s);
-  msg::Query query;
-  query.header = site.client.header();
-  site.say(query);
-  EXPECT_EQ(site.last<msg::QueryReply>().value().robots.at(0).wait.rule, "room");
-  stand(r2, run.place(59));
+  EXPECT_EQ(site.row("r1").wait.rule, "room");
+  site.stand_stopped(r2, run.place(59));
   site.pass(3s);
-  EXPECT_GE(order().released, 20U);
+  EXPECT_GE(site.order().released, 20U);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/one_run.hpp"
 
-/// What robots' charge does to goals: by whom they are taken, and who is sent to a charger.
+/// Tests how robots' charge decides which robot takes a goal, and when one is sent to a charger.
 namespace weft::server::test {
 namespace {
 
@@ -13,65 +13,37 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One run of 60 places, half a metre apart, with a charger near its end.
-struct Charging : testing::Test {
+/// Arranges a shelf on the run, and a charger near its end.
+struct Charging : OneRun {
   Charging() {
-    site.arrive(r1, std::nullopt);
-    site.hand_in(r1, run.next(60));
     site.label("shelf", run.place(20));
     site.label("plug", run.place(50));
     site.say(site.state(r1, run.place(0)));
   }
   void put_charger() {
-    msg::OperatorRequest request = site.request(msg::OperatorRequest::Kind::rule_put);
-    request.rule = {.name = "plug", .kind = RuleKind::charging, .label = "plug"};
-    ASSERT_EQ(site.ask(request).outcome, msg::Outcome::done);
+    const Rule rule{.name = "plug", .kind = RuleKind::charging, .label = "plug"};
+    ASSERT_EQ(site.put_rule(rule).outcome, msg::Outcome::done);
   }
-  std::vector<Goal> charges() {
-    std::vector<Goal> found;
-    for (const Goal& goal : site.service().goals()) {
-      if (goal.kind == GoalKind::charge) found.push_back(goal);
-    }
-    return found;
-  }
-  std::optional<Route> order_to(const Peer& robot) {
-    std::optional<Route> found;
-    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
-      if (order.to == robot.id && !order.route.ended) found = order.route;
-    }
-    return found;
-  }
+  std::vector<Goal> charges() { return site.goals_of(GoalKind::charge); }
   /// Has the robot drive to the end of what it was given, and stand there.
   void arrive_at_the_end_of(Peer& robot, const Route& route) {
     site.progress(robot, route, msg::RoutePhase::arrived, route.released);
-    stand(robot, route.places[route.released]);
+    site.stand(robot, route.places[route.released], 3);
   }
-  void stand(Peer& robot, const PlaceId& place) {
-    for (int report = 0; report < 3; ++report) {
-      site.say(site.state(robot, place));
-      site.pass(1s);
-    }
-  }
-  std::string why(std::uint8_t goal) { return site.goal(goal).history.back().cause; }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
 };
 
 TEST_F(Charging, WhoIsCriticalChargesBeforeItsNextGoal) {
   put_charger();
   site.power(r1, 0.08);
   site.send_goal(1, "shelf", "r1");
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
   ASSERT_THAT(charges(), SizeIs(1));
   const Goal charge = charges().front();
   EXPECT_EQ(charge.to, run.place(50));
   EXPECT_EQ(charge.robot, r1.id);
   EXPECT_EQ(charge.history.front().who, "traffic");
   EXPECT_THAT(charge.history.front().cause, HasSubstr("r1 has 8 %: it goes to a charger"));
-  EXPECT_EQ(order_to(r1)->goal, charge.id);
+  EXPECT_EQ(site.order_to(r1)->goal, charge.id);
   EXPECT_EQ(site.goal(1).state, GoalState::pending);
 }
 
@@ -80,16 +52,16 @@ TEST_F(Charging, WhoChargesTakesItsGoalOnceItHasEnough) {
   site.power(r1, 0.08);
   site.label("end", run.place(58));
   site.send_goal(1, "end", "r1");
-  stand(r1, run.place(0));
-  arrive_at_the_end_of(r1, order_to(r1).value());
+  site.stand(r1, run.place(0), 3);
+  arrive_at_the_end_of(r1, site.order_to(r1).value());
   EXPECT_EQ(charges().front().state, GoalState::succeeded);
   site.power(r1, 0.5, true);
-  stand(r1, run.place(50));
+  site.stand(r1, run.place(50), 3);
   EXPECT_EQ(site.goal(1).state, GoalState::pending);
-  EXPECT_EQ(why(1), "r1 is to charge, and takes goals from 60 % on");
+  EXPECT_EQ(site.why(1), "r1 is to charge, and takes goals from 60 % on");
   EXPECT_THAT(charges(), SizeIs(1)) << "it stands at a charger";
   site.power(r1, 0.61, true);
-  stand(r1, run.place(50));
+  site.stand(r1, run.place(50), 3);
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
 }
 
@@ -99,9 +71,9 @@ TEST_F(Charging, WhoIsLowTakesAGoalFirstAndChargesWhenItIsIdle) {
   site.send_goal(1, "shelf");
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
   EXPECT_THAT(charges(), IsEmpty());
-  arrive_at_the_end_of(r1, order_to(r1).value());
+  arrive_at_the_end_of(r1, site.order_to(r1).value());
   ASSERT_THAT(charges(), SizeIs(1));
-  EXPECT_EQ(order_to(r1)->places.back(), run.place(50));
+  EXPECT_EQ(site.order_to(r1)->places.back(), run.place(50));
 }
 
 TEST_F(Charging, AGoalIsGivenOnlyToWhoseChargeCoversItAndTheWayToACharger) {
@@ -112,7 +84,7 @@ TEST_F(Charging, AGoalIsGivenOnlyToWhoseChargeCoversItAndTheWayToACharger) {
   // 10 m to the shelf and 15 m on to the charger: 25 %, and 5 % are kept.
   site.power(r1, 0.29);
   site.send_goal(1, "shelf");
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
   EXPECT_EQ(site.goal(1).state, GoalState::pending);
   EXPECT_THAT(site.events_of("goal.waits"),
               Contains(HasSubstr("10 m to there and 15 m on to a charger: that needs 30 %")));
@@ -149,7 +121,7 @@ TEST_F(Charging, WithoutAChargerOnTheMapNothingIsDecidedByIt) {
 
 TEST_F(Charging, AnUnknownChargeIsSaidOnceAndDecidesNothing) {
   put_charger();
-  for (int report = 0; report < 10; ++report) stand(r1, run.place(0));
+  for (int report = 0; report < 10; ++report) site.stand(r1, run.place(0), 3);
   EXPECT_THAT(site.events_of("robot.charge_unknown"), SizeIs(1));
   site.send_goal(1, "shelf");
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
@@ -161,10 +133,10 @@ TEST_F(Charging, WhoFindsAllChargersTakenWaitsForItsTurn) {
   site.say(site.state(r1, run.place(10)));
   site.arrive(r2, run.place(0));
   site.power(r1, 0.2);
-  stand(r1, run.place(10));
+  site.stand(r1, run.place(10), 3);
   ASSERT_THAT(charges(), SizeIs(1));
   site.power(r2, 0.15);
-  stand(r2, run.place(0));
+  site.stand(r2, run.place(0), 3);
   EXPECT_THAT(charges(), SizeIs(1));
   EXPECT_THAT(site.events_of("robot.waits_for_charger"), ElementsAre("r2 has 15 %: all chargers are taken"));
 }
@@ -174,10 +146,10 @@ TEST_F(Charging, WhoIsFullMakesWayAtTheCharger) {
   site.arrive(r2, run.place(50));
   site.power(r2, 0.9, true);
   site.power(r1, 0.2);
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
   EXPECT_THAT(charges(), IsEmpty()) << "r2 charges still";
   site.power(r2, 0.95, true);
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
   ASSERT_THAT(charges(), SizeIs(1));
   EXPECT_EQ(charges().front().robot, r1.id);
 }
@@ -185,26 +157,26 @@ TEST_F(Charging, WhoIsFullMakesWayAtTheCharger) {
 TEST_F(Charging, GoesOnAfterARestartOfTheServer) {
   put_charger();
   site.power(r1, 0.08);
-  stand(r1, run.place(0));
-  const Route order = order_to(r1).value();
+  site.stand(r1, run.place(0), 3);
+  const Route order = site.order_to(r1).value();
   site.restart();
   site.arrive(r1, run.place(0));
   site.power(r1, 0.08);
   site.pass(2s);
-  EXPECT_EQ(order_to(r1)->id, order.id);
-  arrive_at_the_end_of(r1, order_to(r1).value());
+  EXPECT_EQ(site.order_to(r1)->id, order.id);
+  arrive_at_the_end_of(r1, site.order_to(r1).value());
   EXPECT_EQ(charges().front().state, GoalState::succeeded);
 }
 
 TEST_F(Charging, ARestartedRobotThatHasLostItsWayThereIsAskedAgain) {
   put_charger();
   site.power(r1, 0.08);
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
   r1.incarnation = 2;
   site.arrive(r1, run.place(0));
   site.power(r1, 0.08);
-  stand(r1, run.place(0));
-  stand(r1, run.place(0));
+  site.stand(r1, run.place(0), 3);
+  site.stand(r1, run.place(0), 3);
   ASSERT_THAT(charges(), SizeIs(2));
   int cancelled = 0;
   for (const Goal& goal : charges()) cancelled += goal.state == GoalState::cancelled ? 1 : 0;

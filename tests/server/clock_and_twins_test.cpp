@@ -11,18 +11,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 struct FleetTest : testing::Test {
-  msg::RobotRow row(const std::string& name) {
-    msg::Query query;
-    query.header = site.client.header();
-    query.kind = msg::Query::Kind::robots;
-    site.say(query);
-    const std::vector<msg::RobotRow> rows = site.last<msg::QueryReply>().value().robots;
-    for (const msg::RobotRow& row : rows) {
-      if (row.description.name == name) return row;
-    }
-    ADD_FAILURE() << "no row of " << name;
-    return {};
-  }
   Site site;
   Peer r1{.id = robot_id(1), .name = "r1"};
 };
@@ -48,14 +36,14 @@ TEST_F(FleetTest, SkewIsTakenFromTheQuickestProbe) {
   answer_probe(800ms, 10ms);
   answer_probe(0ms, 0ms);
   answer_probe(900ms, 0ms);
-  EXPECT_NEAR(row("r1").clock_skew_s, 30.0, 0.5);
+  EXPECT_NEAR(site.row("r1").clock_skew_s, 30.0, 0.5);
 }
 
 TEST_F(FleetTest, SilenceIsToldOnceAndEndsWithAWord) {
   site.arrive(r1, std::nullopt);
   site.pass(20s);
   EXPECT_THAT(site.events_of("robot.silent"), SizeIs(1));
-  EXPECT_NEAR(row("r1").silent_s, 20.0, 0.1);
+  EXPECT_NEAR(site.row("r1").silent_s, 20.0, 0.1);
   site.say(site.state(r1, std::nullopt));
   EXPECT_THAT(site.events_of("robot.heard"), SizeIs(2));
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/network/codec.hpp"
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/run_with_bypass.hpp"
 
 /// Edits of the map, and what becomes of those who drive on what is edited.
 namespace weft::server::test {
@@ -13,18 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A straight run, and a bypass that leaves it at place 10 and joins it again at place 20.
-struct Edits : testing::Test {
-  Edits() {
-    site.arrive(r1, std::nullopt);
-    site.hand_in(r1, run.next(40));
-    Handed aside = bypass.next(6);
-    aside.batch.edges.push_back(stitch(run.place(10), bypass.place(0), 0.0, 1.5));
-    aside.batch.edges.push_back(stitch(run.place(20), bypass.place(5), 0.0, 1.5));
-    site.hand_in(r1, aside);
-    site.label("dock", run.place(39));
-    site.hush();
-  }
+struct Edits : RunWithBypass {
   msg::OperatorReply edit(Kind kind, const Removal& what) {
     msg::OperatorRequest request = site.request(kind);
     request.work.what = what;
@@ -40,28 +29,21 @@ struct Edits : testing::Test {
   }
   std::uint64_t places() { return site.service().snapshot().place_count(); }
   Revision revision() { return site.service().snapshot().revision(); }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
   /// Has r2 stand there, stopped by an operator: it makes no way.
   void stop_in_the_way(const PlaceId& place) {
     site.arrive(r2, place);
-    msg::RobotState state = site.state(r2, place);
-    state.mode = msg::RobotMode::stopped;
-    site.say(state);
+    site.stand_stopped(r2, place);
   }
   Route start() {
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
     site.pass(1s);
-    const Route route = order();
+    const Route route = site.order();
     site.progress(r1, route, msg::RoutePhase::driving);
     return route;
   }
 
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
   Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
-  TaughtRun bypass{r1, 11};
 };
 
 TEST_F(Edits, AnExperienceGoesAndComesBack) {
@@ -258,7 +240,7 @@ TEST_F(Edits, WhatIsAheadOfTheReleasedPointIsPlannedAnew) {
   site.hush();
   EXPECT_EQ(take_out(14, 16).outcome, msg::Outcome::done);
   site.pass(1s);
-  const Route next = order();
+  const Route next = site.order();
   EXPECT_EQ(next.id, first.id);
   EXPECT_EQ(next.version, first.version + 1);
   EXPECT_EQ(next.released, first.released);
@@ -279,7 +261,7 @@ TEST_F(Edits, WithoutAnotherWayTheRobotStopsAtItsReleasedPointAndSaysWhy) {
   site.hush();
   take_out(25, 26);
   site.pass(1s);
-  const Route cut = order();
+  const Route cut = site.order();
   EXPECT_EQ(cut.version, first.version);
   EXPECT_EQ(cut.released, first.released);
   EXPECT_THAT(cut.reason, HasSubstr("the map was changed ahead of r1"));
@@ -287,12 +269,12 @@ TEST_F(Edits, WithoutAnotherWayTheRobotStopsAtItsReleasedPointAndSaysWhy) {
   // r2 goes away: nothing more is released towards what is gone.
   site.say(site.state(r2, bypass.place(3)));
   site.pass(2s);
-  EXPECT_EQ(order().released, first.released);
+  EXPECT_EQ(site.order().released, first.released);
   // It comes back: the goal goes on.
   site.hush();
   to_revision(Kind::undo, revision());
   site.pass(2s);
-  EXPECT_GT(order().released, first.released);
+  EXPECT_GT(site.order().released, first.released);
 }
 
 TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
@@ -300,7 +282,7 @@ TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
   ASSERT_GT(first.released, 30U);
   site.hush();
   EXPECT_EQ(take_out(14, 16).outcome, msg::Outcome::done);
-  const Route recalled = order();
+  const Route recalled = site.order();
   EXPECT_TRUE(recalled.ended);
   EXPECT_EQ(recalled.id, first.id);
   EXPECT_EQ(site.goal(1).state, GoalState::executing) << "the goal is not over";
@@ -309,7 +291,7 @@ TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
   msg::RobotState stands = site.state(r1, run.place(4));
   site.say(stands);
   site.pass(1s);
-  const Route next = order();
+  const Route next = site.order();
   EXPECT_FALSE(next.ended);
   EXPECT_NE(next.id, first.id) << "the robot takes no more orders for a route that was ended";
   EXPECT_EQ(next.version, first.version + 1);
@@ -342,8 +324,8 @@ TEST_F(Edits, ARobotWhoseGroundWasOutSaysSoMayBeToldToLocaliseAndGoesOn) {
   site.say(site.state(r1, run.place(4)));
   site.pass(2s);
   ASSERT_TRUE(site.last<msg::RouteOrder>());
-  EXPECT_EQ(order().places.front(), run.place(4));
-  EXPECT_EQ(order().places.back(), run.place(39));
+  EXPECT_EQ(site.order().places.front(), run.place(4));
+  EXPECT_EQ(site.order().places.back(), run.place(39));
 }
 
 TEST_F(Edits, ARestartedServerRecallsToo) {

@@ -19,7 +19,6 @@ struct GoalLife : testing::Test {
     site.label("dock", run.place(39));
     site.hush();
   }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
   msg::OperatorReply cancel(std::uint8_t number) {
     msg::OperatorRequest cancel = site.request(Kind::goal_cancel);
     cancel.goal = goal_id(number);
@@ -30,7 +29,7 @@ struct GoalLife : testing::Test {
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
     site.pass(1s);
-    const Route route = order();
+    const Route route = site.order();
     site.progress(r1, route, msg::RoutePhase::accepted);
     return route;
   }
@@ -49,13 +48,16 @@ struct GoalLife : testing::Test {
   }
   /// r1 says that it follows nothing, and stands there.
   void stand(const PlaceId& place) { site.say(site.state(r1, place)); }
-  msg::RobotState driving(const Route& route, const PlaceId& place) {
-    msg::RobotState state = site.state(r1, place);
-    state.mode = msg::RobotMode::driving;
-    state.goal = route.goal;
-    state.route = route.id;
-    state.route_version = route.version;
-    return state;
+  /// Has r1 give its route up, and say why.
+  void give_up(const Route& route, const std::string& reason) {
+    msg::RouteProgress progress;
+    progress.header = r1.header();
+    progress.goal = route.goal;
+    progress.route = route.id;
+    progress.version = route.version;
+    progress.phase = msg::RoutePhase::failed;
+    progress.reason = reason;
+    site.say(progress);
   }
 
   Site site;
@@ -68,7 +70,7 @@ TEST_F(GoalLife, FromAskedForToSucceeded) {
   const msg::OperatorReply reply = site.send_goal(1, "dock");
   EXPECT_EQ(reply.outcome, msg::Outcome::accepted);
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
-  const Route route = order();
+  const Route route = site.order();
   EXPECT_EQ(route.places.front(), run.place(2));
   EXPECT_EQ(route.places.back(), run.place(39));
   EXPECT_EQ(route.released, 37U);
@@ -77,7 +79,7 @@ TEST_F(GoalLife, FromAskedForToSucceeded) {
   EXPECT_EQ(site.goal(1).state, GoalState::executing);
   site.progress(r1, route, msg::RoutePhase::arrived, 30);
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
-  EXPECT_TRUE(order().ended);
+  EXPECT_TRUE(site.order().ended);
   std::vector<GoalState> life;
   for (const GoalEvent& event : site.goal(1).history) life.push_back(event.state);
   EXPECT_THAT(life, testing::ElementsAre(GoalState::pending, GoalState::assigned, GoalState::executing,
@@ -88,7 +90,7 @@ TEST_F(GoalLife, FromAskedForToSucceeded) {
 TEST_F(GoalLife, WhereNothingLeadsOnItSetsOffFromAPlaceBesideIt) {
   send_from_an_end_at(0.1, 0.1);
   EXPECT_EQ(site.goal(1).state, GoalState::assigned) << site.goal(1).history.back().cause;
-  EXPECT_EQ(order().places.front(), run.place(5));
+  EXPECT_EQ(site.order().places.front(), run.place(5));
 }
 
 TEST_F(GoalLife, FarFromEveryWayItSaysSo) {
@@ -169,7 +171,7 @@ TEST_F(GoalLife, WantedRobotIsWaitedForWithTheReason) {
 TEST_F(GoalLife, RobotTakesItsGoalsOneAfterTheOther) {
   const Route first = start();
   site.send_goal(2, "dock", "r1");
-  site.say(driving(first, run.place(3)));
+  site.say(site.driving(r1, first, run.place(3)));
   site.pass(1s);
   EXPECT_EQ(site.goal(2).state, GoalState::pending);
   EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr(to_string(goal_id(1))));
@@ -177,7 +179,7 @@ TEST_F(GoalLife, RobotTakesItsGoalsOneAfterTheOther) {
   stand(run.place(39));
   site.pass(1s);
   EXPECT_EQ(site.goal(2).state, GoalState::assigned);
-  EXPECT_EQ(order().places.size(), 1U) << "it stands there already";
+  EXPECT_EQ(site.order().places.size(), 1U) << "it stands there already";
 }
 
 TEST_F(GoalLife, AnyRobotIsTheOneWithTheShortestWay) {
@@ -227,16 +229,16 @@ TEST_F(GoalLife, PendingGoalIsCancelled) {
 
 TEST_F(GoalLife, RunningGoalIsCancelledAndWhatIsHeldStaysHeldUntilTheRobotStands) {
   const Route route = start();
-  site.say(driving(route, run.place(4)));
+  site.say(site.driving(r1, route, run.place(4)));
   EXPECT_EQ(cancel(1).outcome, msg::Outcome::done);
   EXPECT_EQ(site.goal(1).state, GoalState::cancelled);
-  EXPECT_TRUE(order().ended);
-  EXPECT_EQ(order().id, route.id);
+  EXPECT_TRUE(site.order().ended);
+  EXPECT_EQ(site.order().id, route.id);
   site.hush();
   site.pass(3s);
   EXPECT_FALSE(site.heard<msg::RouteOrder>().empty()) << "said again until it is obeyed";
   EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, route.id);
-  site.say(driving(route, run.place(5)));
+  site.say(site.driving(r1, route, run.place(5)));
   EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, route.id);
   stand(run.place(6));
   EXPECT_EQ(site.disk->occupancies.at(r1.id).held.places.front(), run.place(6));
@@ -278,7 +280,7 @@ TEST_F(GoalLife, PausedRobotThatDrivesIsToldAgain) {
   site.restart();
   site.arrive(r1, std::nullopt);
   site.hush();
-  site.say(driving(route, run.place(5)));
+  site.say(site.driving(r1, route, run.place(5)));
   ASSERT_TRUE(site.last<msg::AgentCommand>());
   EXPECT_EQ(site.last<msg::AgentCommand>()->kind, msg::AgentCommand::Kind::stop);
   EXPECT_EQ(site.goal(1).state, GoalState::paused);
@@ -293,14 +295,7 @@ TEST_F(GoalLife, CancelWhilePaused) {
 
 TEST_F(GoalLife, RobotThatGivesUpFailsTheGoalWithItsReason) {
   const Route route = start();
-  msg::RouteProgress progress;
-  progress.header = r1.header();
-  progress.goal = route.goal;
-  progress.route = route.id;
-  progress.version = route.version;
-  progress.phase = msg::RoutePhase::failed;
-  progress.reason = "the wheel is off";
-  site.say(progress);
+  give_up(route, "the wheel is off");
   EXPECT_EQ(site.goal(1).state, GoalState::failed);
   EXPECT_EQ(site.goal(1).history.back().cause, "the wheel is off");
 }
@@ -308,14 +303,7 @@ TEST_F(GoalLife, RobotThatGivesUpFailsTheGoalWithItsReason) {
 TEST_F(GoalLife, RobotThatCannotBendIntoItsRouteIsGivenAnotherOneOnce) {
   for (int tried = 0; tried < 2; ++tried) {
     const Route route = tried == 0 ? start() : site.last<msg::RouteOrder>()->route;
-    msg::RouteProgress progress;
-    progress.header = r1.header();
-    progress.goal = route.goal;
-    progress.route = route.id;
-    progress.version = route.version;
-    progress.phase = msg::RoutePhase::failed;
-    progress.reason = "route_makes_no_path";
-    site.say(progress);
+    give_up(route, "route_makes_no_path");
     if (tried == 1) break;
     EXPECT_EQ(site.goal(1).state, GoalState::executing);
     EXPECT_TRUE(site.last<msg::RouteOrder>()->route.ended);
@@ -334,7 +322,7 @@ TEST_F(GoalLife, OrderIsRepeatedUntilTheRobotHasIt) {
   site.pass(4s);
   const std::size_t sent = site.heard<msg::RouteOrder>().size();
   EXPECT_GE(sent, 3U);
-  const Route route = order();
+  const Route route = site.order();
   site.progress(r1, route, msg::RoutePhase::accepted);
   site.hush();
   site.pass(3s);
@@ -392,7 +380,7 @@ TEST_F(GoalLife, StopThatCannotBeStoredStandsAllTheSame) {
                            .report = {},
                            .counts = {}});
   site.hush();
-  msg::RobotState stopped = driving(route, run.place(3));
+  msg::RobotState stopped = site.driving(r1, route, run.place(3));
   stopped.mode = msg::RobotMode::stopped;
   stopped.header = r1.header();
   site.say(stopped);

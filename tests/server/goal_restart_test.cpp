@@ -18,19 +18,11 @@ struct GoalRestart : testing::Test {
     site.label("dock", run.place(39));
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
-    route = order();
+    route = site.order();
     site.progress(r1, route, msg::RoutePhase::driving, 2);
     site.say(driving(run.place(2)));
   }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
-  msg::RobotState driving(const PlaceId& place) {
-    msg::RobotState state = site.state(r1, place);
-    state.mode = msg::RobotMode::driving;
-    state.goal = route.goal;
-    state.route = route.id;
-    state.route_version = route.version;
-    return state;
-  }
+  msg::RobotState driving(const PlaceId& place) { return site.driving(r1, route, place); }
   void restart_agent() {
     r1.incarnation += 1;
     r1.sequence = 0;
@@ -48,9 +40,9 @@ TEST_F(GoalRestart, RestartedServerSendsTheSameRouteUntilTheRobotAnswers) {
   EXPECT_EQ(site.goal(1).state, GoalState::executing);
   site.pass(3s);
   ASSERT_GE(site.heard<msg::RouteOrder>().size(), 2U);
-  EXPECT_EQ(order().id, route.id);
-  EXPECT_EQ(order().version, route.version);
-  EXPECT_EQ(order().released, route.released);
+  EXPECT_EQ(site.order().id, route.id);
+  EXPECT_EQ(site.order().version, route.version);
+  EXPECT_EQ(site.order().released, route.released);
   site.arrive(r1, std::nullopt);
   site.say(driving(run.place(8)));
   site.progress(r1, route, msg::RoutePhase::driving, 8);
@@ -69,8 +61,8 @@ TEST_F(GoalRestart, RouteThatWasGivenBackWhileTheServerWasAwayIsPlannedAnew) {
     site.say(site.state(r1, run.place(8)));
     site.pass(1s);
   }
-  EXPECT_NE(order().id, route.id);
-  EXPECT_EQ(order().places.front(), run.place(8));
+  EXPECT_NE(site.order().id, route.id);
+  EXPECT_EQ(site.order().places.front(), run.place(8));
 }
 
 TEST_F(GoalRestart, GoalThatWaitsSurvivesToo) {
@@ -96,11 +88,11 @@ TEST_F(GoalRestart, RestartedAgentGetsItsRouteFromWhereItStandsAsANewVersion) {
   site.pass(2s);
   site.say(site.state(r1, run.place(11)));
   ASSERT_TRUE(site.last<msg::RouteOrder>());
-  EXPECT_EQ(order().id, route.id);
-  EXPECT_EQ(order().version, 2U);
-  EXPECT_EQ(order().places.front(), run.place(11));
+  EXPECT_EQ(site.order().id, route.id);
+  EXPECT_EQ(site.order().version, 2U);
+  EXPECT_EQ(site.order().places.front(), run.place(11));
   EXPECT_EQ(site.goal(1).state, GoalState::executing);
-  site.progress(r1, order(), msg::RoutePhase::arrived, 28);
+  site.progress(r1, site.order(), msg::RoutePhase::arrived, 28);
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
@@ -110,15 +102,15 @@ TEST_F(GoalRestart, RobotThatForgotItsRouteGetsItAgain) {
     site.pass(1s);
   }
   ASSERT_TRUE(site.last<msg::RouteOrder>());
-  EXPECT_EQ(order().version, 2U);
-  EXPECT_EQ(order().places.front(), run.place(6));
+  EXPECT_EQ(site.order().version, 2U);
+  EXPECT_EQ(site.order().places.front(), run.place(6));
 }
 
 TEST_F(GoalRestart, ReportOnAnOldVersionChangesNothing) {
   restart_agent();
   site.pass(1s);
   site.say(site.state(r1, run.place(11)));
-  ASSERT_EQ(order().version, 2U);
+  ASSERT_EQ(site.order().version, 2U);
   site.progress(r1, route, msg::RoutePhase::arrived, 39);
   EXPECT_EQ(site.goal(1).state, GoalState::executing);
 }
@@ -130,7 +122,7 @@ TEST_F(GoalRestart, CancelledGoalIsEndedAfterARestartToo) {
   site.restart();
   site.pass(2s);
   ASSERT_FALSE(site.heard<msg::RouteOrder>().empty());
-  EXPECT_TRUE(order().ended);
+  EXPECT_TRUE(site.order().ended);
   site.arrive(r1, std::nullopt);
   site.pass(2s);
   site.say(site.state(r1, run.place(5)));
@@ -143,8 +135,8 @@ TEST_F(GoalRestart, RouteOfAGoalThatIsOverIsEndedWhereverItTurnsUp) {
   site.hush();
   site.progress(r1, route, msg::RoutePhase::driving, 3);
   ASSERT_TRUE(site.last<msg::RouteOrder>());
-  EXPECT_TRUE(order().ended);
-  EXPECT_EQ(order().id, route.id);
+  EXPECT_TRUE(site.order().ended);
+  EXPECT_EQ(site.order().id, route.id);
 }
 
 }  // namespace

@@ -25,18 +25,10 @@ struct HandOver : testing::Test {
     site.say(site.state(r1, near.place(0)));
     site.say(site.state(r2, far.place(0)));
   }
-  std::optional<Route> order_to(const Peer& robot) {
-    std::optional<Route> found;
-    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
-      if (order.to == robot.id) found = order.route;
-    }
-    return found;
-  }
   /// Lets r1 drive a little, and fall silent.
   void r1_falls_silent(Duration silent) {
-    const Route route = *order_to(r1);
-    old_route = route.id;
-    site.progress(r1, route, msg::RoutePhase::driving, 2);
+    old_route = *site.order_to(r1);
+    site.progress(r1, old_route, msg::RoutePhase::driving, 2);
     only_r2_is_heard(silent);
   }
   void only_r2_is_heard(Duration silent) {
@@ -50,21 +42,14 @@ struct HandOver : testing::Test {
     request.goal = goal_id(1);
     return site.ask(request);
   }
-  msg::RobotState driving() {
-    msg::RobotState state = site.state(r1, near.place(6));
-    state.mode = msg::RobotMode::driving;
-    state.route = old_route;
-    state.goal = goal_id(1);
-    state.route_version = 1;
-    return state;
-  }
+  msg::RobotState driving() { return site.driving(r1, old_route, near.place(6)); }
 
   Site site;
   Peer r1{.id = robot_id(1), .name = "r1"};
   Peer r2{.id = robot_id(2), .name = "r2"};
   TaughtRun near{r1, 10};
   TaughtRun far{r2, 11};
-  RouteId old_route;
+  Route old_route;
 };
 
 TEST_F(HandOver, AnotherRobotGetsTheGoalAfterAMinute) {
@@ -76,8 +61,8 @@ TEST_F(HandOver, AnotherRobotGetsTheGoalAfterAMinute) {
   EXPECT_EQ(site.goal(1).robot, r2.id);
   ASSERT_THAT(site.events_of("goal.handed_over"), SizeIs(1));
   EXPECT_THAT(site.events_of("goal.handed_over").front(), HasSubstr("r1 has not been heard for 6"));
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_NE(order_to(r2)->id, old_route) << "the route that r1 may still follow is another one";
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_NE(site.order_to(r2)->id, old_route.id) << "the route that r1 may still follow is another one";
 }
 
 TEST_F(HandOver, WhatTheSilentRobotHeldStaysHeldAndItIsToldToStandWhenItIsHeard) {
@@ -85,16 +70,17 @@ TEST_F(HandOver, WhatTheSilentRobotHeldStaysHeldAndItIsToldToStandWhenItIsHeard)
   r1_falls_silent(70s);
   ASSERT_EQ(site.goal(1).robot, r2.id);
   const storage::PutOccupancy held = site.disk->occupancies.at(r1.id);
-  EXPECT_EQ(held.held.id, old_route);
+  EXPECT_EQ(held.held.id, old_route.id);
   site.hush();
   site.say(driving());
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_TRUE(order_to(r1)->ended);
-  EXPECT_EQ(order_to(r1)->id, old_route);
-  EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, old_route) << "it may roll to the end of what it was given";
+  const msg::RouteOrder order = site.last<msg::RouteOrder>().value();
+  EXPECT_EQ(order.to, r1.id);
+  EXPECT_TRUE(order.route.ended);
+  EXPECT_EQ(order.route.id, old_route.id);
+  EXPECT_EQ(site.disk->occupancies.at(r1.id).held.id, old_route.id) << "it may roll to the end of what it was given";
   site.say(site.state(r1, near.place(7)));
   site.pass(1s);
-  EXPECT_NE(site.disk->occupancies.at(r1.id).held.id, old_route);
+  EXPECT_NE(site.disk->occupancies.at(r1.id).held.id, old_route.id);
   EXPECT_EQ(site.disk->occupancies.at(r1.id).held.places.front(), near.place(7));
   EXPECT_EQ(site.goal(1).robot, r2.id);
 }
@@ -135,8 +121,9 @@ TEST_F(HandOver, HandedOverGoalOutlivesTheServer) {
   site.hush();
   site.arrive(r1, std::nullopt);
   site.say(driving());
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_TRUE(order_to(r1)->ended);
+  const msg::RouteOrder order = site.last<msg::RouteOrder>().value();
+  EXPECT_EQ(order.to, r1.id);
+  EXPECT_TRUE(order.route.ended);
 }
 
 }  // namespace

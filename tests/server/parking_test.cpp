@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/one_run.hpp"
 
 /// Idle robots that stand in the way go to parking places.
 namespace weft::server::test {
@@ -11,68 +11,46 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One run of 60 places, half a metre apart, that can be parked at its end.
-struct Parking : testing::Test {
+/// Arranges a run at whose end robots can park.
+struct Parking : OneRun {
   Parking() {
-    site.arrive(r1, std::nullopt);
-    site.hand_in(r1, run.next(60));
     site.label("shelf", run.place(30));
     site.label("bay", run.place(58));
     site.say(site.state(r1, run.place(20)));
   }
   void put(const std::string& name, RuleKind kind) {
-    msg::OperatorRequest request = site.request(msg::OperatorRequest::Kind::rule_put);
-    request.rule = {.name = name, .kind = kind, .label = name};
-    ASSERT_EQ(site.ask(request).outcome, msg::Outcome::done);
+    ASSERT_EQ(site.put_rule({.name = name, .kind = kind, .label = name}).outcome, msg::Outcome::done);
   }
-  std::vector<Goal> parkings() {
-    std::vector<Goal> found;
-    for (const Goal& goal : site.service().goals()) {
-      if (goal.kind == GoalKind::park) found.push_back(goal);
-    }
-    return found;
-  }
-  void stand(Peer& robot, const PlaceId& place, int seconds) {
-    for (int second = 0; second < seconds; ++second) {
-      site.say(site.state(robot, place));
-      site.pass(1s);
-    }
-  }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
+  std::vector<Goal> parkings() { return site.goals_of(GoalKind::park); }
 };
 
 TEST_F(Parking, WhoStandsOnALaneParksAfterTenSeconds) {
   put("bay", RuleKind::parking);
-  stand(r1, run.place(20), 9);
+  site.stand(r1, run.place(20), 9);
   EXPECT_THAT(parkings(), IsEmpty());
-  stand(r1, run.place(20), 3);
+  site.stand(r1, run.place(20), 3);
   ASSERT_THAT(parkings(), SizeIs(1));
   const Goal parking = parkings().front();
   EXPECT_EQ(parking.to, run.place(58));
   EXPECT_EQ(parking.history.front().who, "traffic");
   EXPECT_THAT(parking.history.front().cause, HasSubstr("r1 parks"));
-  const Route route = order();
+  const Route route = site.order();
   EXPECT_EQ(route.goal, parking.id);
   site.progress(r1, route, msg::RoutePhase::arrived, route.released);
-  stand(r1, run.place(58), 30);
+  site.stand(r1, run.place(58), 30);
   ASSERT_THAT(parkings(), SizeIs(1)) << "it stays there";
   EXPECT_EQ(parkings().front().state, GoalState::succeeded);
 }
 
 TEST_F(Parking, WithoutAParkingPlaceItStays) {
-  stand(r1, run.place(20), 30);
+  site.stand(r1, run.place(20), 30);
   EXPECT_THAT(parkings(), IsEmpty());
 }
 
 TEST_F(Parking, WhereOnlyATakenOneCanBeReachedItStays) {
   put("bay", RuleKind::parking);
   site.arrive(r2, run.place(58));
-  stand(r1, run.place(20), 30);
+  site.stand(r1, run.place(20), 30);
   EXPECT_THAT(parkings(), IsEmpty());
 }
 
@@ -81,14 +59,14 @@ TEST_F(Parking, TwoDoNotGoToOnePlace) {
   site.arrive(r2, run.place(40));
   for (int second = 0; second < 15; ++second) {
     site.say(site.state(r2, run.place(40)));
-    stand(r1, run.place(20), 1);
+    site.stand(r1, run.place(20), 1);
   }
   EXPECT_THAT(parkings(), SizeIs(1));
 }
 
 TEST_F(Parking, WhoStandsWhereNobodyComesByStays) {
   put("bay", RuleKind::parking);
-  stand(r1, run.place(59), 30);
+  site.stand(r1, run.place(59), 30);
   EXPECT_THAT(parkings(), IsEmpty());
 }
 
@@ -97,26 +75,26 @@ TEST_F(Parking, WhoIsHeldOrTaughtIsLeftAlone) {
   msg::OperatorRequest hold = site.request(msg::OperatorRequest::Kind::hold);
   hold.robot = "r1";
   site.ask(hold);
-  stand(r1, run.place(20), 15);
+  site.stand(r1, run.place(20), 15);
   EXPECT_THAT(parkings(), IsEmpty());
 }
 
 TEST_F(Parking, WhoHasJustComeToItsGoalIsAtWorkThere) {
   put("bay", RuleKind::parking);
   site.send_goal(1, "shelf", "r1");
-  const Route route = order();
+  const Route route = site.order();
   site.progress(r1, route, msg::RoutePhase::arrived, route.released);
-  stand(r1, run.place(30), 9);
+  site.stand(r1, run.place(30), 9);
   EXPECT_THAT(parkings(), IsEmpty());
-  stand(r1, run.place(30), 4);
+  site.stand(r1, run.place(30), 4);
   EXPECT_THAT(parkings(), SizeIs(1));
 }
 
 TEST_F(Parking, AGoalOfAnOperatorComesBeforeParking) {
   put("bay", RuleKind::parking);
-  stand(r1, run.place(20), 12);
+  site.stand(r1, run.place(20), 12);
   ASSERT_THAT(parkings(), SizeIs(1));
-  const Route parking = order();
+  const Route parking = site.order();
   site.progress(r1, parking, msg::RoutePhase::driving, 0);
   site.send_goal(1, "shelf");
   msg::RobotState driving = site.state(r1, run.place(21));
@@ -125,7 +103,7 @@ TEST_F(Parking, AGoalOfAnOperatorComesBeforeParking) {
   site.say(driving);
   site.pass(1s);
   EXPECT_EQ(parkings().front().state, GoalState::cancelled);
-  stand(r1, run.place(22), 5);
+  site.stand(r1, run.place(22), 5);
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
   EXPECT_EQ(site.goal(1).robot, r1.id);
 }
@@ -135,15 +113,15 @@ TEST_F(Parking, WhoChargesStaysUntilItIsFullAndAnotherOneComes) {
   put("bay", RuleKind::parking);
   put("plug", RuleKind::charging);
   site.power(r1, 0.8, true);
-  stand(r1, run.place(20), 15);
+  site.stand(r1, run.place(20), 15);
   site.power(r1, 0.97, true);
-  stand(r1, run.place(20), 15);
+  site.stand(r1, run.place(20), 15);
   EXPECT_THAT(parkings(), IsEmpty()) << "nobody comes";
   site.arrive(r2, run.place(0));
   site.power(r2, 0.2);
   for (int second = 0; second < 15; ++second) {
     site.say(site.state(r2, run.place(0)));
-    stand(r1, run.place(20), 1);
+    site.stand(r1, run.place(20), 1);
   }
   bool makes_way = false;
   for (const Goal& goal : site.service().goals()) {

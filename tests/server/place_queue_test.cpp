@@ -1,76 +1,55 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/one_run.hpp"
 
 /// A second robot does not set off to where another one goes, or works.
 namespace weft::server::test {
 namespace {
 
-/// One run of 60 places; r2 comes behind r1, and both are to go to the dock.
-struct PlaceQueue : testing::Test {
+/// Arranges two robots, r2 behind r1, that are both to go to the dock.
+struct PlaceQueue : OneRun {
   PlaceQueue() {
-    site.arrive(r1, std::nullopt);
     site.arrive(r2, std::nullopt);
-    site.hand_in(r1, run.next(60));
     site.label("dock", run.place(40));
     site.label("far", run.place(55));
     site.say(site.state(r1, run.place(20)));
     site.say(site.state(r2, run.place(0)));
   }
-  std::optional<Route> order_to(const Peer& robot) {
-    std::optional<Route> found;
-    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
-      if (order.to == robot.id && !order.route.ended) found = order.route;
-    }
-    return found;
-  }
-  void stand(Peer& robot, const PlaceId& place, int seconds) {
-    for (int second = 0; second < seconds; ++second) {
-      site.say(site.state(robot, place));
-      site.pass(1s);
-    }
-  }
   void arrive_with_r1() {
-    const Route route = order_to(r1).value();
+    const Route route = site.order_to(r1).value();
     site.progress(r1, route, msg::RoutePhase::arrived, route.released);
     site.say(site.state(r1, run.place(40)));
   }
   GoalState state(std::uint8_t goal) { return site.goal(goal).state; }
-  std::string why(std::uint8_t goal) { return site.goal(goal).history.back().cause; }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
 };
 
 TEST_F(PlaceQueue, TheNextGoalForThePlaceWaitsAndSaysForWhom) {
   site.send_goal(1, "dock", "r1");
   ASSERT_EQ(state(1), GoalState::assigned);
   site.send_goal(2, "dock", "r2");
-  stand(r2, run.place(0), 2);
+  site.stand(r2, run.place(0), 2);
   EXPECT_EQ(state(2), GoalState::pending);
-  EXPECT_EQ(why(2), "r1 is at dock or on its way there; it comes next");
+  EXPECT_EQ(site.why(2), "r1 is at dock or on its way there; it comes next");
 }
 
 TEST_F(PlaceQueue, ItIsGivenOutOnceTheFirstOneHasDoneItsWork) {
   site.send_goal(1, "dock", "r1");
   site.send_goal(2, "dock", "r2");
   arrive_with_r1();
-  stand(r2, run.place(0), 5);
+  site.stand(r2, run.place(0), 5);
   EXPECT_EQ(state(2), GoalState::pending) << "r1 is at work";
-  stand(r2, run.place(0), 8);
+  site.stand(r2, run.place(0), 8);
   EXPECT_EQ(state(2), GoalState::assigned) << "r1 only stands there: it makes way";
 }
 
 TEST_F(PlaceQueue, AGoalForAnyRobotChoosesNoSecondOne) {
   site.send_goal(1, "dock", "r1");
   site.send_goal(2, "dock");
-  stand(r2, run.place(0), 2);
+  site.stand(r2, run.place(0), 2);
   EXPECT_EQ(state(2), GoalState::pending);
   arrive_with_r1();
-  stand(r1, run.place(40), 2);
+  site.stand(r1, run.place(40), 2);
   EXPECT_EQ(site.goal(2).robot, r1.id) << "it is there, and ready";
 }
 
@@ -78,19 +57,19 @@ TEST_F(PlaceQueue, GoalsForOtherPlacesDoNotWait) {
   site.send_goal(1, "dock", "r1");
   site.send_goal(2, "dock", "r2");
   site.send_goal(3, "far", "r2");
-  stand(r2, run.place(0), 2);
+  site.stand(r2, run.place(0), 2);
   EXPECT_EQ(state(3), GoalState::assigned);
 }
 
 TEST_F(PlaceQueue, NobodyWaitsForARobotThatDoesNotMoveByItself) {
   site.send_goal(1, "dock", "r1");
-  site.progress(r1, order_to(r1).value(), msg::RoutePhase::driving);
+  site.progress(r1, site.order_to(r1).value(), msg::RoutePhase::driving);
   msg::OperatorRequest stop = site.request(msg::OperatorRequest::Kind::stop);
   stop.robot = "r1";
   site.say(stop);
   ASSERT_EQ(state(1), GoalState::paused);
   site.send_goal(2, "dock", "r2");
-  stand(r2, run.place(0), 2);
+  site.stand(r2, run.place(0), 2);
   EXPECT_EQ(state(2), GoalState::assigned);
 }
 
@@ -101,7 +80,7 @@ TEST_F(PlaceQueue, WhoIsThereDoesNotOvertakeWhoWaits) {
   arrive_with_r1();
   for (int second = 0; second < 13; ++second) {
     site.say(site.state(r1, run.place(40)));
-    stand(r2, run.place(0), 1);
+    site.stand(r2, run.place(0), 1);
     if (second < 8) {
       EXPECT_EQ(state(3), GoalState::pending) << second;
     }

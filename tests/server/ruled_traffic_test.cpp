@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/run_with_bypass.hpp"
 
 /// What rules do to routes and releases.
 namespace weft::server::test {
@@ -12,50 +12,28 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A straight run, and a bypass that leaves it at place 10 and joins it again at place 20.
-struct RuledTraffic : testing::Test {
-  RuledTraffic() {
-    site.arrive(r1, std::nullopt);
-    site.hand_in(r1, run.next(40));
-    Handed aside = bypass.next(6);
-    aside.batch.edges.push_back(stitch(run.place(10), bypass.place(0), 0.0, 1.5));
-    aside.batch.edges.push_back(stitch(run.place(20), bypass.place(5), 0.0, 1.5));
-    site.hand_in(r1, aside);
-    site.label("dock", run.place(39));
-    site.hush();
-  }
+struct RuledTraffic : RunWithBypass {
   msg::OperatorReply close(const std::string& name, std::uint32_t first, std::uint32_t last) {
-    return put({.name = name, .spans = {{run.place(first), run.place(last)}}});
-  }
-  msg::OperatorReply put(const Rule& rule) {
-    msg::OperatorRequest request = site.request(Kind::rule_put);
-    request.rule = rule;
-    return site.ask(request);
+    return site.put_rule({.name = name, .spans = {{run.place(first), run.place(last)}}});
   }
   msg::OperatorReply remove(const std::string& name) {
     msg::OperatorRequest request = site.request(Kind::rule_remove);
     request.rule.name = name;
     return site.ask(request);
   }
-  /// Says that an operator has stopped the robot there: it makes no way.
-  void stand(Peer& robot, const PlaceId& place) {
-    msg::RobotState state = site.state(robot, place);
+  /// Returns what r1 says when its base has stopped it on a route.
+  msg::RobotState stopped_on(const Route& route, Safety safety) {
+    msg::RobotState state = site.driving(r1, route, run.place(5));
     state.mode = msg::RobotMode::stopped;
-    site.say(state);
+    state.safety = safety;
+    return state;
   }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
   Route start() {
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
     site.pass(1s);
-    return order();
+    return site.order();
   }
-  std::string why() { return site.goal(1).history.back().cause; }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  TaughtRun run{r1, 10};
-  TaughtRun bypass{r1, 11};
 };
 
 TEST_F(RuledTraffic, RoutesLeadRoundWhatIsClosed) {
@@ -72,21 +50,21 @@ TEST_F(RuledTraffic, AGoalThatOnlyLeadsThroughItWaitsAndNamesTheRule) {
   site.pass(1s);
   EXPECT_FALSE(site.last<msg::RouteOrder>());
   EXPECT_EQ(site.goal(1).state, GoalState::pending);
-  EXPECT_THAT(why(), HasSubstr("rule shut bars the way"));
+  EXPECT_THAT(site.why(1), HasSubstr("rule shut bars the way"));
   remove("shut");
   site.pass(1s);
-  EXPECT_EQ(order().places.back(), run.place(39));
+  EXPECT_EQ(site.order().places.back(), run.place(39));
 }
 
 TEST_F(RuledTraffic, WhatIsReleasedStaysAndWhatLiesBeyondIsPlannedAnew) {
   Peer r2{.id = robot_id(2), .name = "r2"};
   site.arrive(r2, std::nullopt);
-  stand(r2, run.place(12));
+  site.stand_stopped(r2, run.place(12));
   const Route before = start();
   ASSERT_LT(before.released, 12U) << "r2 stands in the way";
   close("shut", 14, 16);
   site.pass(1s);
-  const Route after = order();
+  const Route after = site.order();
   EXPECT_EQ(after.version, before.version + 1);
   EXPECT_EQ(after.released, before.released);
   EXPECT_THAT(after.places, Contains(bypass.place(2)));
@@ -97,75 +75,72 @@ TEST_F(RuledTraffic, ARobotThatWasReleasedThroughDrivesOn) {
   ASSERT_EQ(before.released, 39U);
   close("shut", 14, 16);
   site.pass(1s);
-  EXPECT_EQ(order().version, before.version);
-  EXPECT_FALSE(order().ended);
+  EXPECT_EQ(site.order().version, before.version);
+  EXPECT_FALSE(site.order().ended);
 }
 
 TEST_F(RuledTraffic, WithoutAnotherWayItDrivesToItsReleasedPointAndSaysTheRule) {
   Peer r2{.id = robot_id(2), .name = "r2"};
   site.arrive(r2, std::nullopt);
-  stand(r2, run.place(25));
+  site.stand_stopped(r2, run.place(25));
   const Route before = start();
   ASSERT_LT(before.released, 25U);
   close("shut", 30, 32);
   site.pass(1s);
-  EXPECT_THAT(why(), HasSubstr("rule shut bars the way"));
-  EXPECT_EQ(order().released, before.released);
+  EXPECT_THAT(site.why(1), HasSubstr("rule shut bars the way"));
+  EXPECT_EQ(site.order().released, before.released);
   remove("shut");
-  stand(r2, run.place(39));
+  site.stand_stopped(r2, run.place(39));
   site.pass(2s);
-  EXPECT_EQ(order().id, before.id);
-  EXPECT_GT(order().released, before.released);
+  EXPECT_EQ(site.order().id, before.id);
+  EXPECT_GT(site.order().released, before.released);
 }
 
 TEST_F(RuledTraffic, AHeldZoneEndsReleasesUntilItIsLetGo) {
-  put({.name = "wait", .kind = RuleKind::hold, .spans = {{run.place(22), run.place(26)}}});
+  site.put_rule({.name = "wait", .kind = RuleKind::hold, .spans = {{run.place(22), run.place(26)}}});
   const Route route = start();
   EXPECT_EQ(route.released, 21U);
-  EXPECT_THAT(why(), HasSubstr("r1 waits until rule wait lets it on"));
+  EXPECT_THAT(site.why(1), HasSubstr("r1 waits until rule wait lets it on"));
   site.progress(r1, route, msg::RoutePhase::waiting);
   site.pass(3s);
-  msg::Query query;
-  query.header = site.client.header();
-  site.say(query);
-  const msg::RobotWait wait = site.last<msg::QueryReply>().value().robots.at(0).wait;
+  const msg::RobotWait wait = site.row("r1").wait;
   EXPECT_EQ(wait.rule, "wait");
   EXPECT_EQ(wait.needs, run.place(22));
   EXPECT_THAT(wait.held_by, SizeIs(0));
   remove("wait");
   site.pass(1s);
-  EXPECT_EQ(order().released, 39U);
-  EXPECT_THAT(why(), HasSubstr("rule wait lets it on"));
+  EXPECT_EQ(site.order().released, 39U);
+  EXPECT_THAT(site.why(1), HasSubstr("rule wait lets it on"));
 }
 
 TEST_F(RuledTraffic, AHeldRobotIsReleasedNoFarther) {
   Peer r2{.id = robot_id(2), .name = "r2"};
   site.arrive(r2, std::nullopt);
-  stand(r2, run.place(25));
+  site.stand_stopped(r2, run.place(25));
   const Route before = start();
   msg::OperatorRequest request = site.request(Kind::hold);
   request.robot = "r1";
   site.ask(request);
-  stand(r2, run.place(39));
+  site.stand_stopped(r2, run.place(39));
   site.pass(2s);
-  EXPECT_EQ(order().released, before.released);
-  EXPECT_THAT(why(), HasSubstr("r1 is held by"));
+  EXPECT_EQ(site.order().released, before.released);
+  EXPECT_THAT(site.why(1), HasSubstr("r1 is held by"));
   request = site.request(Kind::unhold);
   request.robot = "r1";
   site.ask(request);
   site.pass(1s);
-  EXPECT_GT(order().released, before.released);
+  EXPECT_GT(site.order().released, before.released);
 }
 
 TEST_F(RuledTraffic, AnAgentThatDoesNotKnowLimitsIsNotReleasedIntoThem) {
-  put({.name = "slow", .kind = RuleKind::speed, .value = 0.3, .spans = {{run.place(14), run.place(16)}}});
+  site.put_rule({.name = "slow", .kind = RuleKind::speed, .value = 0.3, .spans = {{run.place(14), run.place(16)}}});
   EXPECT_THAT(start().places, Contains(bypass.place(2)));
 }
 
 TEST_F(RuledTraffic, AnAgentThatKeepsLimitsIsToldThemWithItsRoute) {
   r1.knows_limits = true;
   site.arrive(r1, run.place(0));
-  put({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
+  site.put_rule({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
   const Route route = start();
   ASSERT_THAT(route.limits, SizeIs(1));
   EXPECT_EQ(route.limits[0], (SpeedLimit{14, 16, 0.5}));
@@ -177,9 +152,9 @@ TEST_F(RuledTraffic, LimitsThatChangeUnderWayComeWithTheNextVersion) {
   site.arrive(r1, run.place(0));
   const Route before = start();
   ASSERT_THAT(before.limits, SizeIs(0));
-  put({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
+  site.put_rule({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
   site.pass(1s);
-  const Route after = order();
+  const Route after = site.order();
   EXPECT_EQ(after.version, before.version + 1);
   EXPECT_EQ(after.places, before.places);
   EXPECT_EQ(after.released, before.released);
@@ -187,38 +162,28 @@ TEST_F(RuledTraffic, LimitsThatChangeUnderWayComeWithTheNextVersion) {
   site.restart();
   site.arrive(r1, run.place(0));
   site.pass(5s);
-  EXPECT_THAT(order().limits, SizeIs(1)) << "and stay";
+  EXPECT_THAT(site.order().limits, SizeIs(1)) << "and stay";
   remove("slow");
   site.pass(1s);
-  EXPECT_THAT(order().limits, SizeIs(0));
+  EXPECT_THAT(site.order().limits, SizeIs(0));
 }
 
 TEST_F(RuledTraffic, AnEmergencyStopPausesTheGoalAndOnlyAPersonResumesIt) {
   const Route route = start();
   site.progress(r1, route, msg::RoutePhase::driving);
-  msg::RobotState stopped = site.state(r1, run.place(5));
-  stopped.mode = msg::RobotMode::stopped;
-  stopped.safety = Safety::emergency_stop;
-  stopped.goal = route.goal;
-  stopped.route = route.id;
-  stopped.route_version = route.version;
+  msg::RobotState stopped = stopped_on(route, Safety::emergency_stop);
   site.hush();
   site.say(stopped);
   site.pass(2s);
   EXPECT_EQ(site.goal(1).state, GoalState::paused);
-  EXPECT_THAT(why(), HasSubstr("told to stop"));
+  EXPECT_THAT(site.why(1), HasSubstr("told to stop"));
   EXPECT_FALSE(site.last<msg::AgentCommand>()) << "nobody tells it to go on";
 }
 
 TEST_F(RuledTraffic, AWordFromBeforeThePersonsResumePausesNothing) {
   const Route route = start();
   site.progress(r1, route, msg::RoutePhase::driving);
-  msg::RobotState stopped = site.state(r1, run.place(5));
-  stopped.mode = msg::RobotMode::stopped;
-  stopped.safety = Safety::emergency_stop;
-  stopped.goal = route.goal;
-  stopped.route = route.id;
-  stopped.route_version = route.version;
+  msg::RobotState stopped = stopped_on(route, Safety::emergency_stop);
   site.say(stopped);
   ASSERT_EQ(site.goal(1).state, GoalState::paused);
   msg::RobotState late = stopped;
@@ -245,12 +210,7 @@ TEST_F(RuledTraffic, AWordFromBeforeThePersonsResumePausesNothing) {
 TEST_F(RuledTraffic, AProtectiveStopPausesNothing) {
   const Route route = start();
   site.progress(r1, route, msg::RoutePhase::driving);
-  msg::RobotState stopped = site.state(r1, run.place(5));
-  stopped.mode = msg::RobotMode::stopped;
-  stopped.safety = Safety::protective_stop;
-  stopped.goal = route.goal;
-  stopped.route = route.id;
-  stopped.route_version = route.version;
+  msg::RobotState stopped = stopped_on(route, Safety::protective_stop);
   site.hush();
   site.say(stopped);
   site.pass(2s);
@@ -259,7 +219,7 @@ TEST_F(RuledTraffic, AProtectiveStopPausesNothing) {
 }
 
 TEST_F(RuledTraffic, GoalsHaveTheClassOfTheirPlace) {
-  put({.name = "first", .kind = RuleKind::priority, .value = 6, .label = "dock"});
+  site.put_rule({.name = "first", .kind = RuleKind::priority, .value = 6, .label = "dock"});
   start();
   EXPECT_EQ(site.goal(1).priority, 6);
 }

@@ -20,11 +20,6 @@ struct ServerRules : testing::Test {
     site.label("dock", run.place(39));
     site.hush();
   }
-  msg::OperatorReply put(const Rule& rule) {
-    msg::OperatorRequest request = site.request(Kind::rule_put);
-    request.rule = rule;
-    return site.ask(request);
-  }
   msg::OperatorReply named(Kind kind, const std::string& name) {
     msg::OperatorRequest request = site.request(kind);
     request.rule.name = name;
@@ -32,7 +27,6 @@ struct ServerRules : testing::Test {
     return site.ask(request);
   }
   const Snapshot::Rules& rules() { return site.service().snapshot().rules(); }
-  Route order() { return site.last<msg::RouteOrder>().value().route; }
 
   Site site;
   Peer r1{.id = robot_id(1), .name = "r1"};
@@ -41,13 +35,13 @@ struct ServerRules : testing::Test {
 };
 
 TEST_F(ServerRules, AreLaidDownChangedRemovedAndUndone) {
-  const msg::OperatorReply done = put(shut);
+  const msg::OperatorReply done = site.put_rule(shut);
   EXPECT_EQ(done.outcome, msg::Outcome::done) << done.message;
   EXPECT_THAT(done.message, HasSubstr("rule shut (closed on "));
   EXPECT_THAT(site.events_of("map.rule"), ElementsAre(HasSubstr("rule shut laid down")));
-  EXPECT_THAT(put(shut).message, HasSubstr("is so already"));
+  EXPECT_THAT(site.put_rule(shut).message, HasSubstr("is so already"));
   shut.spans[0].to = run.place(30);
-  EXPECT_EQ(put(shut).outcome, msg::Outcome::done);
+  EXPECT_EQ(site.put_rule(shut).outcome, msg::Outcome::done);
   EXPECT_THAT(rules(), SizeIs(1));
   site.restart();
   EXPECT_EQ(rules().at("shut"), shut);
@@ -71,22 +65,18 @@ TEST_F(ServerRules, ThatWouldBeLaidDownAreSaid) {
 
 TEST_F(ServerRules, ThatCannotHoldAreRefused) {
   shut.spans[0].to = run.place(60);
-  const msg::OperatorReply reply = put(shut);
+  const msg::OperatorReply reply = site.put_rule(shut);
   EXPECT_EQ(reply.outcome, msg::Outcome::refused);
   EXPECT_THAT(reply.message, HasSubstr("is not in the map"));
 }
 
 TEST_F(ServerRules, AreAnsweredWithTheirPlacesAndProblems) {
-  put(shut);
-  put({.name = "calm", .kind = RuleKind::speed, .value = 0.3, .label = "dock", .within_m = 1.0});
+  site.put_rule(shut);
+  site.put_rule({.name = "calm", .kind = RuleKind::speed, .value = 0.3, .label = "dock", .within_m = 1.0});
   msg::OperatorRequest unlabel = site.request(Kind::label_remove);
   unlabel.label = "dock";
   site.ask(unlabel);
-  msg::Query query;
-  query.header = site.client.header();
-  query.kind = msg::Query::Kind::rules;
-  site.say(query);
-  const msg::QueryReply reply = site.last<msg::QueryReply>().value();
+  const msg::QueryReply reply = site.read(msg::Query::Kind::rules);
   ASSERT_THAT(reply.rules, SizeIs(2));
   EXPECT_EQ(reply.rules[0].rule.name, "calm");
   EXPECT_EQ(reply.rules[0].places, 0U);
@@ -111,7 +101,7 @@ TEST_F(ServerRules, HeldRobotGetsNoGoalUntilItIsLetGo) {
 }
 
 TEST_F(ServerRules, PlacesOfARuleAreHeldByName) {
-  put(shut);
+  site.put_rule(shut);
   EXPECT_EQ(named(Kind::hold, "shut").outcome, msg::Outcome::done);
   EXPECT_EQ(rules().at("hold-shut").kind, RuleKind::hold);
   EXPECT_EQ(rules().at("hold-shut").spans, shut.spans);

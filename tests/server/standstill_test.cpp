@@ -27,24 +27,8 @@ struct StandstillTest : testing::Test {
     site.label("end", there.place(59));
     site.label("begin", back.place(40));
   }
-  Route order_to(const Peer& robot) {
-    std::optional<Route> found;
-    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
-      if (order.to == robot.id && !order.route.ended) found = order.route;
-    }
-    return found.value();
-  }
-  msg::RobotRow row(const Peer& robot) {
-    msg::Query query;
-    query.header = site.client.header();
-    query.kind = msg::Query::Kind::robots;
-    site.say(query);
-    const msg::QueryReply answer = site.last<msg::QueryReply>().value();
-    for (const msg::RobotRow& row : answer.robots) {
-      if (row.description.header.sender == robot.id) return row;
-    }
-    return {};
-  }
+  Route order_to(const Peer& robot) { return site.order_to(robot).value(); }
+  msg::RobotRow row(const Peer& robot) { return site.row(robot.name); }
   /// Each was in the aisle already, has driven as far as it was let, and stands before the other.
   void meet_head_on() {
     site.say(site.state(r2, back.place(3)));

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "server/traffic/proximity.hpp"
-#include "tests/server/arranged_site.hpp"
+#include "tests/server/one_run.hpp"
 
 namespace weft::server::test {
 namespace {
@@ -14,36 +14,17 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One line of 60 places, half a metre apart; robots of 0.4 m: two keep clear of each other from 3 places on.
-struct TrafficTest : testing::Test {
+/// Arranges two robots of 0.4 m on the run: they keep clear of each other from 3 places on.
+struct TrafficTest : OneRun {
   TrafficTest() {
-    site.arrive(r1, std::nullopt);
     site.arrive(r2, std::nullopt);
-    site.hand_in(r1, run.next(60));
     site.label("end", run.place(59));
     site.label("middle", run.place(20));
   }
-  std::optional<Route> order_to(const Peer& robot) {
-    std::optional<Route> found;
-    for (const msg::RouteOrder& order : site.heard<msg::RouteOrder>()) {
-      if (order.to == robot.id && !order.route.ended) found = order.route;
-    }
-    return found;
-  }
-  /// Says that an operator has stopped the robot there: it makes no way.
-  void stand(Peer& robot, const PlaceId& place) {
-    msg::RobotState state = site.state(robot, place);
-    state.mode = msg::RobotMode::stopped;
-    site.say(state);
-  }
   /// Lets the robot be heard on its route: nobody is released who is not.
   void drives(Peer& robot) {
-    const Route route = *order_to(robot);
-    msg::RobotState state = site.state(robot, route.places[1]);
-    state.mode = msg::RobotMode::driving;
-    state.route = route.id;
-    state.route_version = route.version;
-    site.say(state);
+    const Route route = *site.order_to(robot);
+    site.say(site.driving(robot, route, route.places[1]));
     site.progress(robot, route, msg::RoutePhase::driving, 1);
   }
   void expect_apart() {
@@ -60,59 +41,54 @@ struct TrafficTest : testing::Test {
       }
     }
   }
-
-  Site site;
-  Peer r1{.id = robot_id(1), .name = "r1"};
-  Peer r2{.id = robot_id(2), .name = "r2"};
-  TaughtRun run{r1, 10};
 };
 
 TEST_F(TrafficTest, FreeRouteIsReleasedAsAWhole) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  EXPECT_EQ(order_to(r1)->released, 59U);
+  EXPECT_EQ(site.order_to(r1)->released, 59U);
   EXPECT_EQ(site.disk->occupancies.at(r1.id).to, 59U);
 }
 
 TEST_F(TrafficTest, StandingRobotIsInTheWayUntilItLeaves) {
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_GE(order_to(r1)->released, 24U);
-  EXPECT_LE(order_to(r1)->released, 27U);
+  ASSERT_TRUE(site.order_to(r1));
+  EXPECT_GE(site.order_to(r1)->released, 24U);
+  EXPECT_LE(site.order_to(r1)->released, 27U);
   expect_apart();
   EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r2"));
-  site.progress(r1, *order_to(r1), msg::RoutePhase::driving, 1);
-  const std::uint32_t before = order_to(r1)->released;
-  stand(r2, run.place(45));
+  site.progress(r1, *site.order_to(r1), msg::RoutePhase::driving, 1);
+  const std::uint32_t before = site.order_to(r1)->released;
+  site.stand_stopped(r2, run.place(45));
   site.pass(1s);
-  EXPECT_GT(order_to(r1)->released, before + 10);
-  EXPECT_EQ(order_to(r1)->version, 1U);
+  EXPECT_GT(site.order_to(r1)->released, before + 10);
+  EXPECT_EQ(site.order_to(r1)->version, 1U);
   expect_apart();
 }
 
 TEST_F(TrafficTest, WhoWaitsForAnotherOneNowIsToldForWhom) {
   Peer r3{.id = robot_id(3), .name = "r3"};
   site.arrive(r3, std::nullopt);
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  const std::uint32_t released = order_to(r1).value().released;
-  EXPECT_EQ(order_to(r1)->reason, "waits for r2");
-  site.progress(r1, *order_to(r1), msg::RoutePhase::waiting, 1);
-  stand(r3, run.place(30));
-  stand(r2, run.place(45));
+  const std::uint32_t released = site.order_to(r1).value().released;
+  EXPECT_EQ(site.order_to(r1)->reason, "waits for r2");
+  site.progress(r1, *site.order_to(r1), msg::RoutePhase::waiting, 1);
+  site.stand_stopped(r3, run.place(30));
+  site.stand_stopped(r2, run.place(45));
   site.pass(2s);
-  EXPECT_EQ(order_to(r1)->released, released);
-  EXPECT_EQ(order_to(r1)->reason, "waits for r3");
+  EXPECT_EQ(site.order_to(r1)->released, released);
+  EXPECT_EQ(site.order_to(r1)->reason, "waits for r3");
 }
 
 TEST_F(TrafficTest, RoomIsLeftForTheFirstStepOfOneThatStands) {
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
+  ASSERT_TRUE(site.order_to(r1));
   // A stitch may lead it to a place behind it first.
   storage::PutOccupancy step_back;
   step_back.robot = r2.id;
@@ -126,17 +102,17 @@ TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
   site.say(site.state(r1, run.place(10)));
   site.say(site.state(r2, run.place(0)));
   site.send_goal(1, "end", "r1");
-  const Route first = order_to(r1).value();
+  const Route first = site.order_to(r1).value();
   site.send_goal(2, "middle", "r2");
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_LE(order_to(r2)->released, 7U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_LE(site.order_to(r2)->released, 7U);
   expect_apart();
-  std::uint32_t released = order_to(r2)->released;
+  std::uint32_t released = site.order_to(r2)->released;
   for (const std::uint32_t freed : {5U, 10U, 20U, 49U}) {
     site.progress(r1, first, msg::RoutePhase::driving, freed);
     site.pass(1s);
-    EXPECT_GE(order_to(r2)->released, released);
-    released = order_to(r2)->released;
+    EXPECT_GE(site.order_to(r2)->released, released);
+    released = site.order_to(r2)->released;
     expect_apart();
   }
   EXPECT_EQ(released, 20U);
@@ -147,14 +123,14 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOffTowardsTheOther) {
   site.say(site.state(r2, run.place(10)));
   EXPECT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
   site.send_goal(1, "end", "r2");
-  EXPECT_FALSE(order_to(r2));
+  EXPECT_FALSE(site.order_to(r2));
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
   expect_apart();
   site.say(site.state(r1, run.place(4)));
   site.say(site.state(r2, run.place(10)));
   site.pass(1s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->released, 49U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_EQ(site.order_to(r2)->released, 49U);
   expect_apart();
 }
 
@@ -164,8 +140,8 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseMayMoveAway) {
   ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
   site.send_goal(1, "end", "r2");
   site.pass(1s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->released, 48U) << "a piece, and from there nobody is in the way";
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_EQ(site.order_to(r2)->released, 48U) << "a piece, and from there nobody is in the way";
 }
 
 TEST_F(TrafficTest, RobotBesideItsPlaceDoesNotMoveAwayByWayOfIt) {
@@ -178,7 +154,7 @@ TEST_F(TrafficTest, RobotBesideItsPlaceDoesNotMoveAwayByWayOfIt) {
   ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
   site.send_goal(1, "end", "r2");
   site.pass(1s);
-  EXPECT_FALSE(order_to(r2)) << "it would drive to its place first, which is nearer to the other robot";
+  EXPECT_FALSE(site.order_to(r2)) << "it would drive to its place first, which is nearer to the other robot";
 }
 
 TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
@@ -188,7 +164,7 @@ TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
   ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
   site.label("before-end", run.place(57));
   site.send_goal(2, "before-end", "r2");
-  EXPECT_FALSE(order_to(r2));
+  EXPECT_FALSE(site.order_to(r2));
   EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has left its way"));
 }
 
@@ -201,16 +177,16 @@ TEST_F(TrafficTest, RobotMovesAwayNoFartherThanAPieceWithinWhatAnotherOneHolds) 
   site.label("aside", aside.place(59));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
+  ASSERT_TRUE(site.order_to(r1));
   site.say(site.state(r2, aside.place(2)));
   site.send_goal(2, "aside", "r2");
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->released, 3U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_EQ(site.order_to(r2)->released, 3U);
   site.pass(1s);
-  EXPECT_EQ(order_to(r2)->released, 3U) << "it has not driven that yet";
-  site.progress(r2, *order_to(r2), msg::RoutePhase::waiting, 2);
+  EXPECT_EQ(site.order_to(r2)->released, 3U) << "it has not driven that yet";
+  site.progress(r2, *site.order_to(r2), msg::RoutePhase::waiting, 2);
   site.pass(1s);
-  EXPECT_GE(order_to(r2)->released, 20U) << "another piece, and it is clear of the other lane";
+  EXPECT_GE(site.order_to(r2)->released, 20U) << "another piece, and it is clear of the other lane";
 }
 
 TEST_F(TrafficTest, RobotThatStandsTooCloseIsInTheWayAfterARestartToo) {
@@ -220,24 +196,24 @@ TEST_F(TrafficTest, RobotThatStandsTooCloseIsInTheWayAfterARestartToo) {
   site.restart();
   site.arrive(r1, run.place(10));
   site.send_goal(1, "end", "r1");
-  EXPECT_FALSE(order_to(r1)) << "r2 has not been heard, and stands where it stood";
+  EXPECT_FALSE(site.order_to(r1)) << "r2 has not been heard, and stands where it stood";
   site.arrive(r2, run.place(11));
   site.pass(1s);
-  EXPECT_FALSE(order_to(r1));
+  EXPECT_FALSE(site.order_to(r1));
 }
 
 TEST_F(TrafficTest, RobotMovedBeforeItSetOffIsPlannedAnew) {
   site.say(site.state(r1, run.place(11)));
   site.say(site.state(r2, run.place(10)));
   site.send_goal(1, "end", "r2");
-  EXPECT_FALSE(order_to(r2));
+  EXPECT_FALSE(site.order_to(r2));
   r2.incarnation = 2;
   site.arrive(r2, std::nullopt);
   site.say(site.state(r2, run.place(25)));
   site.pass(2s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->places.front(), run.place(25));
-  EXPECT_EQ(order_to(r2)->released, 34U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_EQ(site.order_to(r2)->places.front(), run.place(25));
+  EXPECT_EQ(site.order_to(r2)->released, 34U);
   expect_apart();
 }
 
@@ -254,9 +230,9 @@ TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRoute) {
   site.say(site.state(r2, run.place(30)));
   site.send_goal(2, "end", "r2");
   site.pass(2s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_LT(order_to(r2)->released, 20U) << "r1 stands at the twentieth place of that route";
-  EXPECT_GT(order_to(r2)->released, 10U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_LT(site.order_to(r2)->released, 20U) << "r1 stands at the twentieth place of that route";
+  EXPECT_GT(site.order_to(r2)->released, 10U);
 }
 
 TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRouteAndIsStopped) {
@@ -266,30 +242,28 @@ TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRouteAndIsSto
   site.pass(4s);
   // It was carried off and told where it is; no way leads back from there to its goal.
   for (int i = 0; i < 3; ++i) {
-    msg::RobotState state = site.state(r1, run.place(50));
-    state.mode = msg::RobotMode::stopped;
-    site.say(state);
+    site.stand_stopped(r1, run.place(50));
     site.pass(1500ms);
   }
   site.say(site.state(r2, run.place(30)));
   site.send_goal(2, "end", "r2");
   site.pass(2s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_LT(order_to(r2)->released, 20U) << "r1 stands at the twentieth place of that route";
-  EXPECT_GT(order_to(r2)->released, 10U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_LT(site.order_to(r2)->released, 20U) << "r1 stands at the twentieth place of that route";
+  EXPECT_GT(site.order_to(r2)->released, 10U);
 }
 
 TEST_F(TrafficTest, TimeFreesNothing) {
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  const std::uint32_t before = order_to(r1)->released;
+  const std::uint32_t before = site.order_to(r1)->released;
   site.pass(3600s);
-  EXPECT_EQ(order_to(r1)->released, before);
+  EXPECT_EQ(site.order_to(r1)->released, before);
 }
 
 TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
   site.pass(20s);
@@ -298,7 +272,7 @@ TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
   EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
   drives(r1);
   site.pass(1s);
-  EXPECT_EQ(order_to(r1)->released, 59U);
+  EXPECT_EQ(site.order_to(r1)->released, 59U);
   EXPECT_THAT(site.events_of("traffic.cleared"), SizeIs(1));
 }
 
@@ -312,21 +286,21 @@ TEST_F(TrafficTest, ARobotThatWasClearedAndNeverMovedIsReleasedAgain) {
   site.arrive(r1, run.place(0));
   site.send_goal(1, "end", "r1");
   site.pass(1s);
-  EXPECT_EQ(order_to(r1).value().released, 59U);
+  EXPECT_EQ(site.order_to(r1).value().released, 59U);
 }
 
 TEST_F(TrafficTest, ClearingARobotThatIsHeardIsRefused) {
-  stand(r2, run.place(30));
+  site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  const std::uint32_t before = order_to(r1)->released;
+  const std::uint32_t before = site.order_to(r1)->released;
   msg::OperatorRequest clear = site.request(Kind::clear);
   clear.robot = "r2";
   const msg::OperatorReply reply = site.ask(clear);
   EXPECT_EQ(reply.outcome, msg::Outcome::refused);
   EXPECT_THAT(reply.message, HasSubstr("weft robot clear r2 --yes"));
   site.pass(1s);
-  EXPECT_EQ(order_to(r1)->released, before);
+  EXPECT_EQ(site.order_to(r1)->released, before);
 }
 
 TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace) {
@@ -334,7 +308,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace)
   site.say(site.state(r2, run.place(25)));
   site.send_goal(2, "end", "r2");
   site.send_goal(1, "end", "r1");
-  const Route first = order_to(r2).value();
+  const Route first = site.order_to(r2).value();
   site.progress(r2, first, msg::RoutePhase::driving, 5);
   msg::RobotState on_its_way = site.state(r2, run.place(32));
   on_its_way.route = first.id;
@@ -347,7 +321,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace)
   EXPECT_EQ(site.goal(2).state, GoalState::failed);
   EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(32)});
   site.pass(1s);
-  EXPECT_LE(order_to(r1)->released, 29U) << "r2 stands at 32";
+  EXPECT_LE(site.order_to(r1)->released, 29U) << "r2 stands at 32";
   expect_apart();
   // It rolled on before it had the order to end its route.
   on_its_way = site.state(r2, run.place(34));
@@ -365,7 +339,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace)
             msg::Outcome::done);
   drives(r1);
   site.pass(1s);
-  EXPECT_EQ(order_to(r1)->released, 59U);
+  EXPECT_EQ(site.order_to(r1)->released, 59U);
 }
 
 TEST_F(TrafficTest, ClearingARobotWithAGoalFailsTheGoal) {
@@ -384,8 +358,8 @@ TEST_F(TrafficTest, RestartGivesNothingAway) {
   site.restart();
   site.arrive(r1, run.place(0));
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_LE(order_to(r1)->released, 27U) << "r2 has not been heard, and holds its place all the same";
+  ASSERT_TRUE(site.order_to(r1));
+  EXPECT_LE(site.order_to(r1)->released, 27U) << "r2 has not been heard, and holds its place all the same";
 }
 
 TEST_F(TrafficTest, RunsOverOneFloorMeetThroughAStitch) {
@@ -397,10 +371,10 @@ TEST_F(TrafficTest, RunsOverOneFloorMeetThroughAStitch) {
   more.batch.edges.push_back(stitch(run.place(40), other.place(10), 0.2));
   site.hand_in(r2, more);
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
+  ASSERT_TRUE(site.order_to(r1));
   // other's place 5 lies 2.5 m behind its place 10, which lies 0.2 m ahead of place 40: beside place 35.
-  EXPECT_GE(order_to(r1)->released, 30U);
-  EXPECT_LE(order_to(r1)->released, 32U);
+  EXPECT_GE(site.order_to(r1)->released, 30U);
+  EXPECT_LE(site.order_to(r1)->released, 32U);
   expect_apart();
 }
 
@@ -410,12 +384,12 @@ TEST_F(TrafficTest, RunsThatMeetFarFromTheirStitchAreOneFloor) {
   Handed beside = other.next(41);
   beside.batch.edges.push_back(stitch(run.place(0), other.place(0), 0.0, 0.2));
   site.hand_in(r2, beside);
-  stand(r2, other.place(40));
+  site.stand_stopped(r2, other.place(40));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_GE(order_to(r1)->released, 30U);
-  EXPECT_LE(order_to(r1)->released, 37U);
+  ASSERT_TRUE(site.order_to(r1));
+  EXPECT_GE(site.order_to(r1)->released, 30U);
+  EXPECT_LE(site.order_to(r1)->released, 37U);
   EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("r1 waits until r2 has left its way"));
   expect_apart();
 }
@@ -429,11 +403,11 @@ TEST_F(TrafficTest, NothingIsReleasedBeforeItIsKnownWherePlacesLie) {
   site.arrive(r1, large.place(0));
   site.send_goal(1, "far", "r1");
   EXPECT_EQ(site.goal(1).state, GoalState::assigned);
-  EXPECT_FALSE(order_to(r1));
+  EXPECT_FALSE(site.order_to(r1));
   EXPECT_THAT(site.goal(1).history.back().cause, HasSubstr("laid out"));
   site.pass(1s);
-  ASSERT_TRUE(order_to(r1));
-  EXPECT_EQ(order_to(r1)->released, 4U);
+  ASSERT_TRUE(site.order_to(r1));
+  EXPECT_EQ(site.order_to(r1)->released, 4U);
 }
 
 TEST_F(TrafficTest, RobotsInPartsThatNothingJoinsAreWarnedOfOnce) {
@@ -463,15 +437,15 @@ TEST_F(TrafficTest, OfRobotsThatNothingJoinsOneDrivesAtATimeWhereThatIsSet) {
   site.arrive(r2, other.place(0));
   site.arrive(r1, run.place(0));
   site.send_goal(1, "end", "r1");
-  const Route first = order_to(r1).value();
+  const Route first = site.order_to(r1).value();
   EXPECT_EQ(first.released, 59U);
   site.send_goal(2, "there", "r2");
-  EXPECT_FALSE(order_to(r2));
+  EXPECT_FALSE(site.order_to(r2));
   EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has arrived"));
   site.progress(r1, first, msg::RoutePhase::arrived, 59);
   site.pass(1s);
-  ASSERT_TRUE(order_to(r2));
-  EXPECT_EQ(order_to(r2)->released, 29U);
+  ASSERT_TRUE(site.order_to(r2));
+  EXPECT_EQ(site.order_to(r2)->released, 29U);
 }
 
 TEST_F(TrafficTest, RobotThatDoesNotKnowWhereItIsHoldsNothing) {
