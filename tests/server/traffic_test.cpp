@@ -4,44 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "server/traffic/proximity.hpp"
-#include "tests/server/one_run.hpp"
+#include "tests/server/traffic_site.hpp"
 
 namespace weft::server::test {
 namespace {
 
-using Kind = msg::OperatorRequest::Kind;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// Arranges two robots of 0.4 m on the run: they keep clear of each other from 3 places on.
-struct TrafficTest : OneRun {
-  TrafficTest() {
-    site.arrive(r2, std::nullopt);
-    site.label("end", run.place(59));
-    site.label("middle", run.place(20));
-  }
-  /// Lets the robot be heard on its route: nobody is released who is not.
-  void drives(Peer& robot) {
-    const Route route = *site.order_to(robot);
-    site.say(site.driving(robot, route, route.places[1]));
-    site.progress(robot, route, msg::RoutePhase::driving, 1);
-  }
-  void expect_apart() {
-    Proximity proximity(3.0);
-    proximity.layout().lay(std::make_shared<const Snapshot>(site.service().snapshot()));
-    proximity.layout().work(1'000'000);
-    const auto& held = site.disk->occupancies;
-    for (const auto& [a, one] : held) {
-      for (const auto& [b, other] : held) {
-        const bool nobody_gave_it = !one.held.id && !other.held.id;
-        if (!(a < b) || nobody_gave_it) continue;
-        EXPECT_FALSE(proximity.overlap(site.service().snapshot(), touched_by(one, 0.4), touched_by(other, 0.4)))
-            << to_string(a) << " and " << to_string(b);
-      }
-    }
-  }
-};
 
 TEST_F(TrafficTest, FreeRouteIsReleasedAsAWhole) {
   site.say(site.state(r1, run.place(0)));
@@ -118,105 +88,6 @@ TEST_F(TrafficTest, LaterRobotFollowsAsFarAsTheFirstFrees) {
   EXPECT_EQ(released, 20U);
 }
 
-TEST_F(TrafficTest, RobotThatStandsTooCloseIsNotSentOffTowardsTheOther) {
-  site.say(site.state(r1, run.place(11)));
-  site.say(site.state(r2, run.place(10)));
-  EXPECT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.send_goal(1, "end", "r2");
-  EXPECT_FALSE(site.order_to(r2));
-  EXPECT_EQ(site.goal(1).state, GoalState::assigned);
-  expect_apart();
-  site.say(site.state(r1, run.place(4)));
-  site.say(site.state(r2, run.place(10)));
-  site.pass(1s);
-  ASSERT_TRUE(site.order_to(r2));
-  EXPECT_EQ(site.order_to(r2)->released, 49U);
-  expect_apart();
-}
-
-TEST_F(TrafficTest, RobotThatStandsTooCloseMayMoveAway) {
-  site.say(site.state(r1, run.place(10)));
-  site.say(site.state(r2, run.place(11)));
-  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.send_goal(1, "end", "r2");
-  site.pass(1s);
-  ASSERT_TRUE(site.order_to(r2));
-  EXPECT_EQ(site.order_to(r2)->released, 48U) << "a piece, and from there nobody is in the way";
-}
-
-TEST_F(TrafficTest, RobotBesideItsPlaceDoesNotMoveAwayByWayOfIt) {
-  site.say(site.state(r1, run.place(10)));
-  msg::RobotState beside = site.state(r2, run.place(11));
-  Metric2 off;
-  off.a_from_b.y = 1.4;
-  beside.place_from_robot = off;
-  site.say(beside);
-  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.send_goal(1, "end", "r2");
-  site.pass(1s);
-  EXPECT_FALSE(site.order_to(r2)) << "it would drive to its place first, which is nearer to the other robot";
-}
-
-TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  site.say(site.state(r2, run.place(20)));
-  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.label("before-end", run.place(57));
-  site.send_goal(2, "before-end", "r2");
-  EXPECT_FALSE(site.order_to(r2));
-  EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has left its way"));
-}
-
-TEST_F(TrafficTest, RobotMovesAwayNoFartherThanAPieceWithinWhatAnotherOneHolds) {
-  // A lane that leaves the other one.
-  TaughtRun aside(r2, 11);
-  Handed lane = aside.next(60);
-  lane.batch.edges.push_back(turned(stitch(run.place(10), aside.place(0)), 0.5));
-  site.hand_in(r2, lane);
-  site.label("aside", aside.place(59));
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(site.order_to(r1));
-  site.say(site.state(r2, aside.place(2)));
-  site.send_goal(2, "aside", "r2");
-  ASSERT_TRUE(site.order_to(r2));
-  EXPECT_EQ(site.order_to(r2)->released, 3U);
-  site.pass(1s);
-  EXPECT_EQ(site.order_to(r2)->released, 3U) << "it has not driven that yet";
-  site.progress(r2, *site.order_to(r2), msg::RoutePhase::waiting, 2);
-  site.pass(1s);
-  EXPECT_GE(site.order_to(r2)->released, 20U) << "another piece, and it is clear of the other lane";
-}
-
-TEST_F(TrafficTest, RobotThatStandsTooCloseIsInTheWayAfterARestartToo) {
-  site.say(site.state(r1, run.place(10)));
-  site.say(site.state(r2, run.place(11)));
-  ASSERT_THAT(site.events_of("traffic.too_close"), SizeIs(1));
-  site.restart();
-  site.arrive(r1, run.place(10));
-  site.send_goal(1, "end", "r1");
-  EXPECT_FALSE(site.order_to(r1)) << "r2 has not been heard, and stands where it stood";
-  site.arrive(r2, run.place(11));
-  site.pass(1s);
-  EXPECT_FALSE(site.order_to(r1));
-}
-
-TEST_F(TrafficTest, RobotMovedBeforeItSetOffIsPlannedAnew) {
-  site.say(site.state(r1, run.place(11)));
-  site.say(site.state(r2, run.place(10)));
-  site.send_goal(1, "end", "r2");
-  EXPECT_FALSE(site.order_to(r2));
-  r2.incarnation = 2;
-  site.arrive(r2, std::nullopt);
-  site.say(site.state(r2, run.place(25)));
-  site.pass(2s);
-  ASSERT_TRUE(site.order_to(r2));
-  EXPECT_EQ(site.order_to(r2)->places.front(), run.place(25));
-  EXPECT_EQ(site.order_to(r2)->released, 34U);
-  expect_apart();
-}
-
 TEST_F(TrafficTest, NobodyIsSentWhereARobotWasPutDownThatHasLostItsRoute) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "middle", "r1");
@@ -260,96 +131,6 @@ TEST_F(TrafficTest, TimeFreesNothing) {
   const std::uint32_t before = site.order_to(r1)->released;
   site.pass(3600s);
   EXPECT_EQ(site.order_to(r1)->released, before);
-}
-
-TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
-  site.stand_stopped(r2, run.place(30));
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
-  drives(r1);
-  site.pass(1s);
-  EXPECT_EQ(site.order_to(r1)->released, 59U);
-  EXPECT_THAT(site.events_of("traffic.cleared"), SizeIs(1));
-}
-
-TEST_F(TrafficTest, ARobotThatWasClearedAndNeverMovedIsReleasedAgain) {
-  site.say(site.state(r1, run.place(0)));
-  site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r1";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
-  r1.incarnation = 2;
-  site.arrive(r1, run.place(0));
-  site.send_goal(1, "end", "r1");
-  site.pass(1s);
-  EXPECT_EQ(site.order_to(r1).value().released, 59U);
-}
-
-TEST_F(TrafficTest, ClearingARobotThatIsHeardIsRefused) {
-  site.stand_stopped(r2, run.place(30));
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  const std::uint32_t before = site.order_to(r1)->released;
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  const msg::OperatorReply reply = site.ask(clear);
-  EXPECT_EQ(reply.outcome, msg::Outcome::refused);
-  EXPECT_THAT(reply.message, HasSubstr("weft robot clear r2 --yes"));
-  site.pass(1s);
-  EXPECT_EQ(site.order_to(r1)->released, before);
-}
-
-TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace) {
-  site.say(site.state(r1, run.place(0)));
-  site.say(site.state(r2, run.place(25)));
-  site.send_goal(2, "end", "r2");
-  site.send_goal(1, "end", "r1");
-  const Route first = site.order_to(r2).value();
-  site.progress(r2, first, msg::RoutePhase::driving, 5);
-  msg::RobotState on_its_way = site.state(r2, run.place(32));
-  on_its_way.route = first.id;
-  on_its_way.mode = msg::RobotMode::driving;
-  site.say(on_its_way);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  clear.is_sure = true;
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
-  EXPECT_EQ(site.goal(2).state, GoalState::failed);
-  EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(32)});
-  site.pass(1s);
-  EXPECT_LE(site.order_to(r1)->released, 29U) << "r2 stands at 32";
-  expect_apart();
-  // It rolled on before it had the order to end its route.
-  on_its_way = site.state(r2, run.place(34));
-  on_its_way.route = first.id;
-  site.say(on_its_way);
-  EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(34)});
-  // Silent, and cleared again: now nothing is held for it.
-  site.pass(20s);
-  EXPECT_EQ(site.ask([&] {
-                  msg::OperatorRequest again = site.request(Kind::clear);
-                  again.robot = "r2";
-                  return again;
-                }())
-                .outcome,
-            msg::Outcome::done);
-  drives(r1);
-  site.pass(1s);
-  EXPECT_EQ(site.order_to(r1)->released, 59U);
-}
-
-TEST_F(TrafficTest, ClearingARobotWithAGoalFailsTheGoal) {
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r1";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
-  EXPECT_EQ(site.goal(1).state, GoalState::failed);
 }
 
 TEST_F(TrafficTest, RestartGivesNothingAway) {
