@@ -175,6 +175,7 @@ class Dispatcher {
   bool has_to_park(const Robot& robot);
   std::vector<PlaceId> free_spots(const RobotId& robot, const std::vector<PlaceId>& spots);
   std::optional<Path> nearest(const Robot& robot, const std::vector<PlaceId>& places, Now now);
+  Goal own_goal(GoalKind kind, RobotId robot, const PlaceId& to);
   bool send_by_itself(const Robot& robot, GoalKind kind, const Path& way, const std::string& cause, Now now);
   void give_up_taken_spots(Now now);
   bool recall_from_parking(const Goal& goal, Now now);

@@ -144,14 +144,8 @@ void Dispatcher::begin_yield(Route route, std::uint32_t through, Now now) {
   route.relations.resize(through);
   route.released = through;
   route.limits = limits_of(routes_.rules(), route.places);
-  Goal goal;
-  for (std::uint8_t& byte : goal.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
-  goal.kind = GoalKind::yield;
+  Goal goal = own_goal(GoalKind::yield, route.robot, route.places.back());
   goal.label = "make-way";
-  goal.to = route.places.back();
-  goal.wanted = route.robot;
-  goal.robot = route.robot;
-  goal.number = book_.next_number();
   route.goal = goal.id;
   const GoalId id = goal.id;
   const RobotId robot = route.robot;

@@ -112,17 +112,23 @@ std::optional<Path> Dispatcher::nearest(const Robot& robot, const std::vector<Pl
   return shortest;
 }
 
-/// Gives the robot a goal of the server's own, which ends by itself. False: the store takes nothing.
-bool Dispatcher::send_by_itself(const Robot& robot, GoalKind kind, const Path& way, const std::string& cause,
-                                Now now) {
+/// Makes a goal of the server's own, for one robot alone; not yet stored.
+Goal Dispatcher::own_goal(GoalKind kind, RobotId robot, const PlaceId& to) {
   Goal goal;
   for (std::uint8_t& byte : goal.id.bytes) byte = static_cast<std::uint8_t>(random_.next());
   goal.kind = kind;
-  goal.label = to_string(kind);
-  goal.to = way.places.back();
-  goal.wanted = robot.id;
-  goal.robot = robot.id;
+  goal.to = to;
+  goal.wanted = robot;
+  goal.robot = robot;
   goal.number = book_.next_number();
+  return goal;
+}
+
+/// Gives the robot a goal of the server's own, which ends by itself. False: the store takes nothing.
+bool Dispatcher::send_by_itself(const Robot& robot, GoalKind kind, const Path& way, const std::string& cause,
+                                Now now) {
+  Goal goal = own_goal(kind, robot.id, way.places.back());
+  goal.label = to_string(kind);
   const GoalBook::Step step = {.state = GoalState::assigned,
                                .cause = cause + ", at " + to_string(goal.to),
                                .who = "traffic",
