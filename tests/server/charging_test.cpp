@@ -24,6 +24,11 @@ struct Charging : OneRun {
     const Rule rule{.name = "plug", .kind = RuleKind::charging, .label = "plug"};
     ASSERT_EQ(site.put_rule(rule).outcome, msg::Outcome::done);
   }
+  /// Starts the server anew; it is told that a full battery drives 100 m.
+  void restart_with_small_batteries() {
+    site.charge.range_m = 100.0;
+    site.restart();
+  }
   std::vector<Goal> charges() { return site.goals_of(GoalKind::charge); }
   /// Has the robot drive to the end of what it was given, and stand there.
   void arrive_at_the_end_of(Peer& robot, const Route& route) {
@@ -77,8 +82,7 @@ TEST_F(Charging, WhoIsLowTakesAGoalFirstAndChargesWhenItIsIdle) {
 }
 
 TEST_F(Charging, AGoalIsGivenOnlyToWhoseChargeCoversItAndTheWayToACharger) {
-  site.charge.range_m = 100.0;
-  site.restart();
+  restart_with_small_batteries();
   site.arrive(r1, run.place(0));
   put_charger();
   // 10 m to the shelf and 15 m on to the charger: 25 %, and 5 % are kept.
@@ -92,8 +96,7 @@ TEST_F(Charging, AGoalIsGivenOnlyToWhoseChargeCoversItAndTheWayToACharger) {
 }
 
 TEST_F(Charging, AGoalThatTheChargeCoversIsGiven) {
-  site.charge.range_m = 100.0;
-  site.restart();
+  restart_with_small_batteries();
   site.arrive(r1, run.place(0));
   put_charger();
   site.power(r1, 0.31);
@@ -102,8 +105,7 @@ TEST_F(Charging, AGoalThatTheChargeCoversIsGiven) {
 }
 
 TEST_F(Charging, TheNextOneTakesAGoalThatTheNearestOnesChargeDoesNotCover) {
-  site.charge.range_m = 100.0;
-  site.restart();
+  restart_with_small_batteries();
   site.arrive(r1, run.place(5));
   site.arrive(r2, run.place(0));
   put_charger();

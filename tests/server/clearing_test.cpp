@@ -1,24 +1,30 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/server/traffic_site.hpp"
 
 /// Tests how an operator frees what robots hold that have left the floor or have to be moved by hand.
 namespace weft::server::test {
 namespace {
 
-using Kind = msg::OperatorRequest::Kind;
 using testing::HasSubstr;
 using testing::SizeIs;
+
+msg::OperatorReply clear(Site& site, const std::string& robot, bool is_sure = false) {
+  msg::OperatorRequest request = site.request(msg::OperatorRequest::Kind::clear);
+  request.robot = robot;
+  request.is_sure = is_sure;
+  return site.ask(request);
+}
 
 TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
   site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
   site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(clear(site, "r2").outcome, msg::Outcome::done);
   drives(r1);
   site.pass(1s);
   EXPECT_EQ(site.order_to(r1)->released, 59U);
@@ -28,9 +34,7 @@ TEST_F(TrafficTest, OperatorClearsARobotThatIsGone) {
 TEST_F(TrafficTest, ARobotThatWasClearedAndNeverMovedIsReleasedAgain) {
   site.say(site.state(r1, run.place(0)));
   site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r1";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(clear(site, "r1").outcome, msg::Outcome::done);
   r1.incarnation = 2;
   site.arrive(r1, run.place(0));
   site.send_goal(1, "end", "r1");
@@ -43,9 +47,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardIsRefused) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
   const std::uint32_t before = site.order_to(r1)->released;
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  const msg::OperatorReply reply = site.ask(clear);
+  const msg::OperatorReply reply = clear(site, "r2");
   EXPECT_EQ(reply.outcome, msg::Outcome::refused);
   EXPECT_THAT(reply.message, HasSubstr("weft robot clear r2 --yes"));
   site.pass(1s);
@@ -63,10 +65,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace)
   on_its_way.route = first.id;
   on_its_way.mode = msg::RobotMode::driving;
   site.say(on_its_way);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r2";
-  clear.is_sure = true;
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(clear(site, "r2", true).outcome, msg::Outcome::done);
   EXPECT_EQ(site.goal(2).state, GoalState::failed);
   EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(32)});
   site.pass(1s);
@@ -79,13 +78,7 @@ TEST_F(TrafficTest, ClearingARobotThatIsHeardForSureFreesItsRouteAndNotItsPlace)
   EXPECT_EQ(site.disk->occupancies.at(r2.id).held.places, std::vector<PlaceId>{run.place(34)});
   // Silent, and cleared again: now nothing is held for it.
   site.pass(20s);
-  EXPECT_EQ(site.ask([&] {
-                  msg::OperatorRequest again = site.request(Kind::clear);
-                  again.robot = "r2";
-                  return again;
-                }())
-                .outcome,
-            msg::Outcome::done);
+  EXPECT_EQ(clear(site, "r2").outcome, msg::Outcome::done);
   drives(r1);
   site.pass(1s);
   EXPECT_EQ(site.order_to(r1)->released, 59U);
@@ -95,9 +88,7 @@ TEST_F(TrafficTest, ClearingARobotWithAGoalFailsTheGoal) {
   site.say(site.state(r1, run.place(0)));
   site.send_goal(1, "end", "r1");
   site.pass(20s);
-  msg::OperatorRequest clear = site.request(Kind::clear);
-  clear.robot = "r1";
-  EXPECT_EQ(site.ask(clear).outcome, msg::Outcome::done);
+  EXPECT_EQ(clear(site, "r1").outcome, msg::Outcome::done);
   EXPECT_EQ(site.goal(1).state, GoalState::failed);
 }
 
