@@ -3,7 +3,7 @@ again and again why it is not there yet."""
 import json
 import time
 
-from scenario import OVER
+from scenario import OVER, goal_words, send
 
 LOOK_S, ASK_S = 1.0, 6.0
 
@@ -27,10 +27,8 @@ class GoalWatch:
         self.whys = []       # goal, answer: what `weft goal why ID --json` printed
 
     def send(self, label, robot):
-        goal = self.fleet.weft('goal', 'send', '--to', label, *(['--robot', robot] if robot else []))['goal']
-        self.say(f"goal: {robot or 'any robot'} to {label}")
-        self.sent.append(goal)
-        return goal
+        self.sent.append(send(self.fleet, label, robot, self.say))
+        return self.sent[-1]
 
     def have_ended(self, goals):
         return all(goal in self.rows and self.rows[goal]['state'] in OVER for goal in goals)
@@ -43,8 +41,7 @@ class GoalWatch:
     def look(self):
         self.rows = {row['id']: row for row in self.fleet.weft('goal', 'list')['goals']}
         for goal, row in self.rows.items():
-            robot = f" ({row['robot']})" if row.get('robot') else ''
-            self.tell(goal, f"goal {row['to']}: {row['state']}{robot}")
+            self.tell(goal, goal_words(row))
         if time.monotonic() - self.asked_at >= ASK_S:
             self.asked_at = time.monotonic()
             for goal in self.sent:

@@ -65,6 +65,11 @@ def send(fleet, label, robot, say):
     return sent['goal']
 
 
+def goal_words(row):
+    """How a goal stands, for people."""
+    return f"goal {row['to']}: {row['state']}" + (f" ({row['robot']})" if row.get('robot') else '')
+
+
 def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
     """Follows a goal to its end, saying each change once."""
     seen = [None]
@@ -74,7 +79,7 @@ def watch(fleet, goal_id, say, meanwhile=None, seconds=240):
         told = (row['state'], row.get('robot'))
         if told != seen[0]:
             seen[0] = told
-            say(f"goal {row['to']}: {row['state']}" + (f" ({row['robot']})" if row.get('robot') else ''))
+            say(goal_words(row))
         if meanwhile and meanwhile(row):
             say('the server is killed with -9 and started again')
             fleet.kill_and_restart_server()
