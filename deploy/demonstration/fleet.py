@@ -9,7 +9,7 @@ SERVERS = {'fastdds': ('fastdds', 'fastdds'), 'cyclonedds': ('cyclonedds', 'cycl
 
 
 def vendors(dds, robots):
-    """Who speaks what: when mixed, the server and every second robot Fast DDS, the others and the operator Cyclone DDS."""
+    """Returns the DDS vendor of each program: when mixed, Fast DDS for the server and every second robot, else Cyclone DDS."""
     server, other = SERVERS[dds]
     return dict(server=server, **{name: server if number % 2 else other for number, name in enumerate(robots)}, cli=other)
 
@@ -34,7 +34,7 @@ class Fleet:
         self.watch = Watch(self.all())
 
     def all(self):
-        """Those that are to run."""
+        """Returns the processes that are to run."""
         return [self.server, *(robot for name, robot in self.robots.items() if name not in self.killed)]
 
     def wire(self, who):
@@ -51,12 +51,12 @@ class Fleet:
         return argv + (['--floors', self.options.floors] if self.options.floors else []) + list(self.agent_flags)
 
     def weft(self, *arguments, timeout=20):
-        """What the operator types; the answer as JSON. Refused carries the command's own words."""
+        """Types a command as the operator does, and returns the answer as JSON. Refused carries the command's own words."""
         answer = self.answer(*arguments, timeout=timeout)
         return json.loads(answer) if answer.strip() else None
 
     def answer(self, *arguments, timeout=20):
-        """The same, as it is printed."""
+        """Types it too, and returns the answer as it is printed."""
         argv = [self.bin / 'weft', '--server', '127.0.0.1', *self.wire('cli'), '--timeout', timeout, '--json', *arguments]
         done = subprocess.run([str(a) for a in argv], capture_output=True, text=True, timeout=timeout + 30)
         if done.returncode != 0:

@@ -52,7 +52,7 @@ def arguments():
 
 
 def check(options):
-    """What is wrong, or None; the domain, the site's file and its lines are filled in."""
+    """Fills in the domain, the site's file and its lines. Returns what is wrong, or None."""
     options.site_file = pathlib.Path(options.site if options.site.endswith('.toml') else f'deploy/sites/{options.site}.toml')
     lines = options.site_file.with_suffix('')
     if not options.site_file.is_file():

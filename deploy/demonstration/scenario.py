@@ -1,4 +1,4 @@
-"""What happens in a demo, in the operator's order. Nothing here knows where a robot truly is."""
+"""Plays a demo, in the operator's order. Nothing here knows where a robot truly is."""
 import lines
 from processes import wait_until
 

@@ -1,4 +1,4 @@
-"""What happens in a demo with --traffic, in the operator's order: six robots on one way round, with an aisle that is
+"""Plays a demo with --traffic, in the operator's order: six robots on one way round, with an aisle that is
 driven both ways and a dead end. Nothing here knows where a robot truly is."""
 import json
 

@@ -146,7 +146,7 @@ def judge_goal(records, goal):
 
 
 def common(records, found, by_itself):
-    """What every demo is told by: `found` are its stitches, `by_itself` as contact.nearest wants it."""
+    """Returns the numbers that are told of every demo: `found` are its stitches, `by_itself` as contact.nearest wants it."""
     acknowledged, lost = lost_acknowledged(records)
     rss = {row['name']: row['peak_memory_mb'] for row in records.processes}
     return dict(

@@ -1,4 +1,4 @@
-"""What is judged of a demo with --traffic: whether every goal has ended or is named, what those that stood waited for, and
+"""Judges a demo with --traffic: whether every goal has ended or is named, what those that stood waited for, and
 whether anybody drove over the edge while it was closed."""
 import bisect
 import json
@@ -30,7 +30,7 @@ def stands(records, robot, frame, since):
 
 
 def cause(document):
-    """What a document of `weft goal why` names as the cause of a wait; None where it names none."""
+    """Returns the cause of a wait that a document of `weft goal why` names; None where it names none."""
     goal, robot = document['goal'], document.get('robot') or {}
     for link in document['waits']:
         causes = list(link['held_by']) + ([f"rule {link['rule']}"] if link['rule'] else [])

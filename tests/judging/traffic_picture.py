@@ -22,7 +22,7 @@ def draw_paths(axes, records, by_itself):
 
 
 def draw_ends(axes, records, goals):
-    """Where goals were, with how many of those sent there succeeded."""
+    """Draws the places that goals led to, with how many of those sent there succeeded."""
     sent = {}
     for goal in goals:
         sent.setdefault(goal['to'], []).append(goal)

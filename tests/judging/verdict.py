@@ -29,7 +29,7 @@ def faults(summary, wanted_goals=2):
 
 
 def shared(summary):
-    """What holds in every demo: nobody touches anybody, the map is right, nothing acknowledged is lost."""
+    """Judges what has to hold in every demo: nobody touches anybody, the map is right, nothing acknowledged is lost."""
     broken, near = [], summary['nearest']
     if near and near['gap_m'] < LEAST_GAP_M:
         broken.append(f"{near['robots'][0]} drove into {near['robots'][1]}: gap {near['gap_m']:.3f} m < {LEAST_GAP_M}, at frame "
