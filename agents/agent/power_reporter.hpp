@@ -15,7 +15,7 @@ class PowerReporter {
   void take(const std::optional<Charge>& charge, SteadyTime now);
   /// Returns what to send now; none: nothing.
   std::optional<msg::RobotPower> due(SteadyTime now);
-  /// Another server knows nothing of this robot.
+  /// Has the charge told at once: another server knows nothing of this robot.
   void server_restarted(SteadyTime now) { next_ = now; }
   std::optional<SteadyTime> next() const;
 

@@ -39,7 +39,7 @@ RouteTask::Took RouteTask::take(const Route& order, SteadyTime now) {
     return Took::extended;
   }
   if (route_.has_value() && !same) end(route_->id);
-  // What has been passed stays passed: a route may come by the same floor again.
+  // Forgets what has been passed, unless the next version begins alike: a route may come by one floor twice.
   if (!same || !begin_alike(*route_, order, at_)) at_ = freed_ = 0;
   route_ = order;
   phase_ = msg::RoutePhase::accepted;

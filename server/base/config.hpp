@@ -20,11 +20,11 @@ enum class SilentGoal : std::uint8_t {
   ask         ///< an operator is told that one could
 };
 
-/// States from which charge on what is decided, as shares of full.
+/// States at which charge, as a share of full, a robot is treated otherwise.
 struct ChargeLevels {
   double critical = 0.10;   ///< to a charger before the next goal
   double low = 0.25;        ///< to a charger when there is no goal
-  double enough = 0.60;     ///< who charges takes goals again
+  double enough = 0.60;     ///< a robot that charges takes goals again
   double full = 0.95;       ///< makes way at a charger
   double range_m = 5000.0;  ///< that a full battery drives; [1, 1e6]
 };

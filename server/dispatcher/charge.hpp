@@ -16,8 +16,8 @@ Result<void> check(const ChargeLevels& levels);
 /// Returns what share of full a way takes, and the reserve.
 double share_for(const ChargeLevels& levels, double way_m);
 
-/// Follows what robots' batteries hold, and decides who is to charge, and who takes no goals meanwhile. Knows only
-/// robots that have said it.
+/// Follows what robots' batteries hold, and decides which robots are to charge, and take no goals meanwhile. Knows
+/// only robots that have said what their batteries hold.
 class ChargeWatch {
  public:
   explicit ChargeWatch(const ChargeLevels& levels) : levels_(levels) {}
@@ -36,7 +36,7 @@ class ChargeWatch {
   bool is_critical(const RobotId& robot) const;
   /// Returns whether it may give its charger up: it is full, or nobody knows.
   bool is_full(const RobotId& robot) const;
-  /// Returns who is to charge, in turn: those that are critical first, and who has been low for longest.
+  /// Returns the robots that are to charge, in turn: critical ones first, then those that have been low for longest.
   std::vector<RobotId> queue() const;
 
  private:

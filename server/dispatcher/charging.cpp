@@ -7,8 +7,8 @@
 #include "core/network/rules.hpp"
 #include "server/dispatcher/dispatcher.hpp"
 
-/// Decides by robots' charge: who takes which goal, and who is sent to a charger (docs/decisions/074). Without a rule
-/// of kind charging on the map, nothing is decided by it.
+/// Decides by robots' charge which robot takes a goal, and which is sent to a charger (docs/decisions/074). Without a
+/// rule of kind charging on the map, charge decides nothing.
 namespace weft::server {
 namespace {
 

@@ -93,7 +93,7 @@ void Dispatcher::look_at_silent(Now now) {
     const auto silent_s = std::lround(seconds(now.steady - fleet_.find(robot)->heard));
     const std::string why = fleet_.name_of(robot) + " has not been heard for " + std::to_string(silent_s) + " s";
     if (context_.config.silent_goal == SilentGoal::hand_over) {
-      // Tried again in a second where the store takes nothing.
+      // Is tried again in a second where the store takes nothing.
       std::ignore = hand_over(robot, why + ": another robot may have the goal", "dispatcher", now);
     } else if (!std::exchange(assignments_.at(robot).is_hand_over_asked, true)) {
       const GoalId id = assignments_.at(robot).goal;

@@ -82,8 +82,8 @@ bool Dispatcher::has_to_park(const Robot& robot) {
   });
 }
 
-/// Returns those at which nobody stands or drives by, and to which no robot goes that moves by itself. Who is idle at
-/// a charger and full makes way for others.
+/// Returns the spots at which no robot stands or drives by, and to which none goes that moves by itself. A robot that
+/// is idle and full at a charger makes way, and takes no spot.
 std::vector<PlaceId> Dispatcher::free_spots(const RobotId& robot, const std::vector<PlaceId>& spots) {
   const auto makes_way = [this](const RobotId& other) {
     const Robot* const known = fleet_.find(other);

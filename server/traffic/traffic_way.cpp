@@ -120,8 +120,8 @@ std::set<RobotId> Traffic::standing_near(const RobotId& robot, const Touched& th
 }
 
 /// Lets a robot out of what somebody else holds, when it stands in there: by places of its route that do not come
-/// nearer to that, and lie farther off in the end; a piece at a time. Who stands beside its place would first drive
-/// there, and may come nearer by that. Returns whether that was to be decided.
+/// nearer to that, and lie farther off in the end; a piece at a time. A robot beside its place would first drive
+/// there, and may come nearer by that. Returns whether there was anything to decide.
 bool Traffic::move_away(const Route& route, std::uint32_t from, Way& way) {
   const std::uint32_t stand = from == 0 ? 0 : from - 1;
   Holder& known = holder(route.robot);

@@ -61,8 +61,8 @@ class Ball {
   }
 
   enum class Way : std::uint8_t { out, in };
-  /// Returns the first of these to which one can drive from the centre through those, or from which to the centre;
-  /// none: one cannot.
+  /// Returns the first berth of `mouth` that a robot can drive out to from the centre, through `inside`, or from
+  /// which it can drive in to the centre; none: there is none.
   std::optional<Berth> leads(Way way, const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
     std::set<Berth> seen = {centre_};
     std::deque<Berth> open = {centre_};
@@ -84,8 +84,8 @@ class Ball {
   }
 
   /// Returns whether two robots cannot pass each other in there: berths as deep as each other are beside each other.
-  /// In what lies deeper than the centre they may, where that is small: who stands in a lane keeps others from its
-  /// end.
+  /// They may be able to pass in what lies deeper than the centre, where that is small: a robot that stands in a lane
+  /// keeps others from its end.
   bool is_narrow(const std::vector<Berth>& inside, const std::vector<Berth>& mouth) const {
     std::map<Berth, double> depth_m;
     std::set<std::pair<double, Berth>> open;
