@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// Goals of robots that are not heard any more.
+/// Tests what becomes of goals whose robots are not heard any more.
 namespace weft::server::test {
 namespace {
 
@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Two roads, 30 m of one and 10 m of the other, that lead to one dock; a robot at the beginning of each.
+/// Arranges two roads, 30 m of one and 10 m of the other, that lead to one dock; a robot at the beginning of each.
 struct HandOver : testing::Test {
   HandOver() {
     site.arrive(r1, std::nullopt);

@@ -3,7 +3,7 @@
 
 #include "tests/server/one_run.hpp"
 
-/// Idle robots that stand in the way go to parking places.
+/// Tests that idle robots that stand in the way go to parking places.
 namespace weft::server::test {
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "tests/server/one_run.hpp"
 
-/// A second robot does not set off to where another one goes, or works.
+/// Tests that a second robot does not set off to where another one goes, or works.
 namespace weft::server::test {
 namespace {
 

@@ -96,8 +96,8 @@ void dead_end(Play& play) {
   play.send("r2", "out");
 }
 
-/// A lane that two robots cannot pass each other in, with a loop at its end that is wide enough for two; who stands
-/// in the lane, on the way out, is in the way of who comes in.
+/// Lays a lane in which two robots cannot pass each other, with a loop at its end that has room for two. A robot that
+/// stands in the lane, on its way out, is in the way of one that comes in.
 void lane_with_a_loop(Play& play) {
   const ExperienceId lane = play.teach({{-10, 0}, {10, 0}});
   const ExperienceId end = play.teach(
@@ -132,7 +132,7 @@ void dead_in_one_of_two(Play& play) {
   play.send("r1", "end");
 }
 
-/// The straight way is closed beyond what the robots are released.
+/// Closes the straight way beyond what the robots are released; a way round it is left to them.
 void closed_ahead_of_two(Play& play) {
   const ExperienceId run = play.teach({{0, 0}, {66, 0}});
   play.teach({{0, 0}, {22, 0}, {24, 4}, {56, 4}, {58, 0}, {60, 0}});
@@ -146,7 +146,7 @@ void closed_ahead_of_two(Play& play) {
   play.close("works", play.near(run, {30, 0}), play.near(run, {34, 0}));
 }
 
-/// There is no other way: the robot waits until it is open again.
+/// Closes the only way for a while: the robot waits before it until it is open again.
 void closed_ahead_for_a_while(Play& play) {
   const ExperienceId run = play.teach({{0, 0}, {60, 0}});
   play.label("end", play.near(run, {60, 0}));
@@ -157,7 +157,7 @@ void closed_ahead_for_a_while(Play& play) {
   play.open("works");
 }
 
-/// Who is inside may leave, and nobody follows.
+/// Closes a stretch while a robot drives in it: that robot may drive on, and out.
 void closed_under_a_robot(Play& play) {
   const ExperienceId run = play.teach({{0, 0}, {60, 0}});
   play.label("end", play.near(run, {60, 0}));
