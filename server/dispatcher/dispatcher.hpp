@@ -104,15 +104,15 @@ class Dispatcher {
     bool is_closed = false;   ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
-    SteadyTime given_at;              ///< since the server has it: its turn comes the sooner the longer
-    bool look_at_release = true;      ///< it is worth while to ask traffic for more
+    SteadyTime given_at;              ///< when it was given: the longer ago, the sooner its turn comes
+    bool look_at_release = true;      ///< traffic may now release more than it did
     Traffic::Way way;                 ///< as traffic said last
     Traffic::Way noted_way;           ///< what it waits for, as it was told
     std::string ruled_by;             ///< the name of the rule that ends its release; empty: none does
     bool was_bent = false;            ///< the robot could not drive as it was led, and was given another way for that
-    std::string noted_rule;           ///< the same, as it was told
-    std::optional<Now> waits_since;   ///< that it was released no farther
-    bool stands_at_end = false;       ///< the robot said so of its latest order
+    std::string noted_rule;           ///< the rule that ends its release, as people were told
+    std::optional<Now> waits_since;   ///< since when it was released no farther
+    bool stands_at_end = false;       ///< the robot said that it stands at the end of its latest order
     bool is_hand_over_asked = false;  ///< people were told that another robot could have the goal
   };
 

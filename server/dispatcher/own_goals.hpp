@@ -7,12 +7,12 @@
 
 namespace weft::server {
 
-/// Keeps what goals of the server's own are decided by: to charge, and to park. Not stored: reports bring it again.
+/// Keeps what the server decides goals of its own by: to charge, and to park. Is not stored: reports bring it again.
 struct OwnGoals {
   explicit OwnGoals(const ChargeLevels& levels) : charge(levels) {}
 
   ChargeWatch charge;
-  std::set<RobotId> fell_short;                   ///< whose charge did not cover the goal that was looked at last
+  std::set<RobotId> fell_short;                   ///< robots whose charge did not cover the goal looked at last
   std::map<RobotId, SteadyTime> idle_since;       ///< or since it was tried in vain to park it
   std::map<RobotId, std::set<std::string>> said;  ///< kinds of events that were said of a robot, and hold
 };

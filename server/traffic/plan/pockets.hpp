@@ -14,9 +14,9 @@ namespace weft::server {
 /// Describes berths that can only be left past one of them, the mouth: two robots cannot pass each other in there,
 /// or only at the end of it.
 struct Pocket {
-  Berth exit = kNoBerth;  ///< the berth at the mouth to which one drives out
+  Berth exit = kNoBerth;  ///< the berth at the mouth to which robots drive out
   std::vector<Berth>
-      at_mouth;  ///< where standing is standing in the mouth: the berth there and what is beside it, sorted
+      at_mouth;  ///< berths at which a robot stands in the mouth: the one there and those beside it, sorted
   std::vector<Berth> inside;  ///< sorted; without the mouth
 };
 
