@@ -1,7 +1,6 @@
 #include "tests/simulation/aisles_course.hpp"
 
 #include <array>
-#include <cmath>
 
 namespace weft::simulation {
 namespace {
@@ -42,12 +41,6 @@ AislesCourse::AislesCourse() : bends_({2.0, 0.0, 0.0}) {
   go(3.0);  // at x = 0, northwards
   station_back(1.5, -kAside);
   turn(-90.0);
-}
-
-Pose2 AislesCourse::at(double along_m) const {
-  if (along_m == length_m()) return bends_.at(along_m);
-  const double rest = std::fmod(along_m, length_m());
-  return bends_.at(rest < 0.0 ? rest + length_m() : rest);
 }
 
 double AislesCourse::start_m(std::size_t robot, std::size_t robots) const {

@@ -16,7 +16,7 @@ class AislesCourse : public Course {
 
   const std::string& name() const override { return name_; }
   double length_m() const override { return bends_.length_m(); }
-  Pose2 at(double along_m) const override;
+  Pose2 at(double along_m) const override { return bends_.at_modulo(along_m); }
   const std::vector<Station>& stations() const override { return stations_; }
   double start_m(std::size_t robot, std::size_t robots) const override;
   Lesson lesson(std::size_t robot, std::size_t robots) const override;

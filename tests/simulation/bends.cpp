@@ -32,4 +32,11 @@ Pose2 Bends::at(double along_m) const {
   return bend.start * se2_exp({bend.length_m * share, 0.0, bend.turn_rad * share});
 }
 
+Pose2 Bends::at_modulo(double along_m) const {
+  const double whole_m = Bends::length_m();
+  if (along_m == whole_m) return at(along_m);
+  const double rest = std::fmod(along_m, whole_m);
+  return at(rest < 0.0 ? rest + whole_m : rest);
+}
+
 }  // namespace weft::simulation

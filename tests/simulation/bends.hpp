@@ -18,6 +18,8 @@ class Bends {
   double length_m() const { return bends_.empty() ? 0.0 : bends_.back().from_m + bends_.back().length_m; }
   /// Returns point and direction at a distance from the beginning, in [0, length_m()].
   Pose2 at(double along_m) const;
+  /// Returns the same of a way that ends where it begins, at any distance: modulo the length.
+  Pose2 at_modulo(double along_m) const;
 
  private:
   struct Bend {

@@ -4,8 +4,8 @@
 
 #include "tests/simulation/operator.hpp"
 
-/// A battery, its reports, a rule on the map, the server's goal and a body that charges where the simulation has a
-/// charger: together, without faults.
+/// Tests a battery, its reports, a rule on the map, the server's goal and a body that charges where the simulation
+/// has a charger: together, without faults.
 namespace weft::simulation {
 namespace {
 using namespace std::chrono_literals;

@@ -8,7 +8,7 @@ namespace {
 constexpr ExperienceId kThere{1};
 constexpr ExperienceId kBack{2};
 
-/// Two runs over one floor, 0.25 m from place to place; the second one leads back.
+/// Returns where places lie of two runs over one floor, 0.25 m from place to place; the second run leads back.
 std::optional<Pose2> lies(const PlaceId& place) {
   const double along_m = 0.25 * place.index;
   return place.experience == kThere ? Pose2{along_m, 0.0, 0.0} : Pose2{10.0 - along_m, 0.0, 3.14};

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/simulation/site.hpp"
+#include "tests/simulation/smooth_way.hpp"
 
 namespace weft::simulation {
 namespace {
@@ -15,15 +16,7 @@ class Courses : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Courses, IsOneClosedWayThatIsSmooth) {
-  constexpr double step_m = 0.01;
-  Pose2 before = course.at(0.0);
-  for (double along = step_m; along < course.length_m() + 2.0 * step_m; along += step_m) {
-    const Pose2 here = course.at(along);
-    const Pose2 moved = before.inverse() * here;
-    EXPECT_NEAR(moved.translation().norm(), step_m, 1e-4) << along;
-    EXPECT_NEAR(moved.heading, 0.0, 0.01) << along;
-    before = here;
-  }
+  expect_one_smooth_closed_way(course, 0.01, 0.01);
 }
 
 TEST_P(Courses, LessonsHoldTheWholeCourseAndEveryStation) {

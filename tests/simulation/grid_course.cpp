@@ -23,7 +23,7 @@ std::size_t opposite(std::size_t side) {
 
 }  // namespace
 
-/// Two crossings come with four aisles.
+/// Lays so many crossings that the aisles are long enough together: each crossing comes with two aisles.
 GridCourse::GridCourse(std::size_t robots) : bends_({kCurve_m, 0.0, 0.0}) {
   const double crossings = static_cast<double>(robots) * kEachRobot_m / (2.0 * kAisle_m);
   columns_ = std::max(kFewest, static_cast<std::size_t>(std::ceil(std::sqrt(crossings))) + 1);
@@ -52,7 +52,7 @@ bool GridCourse::is_dead_end(const Arm& arm) const {
   return ends_dead(arm) && is_along && column % kDeadEndEach == 1;
 }
 
-/// Returns by which arm one arrives who leaves by this one; at a dead end by the same.
+/// Returns the arm by which a robot arrives that leaves by this one; at a dead end the same.
 GridCourse::Arm GridCourse::other_end(const Arm& arm) const {
   if (ends_dead(arm)) return arm;
   const std::size_t next[kSides] = {arm.crossing + 1, arm.crossing + columns_, arm.crossing - 1,
@@ -60,8 +60,8 @@ GridCourse::Arm GridCourse::other_end(const Arm& arm) const {
   return {next[arm.side], opposite(arm.side)};
 }
 
-/// Returns the two sides by which one goes on who has arrived by that arm, never the same one. At each crossing every
-/// arm is left as often as it is arrived by.
+/// Returns the two sides by which a robot goes on that has arrived by that arm, never that arm's own. Every arm of a
+/// crossing is left as often as it is arrived by.
 std::vector<std::size_t> GridCourse::ways_on(const Arm& arrived) const {
   std::vector<std::size_t> sides;
   for (std::size_t turn = 1; turn < kSides; ++turn) {
@@ -84,7 +84,7 @@ std::vector<GridCourse::Arm> GridCourse::arms() const {
   return all;
 }
 
-/// Returns the arms by which one arrives, in the order of a closed way that takes every way on once (Hierholzer
+/// Returns the arms that are arrived by, in the order of a closed way that takes every way on once (Hierholzer
 /// 1873).
 std::vector<GridCourse::Arm> GridCourse::circuit() const {
   std::map<Arm, std::vector<std::size_t>> left;
@@ -106,14 +106,14 @@ std::vector<GridCourse::Arm> GridCourse::circuit() const {
   return closed;
 }
 
-/// The way begins in the southern aisle, eastwards, a curve behind the first crossing.
+/// Lays the way, which begins in the southern aisle, eastwards, where the curve at the first crossing ends.
 void GridCourse::lay(const std::vector<Arm>& circuit) {
   constexpr double between_m = kAisle_m - 2.0 * kCurve_m;
   std::set<std::set<Arm>> passed;
   std::size_t middles = 0;
   for (std::size_t i = 0; i + 1 < circuit.size(); ++i) {
     const Arm& arrived = circuit[i];
-    // By which it was left: the one that leads to where one arrives next, whichever aisle that is.
+    // Names the arm by which the crossing is left: the one that leads to where the next one is arrived at.
     const Arm leaves = ends_dead(circuit[i + 1]) ? circuit[i + 1] : other_end(circuit[i + 1]);
     const std::size_t turn = (leaves.side + kSides - arrived.side) % kSides;
     if (i == 0) bends_.go(between_m);
@@ -135,12 +135,6 @@ void GridCourse::lay(const std::vector<Arm>& circuit) {
     if (++middles % 2 == 0) starts_.push_back(middle_m);
     if (middles % 2 == 1) stations_.push_back({middle_m, 0.0});
   }
-}
-
-Pose2 GridCourse::at(double along_m) const {
-  if (along_m == length_m()) return bends_.at(along_m);
-  const double rest = std::fmod(along_m, length_m());
-  return bends_.at(rest < 0.0 ? rest + length_m() : rest);
 }
 
 double GridCourse::start_m(std::size_t robot, std::size_t robots) const {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/simulation/site.hpp"
+#include "tests/simulation/smooth_way.hpp"
 
 namespace weft::simulation {
 namespace {
@@ -16,18 +17,11 @@ class GridCourses : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(GridCourses, IsOneClosedWayThatIsSmooth) {
-  constexpr double step_m = 0.02;
-  Pose2 before = course.at(0.0);
-  for (double along = step_m; along < course.length_m() + 2.0 * step_m; along += step_m) {
-    const Pose2 here = course.at(along);
-    const Pose2 moved = before.inverse() * here;
-    ASSERT_NEAR(moved.translation().norm(), step_m, 1e-4) << along;
-    ASSERT_NEAR(moved.heading, 0.0, 0.04) << along;
-    before = here;
-  }
+  expect_one_smooth_closed_way(course, 0.02, 0.04);
 }
 
-/// Every aisle is 8 m long and comes twice each way, less what turns cut off at crossings.
+/// Expects so many metres of aisles for each robot. The course leads four times through each, less what turns cut
+/// off.
 TEST_P(GridCourses, HasTheAislesThatSoManyRobotsWant) {
   const double each_m = course.length_m() / 4.0 / static_cast<double>(GetParam());
   EXPECT_GT(each_m, 20.0);

@@ -190,8 +190,8 @@ std::uint32_t Ledger::passed_by(const Robot& robot, const Route& route) const {
   return said ? freed_by(robot.progress) : 0;
 }
 
-/// The first of a route's places that the robot may still drive to, not before what is known to be passed. One that
-/// was restarted takes its route up from where it stands and has not said yet what it freed.
+/// Returns the first of a route's places that the robot may still drive to, not before what is known to be passed. A
+/// robot that was restarted takes its route up from where it stands, and has not said yet what it freed.
 std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route, std::uint32_t passed) const {
   constexpr double here_m = 0.6;
   const bool said = robot.progress.route == route.id && robot.progress.version == route.version;

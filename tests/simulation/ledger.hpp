@@ -76,7 +76,7 @@ class Ledger {
   /// People have asked for an edit of the map, or have undone it: meanwhile not all that is stored is served.
   void map_edited(bool is_edited) { is_edited_ = is_edited; }
 
-  /// People have laid down a rule that closes something, or have removed it.
+  /// Notes that people have laid down a rule that closes something, or have removed it.
   void ruled(bool is_ruled) { is_ruled_ = is_ruled; }
 
   /// Returns how often a robot was found to stand for long, and what was told of it was looked at.

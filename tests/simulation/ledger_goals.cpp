@@ -78,7 +78,7 @@ void Ledger::check_driver(const RobotId& id, const Robot& robot) {
   driver->second = id;
 }
 
-/// Nobody is released into what was closed when he was released.
+/// Checks that a route is not released into what was closed already when that was released.
 void Ledger::check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot) {
   for (const auto& [name, rule] : snapshot.rules()) {
     if (rule.kind != RuleKind::closed || rule.one_direction) continue;

@@ -2,7 +2,7 @@
 
 #include "tests/simulation/ledger.hpp"
 
-/// Checks that who stands is told why, and that this is so.
+/// Checks that the server tells why a robot stands, and that what it tells is true.
 namespace weft::simulation {
 namespace {
 

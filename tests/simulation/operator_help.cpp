@@ -97,8 +97,8 @@ std::optional<msg::QueryReply> Operator::answer_to(msg::Query query) {
   return std::nullopt;
 }
 
-/// `weft goal show` of many at once. Returns what each answer holds: nothing where the server knows of no such goal.
-/// Those that are not answered are missing.
+/// Asks for many goals at once, as `weft goal show` does for one. Returns what each answer holds: nothing where the
+/// server knows of no such goal. Leaves out goals for which no answer came.
 std::map<GoalId, std::vector<Goal>> Operator::look_at(std::vector<GoalId> goals) {
   std::map<GoalId, std::vector<Goal>> found;
   for (int tries = 0; tries < 5 && !goals.empty(); ++tries) {

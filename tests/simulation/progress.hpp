@@ -8,7 +8,7 @@
 
 namespace weft::simulation {
 
-/// A goal that has not ended, at a moment.
+/// Describes a goal that has not ended, at one moment.
 struct GoalSight {
   GoalId id;
   GoalKind kind = GoalKind::operator_asked;

@@ -166,7 +166,7 @@ void say(const std::string& site, const Totals& totals) {
             << " seeds broke an invariant\n";
 }
 
-/// A simulation in which nothing drives, or nobody is in anybody's way, checks nothing. Empty when enough did.
+/// Returns why the simulations checked too little: robots hardly drove, or were in nobody's way; empty: they did not.
 std::string too_quiet(const Options& options, const Totals& totals) {
   constexpr std::size_t crowd = 10;       // robots
   constexpr double hours_each_way = 5.0;  // of a robot

@@ -10,11 +10,11 @@
 
 namespace weft::simulation {
 
-/// Is a map of a site as one robot would have taught it that was led along the whole course: runs in batches, joined
+/// Makes the map that one robot would have taught by being led along a site's whole course: runs in batches, joined
 /// where they come by one another, a label at each station and where each robot stands at first.
 class StoredMap {
  public:
-  /// `robots` label their starts; `teacher` has taught everything.
+  /// Makes the map as if `teacher` had taught all of it, with labels where so many robots start.
   StoredMap(const Site& site, std::size_t robots, const RobotId& teacher, Random random);
 
   const std::vector<Batch>& batches() const { return batches_; }
