@@ -48,7 +48,7 @@ std::string row(const Topic& topic) {
 
 constexpr std::string_view kHead = R"(# The wire
 
-Made by `weft-wire-doc` from idl/bus/message_list.hpp and the bounds in core/protocol/messages.hpp and
+Made by `weft-wire-doc` from idl/bus/message_list.hpp and the bounds in core/protocol and
 idl/convert/limits.hpp. Change those, then run `weft-wire-doc > docs/wire.md`; a test compares.
 
 Agents and clients (peers) talk to the server alone. The types are in idl/messages; a message is its type in XCDR1,

@@ -5,7 +5,7 @@
 
 #include "core/protocol/messages.hpp"
 
-/// Holds the bounds that from_idl puts on every message, besides those of core/protocol/messages.hpp.
+/// Holds the bounds that from_idl puts on every message, besides those in core/protocol.
 namespace weft::convert {
 
 inline constexpr std::size_t kSignatureBytes = 64;
