@@ -222,6 +222,7 @@ class Dispatcher {
   void grant(const RobotId& robot, RouteAssignment& assignment, const Piece& piece, bool told, Now now);
   std::string why_held(const RobotId& robot) const;
   bool keeps_limits(const RobotId& robot) const;
+  std::optional<Wait> wait_at_barrier(const RobotId& robot, const RouteAssignment& assignment) const;
   HeldPlaces held_by_others(const RobotId& robot) const;
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;

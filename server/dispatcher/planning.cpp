@@ -65,9 +65,9 @@ void Planning::released(const RobotId& robot, std::size_t stops, const PlaceId& 
   planned.end = end;
 }
 
-std::set<RobotId> Planning::before(std::uint32_t number) const {
+std::set<RobotId> Planning::waits_for(std::uint32_t number) const {
   std::set<RobotId> robots;
-  for (const std::uint32_t other : planner_.order().before(number)) robots.insert(of_[other]);
+  for (const std::uint32_t other : planner_.order().waits_for(number)) robots.insert(of_[other]);
   return robots;
 }
 

@@ -43,8 +43,8 @@ class Planning {
   /// Notes that the robot is released to so many stops of its latest piece, and ends there; 0: elsewhere than
   /// planned.
   void released(const RobotId& robot, std::size_t stops, const PlaceId& end);
-  /// Returns who drives first where the robot's next move leads.
-  std::set<RobotId> before(std::uint32_t number) const;
+  /// Returns whom the robot waits for that is not released what comes next, though nobody holds it.
+  std::set<RobotId> waits_for(std::uint32_t number) const;
 
  private:
   struct Planned {

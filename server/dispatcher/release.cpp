@@ -86,7 +86,8 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
   if (!piece.way.is_away && !is_there) piece.way.through.reset();
   if (piece.way.end == Traffic::Way::End::free) {
     piece.way.end = Traffic::Way::End::turn;
-    piece.way.blocked_by = planning_.before(*number);
+    piece.way.blocked_by = planning_.waits_for(*number);
+    if (kept + 1 < route.places.size()) piece.way.needs.place = route.places[kept + 1];
   }
   return piece;
 }
@@ -176,12 +177,13 @@ std::string Dispatcher::names_of(const std::set<RobotId>& robots) const {
 }
 
 std::string Dispatcher::why_it_waits(const Traffic::Way& way) const {
+  const std::string have = way.blocked_by.size() > 1 ? " have" : " has";
   switch (way.end) {
     case Traffic::Way::End::held:
-      return names_of(way.blocked_by) + (way.blocked_by.size() > 1 ? " have" : " has") + " left its way";
+      return names_of(way.blocked_by) + have + " left its way";
     case Traffic::Way::End::turn:
-      return way.blocked_by.empty() ? "the plan of everybody's moves lets it go on"
-                                    : names_of(way.blocked_by) + " has been where it goes: its turn comes first";
+      if (way.blocked_by.empty()) return "the plan of everybody's moves lets it go on";
+      return names_of(way.blocked_by) + have + " come by first";
     case Traffic::Way::End::one_at_once:
       return names_of(way.blocked_by) +
              " has arrived: robots are in parts of the map that nothing joins, and one drives at a time";

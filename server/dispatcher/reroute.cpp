@@ -139,6 +139,7 @@ void Dispatcher::put_version(const RobotId& robot, RouteAssignment& assignment, 
 /// Lets the robot stop at its released point, and says why.
 void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
   assignment.cut_short = true;
+  if (!assignment.waits_since) assignment.waits_since = now;
   const Goal& goal = *book_.find(assignment.goal);
   if (goal.kind != GoalKind::operator_asked)
     return finish(robot, assignment, GoalState::cancelled, why, "traffic", now);

@@ -4,10 +4,34 @@
 /// that.
 namespace weft::server {
 
+/// Returns the wait of a robot before which a rule, or what was taken out of the map, bars the way; none: it still
+/// drives.
+std::optional<Wait> Dispatcher::wait_at_barrier(const RobotId& robot, const RouteAssignment& assignment) const {
+  const Route& route = *book_.route(assignment.goal);
+  if (!assignment.stands_at_end || !assignment.waits_since) return std::nullopt;
+  const std::uint32_t released = route.released;
+  Wait wait{.robot = robot,
+            .at = route.places[released],
+            .needs = released + 1 < route.places.size() ? route.places[released + 1] : PlaceId{},
+            .held_by = {},
+            .since = *assignment.waits_since,
+            .rule = {}};
+  const Passage passage{.begins = wait.at, .keeps_limits = keeps_limits(robot)};
+  if (const auto at = first_barred(routes_.rules(), route, released, passage.keeps_limits)) {
+    wait.needs = route.places[*at];
+    wait.rule = routes_.rules().barrier(route.places[*at - 1], wait.needs, passage)->name;
+  }
+  return wait;
+}
+
 std::vector<Wait> Dispatcher::waits() {
   std::vector<Wait> all;
   for (const auto& [robot, assignment] : assignments_) {
-    const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost || assignment.cut_short;
+    const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost;
+    if (!is_over && assignment.cut_short) {
+      if (std::optional<Wait> wait = wait_at_barrier(robot, assignment)) all.push_back(*std::move(wait));
+      continue;
+    }
     const bool is_let_on = assignment.way.end == Traffic::Way::End::free && assignment.ruled_by.empty();
     if (is_over || is_let_on || !assignment.waits_since) continue;
     if (book_.find(assignment.goal)->state == GoalState::paused) continue;

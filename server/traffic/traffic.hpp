@@ -36,7 +36,7 @@ class Traffic {
     std::optional<std::uint32_t> through;  ///< none: not even its first place is free
     End end = End::free;
     std::set<RobotId> blocked_by;  ///< held, turn, one_at_once: by whom, all of them
-    Touched needs;                 ///< held, not_laid: the first place that it cannot have
+    Touched needs;                 ///< held, not_laid, turn: the first place that it cannot have
     bool is_away = false;          ///< it gets out of what somebody else holds
     bool ends_alike(const Way& other) const { return end == other.end && blocked_by == other.blocked_by; }
   };

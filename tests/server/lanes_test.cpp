@@ -138,6 +138,17 @@ TEST_F(LanesTest, WhoStandsWhereTheLaneEndsDrivesOnRoundTheBlock) {
   EXPECT_TRUE(comes_to(1, graph->at(0, 2, Heading::west)));
 }
 
+TEST_F(LanesTest, WhoStandsBeforeALaneWaitsForTheOneInIt) {
+  draw(kTwoBlocks);
+  put(graph->at(2, 0, Heading::east), graph->at(10, 2, Heading::south));
+  put(graph->at(7, 1, Heading::west), graph->at(0, 2, Heading::south));
+  robots[1].stays = true;
+  robots[0].at = graph->at(1, 0, Heading::east);
+  EXPECT_THAT(plan().kept_by[0], IsEmpty()) << "it drives to the lane first";
+  robots[0].at = graph->at(2, 1, Heading::south);
+  EXPECT_THAT(plan().kept_by[0], ElementsAre(1U));
+}
+
 TEST_F(LanesTest, OneIsNotReleasedIntoALaneBeforeTheOtherIsReleasedOutOfIt) {
   draw(kTwoBlocks);
   put(graph->at(0, 1, Heading::south), graph->at(10, 2, Heading::south));
@@ -151,7 +162,7 @@ TEST_F(LanesTest, OneIsNotReleasedIntoALaneBeforeTheOtherIsReleasedOutOfIt) {
   };
   EXPECT_FALSE(enters()) << "the other one has not moved";
   order.release(0, order.may(0));
-  EXPECT_THAT(order.before(0), ElementsAre(1U));
+  EXPECT_THAT(order.waits_for(0), ElementsAre(1U));
   order.release(1, static_cast<std::uint32_t>(order.moves(1).size()));
   EXPECT_TRUE(enters());
 }

@@ -89,6 +89,12 @@ TEST_F(RuledTraffic, WithoutAnotherWayItDrivesToItsReleasedPointAndSaysTheRule) 
   site.pass(1s);
   EXPECT_THAT(site.why(1), HasSubstr("rule shut bars the way"));
   EXPECT_EQ(site.order().released, before.released);
+  site.progress(r1, site.order(), msg::RoutePhase::waiting, before.released);
+  site.pass(1s);
+  const msg::RobotWait wait = site.row("r1").wait;
+  EXPECT_EQ(wait.at, run.place(before.released));
+  EXPECT_EQ(wait.rule, "shut");
+  EXPECT_EQ(wait.needs, run.place(30));
   remove("shut");
   site.stand_stopped(r2, run.place(39));
   site.pass(2s);

@@ -111,8 +111,10 @@ class Ledger {
   void check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot);
   const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;
   bool is_near(const RobotId& robot, const PlaceId& place, double within_m) const;
+  bool is_ahead(const RobotId& robot, const Route& route, double within_m) const;
   bool is_to_pass(const RobotId& robot, const PlaceId& place, double within_m, const storage::MemoryDisk& disk) const;
-  std::string wrong_wait(const RobotId& id, const msg::RobotWait& wait, const storage::MemoryDisk& disk) const;
+  std::string wrong_wait(const RobotId& id, const msg::RobotWait& wait, const Route& route,
+                         const storage::MemoryDisk& disk) const;
   void check_goals(const server::Service& service);
   bool waits_for_the_lost(const Goal& goal) const;
 

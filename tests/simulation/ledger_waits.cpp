@@ -20,9 +20,6 @@ const Route* Ledger::stands_with(const RobotId& id, const Robot& robot, const st
     if (goal.state != GoalState::assigned && goal.state != GoalState::executing) continue;
     const auto found = disk.routes.find(goal_id);
     if (found == disk.routes.end() || found->second.ended) continue;
-    // Edits and rules may leave it no way: its history says so, and who waits behind it has it at the chain's end.
-    const std::string& cause = goal.history.back().cause;
-    if (cause.find("no other way") != std::string::npos) continue;
     const Route& route = found->second;
     const bool has_it = robot.had && robot.had->id == route.id && robot.had->version == route.version &&
                         robot.had->released == route.released;
@@ -68,15 +65,25 @@ bool Ledger::is_to_pass(const RobotId& robot, const PlaceId& place, double withi
   });
 }
 
+/// Returns whether the robot is somewhere on what is left of the way: it may be in a lane that cannot be entered
+/// until it has come out.
+bool Ledger::is_ahead(const RobotId& robot, const Route& route, double within_m) const {
+  const auto begin = route.places.begin() + std::min<std::ptrdiff_t>(route.released, std::ssize(route.places));
+  return std::any_of(begin, route.places.end(),
+                     [&](const PlaceId& place) { return is_near(robot, place, within_m); });
+}
+
 /// Returns what is wrong with what is told of the robot's wait; empty: it is so.
-std::string Ledger::wrong_wait(const RobotId& id, const msg::RobotWait& wait, const storage::MemoryDisk& disk) const {
+std::string Ledger::wrong_wait(const RobotId& id, const msg::RobotWait& wait, const Route& route,
+                               const storage::MemoryDisk& disk) const {
   constexpr double holds_m = 2.5;   // what leases and the plan may keep off, and more
   constexpr double covers_m = 0.5;  // nobody can be there beside it
   if (!wait.at) return "nothing says why";
   if (!wait.rule.empty()) return {};
   if (wait.held_by.empty()) return "it waits for nobody";
   for (const RobotId& holder : wait.held_by) {
-    if (!is_near(holder, wait.needs, holds_m) && !is_to_pass(holder, wait.needs, holds_m, disk))
+    const bool is_there = is_near(holder, wait.needs, holds_m) || is_ahead(holder, route, holds_m);
+    if (!is_there && !is_to_pass(holder, wait.needs, holds_m, disk))
       return "it is said to wait for " + robots.at(holder).name + ", which is not there and not to pass";
   }
   for (const auto& [other, robot] : robots) {
@@ -90,13 +97,18 @@ std::string Ledger::wrong_wait(const RobotId& id, const msg::RobotWait& wait, co
 
 void Ledger::look_at_waits(const std::vector<msg::RobotRow>& rows, const storage::MemoryDisk& disk) {
   std::map<RobotId, int> before = std::exchange(wrong_, {});
+  if (disk.faults.full) {
+    // Nobody can be released, and nothing be said of it but that.
+    for (auto& [id, robot] : robots) robot.stands_since = now_;
+    return;
+  }
   for (const msg::RobotRow& row : rows) {
     const RobotId& id = row.description.header.sender;
     const Robot& robot = robots.at(id);
     const Route* const route = stands_with(id, robot, disk);
     if (route == nullptr) continue;
     ++stood_;
-    const std::string wrong = wrong_wait(id, row.wait, disk);
+    const std::string wrong = wrong_wait(id, row.wait, *route, disk);
     if (wrong.empty()) continue;
     const int looks = before[id] + 1;
     wrong_[id] = looks;

@@ -34,10 +34,14 @@ class Meetings {
   /// Returns whom the robot would meet if it went there and does not meet anyway, in order of their numbers; it is
   /// refused then.
   std::vector<std::uint32_t> refuse(std::uint32_t robot, Berth to);
-  /// Returns whether the robot, where it stands, keeps the other one from going there.
+  /// Returns whether the robot, where it stands, keeps the other one from going there, and could make way: they are
+  /// not face to face.
   bool keeps_from(std::uint32_t robot, const Meeting& other);
   /// Returns who has to have left a lane before the robot goes there.
   std::vector<MovesFirst> first(std::uint32_t robot, Berth to);
+  bool are_face_to_face(std::uint32_t robot, std::uint32_t other) {
+    return lanes_.meet(robots_[robot].at, robots_[other].at);
+  }
   /// Returns whether the robot keeps the other one, where they stand, from getting away.
   bool shuts_in(std::uint32_t robot, std::uint32_t other) {
     return lanes_.is_shut_in(robots_[other].at, robots_[robot].at.berth);

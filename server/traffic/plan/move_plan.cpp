@@ -50,6 +50,7 @@ class Steps {
 
   MovePlan take() {
     for (std::uint32_t step = 0; step < rules_.steps; ++step) go(step);
+    for (State& state : states_) plan_.kept_by.push_back(std::move(state.kept_by));
     return std::move(plan_);
   }
 
@@ -59,13 +60,15 @@ class Steps {
     std::uint32_t drives = 0;   ///< steps until it is at the end of what it was released
     std::uint32_t handles = 0;  ///< steps for which it cannot be asked
     const BerthArc* wish = nullptr;
-    bool has_wish = false;              ///< of this step; without an arc: to stay
-    bool is_asking = false;             ///< it, or whom it asked, is being decided
-    std::uint32_t in = Pockets::kNone;  ///< the pocket where it stands
-    bool leaves = false;                ///< that pocket
-    std::vector<MovesFirst> first;      ///< who has to have left a lane before it makes its move
-    std::vector<std::uint32_t> met;     ///< who is in the lane where it wants to go, or cannot make way
-    std::optional<Meeting> sent_on;     ///< it has nothing to do, and keeps one out of a lane that would go there
+    bool has_wish = false;               ///< of this step; without an arc: to stay
+    bool is_asking = false;              ///< it, or whom it asked, is being decided
+    std::uint32_t in = Pockets::kNone;   ///< the pocket where it stands
+    bool leaves = false;                 ///< that pocket
+    std::vector<MovesFirst> first;       ///< who has to have left a lane before it makes its move
+    std::vector<std::uint32_t> kept_by;  ///< see MovePlan
+    bool is_kept_known = false;          ///< `kept_by` is complete
+    std::vector<std::uint32_t> met;      ///< who is in the lane where it wants to go, or cannot make way
+    std::optional<Meeting> sent_on;      ///< it has nothing to do, and keeps one out of a lane that would go there
   };
 
   void go(std::uint32_t step) {
@@ -86,7 +89,12 @@ class Steps {
     moving_.clear();
     for (const std::uint32_t robot : std::exchange(decided_, {})) {
       const BerthArc* const arc = states_[robot].wish;
-      if (arc == nullptr || !is_free(*arc, robot) || !keeps_off_movers(*arc, step)) continue;
+      if (arc == nullptr) continue;
+      if (const std::uint32_t other = occupant(*arc, robot); other != kNobody) {
+        note_kept(robot, other);
+        continue;
+      }
+      if (!keeps_off_movers(*arc, step)) continue;
       moving_.push_back(robot);
       entered_.at(arc->to) = step + 1;
       entered_.at(arc->middle) = step + 1;
@@ -113,10 +121,18 @@ class Steps {
       const bool wants = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
       if (wants && state.in != state.robot.pocket) wanted_by_[state.robot.pocket].push_back(robot);
     }
-    for (State& state : states_) {
+    for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
+      State& state = states_[robot];
       state.leaves = state.in != Pockets::kNone && state.handles == 0 &&
-                     (state.robot.goal == nullptr ? !wanted_by_[state.in].empty() : state.robot.pocket != state.in);
+                     (state.robot.goal == nullptr ? can_leave_for_others(robot) : state.robot.pocket != state.in);
     }
+  }
+
+  /// Returns whether another one wants to go into the pocket where the robot stands, and is not face to face with it.
+  bool can_leave_for_others(std::uint32_t robot) {
+    const std::vector<std::uint32_t>& others = wanted_by_[states_[robot].in];
+    return std::any_of(others.begin(), others.end(),
+                       [&](std::uint32_t other) { return !meetings_.are_face_to_face(robot, other); });
   }
 
   void own(std::uint32_t pocket, std::uint32_t robot) {
@@ -176,8 +192,11 @@ class Steps {
   bool goes(std::uint32_t robot, std::uint32_t asker, bool makes_way) {
     const std::vector<Choice> choices = this->choices(robot, asker, makes_way);
     const auto takes = [&](Care care) {
-      return std::any_of(choices.begin(), choices.end(),
-                         [&](const Choice& choice) { return take(robot, *choice.arc, care); });
+      return std::any_of(choices.begin(), choices.end(), [&](const Choice& choice) {
+        const bool is_taken = take(robot, *choice.arc, care);
+        states_[robot].is_kept_known = states_[robot].is_kept_known || !states_[robot].kept_by.empty();
+        return is_taken;
+      });
     };
     return takes(Care::off_all_ways) || (makes_way && takes(Care::off_where_they_end));
   }
@@ -198,10 +217,16 @@ class Steps {
       const std::vector<Berth>& avoids = states_[robot].robot.avoids;
       if (there_m == Distances::kFar_m || std::find(avoids.begin(), avoids.end(), arc.to) != avoids.end()) continue;
       const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
-      if (!is_a_stop || (!is_better && !makes_way) || !may_go(robot, arc.to, asker != kNobody)) continue;
+      if (!is_a_stop || (!is_better && !makes_way)) continue;
+      if (!may_go(robot, arc.to, asker != kNobody)) {
+        const std::uint32_t inside = pockets_.of(arc.to);
+        const std::uint32_t pocket = inside != Pockets::kNone ? inside : states_[robot].robot.pocket;
+        if (is_better && pocket != Pockets::kNone && !is_open(pocket, robot)) note_kept(robot, owner_[pocket]);
+        continue;
+      }
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
       const double cost_m = goal == nullptr || is_sent_out ? there_m : arc.length_m + there_m;
-      choices.push_back({&arc, is_unwanted, is_free(arc, robot), cost_m});
+      choices.push_back({&arc, is_unwanted, occupant(arc, robot) == kNobody, cost_m});
     }
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
       if (a.cost_m != b.cost_m) return a.cost_m < b.cost_m;
@@ -249,7 +274,9 @@ class Steps {
     const std::uint32_t pocket = pockets_.of(to);
     const bool wants_in = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
     if (pocket != Pockets::kNone && pocket != state.in) {
-      return wants_in && state.robot.pocket == pocket && is_open(pocket, robot);
+      // A goal may lie inside what was found to be a pocket from elsewhere alone.
+      const bool may_want_in = state.robot.goal != nullptr && !wants_in && !is_asked;
+      return (may_want_in || (wants_in && state.robot.pocket == pocket)) && is_open(pocket, robot);
     }
     const bool would_wait = wants_in && state.in != state.robot.pocket && !is_open(state.robot.pocket, robot);
     return is_asked || !would_wait || !pockets_.is_at_mouth(state.robot.pocket, to) ||
@@ -258,7 +285,11 @@ class Steps {
 
   /// Takes the arc for the robot's wish if nobody has a wish there, and all who stand there make way.
   bool take(std::uint32_t robot, const BerthArc& arc, Care care) {
-    if (!can_wish(robot, arc, care) || would_meet(robot, arc.to)) return false;
+    if (const std::uint32_t other = hinderer(robot, arc, care); other != kNobody) {
+      note_kept(robot, other);
+      return false;
+    }
+    if (would_meet(robot, arc.to)) return false;
     put_wish(robot, &arc);
     const std::uint32_t pocket = pockets_.of(arc.to);
     const bool goes_in = pocket != Pockets::kNone && owner_[pocket] == kNobody;
@@ -287,32 +318,38 @@ class Steps {
   }
 
   void note_met(std::uint32_t robot, std::uint32_t other, Berth to) {
+    note_kept(robot, other);
     states_[robot].met.push_back(other);
     states_[other].sent_on = {robot, to};
   }
 
-  bool can_wish(std::uint32_t robot, const BerthArc& arc, Care care) {
+  /// Notes who keeps the robot where it stands at first, from where it wants to go most.
+  void note_kept(std::uint32_t robot, std::uint32_t other) {
+    if (!states_[robot].is_kept_known) states_[robot].kept_by.push_back(other);
+  }
+
+  /// Returns who keeps the robot from wishing for that drive.
+  std::uint32_t hinderer(std::uint32_t robot, const BerthArc& arc, Care care) {
     const std::vector<Berth>& beside = graph_.beside(arc.to);
     const auto is_at_end = [&](Berth berth) {
       return berth == arc.to || std::binary_search(beside.begin(), beside.end(), berth);
     };
     for (const Berth berth : {arc.to, arc.middle}) {
-      const auto& claims = claims_.at(berth);
-      const bool is_claimed =
-          std::any_of(claims.begin(), claims.end(), [&](std::uint32_t other) { return other != robot; });
-      if (is_claimed && care == Care::off_all_ways) return false;
+      for (const std::uint32_t other : claims_.at(berth)) {
+        if (other != robot && care == Care::off_all_ways) return other;
+      }
     }
     for (const Berth berth : arc.touches) {
       const std::uint32_t target = target_.at(berth).robot;
       const bool is_taken = target != kNobody && target != robot;
       const bool is_in_the_way = is_taken && states_[target].wish == nullptr;
-      if (is_in_the_way || (is_taken && (care == Care::off_all_ways || is_at_end(berth)))) return false;
+      if (is_in_the_way || (is_taken && (care == Care::off_all_ways || is_at_end(berth)))) return target;
       const std::uint32_t other = standing_.at(berth).robot;
       if (other == kNobody || other == robot) continue;
       const bool closes_a_circle = states_[other].is_asking;
-      if (closes_a_circle || states_[other].robot.stays || states_[other].handles > 0) return false;
+      if (closes_a_circle || states_[other].robot.stays || states_[other].handles > 0) return other;
     }
-    return true;
+    return kNobody;
   }
 
   void stay(std::uint32_t robot) {
@@ -353,14 +390,16 @@ class Steps {
     for (const Berth berth : touched) claims_.at(berth).clear();
   }
 
-  /// Returns whether nobody holds anything there as the step begins.
-  bool is_free(const BerthArc& arc, std::uint32_t robot) {
-    return std::none_of(arc.touches.begin(), arc.touches.end(), [&](Berth berth) {
+  /// Returns who holds something there as the step begins.
+  std::uint32_t occupant(const BerthArc& arc, std::uint32_t robot) {
+    for (const Berth berth : arc.touches) {
       const std::uint32_t other = standing_.at(berth).robot;
-      const auto& behind = behind_.at(berth);
-      return (other != kNobody && other != robot) ||
-             std::any_of(behind.begin(), behind.end(), [&](const auto& held) { return held.first != robot; });
-    });
+      if (other != kNobody && other != robot) return other;
+      for (const auto& [behind, times] : behind_.at(berth)) {
+        if (behind != robot) return behind;
+      }
+    }
+    return kNobody;
   }
 
   /// Returns whether nobody who moves in this step comes by.
@@ -377,6 +416,7 @@ class Steps {
     standing_.at(state.robot.at).robot = kNobody;
     state.robot.at = arc->to;
     meetings_.moves(robot, arc->to);
+    state.is_kept_known = true;
     standing_.at(arc->to).robot = robot;
     if (is_at_goal(robot)) arrive(robot, rules_.handling + 1);
   }

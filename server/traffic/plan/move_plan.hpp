@@ -42,8 +42,9 @@ struct PlanRules {
 /// Holds what everybody will do, in order of the steps; one list a robot, as they were given.
 struct MovePlan {
   std::vector<std::vector<PlannedMove>> moves;
-  std::uint64_t pushes = 0;         ///< robots that were asked to make way
-  std::uint64_t asked_several = 0;  ///< of these, together with others: there PIBT gives no guarantee
+  std::vector<std::vector<std::uint32_t>> kept_by;  ///< of each, who keeps it where it stands at first; none: nobody
+  std::uint64_t pushes = 0;                         ///< robots that were asked to make way
+  std::uint64_t asked_several = 0;                  ///< of these, together with others: there PIBT gives no guarantee
 };
 
 /// Plans some steps ahead for all robots: priority inheritance with backtracking (Okumura, Machida, Defago, Tamura,

@@ -35,6 +35,7 @@ bool PlanOrder::is_shared(std::uint32_t robot, std::uint32_t move) const {
   return any_meets(robot, move, [](const Visit& /*other*/) { return true; });
 }
 
+/// Returns who has to have made moves before the robot's next one.
 std::vector<std::uint32_t> PlanOrder::before(std::uint32_t robot) const {
   const std::uint32_t next = released_[robot];
   if (next >= plan_.moves[robot].size()) return {};
@@ -48,6 +49,13 @@ std::vector<std::uint32_t> PlanOrder::before(std::uint32_t robot) const {
     if (released_[other.robot] < other.moves) first.insert(other.robot);
   }
   return {first.begin(), first.end()};
+}
+
+std::vector<std::uint32_t> PlanOrder::waits_for(std::uint32_t robot) const {
+  const std::vector<std::uint32_t> first = before(robot);
+  if (!first.empty()) return first;
+  const std::set<std::uint32_t> others(plan_.kept_by[robot].begin(), plan_.kept_by[robot].end());
+  return {others.begin(), others.end()};
 }
 
 std::uint32_t PlanOrder::may(std::uint32_t robot) const {

@@ -17,8 +17,9 @@ class PlanOrder {
   const std::vector<PlannedMove>& moves(std::uint32_t robot) const { return plan_.moves[robot]; }
   /// Returns how many of the robot's planned moves may be released now, those included that have been.
   std::uint32_t may(std::uint32_t robot) const;
-  /// Returns who has to have come by where the robot's next move leads; sorted.
-  std::vector<std::uint32_t> before(std::uint32_t robot) const;
+  /// Returns whom the robot waits for: who has to have come by where its next move leads, or left a lane, or else
+  /// who keeps it where it stands. Sorted.
+  std::vector<std::uint32_t> waits_for(std::uint32_t robot) const;
   /// Returns whether another robot comes by in this plan, before or after.
   bool is_shared(std::uint32_t robot, std::uint32_t move) const;
   std::uint32_t released(std::uint32_t robot) const { return released_[robot]; }
@@ -33,6 +34,7 @@ class PlanOrder {
   };
   using Visits = ByBerth<std::vector<Visit>>;
 
+  std::vector<std::uint32_t> before(std::uint32_t robot) const;
   template <class Test>
   bool any_meets(std::uint32_t robot, std::uint32_t move, Test&& test) const;
 

@@ -174,7 +174,10 @@ std::uint32_t Pockets::look(Berth berth, std::uint32_t methods) {
                                  [this](Berth inside) { return of(inside) != kNone; });
   const auto number = same == pocket->inside.end() ? static_cast<std::uint32_t>(pockets_.size()) : of(*same);
   if (same == pocket->inside.end()) pockets_.push_back(*pocket);
-  for (const Berth inside : pocket->inside) of_.try_emplace(inside, number);
+  for (const Berth inside : pocket->inside) {
+    std::uint32_t& known_as = of_.try_emplace(inside, kNone).first->second;
+    if (known_as == kNone) known_as = number;
+  }
   return of_[berth] = number;
 }
 
