@@ -6,7 +6,7 @@
 #include "server/eta/arrivals.hpp"
 #include "server/eta/passing.hpp"
 
-/// What is learned of the times that robots take.
+/// Tests what is learned of the times that robots take.
 namespace weft::server {
 namespace {
 

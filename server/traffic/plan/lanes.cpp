@@ -49,7 +49,7 @@ const Lanes::Ahead& Lanes::ahead(const Stand& stand) {
   if (!is_new) return ahead;
   const std::vector<Berth> free = reached(stand, kNoBerth, kAhead);
   ahead.enough = free.size() < kAhead ? free.size() : kAway;
-  // What shuts it in is touched on every way out, so on this one.
+  // Looks along one way out: a berth that shuts the robot in is touched on every way.
   for (const BerthArc* const arc : way_to(stand, free[ahead.enough - 1])) {
     bool is_any = false;
     for (const Berth occupied : arc->touches) {

@@ -21,8 +21,8 @@ class Lanes {
     auto operator<=>(const Stand&) const = default;
   };
 
-  /// Returns the berths that shut in who stands there: a robot at one of them has to leave before it gets away. Not
-  /// sorted. None of them where several ways lead on.
+  /// Returns the berths that shut in who stands there: a robot at one of them has to leave before it gets away.
+  /// Sorted. None where several ways lead on.
   const std::vector<Berth>& shut_in_by(const Stand& stand);
   /// Returns whether a robot at `by` keeps who stands there from getting away.
   bool is_shut_in(const Stand& stand, Berth by);

@@ -21,15 +21,18 @@ struct Meeting {
 };
 
 /// Keeps where robots stand and wish to stand in a step of the plan, and finds whom one would come face to face with.
-/// Who is in a lane, or goes in, keeps others from its other end; so does who was refused before them.
+/// Robots in a lane, and ones that go in, keep others from its other end; so do ones that were refused before them.
 class Meetings {
  public:
   Meetings(BerthGraph& graph, Lanes& lanes) : graph_(graph), lanes_(lanes) {}
 
   /// Adds a robot, with the next number.
   void add(Berth at, std::uint32_t methods);
+  /// Forgets who was refused in the step before.
   void begin_step() { refused_.clear(); }
+  /// Notes that the robot wishes to stand there when the step ends.
   void wishes(std::uint32_t robot, Berth to);
+  /// Forgets that wish.
   void takes_back(std::uint32_t robot, Berth to) { erase(robot, to); }
   /// Returns whom the robot would meet if it went there and does not meet anyway, in order of their numbers; it is
   /// refused then.
@@ -39,6 +42,7 @@ class Meetings {
   bool keeps_from(std::uint32_t robot, const Meeting& other);
   /// Returns who has to have left a lane before the robot goes there.
   std::vector<MovesFirst> first(std::uint32_t robot, Berth to);
+  /// Returns whether the two meet wherever they drive from where they stand.
   bool are_face_to_face(std::uint32_t robot, std::uint32_t other) {
     return lanes_.meet(robots_[robot].at, robots_[other].at);
   }
@@ -68,9 +72,8 @@ class Meetings {
   BerthGraph& graph_;
   Lanes& lanes_;
   std::vector<Known> robots_;
-  // Each by berth at which robots stop on their way: who is there, or where one beside it is.
-  ByBerth<std::vector<Near>> near_;
-  ByBerth<std::vector<Near>> left_;
+  ByBerth<std::vector<Near>> near_;  ///< by cut: robots that stand or wish to stand there, or off the cuts beside it
+  ByBerth<std::vector<Near>> left_;  ///< the same of robots that have left, in this plan
   std::vector<Meeting> refused_;
 };
 
