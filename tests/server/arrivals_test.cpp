@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// When robots come to their goals, as the server tells it.
+/// Tests when robots come to their goals, as the server tells it.
 namespace weft::server::test {
 namespace {
 

@@ -8,14 +8,10 @@
 
 #include "server/traffic/plan/by_berth.hpp"
 #include "server/traffic/plan/meetings.hpp"
+#include "server/traffic/plan/pocket_turns.hpp"
 
 namespace weft::server {
 namespace {
-
-constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
-
-/// Bounds how far before the mouth of a pocket a robot is on its way into it, for others that stand there.
-constexpr double kNearMouth_m = 15.0;
 
 struct Nobody {
   std::uint32_t robot = kNobody;
@@ -28,12 +24,11 @@ class Steps {
         const PlanRules& rules)
       : graph_(graph),
         pockets_(pockets),
+        turns_(pockets),
         meetings_(graph, lanes),
         rules_(rules),
         states_(robots.size()),
-        order_(robots.size()),
-        owner_(pockets.size(), kNobody),
-        wanted_by_(pockets.size()) {
+        order_(robots.size()) {
     plan_.moves.resize(robots.size());
     for (std::uint32_t i = 0; i < robots.size(); ++i) {
       states_[i].robot = robots[i];
@@ -109,17 +104,15 @@ class Steps {
 
   /// Finds who is in which pocket, and who has to come out.
   void look_at_pockets() {
-    std::fill(owner_.begin(), owner_.end(), kNobody);
-    for (std::vector<std::uint32_t>& robots : wanted_by_) robots.clear();
+    turns_.begin_step();
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
       State& state = states_[robot];
       state.in = pockets_.of(state.robot.at);
       for (std::size_t i = state.robot.behind.size() - state.drives; i < state.robot.behind.size(); ++i) {
-        own(pockets_.of(state.robot.behind[i]), robot);
+        turns_.is_at(state.robot.behind[i], robot);
       }
-      own(state.in, robot);
-      const bool wants = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
-      if (wants && state.in != state.robot.pocket) wanted_by_[state.robot.pocket].push_back(robot);
+      turns_.is_at(state.robot.at, robot);
+      turns_.wants(robot, state.robot);
     }
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
       State& state = states_[robot];
@@ -130,13 +123,10 @@ class Steps {
 
   /// Returns whether another one wants to go into the pocket where the robot stands, and is not face to face with it.
   bool can_leave_for_others(std::uint32_t robot) {
-    const std::vector<std::uint32_t>& others = wanted_by_[states_[robot].in];
-    return std::any_of(others.begin(), others.end(),
-                       [&](std::uint32_t other) { return !meetings_.are_face_to_face(robot, other); });
-  }
-
-  void own(std::uint32_t pocket, std::uint32_t robot) {
-    if (pocket != Pockets::kNone) owner_[pocket] = robot;
+    const std::vector<PocketTurns::Wanting>& others = turns_.wanted_by(states_[robot].in);
+    return std::any_of(others.begin(), others.end(), [&](const PocketTurns::Wanting& other) {
+      return !meetings_.are_face_to_face(robot, other.robot);
+    });
   }
 
   bool is_there(std::uint32_t robot) const {
@@ -173,9 +163,9 @@ class Steps {
     state.met.clear();
     const bool is_idle = state.robot.goal == nullptr && asker == kNobody;
     const bool is_sent_on = is_idle && state.sent_on && meetings_.keeps_from(robot, *state.sent_on);
-    const bool clears_mouth = asker == kNobody && is_in_a_mouth(robot);
+    const bool clears_mouth = asker == kNobody && turns_.is_in_a_mouth(state.robot);
     if (clears_mouth || is_sent_on) ++plan_.pushes;
-    const bool makes_way = asker != kNobody || is_refused(robot) || clears_mouth || is_sent_on;
+    const bool makes_way = asker != kNobody || turns_.is_refused(robot, state.robot) || clears_mouth || is_sent_on;
     if (goes(robot, asker, makes_way)) return true;
     if (makes_way || !shuts_in_who_was_met(robot)) return false;
     ++plan_.pushes;
@@ -218,10 +208,9 @@ class Steps {
       if (there_m == Distances::kFar_m || std::find(avoids.begin(), avoids.end(), arc.to) != avoids.end()) continue;
       const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
       if (!is_a_stop || (!is_better && !makes_way)) continue;
-      if (!may_go(robot, arc.to, asker != kNobody)) {
-        const std::uint32_t inside = pockets_.of(arc.to);
-        const std::uint32_t pocket = inside != Pockets::kNone ? inside : states_[robot].robot.pocket;
-        if (is_better && pocket != Pockets::kNone && !is_open(pocket, robot)) note_kept(robot, owner_[pocket]);
+      if (!turns_.may_go(robot, states_[robot].robot, arc.to, asker != kNobody)) {
+        const std::uint32_t keeper = turns_.keeper(robot, states_[robot].robot, arc.to);
+        if (is_better && keeper != kNobody) note_kept(robot, keeper);
         continue;
       }
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
@@ -236,53 +225,6 @@ class Steps {
     return choices;
   }
 
-  /// Returns whether the robot stands in the mouth of a pocket in which it wants to go, and which is taken.
-  bool is_refused(std::uint32_t robot) const {
-    const PlanRobot& known = states_[robot].robot;
-    if (known.goal == nullptr || known.pocket == Pockets::kNone || states_[robot].in == known.pocket) return false;
-    return pockets_.is_at_mouth(known.pocket, known.at) && !is_open(known.pocket, robot);
-  }
-
-  /// Returns whether the robot has nothing to do and stands in the mouth of a pocket to which another one comes:
-  /// there is no room to ask it on from there once that one has come.
-  bool is_in_a_mouth(std::uint32_t robot) const {
-    const PlanRobot& known = states_[robot].robot;
-    if (known.goal != nullptr) return false;
-    for (std::uint32_t pocket = 0; pocket < wanted_by_.size(); ++pocket) {
-      if (wanted_by_[pocket].empty() || !pockets_.is_at_mouth(pocket, known.at)) continue;
-      const auto comes = [&](std::uint32_t other) { return is_near_mouth(other, pocket); };
-      if (std::any_of(wanted_by_[pocket].begin(), wanted_by_[pocket].end(), comes)) return true;
-    }
-    return false;
-  }
-
-  bool is_near_mouth(std::uint32_t robot, std::uint32_t pocket) const {
-    const PlanRobot& known = states_[robot].robot;
-    double mouth_m = Distances::kFar_m;
-    for (const Berth berth : pockets_.at_mouth(pocket)) mouth_m = std::min(mouth_m, known.goal->from_m(berth));
-    return known.goal->from_m(known.at) <= mouth_m + kNearMouth_m;
-  }
-
-  bool is_open(std::uint32_t pocket, std::uint32_t robot) const {
-    return owner_[pocket] == kNobody || owner_[pocket] == robot;
-  }
-
-  /// Returns whether pockets allow the robot to go there: only who wants to goes in, and one at a time; and who is to
-  /// wait does so before the mouth, unless it has to make way.
-  bool may_go(std::uint32_t robot, Berth to, bool is_asked) const {
-    const State& state = states_[robot];
-    const std::uint32_t pocket = pockets_.of(to);
-    const bool wants_in = state.robot.goal != nullptr && state.robot.pocket != Pockets::kNone;
-    if (pocket != Pockets::kNone && pocket != state.in) {
-      // A goal may lie inside what was found to be a pocket from elsewhere alone.
-      const bool may_want_in = state.robot.goal != nullptr && !wants_in && !is_asked;
-      return (may_want_in || (wants_in && state.robot.pocket == pocket)) && is_open(pocket, robot);
-    }
-    const bool would_wait = wants_in && state.in != state.robot.pocket && !is_open(state.robot.pocket, robot);
-    return is_asked || !would_wait || !pockets_.is_at_mouth(state.robot.pocket, to) ||
-           pockets_.is_at_mouth(state.robot.pocket, state.robot.at);
-  }
-
   /// Takes the arc for the robot's wish if nobody has a wish there, and all who stand there make way.
   bool take(std::uint32_t robot, const BerthArc& arc, Care care) {
     if (const std::uint32_t other = hinderer(robot, arc, care); other != kNobody) {
@@ -291,9 +233,7 @@ class Steps {
     }
     if (would_meet(robot, arc.to)) return false;
     put_wish(robot, &arc);
-    const std::uint32_t pocket = pockets_.of(arc.to);
-    const bool goes_in = pocket != Pockets::kNone && owner_[pocket] == kNobody;
-    if (goes_in) owner_[pocket] = robot;
+    const bool goes_in = turns_.take(arc.to, robot);
     std::uint32_t asked = 0;
     for (const Berth berth : arc.touches) {
       const std::uint32_t other = standing_.at(berth).robot;
@@ -303,7 +243,7 @@ class Steps {
       if (wish(other, robot)) continue;
       note_met(robot, other, arc.to);
       take_back_wish(robot);
-      if (goes_in) owner_[pocket] = kNobody;
+      if (goes_in) turns_.give_back(arc.to);
       return false;
     }
     return true;
@@ -443,12 +383,11 @@ class Steps {
 
   BerthGraph& graph_;
   Pockets& pockets_;
+  PocketTurns turns_;
   Meetings meetings_;
   PlanRules rules_;
   std::vector<State> states_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> owner_;                   ///< of each pocket: who is in it, or goes there
-  std::vector<std::vector<std::uint32_t>> wanted_by_;  ///< who wants to go into that pocket
   std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
   std::vector<std::uint32_t> moving_;
   ByBerth<Nobody> standing_;                                ///< who stands there as the step begins
