@@ -50,16 +50,17 @@ class Fleet:
                 '--seed', self.options.seed, '--records', self.out, '--truth', self.out / 'truth.jsonl', '--pace', self.options.pace]
         return argv + (['--floors', self.options.floors] if self.options.floors else []) + list(self.agent_flags)
 
-    def weft(self, *arguments, timeout=20):
-        """Types a command as the operator does, and returns the answer as JSON. Refused carries the command's own words."""
-        answer = self.answer(*arguments, timeout=timeout)
+    def weft(self, *arguments, timeout=20, good=(0,)):
+        """Types a command as the operator does, and returns the answer as JSON. Refused carries the command's own words, when it exits
+        with none of `good`."""
+        answer = self.answer(*arguments, timeout=timeout, good=good)
         return json.loads(answer) if answer.strip() else None
 
-    def answer(self, *arguments, timeout=20):
+    def answer(self, *arguments, timeout=20, good=(0,)):
         """Types it too, and returns the answer as it is printed."""
         argv = [self.bin / 'weft', '--server', '127.0.0.1', *self.wire('cli'), '--timeout', timeout, '--json', *arguments]
         done = subprocess.run([str(a) for a in argv], capture_output=True, text=True, timeout=timeout + 30)
-        if done.returncode != 0:
+        if done.returncode not in good:
             words = ' '.join(str(a) for a in arguments)
             raise Refused(f'weft {words}: exit {done.returncode}: {(done.stderr or done.stdout).strip()}')
         return done.stdout

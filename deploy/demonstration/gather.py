@@ -16,7 +16,8 @@ def gather(fleet, out, site_file):
     fleet.weft('map', 'draw', out / 'map.svg')
     write_lines(out / 'goals.jsonl', fleet.weft('goal', 'list')['goals'])
     rows = [dict(name='server', vendor=fleet.weft('map', 'info')['vendor'], peer=None, peak_memory_mb=fleet.server.peak_memory_mb)]
-    client = fleet.weft('doctor')['client']
+    # It exits with 1 when it finds something wrong, such as a robot that was killed.
+    client = fleet.weft('doctor', good=(0, 1))['client']
     for row in fleet.weft('robots')['robots']:
         rows.append(dict(name=row['name'], vendor=row['vendor'], peer=row['id'],
                          peak_memory_mb=fleet.robots[row['name']].peak_memory_mb))
