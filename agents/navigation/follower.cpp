@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "agents/control/spline.hpp"
 #include "agents/navigation/route_limit.hpp"
@@ -158,7 +159,7 @@ Follower::Drive Follower::look(const Seen& seen) {
   if (around.poses[around.nearest].robot_from_place.translation().norm() > config_.follow.join_m) {
     return stuck(std::move(drive), seen, "off_route");
   }
-  stuck_ = {};
+  const Duration stood = std::exchange(stuck_, {});
   progress(around);
   PathAhead ahead = path_ahead(config_, *route_, around);
   if (turning_to_) return turn_on_the_spot(around);
@@ -202,6 +203,12 @@ Follower::Drive Follower::look(const Seen& seen) {
     standing(drive.navigated, Following::failed, "route_makes_no_path");
     drive.along.reset();
     return drive;
+  }
+  if (!ahead.reaches_end && drive.along->to_end_m <= config_.tracker.stop_at_m && stands) {
+    // All that comes next on this route lies beside or behind the robot.
+    stuck_ = stood;
+    drive.along.reset();
+    return stuck(std::move(drive), seen, "route_makes_no_path");
   }
   drive.path = std::move(*path);
   return drive;

@@ -79,16 +79,19 @@ bool Lanes::is_shut_in(const Stand& stand, Berth by) {
   return reached(stand, by, enough).size() < enough;
 }
 
+bool Lanes::gets_past(const Stand& other, Berth here, Berth aside) {
+  const std::size_t enough = ahead(other).enough;
+  const std::vector<Berth> past = reached(other, aside, enough);
+  return past.size() >= enough ||
+         std::any_of(past.begin(), past.end(), [&](Berth berth) { return berth == here || is_beside(here, berth); });
+}
+
 /// Returns whether the first robot, shut in by the other, can stand somewhere so that the other one gets past it:
 /// away, or to where the first one was.
 bool Lanes::lets_pass(const Stand& one, const Stand& other) {
-  const std::size_t enough = ahead(other).enough;
-  const auto is_past = [&](Berth berth) { return berth == one.berth || is_beside(one.berth, berth); };
   const std::vector<Berth> all_aside = reached(one, other.berth, kAhead);
-  return std::any_of(all_aside.begin(), all_aside.end(), [&](Berth aside) {
-    const std::vector<Berth> past = reached(other, aside, enough);
-    return past.size() >= enough || std::any_of(past.begin(), past.end(), is_past);
-  });
+  return std::any_of(all_aside.begin(), all_aside.end(),
+                     [&](Berth aside) { return gets_past(other, one.berth, aside); });
 }
 
 bool Lanes::meet(const Stand& one, const Stand& other) {

@@ -28,6 +28,9 @@ class Lanes {
   bool is_shut_in(const Stand& stand, Berth by);
   /// Returns whether robots at the two berths are face to face, or will be wherever they drive.
   bool meet(const Stand& one, const Stand& other);
+  /// Returns whether the other one gets past where `here` is, or away, while a robot stands at `aside`.
+  bool gets_past(const Stand& other, Berth here, Berth aside);
+  bool is_beside(Berth one, Berth other);
   void clear();
 
  private:
@@ -39,7 +42,6 @@ class Lanes {
   const Ahead& ahead(const Stand& stand);
   std::vector<Berth> reached(const Stand& from, Berth occupied, std::size_t most);
   std::vector<const BerthArc*> way_to(const Stand& from, Berth to);
-  bool is_beside(Berth one, Berth other);
   bool lets_pass(const Stand& one, const Stand& other);
 
   BerthGraph& graph_;

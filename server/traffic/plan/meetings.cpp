@@ -63,10 +63,8 @@ std::vector<std::uint32_t> Meetings::refuse(std::uint32_t robot, Berth to) {
   return met;
 }
 
-bool Meetings::keeps_from(std::uint32_t robot, const Meeting& other) {
-  const Lanes::Stand& at = robots_[robot].at;
+bool Meetings::would_keep_from(const Lanes::Stand& at, const Meeting& other) {
   const std::vector<Berth>& beside = graph_.beside(other.to);
-  if (are_face_to_face(robot, other.robot)) return false;
   return at.berth == other.to || std::binary_search(beside.begin(), beside.end(), at.berth) ||
          lanes_.meet({other.to, robots_[other.robot].at.methods}, at);
 }

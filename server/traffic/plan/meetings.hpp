@@ -39,7 +39,11 @@ class Meetings {
   std::vector<std::uint32_t> refuse(std::uint32_t robot, Berth to);
   /// Returns whether the robot, where it stands, keeps the other one from going there, and could make way: they are
   /// not face to face.
-  bool keeps_from(std::uint32_t robot, const Meeting& other);
+  bool keeps_from(std::uint32_t robot, const Meeting& other) {
+    return !are_face_to_face(robot, other.robot) && would_keep_from(robots_[robot].at, other);
+  }
+  /// Returns whether one that stands there keeps the other one from going to where it would.
+  bool would_keep_from(const Lanes::Stand& at, const Meeting& other);
   /// Returns who has to have left a lane before the robot goes there.
   std::vector<MovesFirst> first(std::uint32_t robot, Berth to);
   /// Returns whether the two meet wherever they drive from where they stand.
@@ -49,6 +53,11 @@ class Meetings {
   /// Returns whether the robot keeps the other one, where they stand, from getting away.
   bool shuts_in(std::uint32_t robot, std::uint32_t other) {
     return lanes_.is_shut_in(robots_[other].at, robots_[robot].at.berth);
+  }
+  /// Returns whether the other one gets past where the robot stands when that has driven there.
+  bool is_aside(std::uint32_t robot, Berth there, std::uint32_t other) {
+    const Berth here = robots_[robot].at.berth;
+    return !lanes_.is_beside(here, there) && lanes_.gets_past(robots_[other].at, here, there);
   }
   /// Notes that the robot makes its next move: it leaves where it stands.
   void moves(std::uint32_t robot, Berth to);

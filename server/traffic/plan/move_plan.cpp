@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "server/traffic/plan/by_berth.hpp"
+#include "server/traffic/plan/drive_out.hpp"
 #include "server/traffic/plan/meetings.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
 
@@ -161,26 +162,67 @@ class Steps {
   bool choose(std::uint32_t robot, std::uint32_t asker) {
     State& state = states_[robot];
     state.met.clear();
-    const bool is_idle = state.robot.goal == nullptr && asker == kNobody;
-    const bool is_sent_on = is_idle && state.sent_on && meetings_.keeps_from(robot, *state.sent_on);
-    const bool clears_mouth = asker == kNobody && turns_.is_in_a_mouth(state.robot);
-    if (clears_mouth || is_sent_on) ++plan_.pushes;
-    const bool makes_way = asker != kNobody || turns_.is_refused(robot, state.robot) || clears_mouth || is_sent_on;
-    if (goes(robot, asker, makes_way)) return true;
-    if (makes_way || !shuts_in_who_was_met(robot)) return false;
+    if (asker != kNobody) return goes(robot, asker);
+    if (turns_.is_refused(robot, state.robot)) {
+      return clears(robot, [&](const PlanRobot& there) { return !turns_.is_refused(robot, there); });
+    }
+    if (turns_.is_in_a_mouth(state.robot)) {
+      ++plan_.pushes;
+      return clears(robot, [&](const PlanRobot& there) { return !turns_.is_in_a_mouth(there); });
+    }
+    if (state.robot.goal == nullptr && !state.leaves && state.sent_on &&
+        meetings_.keeps_from(robot, *state.sent_on)) {
+      ++plan_.pushes;
+      const Meeting other = *state.sent_on;
+      return clears(robot, [&](const PlanRobot& there) {
+        return !meetings_.would_keep_from({there.at, there.methods}, other);
+      });
+    }
+    if (goes(robot, kNobody)) return true;
+    std::vector<std::uint32_t> kept_in;
+    for (const std::uint32_t other : state.met) {
+      if (meetings_.shuts_in(robot, other)) kept_in.push_back(other);
+    }
+    if (kept_in.empty()) return false;
     ++plan_.pushes;
-    return goes(robot, asker, true);
+    return clears(robot, [&](const PlanRobot& there) {
+      return std::all_of(kept_in.begin(), kept_in.end(),
+                         [&](std::uint32_t other) { return meetings_.is_aside(robot, there.at, other); });
+    });
   }
 
-  /// Returns whether the robot keeps one in where it stands that keeps it from going on.
-  bool shuts_in_who_was_met(std::uint32_t robot) {
-    const State& state = states_[robot];
-    return std::any_of(state.met.begin(), state.met.end(),
-                       [&](std::uint32_t other) { return meetings_.shuts_in(robot, other); });
+  /// Has the robot drive on to where it is out of others' way, its goal or not, round those that cannot make way.
+  template <class IsOut>
+  bool clears(std::uint32_t robot, IsOut&& is_out) {
+    PlanRobot there = states_[robot].robot;
+    const BerthArc* const first =
+        drive_out(graph_, {.from = there.at,
+                           .methods = there.methods,
+                           .is_closed = [&](const BerthArc& arc) { return is_closed(robot, arc); },
+                           .is_out =
+                               [&](Berth berth) {
+                                 there.at = berth;
+                                 return is_out(there);
+                               }});
+    return first != nullptr &&
+           (take(robot, *first, Care::off_all_ways) || take(robot, *first, Care::off_where_they_end));
   }
 
-  bool goes(std::uint32_t robot, std::uint32_t asker, bool makes_way) {
-    const std::vector<Choice> choices = this->choices(robot, asker, makes_way);
+  /// Returns whether the robot does not get through there: one stands there that does not make way for it.
+  bool is_closed(std::uint32_t robot, const BerthArc& arc) {
+    const PlanRobot& known = states_[robot].robot;
+    if (std::find(known.avoids.begin(), known.avoids.end(), arc.to) != known.avoids.end()) return true;
+    if (!turns_.may_go(robot, known, arc.to, false)) return true;
+    const std::vector<std::uint32_t>& met = states_[robot].met;
+    return std::any_of(arc.touches.begin(), arc.touches.end(), [&](Berth berth) {
+      const std::uint32_t other = standing_.at(berth).robot;
+      if (other == kNobody || other == robot) return false;
+      return states_[other].robot.stays || std::find(met.begin(), met.end(), other) != met.end();
+    });
+  }
+
+  bool goes(std::uint32_t robot, std::uint32_t asker) {
+    const std::vector<Choice> choices = this->choices(robot, asker);
     const auto takes = [&](Care care) {
       return std::any_of(choices.begin(), choices.end(), [&](const Choice& choice) {
         const bool is_taken = take(robot, *choice.arc, care);
@@ -188,11 +230,11 @@ class Steps {
         return is_taken;
       });
     };
-    return takes(Care::off_all_ways) || (makes_way && takes(Care::off_where_they_end));
+    return takes(Care::off_all_ways) || (asker != kNobody && takes(Care::off_where_they_end));
   }
 
-  /// Returns where the robot would go, the best first; who makes way goes anywhere.
-  std::vector<Choice> choices(std::uint32_t robot, std::uint32_t asker, bool makes_way) {
+  /// Returns where the robot would go, the best first; who is asked to make way goes anywhere.
+  std::vector<Choice> choices(std::uint32_t robot, std::uint32_t asker) {
     const Berth here = states_[robot].robot.at;
     Distances* goal = states_[robot].robot.goal;
     const bool is_sent_out = goal == nullptr && states_[robot].leaves;
@@ -207,7 +249,7 @@ class Steps {
       const std::vector<Berth>& avoids = states_[robot].robot.avoids;
       if (there_m == Distances::kFar_m || std::find(avoids.begin(), avoids.end(), arc.to) != avoids.end()) continue;
       const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
-      if (!is_a_stop || (!is_better && !makes_way)) continue;
+      if (!is_a_stop || (!is_better && asker == kNobody)) continue;
       if (!turns_.may_go(robot, states_[robot].robot, arc.to, asker != kNobody)) {
         const std::uint32_t keeper = turns_.keeper(robot, states_[robot].robot, arc.to);
         if (is_better && keeper != kNobody) note_kept(robot, keeper);
