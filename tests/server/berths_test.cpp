@@ -65,6 +65,21 @@ TEST_F(BerthsTest, AGoalBetweenCutsIsABerthOfItsOwnWhereOneMayDriveOn) {
   EXPECT_THAT(berths->beside(goal), Contains(berths->at(SurveyedSite::place(run, 5))));
 }
 
+TEST_F(BerthsTest, WhatLiesAroundIsLookedUpInTheLatestMapThoughAnEarlierOneIsFollowed) {
+  const std::uint64_t run = site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
+  follow();
+  const Snapshot before = site.network();
+  const std::uint64_t other = site.teach(Lane({0.0, 0.1, 0.0}).ahead(6.0));
+  site.stitch(SurveyedSite::place(run, 0), SurveyedSite::place(other, 0));
+  proximity->edited(shared(site.network()), before);
+  berths->see(shared(site.network()));
+  berths->beside(berths->at(SurveyedSite::place(run, 7)));
+  const LocatedPlace here =
+      proximity->locate(TrafficMap(site.network()), Touched{.place = SurveyedSite::place(run, 7), .reach_m = 0.3});
+  EXPECT_THAT(*here.around, Contains(testing::Field(&Near::place, SurveyedSite::place(other, 7))))
+      << "leases would not see who stands there";
+}
+
 TEST_F(BerthsTest, RunsOverOneFloorAreBesideEachOther) {
   const std::uint64_t run = site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
   const std::uint64_t other = site.teach(Lane({0.0, 0.5, 0.0}).ahead(6.0));

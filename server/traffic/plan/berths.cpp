@@ -17,6 +17,7 @@ constexpr double kFarthest_m = 6.0;
 }  // namespace
 
 bool Berths::follow(const RuledNetwork& network, double footprint_m) {
+  see(network.network);
   rules_ = network.rules;
   const bool is_same = network_ != nullptr && network_ == network.network && footprint_m_ == footprint_m &&
                        laid_moves_ == proximity_.layout().moves() && laid_ == proximity_.layout().laid();
@@ -55,7 +56,7 @@ void Berths::cut_anew() {
                                 if (!first || !second || first->part != second->part) return true;
                                 // Asks what lies around where the whole layout does not tell them apart.
                                 return !layout.are_near(*first, *second, room_m) ||
-                                       !proximity_.overlap(TrafficMap(*network_), locate(a), locate(b));
+                                       !proximity_.overlap(TrafficMap(*latest_), locate(a), locate(b));
                               },
                           .is_taken = [this](const PlaceId& place) { return is_taken(place); }};
   std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
@@ -74,7 +75,7 @@ bool Berths::is_taken(const PlaceId& place) {
   const LocatedPlace here = locate(place);
   for_each_near(here, in_cell_, [&](const PlaceId& other) {
     taken = taken ||
-            (other.experience < place.experience && proximity_.overlap(TrafficMap(*network_), here, locate(other)));
+            (other.experience < place.experience && proximity_.overlap(TrafficMap(*latest_), here, locate(other)));
   });
   return taken;
 }
@@ -100,7 +101,7 @@ LocatedPlace Berths::locate(const PlaceId& place) {
   const auto known = located_.find(place);
   if (known != located_.end()) return known->second;
   const Touched touched{.place = place, .reach_m = reach_m(place)};
-  return located_.emplace(place, proximity_.locate(TrafficMap(*network_), touched)).first->second;
+  return located_.emplace(place, proximity_.locate(TrafficMap(*latest_), touched)).first->second;
 }
 
 void Berths::put_in_cell(const PlaceId& place, Cells& cells) {
@@ -170,7 +171,7 @@ void Berths::add_touched(const LocatedPlace& here, std::set<Berth>& touched) {
   std::vector<PlaceId> near;
   for_each_near(here, in_cell_, [&](const PlaceId& place) { near.push_back(place); });
   for (const PlaceId& place : near) {
-    if (proximity_.overlap(TrafficMap(*network_), here, locate(place))) touched.insert(number(place, is_cut(place)));
+    if (proximity_.overlap(TrafficMap(*latest_), here, locate(place))) touched.insert(number(place, is_cut(place)));
   }
 }
 
@@ -224,7 +225,7 @@ const std::vector<BerthArc>& Berths::next(Berth from, std::uint32_t methods) {
       const LocatedPlace here = locate(place);
       add_touched(here, touched);
       for_each_near(here, middle_in_cell_, [&](const PlaceId& other) {
-        if (proximity_.overlap(TrafficMap(*network_), here, locate(other))) touched.insert(middles_.at(other));
+        if (proximity_.overlap(TrafficMap(*latest_), here, locate(other))) touched.insert(middles_.at(other));
       });
     }
     // Leaves out where it sets off: it stands there already, and nobody beside it.

@@ -38,6 +38,9 @@ class Berths final : public BerthGraph {
 
   /// Follows the map and the size of robots: numbers that were given mean nothing any more when this returns true.
   bool follow(const RuledNetwork& network, double footprint_m);
+  /// Has what can be touched looked up in that map, though an earlier one is followed: `Proximity` remembers what it
+  /// finds for leases, too.
+  void see(std::shared_ptr<const Snapshot> latest) { latest_ = std::move(latest); }
   /// Returns whether a map is followed, for robots of that size.
   bool is_for(double footprint_m) const { return network_ != nullptr && footprint_m_ == footprint_m; }
   /// Numbers a way of driving.
@@ -97,7 +100,8 @@ class Berths final : public BerthGraph {
   static void for_each_near(const LocatedPlace& here, const Cells& cells, Visit&& visit);
 
   Proximity& proximity_;
-  std::shared_ptr<const Snapshot> network_;
+  std::shared_ptr<const Snapshot> network_;  ///< followed
+  std::shared_ptr<const Snapshot> latest_;
   const RuleMap* rules_ = nullptr;
   double footprint_m_ = 0.0;
   std::uint64_t laid_moves_ = 0;

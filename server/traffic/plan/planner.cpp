@@ -23,6 +23,7 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
                    bool may_lag) {
   order_ = {};
   const bool lags = may_lag && berths_.is_for(footprint_m) && knows(requests);
+  berths_.see(network.network);
   if (!lags && berths_.follow(network, footprint_m)) {
     distances_.clear();
     pockets_.clear();
