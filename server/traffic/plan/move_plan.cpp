@@ -1,7 +1,6 @@
 #include "server/traffic/plan/move_plan.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "server/traffic/plan/by_berth.hpp"
 #include "server/traffic/plan/drive_out.hpp"
 #include "server/traffic/plan/meetings.hpp"
+#include "server/traffic/plan/occupied_berths.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
 
 namespace weft::server {
@@ -38,8 +38,8 @@ class Steps {
       states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
       if (robots[i].at == kNoBerth) continue;
       if (is_at_goal(i)) arrive(i, states_[i].drives + rules_.handling);
-      standing_.at(robots[i].at).robot = i;
-      for (const Berth berth : robots[i].behind) ++behind_.at(berth)[i];
+      occupied_.stand(robots[i].at, i);
+      for (const Berth berth : robots[i].behind) occupied_.drive_through(berth, i);
     }
     std::iota(order_.begin(), order_.end(), 0U);
   }
@@ -86,15 +86,13 @@ class Steps {
     for (const std::uint32_t robot : std::exchange(decided_, {})) {
       const BerthArc* const arc = states_[robot].wish;
       if (arc == nullptr) continue;
-      if (const std::uint32_t other = occupant(*arc, robot); other != kNobody) {
+      if (const std::uint32_t other = occupied_.occupant(*arc, robot); other != kNobody) {
         note_kept(robot, other);
         continue;
       }
-      if (!keeps_off_movers(*arc, step)) continue;
+      if (!occupied_.keeps_off_movers(*arc, step)) continue;
       moving_.push_back(robot);
-      entered_.at(arc->to) = step + 1;
-      entered_.at(arc->middle) = step + 1;
-      for (const Berth berth : arc->touches) passed_.at(berth) = step + 1;
+      occupied_.move(*arc, step);
     }
     for (const std::uint32_t robot : order_) forget_wish(robot);
     // Nobody enters a lane in the step in which another one leaves it, so all of these find the same.
@@ -215,7 +213,7 @@ class Steps {
     if (!turns_.may_go(robot, known, arc.to, false)) return true;
     const std::vector<std::uint32_t>& met = states_[robot].met;
     return std::any_of(arc.touches.begin(), arc.touches.end(), [&](Berth berth) {
-      const std::uint32_t other = standing_.at(berth).robot;
+      const std::uint32_t other = occupied_.who_stands_at(berth);
       if (other == kNobody || other == robot) return false;
       return states_[other].robot.stays || std::find(met.begin(), met.end(), other) != met.end();
     });
@@ -257,7 +255,7 @@ class Steps {
       }
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
       const double cost_m = goal == nullptr || is_sent_out ? there_m : arc.length_m + there_m;
-      choices.push_back({&arc, is_unwanted, occupant(arc, robot) == kNobody, cost_m});
+      choices.push_back({&arc, is_unwanted, occupied_.occupant(arc, robot) == kNobody, cost_m});
     }
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
       if (a.cost_m != b.cost_m) return a.cost_m < b.cost_m;
@@ -278,7 +276,7 @@ class Steps {
     const bool goes_in = turns_.take(arc.to, robot);
     std::uint32_t asked = 0;
     for (const Berth berth : arc.touches) {
-      const std::uint32_t other = standing_.at(berth).robot;
+      const std::uint32_t other = occupied_.who_stands_at(berth);
       if (other == kNobody || other == robot || states_[other].has_wish || states_[other].drives > 0) continue;
       ++plan_.pushes;
       if (++asked == 2) ++plan_.asked_several;
@@ -326,7 +324,7 @@ class Steps {
       const bool is_taken = target != kNobody && target != robot;
       const bool is_in_the_way = is_taken && states_[target].wish == nullptr;
       if (is_in_the_way || (is_taken && (care == Care::off_all_ways || is_at_end(berth)))) return target;
-      const std::uint32_t other = standing_.at(berth).robot;
+      const std::uint32_t other = occupied_.who_stands_at(berth);
       if (other == kNobody || other == robot) continue;
       const bool closes_a_circle = states_[other].is_asking;
       if (closes_a_circle || states_[other].robot.stays || states_[other].handles > 0) return other;
@@ -372,34 +370,15 @@ class Steps {
     for (const Berth berth : touched) claims_.at(berth).clear();
   }
 
-  /// Returns who holds something there as the step begins.
-  std::uint32_t occupant(const BerthArc& arc, std::uint32_t robot) {
-    for (const Berth berth : arc.touches) {
-      const std::uint32_t other = standing_.at(berth).robot;
-      if (other != kNobody && other != robot) return other;
-      for (const auto& [behind, times] : behind_.at(berth)) {
-        if (behind != robot) return behind;
-      }
-    }
-    return kNobody;
-  }
-
-  /// Returns whether nobody who moves in this step comes by.
-  bool keeps_off_movers(const BerthArc& arc, std::uint32_t step) {
-    return passed_.at(arc.to) != step + 1 && passed_.at(arc.middle) != step + 1 &&
-           std::none_of(arc.touches.begin(), arc.touches.end(),
-                        [&](Berth berth) { return entered_.at(berth) == step + 1; });
-  }
-
   void move(std::uint32_t robot, std::uint32_t step) {
     State& state = states_[robot];
     const BerthArc* const arc = std::exchange(state.wish, nullptr);
     plan_.moves[robot].push_back({arc, state.robot.at, step, std::exchange(state.first, {})});
-    standing_.at(state.robot.at).robot = kNobody;
+    occupied_.leave(state.robot.at);
     state.robot.at = arc->to;
     meetings_.moves(robot, arc->to);
     state.is_kept_known = true;
-    standing_.at(arc->to).robot = robot;
+    occupied_.stand(arc->to, robot);
     if (is_at_goal(robot)) arrive(robot, rules_.handling + 1);
   }
 
@@ -418,8 +397,7 @@ class Steps {
     state.wish = nullptr;
     if (state.handles > 0) --state.handles;
     if (state.drives == 0) return;
-    auto& held = behind_.at(state.robot.behind[state.robot.behind.size() - state.drives]);
-    if (--held[robot] == 0) held.erase(robot);
+    occupied_.have_driven_through(state.robot.behind[state.robot.behind.size() - state.drives], robot);
     --state.drives;
   }
 
@@ -432,12 +410,9 @@ class Steps {
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
   std::vector<std::uint32_t> moving_;
-  ByBerth<Nobody> standing_;                                ///< who stands there as the step begins
-  ByBerth<std::map<std::uint32_t, std::uint32_t>> behind_;  ///< who still drives through it, how often
-  ByBerth<Nobody> target_;                                  ///< who wishes to stand there when the step ends
-  ByBerth<std::vector<std::uint32_t>> claims_;              ///< whose wish touches it
-  ByBerth<std::uint32_t> entered_;  ///< in which step, counted from one, somebody stands there
-  ByBerth<std::uint32_t> passed_;   ///< and drives through
+  OccupiedBerths occupied_;
+  ByBerth<Nobody> target_;                      ///< who wishes to stand there when the step ends
+  ByBerth<std::vector<std::uint32_t>> claims_;  ///< whose wish touches it
   MovePlan plan_;
 };
 

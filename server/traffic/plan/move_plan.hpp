@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "server/traffic/plan/pockets.hpp"
 
 namespace weft::server {
+
+/// Is the number of no robot of a plan.
+inline constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
 /// Describes a robot to the plan.
 struct PlanRobot {

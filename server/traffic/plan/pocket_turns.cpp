@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "server/traffic/plan/move_plan.hpp"
-
 namespace weft::server {
 namespace {
 /// Bounds how far before the mouth of a pocket a robot is on its way into it, for others that stand there.

@@ -1,15 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "server/traffic/plan/move_plan.hpp"
 #include "server/traffic/plan/pockets.hpp"
 
 namespace weft::server {
-
-struct PlanRobot;
-
-inline constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
 /// Decides in each step of the plan who may go into which pocket: one robot at a time, and one that goes there. Who
 /// finds it taken does not wait in its mouth.
