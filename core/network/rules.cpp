@@ -16,8 +16,11 @@ namespace {
 
 /// Bounds how far from a named place another run's place covers the same floor.
 constexpr double kSameFloor_m = 0.4;
-constexpr std::uint32_t kHops = 4;
-constexpr std::uint32_t kMostLookedAt = 200;
+/// Bounds how far around a named place runs are looked for: they may be joined some way before or behind it.
+constexpr double kAround_m = 3.0;
+constexpr std::size_t kMostLookedAt = 1000;
+/// Is how many places a run goes on before it may come by the same floor again.
+constexpr std::uint32_t kNeighbours = 4;
 /// Two ways lead alike within 60 degrees: the cosine of that.
 constexpr double kAlike = 0.5;
 constexpr double kLeastStep_m = 0.02;
@@ -203,10 +206,10 @@ struct Beside {
 /// Leaves out neighbours along the same run, which are other floor.
 std::vector<Beside> on_the_floor_of(const Snapshot& snapshot, const PlaceId& named) {
   std::vector<Beside> found;
-  for (const Reached& reached : breadth_first(snapshot, named, kHops, kMostLookedAt)) {
+  for (const Reached& reached : within(snapshot, named, kAround_m, kMostLookedAt)) {
     const bool is_neighbour =
         reached.depth > 0 && reached.id.experience == named.experience &&
-        std::max(reached.id.index, named.index) - std::min(reached.id.index, named.index) <= kHops;
+        std::max(reached.id.index, named.index) - std::min(reached.id.index, named.index) <= kNeighbours;
     if (is_neighbour || distance_m(reached.centre_from_place) > kSameFloor_m) continue;
     found.push_back({reached.id, planar(reached.centre_from_place)});
   }

@@ -133,6 +133,24 @@ std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& cent
   return search(InSnapshot{snapshot}, centre, max_depth, cap);
 }
 
+std::vector<Reached> within(const Snapshot& snapshot, const PlaceId& centre, double distance_m, std::size_t cap) {
+  if (snapshot.place(centre) == nullptr || cap == 0) return {};
+  std::vector<Reached> reached = {{centre, 0, Metric2{}}};
+  std::set<PlaceId> seen = {centre};
+  for (std::size_t at = 0; at < reached.size(); ++at) {
+    const Reached here = reached[at];
+    InSnapshot{snapshot}.for_each_edge(here.id, [&](const Edge& edge, const PlaceId& there) {
+      if (reached.size() == cap || !seen.insert(there).second) return;
+      const Relation step = relation_from(edge, here.id);
+      // The identity of a kind-less centre must not change the kind of the first relation.
+      Relation relation = here.depth == 0 ? step : compose(here.centre_from_place, step);
+      if (weft::distance_m(relation) > distance_m) return;
+      reached.push_back({there, here.depth + 1, std::move(relation)});
+    });
+  }
+  return reached;
+}
+
 std::vector<PlaceId> neighbourhood(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap) {
   return search_ids(InWindow{window}, centre, max_depth, cap);

@@ -24,6 +24,10 @@ std::vector<Reached> breadth_first(const Window& window, const PlaceId& centre, 
 std::vector<Reached> breadth_first(const Snapshot& snapshot, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap);
 
+/// Returns the places to which a chain of hops leads that keeps within that distance of `centre`, as composed along
+/// the chain: the centre first, nearest hops first; at most `cap`. Empty if `centre` is not in the snapshot.
+std::vector<Reached> within(const Snapshot& snapshot, const PlaceId& centre, double distance_m, std::size_t cap);
+
 /// The ids alone, without composing relations; same order.
 std::vector<PlaceId> neighbourhood(const Window& window, const PlaceId& centre, std::uint32_t max_depth,
                                    std::uint32_t cap);

@@ -83,6 +83,15 @@ TEST_F(Rules, HoldOnEveryRunThatCoversTheFloor) {
                                          PlaceId{back, 3}, PlaceId{back, 4}, PlaceId{back, 5}, PlaceId{back, 6}));
 }
 
+TEST_F(Rules, HoldOnRunsThatAreJoinedSomeWayOff) {
+  Batch returning = run(back, 10);
+  returning.edges.push_back(edge({there, 9}, {back, 0}, {0.0, 0.1, M_PI}, Origin::stitch));
+  map = with(with(Snapshot{}, run(there, 10)), returning);
+  rule.spans = {{{there, 5}, {there, 6}}};
+  EXPECT_THAT(extent_of(map, rule).places,
+              ElementsAre(PlaceId{there, 5}, PlaceId{there, 6}, PlaceId{back, 3}, PlaceId{back, 4}));
+}
+
 TEST_F(Rules, NamedBackwardsHoldOnTheSamePlaces) {
   rule.spans = {{{there, 6}, {there, 3}}};
   EXPECT_THAT(extent_of(map, rule).places, SizeIs(8));

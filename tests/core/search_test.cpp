@@ -43,6 +43,26 @@ std::map<PlaceId, std::uint32_t> hops_from(const Snapshot& snapshot, const Place
   return hops;
 }
 
+TEST(Within, GivesWhatAChainOfHopsLeadsToThatKeepsNear) {
+  Random random(43);
+  for (int round = 0; round < 20; ++round) {
+    const Snapshot snapshot = make_network(random, 3, 3, 4, 2);
+    const PlaceId centre = pick_place(random, snapshot);
+    const std::vector<Reached> all = breadth_first(snapshot, centre, 1000, 1000);
+    const std::vector<Reached> far = within(snapshot, centre, 1e9, 1000);
+    EXPECT_EQ(far.size(), all.size());
+    const std::vector<Reached> near = within(snapshot, centre, 1.0, 1000);
+    ASSERT_FALSE(near.empty());
+    EXPECT_EQ(near.front().id, centre);
+    for (std::size_t at = 1; at < near.size(); ++at) {
+      EXPECT_LE(distance_m(near[at].centre_from_place), 1.0);
+      EXPECT_GE(near[at].depth, near[at - 1].depth);
+    }
+    EXPECT_LE(within(snapshot, centre, 1e9, 3).size(), 3U);
+  }
+  EXPECT_TRUE(within(Snapshot{}, {ExperienceId{1}, 0}, 1.0, 10).empty());
+}
+
 TEST(BreadthFirst, GivesNearestHopsFirstTiesById) {
   Random random(41);
   for (int round = 0; round < 20; ++round) {
