@@ -24,6 +24,14 @@ std::uint32_t passed_of(const Route& before, const Route& next, std::uint32_t pa
   return std::equal(before.places.begin(), end, next.places.begin()) ? passed : 0;
 }
 
+/// Returns the first place of the next version of a route that the one before was not released to.
+std::uint32_t first_new(const Route& before, const Route& next) {
+  if (before.id != next.id) return 0;
+  const auto end = before.places.begin() + std::min<std::ptrdiff_t>(before.released + 1, std::ssize(before.places));
+  const auto differs = std::mismatch(before.places.begin(), end, next.places.begin(), next.places.end()).first;
+  return static_cast<std::uint32_t>(differs - before.places.begin());
+}
+
 }  // namespace
 
 void Ledger::broken(const std::string& invariant, const std::string& what) {
@@ -127,9 +135,18 @@ bool Ledger::are_close(const PlaceId& a, const PlaceId& b) const {
   return here && there && (here->translation() - there->translation()).norm() < apart_m;
 }
 
-/// Whether the robot stands within what another one was given, and the place is no nearer to that: out of there it
-/// may.
-bool Ledger::moves_away(const Robot& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const {
+/// Returns where the server last heard that the robot stands; none: nowhere, or at a place that nobody knows.
+std::optional<Pose2> Ledger::said_to_stand(const RobotId& robot) const {
+  const auto known = known_.find(robot);
+  if (known == known_.end() || !known->second.localised) return std::nullopt;
+  const auto place = truth_of(known->second.place);
+  if (!place) return std::nullopt;
+  return *place * planar(known->second.place_from_robot);
+}
+
+/// Returns whether the robot stands within what another one was given, and the place is no nearer to that: out of
+/// there it may. One that is led by hand may have come farther than the server has heard.
+bool Ledger::moves_away(const RobotId& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const {
   constexpr double same_m = 0.15;
   const auto nearest_m = [&](const Eigen::Vector2d& at) {
     double least_m = 1e9;
@@ -140,7 +157,12 @@ bool Ledger::moves_away(const Robot& robot, const PlaceId& place, const Route& t
     return least_m;
   };
   const auto there = truth_of(place);
-  return there && nearest_m(there->translation()) > nearest_m(robot.body->site_from_robot().translation()) - same_m;
+  if (!there) return false;
+  const MarksBody& body = *robots.at(robot).body;
+  double stands_m = nearest_m(body.site_from_robot().translation());
+  if (const auto said = said_to_stand(robot); said && body.by_hand())
+    stands_m = std::min(stands_m, nearest_m(said->translation()));
+  return nearest_m(there->translation()) > stands_m - same_m;
 }
 
 /// A new piece of released route keeps clear of every other robot that the server knows the place of.
@@ -152,13 +174,14 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
   const std::uint32_t kept = before != held_.end() ? passed_of(before->second.route, route, before->second.from) : 0;
   const std::uint32_t first =
       continued ? before->second.route.released + 1 : std::max(kept, ahead_from(mine, route, kept));
-  for (std::uint32_t i = first; i <= route.released && i < route.places.size(); ++i) {
-    check_standing(mine, route.places[i], snapshot);
+  const std::uint32_t next = before != held_.end() ? std::max(first, first_new(before->second.route, route)) : first;
+  for (std::uint32_t i = next; i <= route.released && i < route.places.size(); ++i) {
+    check_standing(route.robot, route.places[i], snapshot);
     for (const auto& [other, stretch] : held_) {
       if (other == route.robot) continue;
       for (std::uint32_t k = stretch.from; k <= stretch.route.released && k < stretch.route.places.size(); ++k) {
         if (!are_close(route.places[i], stretch.route.places[k])) continue;
-        if (moves_away(mine, route.places[i], stretch.route, stretch.from)) continue;
+        if (moves_away(route.robot, route.places[i], stretch.route, stretch.from)) continue;
         broken("occupancy", mine.name + " was released to " + to_string(route.places[i]) + " which " +
                                 robots.at(other).name + " holds at " + to_string(stretch.route.places[k]));
         break;
@@ -170,7 +193,8 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
 }
 
 /// Nobody is sent through a robot that stands where it has told the server that it stands.
-void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot) {
+void Ledger::check_standing(const RobotId& id, const PlaceId& place, const Snapshot& snapshot) {
+  const Robot& robot = robots.at(id);
   for (const auto& [other, known] : known_) {
     const Robot& standing = robots.at(other);
     if (&standing == &robot || held_.contains(other)) continue;
@@ -178,7 +202,7 @@ void Ledger::check_standing(const Robot& robot, const PlaceId& place, const Snap
     if (snapshot.place(known.place) == nullptr || !are_close(place, known.place)) continue;
     Route stands;
     stands.places = {known.place};
-    if (moves_away(robot, place, stands, 0)) continue;
+    if (moves_away(id, place, stands, 0)) continue;
     broken("occupancy", robot.name + " was released to " + to_string(place) + " where " + standing.name +
                             " stands, at " + to_string(known.place));
   }
@@ -226,7 +250,7 @@ void Ledger::agent_took(const RobotId& robot) {
     for (std::uint32_t i = begin; i <= route->released; ++i) {
       for (std::uint32_t k = from; k <= theirs->released; ++k) {
         if (!are_close(route->places[i], theirs->places[k])) continue;
-        if (moves_away(mine, route->places[i], *theirs, from)) continue;
+        if (moves_away(robot, route->places[i], *theirs, from)) continue;
         broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +
                                 " to " + to_string(theirs->places[k]));
         return;

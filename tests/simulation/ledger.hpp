@@ -94,11 +94,12 @@ class Ledger {
   void broken(const std::string& invariant, const std::string& what);
   std::optional<Pose2> truth_of(const PlaceId& place) const;
   bool are_close(const PlaceId& a, const PlaceId& b) const;
-  bool moves_away(const Robot& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const;
+  std::optional<Pose2> said_to_stand(const RobotId& robot) const;
+  bool moves_away(const RobotId& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const;
   std::uint32_t passed_by(const Robot& robot, const Route& route) const;
   std::uint32_t ahead_from(const Robot& robot, const Route& route, std::uint32_t passed = 0) const;
   void check_release(const Route& route, const Snapshot& snapshot);
-  void check_standing(const Robot& robot, const PlaceId& place, const Snapshot& snapshot);
+  void check_standing(const RobotId& id, const PlaceId& place, const Snapshot& snapshot);
   void note_put_down(const RobotId& robot);
   void check_released_point(const Robot& robot);
   void check_belief(const Robot& robot);
@@ -112,7 +113,8 @@ class Ledger {
   const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;
   bool is_near(const RobotId& robot, const PlaceId& place, double within_m) const;
   bool is_ahead(const RobotId& robot, const Route& route, double within_m) const;
-  bool is_to_pass(const RobotId& robot, const PlaceId& place, double within_m, const storage::MemoryDisk& disk) const;
+  bool is_to_pass(const RobotId& robot, const PlaceId& place, const Route& way, double within_m,
+                  const storage::MemoryDisk& disk) const;
   std::string wrong_wait(const RobotId& id, const msg::RobotWait& wait, const Route& route,
                          const storage::MemoryDisk& disk) const;
   void check_goals(const server::Service& service);

@@ -51,17 +51,24 @@ bool Ledger::is_near(const RobotId& robot, const PlaceId& place, double within_m
   return false;
 }
 
-/// Returns whether the robot is on its way past that place: another one may have to let it go first.
-bool Ledger::is_to_pass(const RobotId& robot, const PlaceId& place, double within_m,
+/// Returns whether the robot is on its way past that place, or past what is left of the way: another one may have to
+/// let it go first.
+bool Ledger::is_to_pass(const RobotId& robot, const PlaceId& place, const Route& way, double within_m,
                         const storage::MemoryDisk& disk) const {
-  const auto there = truth_of(place);
+  std::vector<PlaceId> places(way.places.begin() + std::min<std::ptrdiff_t>(way.released, std::ssize(way.places)),
+                              way.places.end());
+  places.push_back(place);
+  const auto comes_by = [&](const PlaceId& at) {
+    const auto here = truth_of(at);
+    return std::ranges::any_of(places, [&](const PlaceId& other) {
+      const auto there = truth_of(other);
+      return here && there && (here->translation() - there->translation()).norm() < within_m;
+    });
+  };
   return std::ranges::any_of(disk.routes, [&](const auto& entry) {
     const Route& route = entry.second;
     if (route.robot != robot || route.ended || is_terminal(disk.goals.at(entry.first).state)) return false;
-    return std::ranges::any_of(route.places, [&](const PlaceId& at) {
-      const auto here = truth_of(at);
-      return here && there && (here->translation() - there->translation()).norm() < within_m;
-    });
+    return std::ranges::any_of(route.places, comes_by);
   });
 }
 
@@ -83,7 +90,7 @@ std::string Ledger::wrong_wait(const RobotId& id, const msg::RobotWait& wait, co
   if (wait.held_by.empty()) return "it waits for nobody";
   for (const RobotId& holder : wait.held_by) {
     const bool is_there = is_near(holder, wait.needs, holds_m) || is_ahead(holder, route, holds_m);
-    if (!is_there && !is_to_pass(holder, wait.needs, holds_m, disk))
+    if (!is_there && !is_to_pass(holder, wait.needs, route, holds_m, disk))
       return "it is said to wait for " + robots.at(holder).name + ", which is not there and not to pass";
   }
   for (const auto& [other, robot] : robots) {
