@@ -48,7 +48,16 @@ const Lanes::Ahead& Lanes::ahead(const Stand& stand) {
   Ahead& ahead = entry->second;
   if (!is_new) return ahead;
   const std::vector<Berth> free = reached(stand, kNoBerth, kAhead);
-  ahead.enough = free.size() < kAhead ? free.size() : kAway;
+  ahead.is_small = free.size() < kAhead;
+  ahead.enough = ahead.is_small ? free.size() : kAway;
+  for (const Berth berth : free) {
+    for (const BerthArc& arc : graph_.next(berth, stand.methods)) {
+      if (!graph_.is_cut(arc.to)) continue;
+      ahead.touched.insert(ahead.touched.end(), arc.touches.begin(), arc.touches.end());
+    }
+  }
+  std::sort(ahead.touched.begin(), ahead.touched.end());
+  ahead.touched.erase(std::unique(ahead.touched.begin(), ahead.touched.end()), ahead.touched.end());
   // Looks along one way out: a berth that shuts the robot in is touched on every way.
   for (const BerthArc* const arc : way_to(stand, free[ahead.enough - 1])) {
     bool is_any = false;
@@ -86,12 +95,33 @@ bool Lanes::gets_past(const Stand& other, Berth here, Berth aside) {
          std::any_of(past.begin(), past.end(), [&](Berth berth) { return berth == here || is_beside(here, berth); });
 }
 
+/// Returns whether one that stands there can drive round to there again without touching the occupied berth.
+bool Lanes::comes_round(const Stand& stand, Berth occupied) {
+  const std::vector<Berth> berths = reached(stand, occupied, kAhead);
+  return std::any_of(berths.begin(), berths.end(), [&](Berth berth) {
+    const std::vector<BerthArc>& next = graph_.next(berth, stand.methods);
+    return std::any_of(next.begin(), next.end(),
+                       [&](const BerthArc& arc) { return arc.to == stand.berth && !touches(arc, occupied); });
+  });
+}
+
 /// Returns whether the first robot, shut in by the other, can stand somewhere so that the other one gets past it:
-/// away, or to where the first one was.
+/// away, or to where the first one was, there or farther on it does not shut in the first one: that gets away, or to
+/// where the other one was, or can drive in a circle.
 bool Lanes::lets_pass(const Stand& one, const Stand& other) {
+  const std::size_t enough = ahead(other).enough;
   const std::vector<Berth> all_aside = reached(one, other.berth, kAhead);
-  return std::any_of(all_aside.begin(), all_aside.end(),
-                     [&](Berth aside) { return gets_past(other, one.berth, aside); });
+  return std::any_of(all_aside.begin(), all_aside.end(), [&](Berth aside) {
+    const std::vector<Berth> past = reached(other, aside, enough);
+    if (past.size() >= enough) return true;
+    const auto was_there = [&](Berth berth) { return berth == one.berth || is_beside(one.berth, berth); };
+    const auto first = std::find_if(past.begin(), past.end(), was_there);
+    const Stand stands = {aside, one.methods};
+    const auto gets_on = [&](Berth berth) {
+      return gets_past(stands, other.berth, berth) || comes_round(stands, berth);
+    };
+    return first != past.end() && (gets_on(*first) || gets_on(past.back()));
+  });
 }
 
 bool Lanes::meet(const Stand& one, const Stand& other) {

@@ -21,6 +21,14 @@ class Lanes {
     auto operator<=>(const Stand&) const = default;
   };
 
+  /// Describes what lies ahead of who stands somewhere, when nobody is there.
+  struct Ahead {
+    std::size_t enough = 0;       ///< berths that it can get to when it gets away
+    bool is_small = false;        ///< these are all that there are: it never gets far away from others
+    std::vector<Berth> touched;   ///< on the drives to these, and as many again; sorted
+    std::vector<Berth> shutting;  ///< those that shut it in: see `shut_in_by`
+  };
+  const Ahead& ahead(const Stand& stand);
   /// Returns the berths that shut in who stands there: a robot at one of them has to leave before it gets away.
   /// Sorted. None where several ways lead on.
   const std::vector<Berth>& shut_in_by(const Stand& stand);
@@ -34,14 +42,9 @@ class Lanes {
   void clear();
 
  private:
-  struct Ahead {
-    std::size_t enough = 0;       ///< berths that it can get to when it gets away
-    std::vector<Berth> shutting;  ///< those that shut it in
-  };
-
-  const Ahead& ahead(const Stand& stand);
   std::vector<Berth> reached(const Stand& from, Berth occupied, std::size_t most);
   std::vector<const BerthArc*> way_to(const Stand& from, Berth to);
+  bool comes_round(const Stand& stand, Berth occupied);
   bool lets_pass(const Stand& one, const Stand& other);
 
   BerthGraph& graph_;
