@@ -194,6 +194,22 @@ std::optional<double> Holdings::clearance_m(const Proximity& proximity, const Ro
   return least_m;
 }
 
+std::optional<double> Holdings::distance_m(const RobotId& robot, const LocatedPlace& here) const {
+  std::optional<double> least_m;
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return least_m;
+  for (const auto& held : known->second) {
+    for (const Spot& of_held : held->located.spots) {
+      for (const Spot& of_here : here.spots) {
+        if (of_held.part != of_here.part) continue;
+        const double one_m = Layout::distance_m(of_held, of_here);
+        least_m = std::min(least_m.value_or(one_m), one_m);
+      }
+    }
+  }
+  return least_m;
+}
+
 bool Holdings::are_others_laid(const RobotId& robot) const {
   return unlaid_.empty() || (unlaid_.size() == 1 && unlaid_.begin()->first == robot);
 }

@@ -30,6 +30,8 @@ class Holdings {
   bool holds_near(const TrafficMap& map, Proximity& proximity, const RobotId& robot, const LocatedPlace& here) const;
   /// Returns how near the robot's holding may be to `here`; none: farther than anything that could overlap.
   std::optional<double> clearance_m(const Proximity& proximity, const RobotId& robot, const LocatedPlace& here) const;
+  /// Returns how near it most probably is, as all is laid out; none: in different parts.
+  std::optional<double> distance_m(const RobotId& robot, const LocatedPlace& here) const;
   /// Returns whether it is known where everything lies that others than this robot hold.
   bool are_others_laid(const RobotId& robot) const;
 

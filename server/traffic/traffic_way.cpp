@@ -13,8 +13,10 @@ namespace {
 constexpr double kRoomToSetOff_m = 0.5;
 /// Bounds how far beyond its own size a robot may drive and not count as on its way.
 constexpr double kStandsWithin_m = 1.0;
-/// Bounds from below by how much a robot has to get away from what somebody else holds, that it may move at all.
-constexpr double kAway_m = 0.05;
+/// Bound from below by how much a robot has to get away from what somebody else holds, that it may move at all: who
+/// drives along that is no farther off, whatever it comes to lie beside it.
+constexpr double kAway_m = 0.15;
+constexpr double kAwayShare = 1.0 / 3.0;  ///< of the way that it drives
 /// Bounds how much nearer a place may lie than the one before and still count as no nearer.
 constexpr double kSame_m = 1e-6;
 
@@ -168,15 +170,19 @@ std::optional<std::uint32_t> Traffic::away_through(const Route& route, std::uint
     if (!next.is_laid || is_other || !rises_by(before_m, -kSame_m)) break;
     driven_m += distance_m(route.relations[stand + i - 1]);
     before_m = now_m;
-    if (rises_by(begin_m, kAway_m)) through = stand + i;
+    if (rises_by(begin_m, std::max(kAway_m, kAwayShare * driven_m))) through = stand + i;
   }
   return through;
 }
 
+/// Returns how near each robot's holding may be to `here`, and how near it most probably is: a clearance of nothing,
+/// where that is unsure, hides that the robot comes nearer.
 std::vector<double> Traffic::clearances_m(const std::set<RobotId>& robots, const LocatedPlace& here) const {
   std::vector<double> all_m;
   for (const RobotId& robot : robots) {
-    all_m.push_back(holdings_.clearance_m(proximity_, robot, here).value_or(std::numeric_limits<double>::max()));
+    constexpr double far_m = std::numeric_limits<double>::max();
+    all_m.push_back(holdings_.clearance_m(proximity_, robot, here).value_or(far_m));
+    all_m.push_back(holdings_.distance_m(robot, here).value_or(far_m));
   }
   return all_m;
 }
