@@ -49,12 +49,10 @@ def frames(fleet):
     return {row['name']: row['frame'] for row in fleet.weft('robots')['robots']}
 
 
-def is_before(fleet, robot, label):
-    """Whether the robot says that it is on the last places before the label's."""
+def places_before(label):
+    """The last places before the label's, where the aisle is for one robot."""
     experience, index = label
-    place = fleet.robot(robot)['place']
-    at, _, number = (place or ':0').partition(':')
-    return at == experience and index - DIES_PLACES_BEFORE <= int(number) < index - 4
+    return [f'{experience}:{number}' for number in range(index - DIES_PLACES_BEFORE, index - 4)]
 
 
 def play(fleet, watch, at, record, say):
@@ -69,9 +67,10 @@ def play(fleet, watch, at, record, say):
     fleet.weft('edge', 'open', *edge)
     say('the edge is open again')
     second = [watch.send(*goal) for goal in OPENED]
-    seen = watch.until(f'{VICTIM} to come near the {OPENED[0][0]}', lambda: is_before(fleet, VICTIM, at[OPENED[0][0]]), 120)
+    aisle = places_before(at[OPENED[0][0]])
+    seen = watch.until(f'{VICTIM} to come near the {OPENED[0][0]}', lambda: fleet.robot(VICTIM)['place'] in aisle, 120)
     fleet.kill_robot(VICTIM)
-    record['killed'] = dict(robot=VICTIM, goal=second[0])
+    record['killed'] = dict(robot=VICTIM, goal=second[0], aisle=aisle)
     say(f"{VICTIM}'s agent is killed with -9, {'in the aisle' if seen else 'wherever it is'}")
     third = [watch.send(*goal) for goal in KILLED]
     watch.until('all other goals', lambda: watch.have_ended(first + second[1:] + third), 150)

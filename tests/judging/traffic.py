@@ -8,6 +8,7 @@ from judging import geometry, metrics, verdict
 STANDS_S, STANDS_M = 10.0, 0.05      # not moved farther for so long: it stands, and somebody has to be able to say why
 SETS_OFF_S = 2.0                     # after it was let go on
 CLOSED_M = 0.15                      # from the middle of the closed edge: driven over it
+IN_AISLE_M = 0.5                     # from the places at which the victim was to die: it stands in nobody's way elsewhere
 LEAST_SUCCEEDED = 10                 # goals; the others may wait for good, for a named reason
 OVER = ('succeeded', 'failed', 'cancelled', 'rejected')
 UNTIL_EVER = 1 << 62
@@ -76,7 +77,17 @@ def summarise(records):
                           named=mine[-1]['cause'] if mine else None, waited=sum(row['waits'] for row in mine),
                           unnamed=sum(row['waits'] and not row['cause'] for row in mine), faults=[row['fault'] for row in mine if row['fault']]))
     return dict(metrics.common(records, metrics.stitches(records), by_itself(records)), goals=goals, killed=records.traffic.get('killed'),
-                yields=sum(goal['kind'] == 'yield' for goal in records.goals), trespassed=trespassed(records))
+                yields=sum(goal['kind'] == 'yield' for goal in records.goals), trespassed=trespassed(records),
+                beside_aisle_m=beside_aisle_m(records))
+
+
+def beside_aisle_m(records):
+    """How far the killed robot stands from the aisle in which it was to die; None where nobody was killed."""
+    killed = records.traffic.get('killed')
+    if not killed or not records.truth.get(killed['robot']):
+        return None
+    frames = records.truth[killed['robot']]
+    return min(geometry.distance(frames[max(frames)], records.true_place(place)) for place in killed['aisle'])
 
 
 def trespassed(records):
@@ -114,6 +125,8 @@ def faults(summary, wanted_goals=12):
     killed = summary['killed']
     if not killed or not killed.get('holds'):
         broken.append(f"{killed['robot'] if killed else 'nobody'} was killed and holds nothing at the end")
+    if killed and not (summary['beside_aisle_m'] or 0.0) <= IN_AISLE_M:
+        broken.append(f"{killed['robot']} was killed {summary['beside_aisle_m']:.1f} m from the aisle that it was to block")
     return broken + verdict.shared(summary)
 
 

@@ -46,7 +46,8 @@ def made():
         'processes.jsonl': [dict(name=name, vendor='fastdds', peak_memory_mb=1.0, peer=peer) for name, peer in IDS.items()],
         'network.json': dict(places=[dict(id=f'{A}:{i}', experience=A, index=i, robot=IDS['r1'], frame=i) for i in range(200)],
                              edges=[], labels=dict(end=f'{A}:100', far=f'{A}:150')),
-        'traffic.json': dict(taught=dict(r1=199, r2=-1, r3=-1, r4=-1), killed=dict(robot='r3', goal='g2', holds=f'{A}:139..141'),
+        'traffic.json': dict(taught=dict(r1=199, r2=-1, r3=-1, r4=-1), killed=dict(robot='r3', goal='g2', holds=f'{A}:139..141',
+                                                                        aisle=[f'{A}:{i}' for i in range(135, 145)]),
                              closed=dict(a=f'{A}:120', b=f'{A}:122', closed=dict(r2=200), opened=dict(r2=290))),
     }
 
@@ -139,6 +140,8 @@ class Traffic(unittest.TestCase):
 
     def test_a_killed_robot_that_holds_nothing_is_seen(self):
         self.assertIn('r3 was killed and holds nothing', self.broken(lambda c: c['traffic.json']['killed'].update(holds='')))
+        self.assertIn('r3 was killed 4.0 m from the aisle', self.broken(
+            lambda c: c['traffic.json']['killed'].update(aisle=[f'{A}:180', f'{A}:181'])))
         self.assertIn('nobody was killed', self.broken(lambda c: c['traffic.json'].pop('killed')))
 
     def test_the_picture_is_drawn(self):
