@@ -44,7 +44,7 @@ std::optional<std::uint32_t> Planning::number(const RobotId& robot, const PlaceI
   return found->second.number;
 }
 
-Planning::Piece Planning::piece(std::uint32_t number, const std::vector<PlaceId>& held) const {
+Planning::Piece Planning::piece(std::uint32_t number, const std::vector<PlaceId>& held) {
   const PlanOrder& order = planner_.order();
   const std::uint32_t first = order.released(number);
   const std::uint32_t last = planner_.may(number, planner_.berths_in(held));
@@ -60,14 +60,13 @@ void Planning::released(const RobotId& robot, std::size_t stops, const PlaceId& 
     return;
   }
   Planned& planned = robots_.at(robot);
-  PlanOrder& order = planner_.order();
-  order.release(planned.number, order.released(planned.number) + static_cast<std::uint32_t>(stops));
+  planner_.release(planned.number, planner_.order().released(planned.number) + static_cast<std::uint32_t>(stops));
   planned.end = end;
 }
 
-std::set<RobotId> Planning::waits_for(std::uint32_t number) const {
+std::set<RobotId> Planning::waits_for(std::uint32_t number) {
   std::set<RobotId> robots;
-  for (const std::uint32_t other : planner_.order().waits_for(number)) robots.insert(of_[other]);
+  for (const std::uint32_t other : planner_.waits_for(number)) robots.insert(of_[other]);
   return robots;
 }
 

@@ -39,12 +39,14 @@ class Planning {
     std::vector<std::uint32_t> stops;  ///< of these, by index
     bool has_more = false;             ///< moves are planned that others come before
   };
-  Piece piece(std::uint32_t number, const std::vector<PlaceId>& held) const;
+  Piece piece(std::uint32_t number, const std::vector<PlaceId>& held);
   /// Notes that the robot is released to so many stops of its latest piece, and ends there; 0: elsewhere than
   /// planned.
   void released(const RobotId& robot, std::size_t stops, const PlaceId& end);
   /// Returns whom the robot waits for that is not released what comes next, though nobody holds it.
-  std::set<RobotId> waits_for(std::uint32_t number) const;
+  std::set<RobotId> waits_for(std::uint32_t number);
+  /// Returns whether the robot may drive on along that way though the plan does not say so.
+  bool is_safe(std::uint32_t number, const std::vector<PlaceId>& ahead) { return planner_.is_safe(number, ahead); }
 
  private:
   struct Planned {

@@ -83,7 +83,9 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
   piece.way = traffic_.way(route, told ? route.released + 1 : 0);
   piece.reach = piece.way.through;
   const bool is_there = !told && route.places.size() == 1;
-  if (!piece.way.is_away && !is_there) piece.way.through.reset();
+  const std::vector<PlaceId> ahead(route.places.begin() + static_cast<std::ptrdiff_t>(kept) + 1, route.places.end());
+  const bool gets_out = piece.way.is_away && planning_.is_safe(*number, ahead);
+  if (!gets_out && !is_there) piece.way.through.reset();
   if (piece.way.end == Traffic::Way::End::free) {
     piece.way.end = Traffic::Way::End::turn;
     piece.way.blocked_by = planning_.waits_for(*number);

@@ -186,6 +186,37 @@ TEST_F(PocketTest, WhoHasArrivedInThereAndIsIdleComesOutForWhoWantsIn) {
   EXPECT_TRUE(comes_by(0, graph->at(5, 1)));
 }
 
+/// An idle robot in the mouth, where another one is to go, and from where it cannot drive on: the ring is shut.
+struct ShutRingTest : PocketTest {
+  ShutRingTest() {
+    pockets->look(deep(), 0);
+    put(graph->at(3, 0), mouth());
+    put(mouth());
+    put(graph->at(4, 2)).stays = true;
+  }
+};
+
+TEST_F(ShutRingTest, AnIdleRobotMakesWayIntoADeadEndThatNobodyWants) {
+  plan();
+  EXPECT_EQ(end_of(0), mouth());
+  EXPECT_TRUE(comes_by(1, graph->at(5, 1)));
+}
+
+TEST_F(ShutRingTest, NotIntoOneThatAnotherWants) {
+  put(graph->at(2, 0), deep());
+  plan();
+  EXPECT_FALSE(comes_by(1, graph->at(5, 1)));
+}
+
+TEST_F(PocketTest, AnIdleRobotDrivesOnRatherThanIntoADeadEnd) {
+  pockets->look(deep(), 0);
+  put(graph->at(3, 0), graph->at(4, 2));
+  put(mouth());
+  plan();
+  EXPECT_FALSE(comes_by(1, graph->at(5, 1)));
+  EXPECT_TRUE(comes_by(0, graph->at(4, 2)));
+}
+
 TEST_F(MovePlanTest, NobodyIsReleasedToWhereAnotherComesFirst) {
   draw({".....",  //
         ".....",  //

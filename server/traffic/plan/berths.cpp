@@ -62,8 +62,9 @@ void Berths::cut_anew() {
   std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
   for (const auto& [id, experience] : network_->experiences()) {
     Run& run = runs_[id];
-    if (run.of != experience) {
+    if (run.of != experience || !run.is_laid) {
       run.of = experience;
+      run.is_laid = !experience->places.empty() && layout.spot(experience->places.begin()->id).has_value();
       run.cuts = cuts_of(*experience, rules);
     }
     for (const std::uint32_t index : run.cuts) put_in_cell({id, index}, in_cell_);

@@ -41,6 +41,10 @@ class Berths final : public BerthGraph {
   /// Has what can be touched looked up in that map, though an earlier one is followed: `Proximity` remembers what it
   /// finds for leases, too.
   void see(std::shared_ptr<const Snapshot> latest) { latest_ = std::move(latest); }
+  /// Returns whether it is known where the place lies, if the network has it: berths around it can be made.
+  bool is_laid(const Snapshot& network, const PlaceId& place) const {
+    return network.place(place) == nullptr || proximity_.layout().spot(place).has_value();
+  }
   /// Returns whether a map is followed, for robots of that size.
   bool is_for(double footprint_m) const { return network_ != nullptr && footprint_m_ == footprint_m; }
   /// Numbers a way of driving.
@@ -78,6 +82,7 @@ class Berths final : public BerthGraph {
   using Cell = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
   struct Run {
     std::shared_ptr<const Experience> of;
+    bool is_laid = false;  ///< it was known where it lies when it was cut
     std::vector<std::uint32_t> cuts;
   };
 

@@ -37,11 +37,6 @@ class Meetings {
   /// Returns whom the robot would meet if it went there and does not meet anyway, in order of their numbers; it is
   /// refused then.
   std::vector<std::uint32_t> refuse(std::uint32_t robot, Berth to);
-  /// Returns whether the robot, where it stands, keeps the other one from going there, and could make way: they are
-  /// not face to face.
-  bool keeps_from(std::uint32_t robot, const Meeting& other) {
-    return !are_face_to_face(robot, other.robot) && would_keep_from(robots_[robot].at, other);
-  }
   /// Returns whether one that stands there keeps the other one from going to where it would.
   bool would_keep_from(const Lanes::Stand& at, const Meeting& other);
   /// Returns who has to have left a lane before the robot goes there.

@@ -10,6 +10,7 @@
 #include "server/traffic/plan/meetings.hpp"
 #include "server/traffic/plan/occupied_berths.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
+#include "server/traffic/plan/safe_states.hpp"
 
 namespace weft::server {
 namespace {
@@ -27,6 +28,7 @@ class Steps {
         pockets_(pockets),
         turns_(pockets),
         meetings_(graph, lanes),
+        safe_(graph, lanes),
         rules_(rules),
         states_(robots.size()),
         order_(robots.size()) {
@@ -34,6 +36,7 @@ class Steps {
     for (std::uint32_t i = 0; i < robots.size(); ++i) {
       states_[i].robot = robots[i];
       meetings_.add(robots[i].at, robots[i].methods);
+      safe_.add({robots[i].at, robots[i].methods});
       states_[i].handles = robots[i].handles;
       states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
       if (robots[i].at == kNoBerth) continue;
@@ -95,10 +98,21 @@ class Steps {
       occupied_.move(*arc, step);
     }
     for (const std::uint32_t robot : order_) forget_wish(robot);
+    std::erase_if(moving_, [this](std::uint32_t robot) { return !is_safe(robot); });
     // Nobody enters a lane in the step in which another one leaves it, so all of these find the same.
     for (const std::uint32_t robot : moving_) states_[robot].first = meetings_.first(robot, states_[robot].wish->to);
     for (const std::uint32_t robot : moving_) move(robot, step);
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) get_on(robot);
+  }
+
+  /// Returns whether nobody is stuck when the robot moves as it wishes; it is there then.
+  bool is_safe(std::uint32_t robot) {
+    const std::vector<std::uint32_t> stuck = safe_.stuck_by(robot, states_[robot].wish->to, {});
+    for (const std::uint32_t other : stuck) {
+      if (other != robot) note_kept(robot, other);
+    }
+    if (stuck.empty()) safe_.put(robot, states_[robot].wish->to);
+    return stuck.empty();
   }
 
   /// Finds who is in which pocket, and who has to come out.
@@ -152,6 +166,7 @@ class Steps {
 
   struct Choice {
     const BerthArc* arc = nullptr;
+    bool is_last = false;      ///< makes way into a pocket
     bool is_unwanted = false;  ///< the asker has no use for it
     bool is_free = false;
     double cost_m = 0.0;
@@ -168,13 +183,10 @@ class Steps {
       ++plan_.pushes;
       return clears(robot, [&](const PlanRobot& there) { return !turns_.is_in_a_mouth(there); });
     }
-    if (state.robot.goal == nullptr && !state.leaves && state.sent_on &&
-        meetings_.keeps_from(robot, *state.sent_on)) {
+    if (state.robot.goal == nullptr && !state.leaves && state.sent_on && keeps_from(robot, *state.sent_on)) {
       ++plan_.pushes;
       const Meeting other = *state.sent_on;
-      return clears(robot, [&](const PlanRobot& there) {
-        return !meetings_.would_keep_from({there.at, there.methods}, other);
-      });
+      return clears(robot, [&](const PlanRobot& there) { return !would_keep_from(robot, there, other); });
     }
     if (goes(robot, kNobody)) return true;
     std::vector<std::uint32_t> kept_in;
@@ -187,6 +199,19 @@ class Steps {
       return std::all_of(kept_in.begin(), kept_in.end(),
                          [&](std::uint32_t other) { return meetings_.is_aside(robot, there.at, other); });
     });
+  }
+
+  /// Returns whether the robot, where it stands, keeps the other one from going there, and could make way.
+  bool keeps_from(std::uint32_t robot, const Meeting& other) {
+    return !meetings_.are_face_to_face(robot, other.robot) && would_keep_from(robot, states_[robot].robot, other);
+  }
+  /// Returns whether it would from there: they meet, or it would be stuck when that one went where it would.
+  bool would_keep_from(std::uint32_t robot, const PlanRobot& there, const Meeting& other) {
+    if (meetings_.would_keep_from({there.at, there.methods}, other)) return true;
+    safe_.put(robot, there.at);
+    const std::vector<std::uint32_t> stuck = safe_.stuck_by(other.robot, other.to, {});
+    safe_.put(robot, states_[robot].robot.at);
+    return std::binary_search(stuck.begin(), stuck.end(), robot);
   }
 
   /// Has the robot drive on to where it is out of others' way, its goal or not, round those that cannot make way.
@@ -255,9 +280,11 @@ class Steps {
       }
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
       const double cost_m = goal == nullptr || is_sent_out ? there_m : arc.length_m + there_m;
-      choices.push_back({&arc, is_unwanted, occupied_.occupant(arc, robot) == kNobody, cost_m});
+      const bool is_last = asker != kNobody && turns_.leads_in(states_[robot].robot, arc.to);
+      choices.push_back({&arc, is_last, is_unwanted, occupied_.occupant(arc, robot) == kNobody, cost_m});
     }
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+      if (a.is_last != b.is_last) return b.is_last;
       if (a.cost_m != b.cost_m) return a.cost_m < b.cost_m;
       if (a.is_unwanted != b.is_unwanted) return a.is_unwanted;
       return a.is_free && !b.is_free;
@@ -271,7 +298,7 @@ class Steps {
       note_kept(robot, other);
       return false;
     }
-    if (would_meet(robot, arc.to)) return false;
+    if (would_meet(robot, arc)) return false;
     put_wish(robot, &arc);
     const bool goes_in = turns_.take(arc.to, robot);
     std::uint32_t asked = 0;
@@ -289,11 +316,21 @@ class Steps {
     return true;
   }
 
-  /// Returns whether the robot would come face to face with another one from there on. One that has nothing to do is
-  /// sent on.
-  bool would_meet(std::uint32_t robot, Berth to) {
-    const std::vector<std::uint32_t> met = meetings_.refuse(robot, to);
-    for (const std::uint32_t other : met) note_met(robot, other, to);
+  /// Returns whether the robot would come face to face with another one from there on, or some would be stuck. One
+  /// that has nothing to do is sent on.
+  bool would_meet(std::uint32_t robot, const BerthArc& arc) {
+    std::vector<std::uint32_t> met = meetings_.refuse(robot, arc.to);
+    if (met.empty()) {
+      std::vector<std::uint32_t> leaving;
+      for (const Berth berth : arc.touches) {
+        if (const std::uint32_t other = occupied_.who_stands_at(berth); other != kNobody && other != robot)
+          leaving.push_back(other);
+      }
+      met = safe_.stuck_by(robot, arc.to, leaving);
+    }
+    for (const std::uint32_t other : met) {
+      if (other != robot) note_met(robot, other, arc.to);
+    }
     return !met.empty();
   }
 
@@ -343,6 +380,7 @@ class Steps {
   void put_wish(std::uint32_t robot, const BerthArc* arc) {
     states_[robot].wish = arc;
     meetings_.wishes(robot, arc->to);
+    safe_.put(robot, arc->to);
     target_.at(arc->to).robot = robot;
     target_.at(arc->middle).robot = robot;
     for (const Berth berth : arc->touches) claims_.at(berth).push_back(robot);
@@ -351,6 +389,7 @@ class Steps {
   void take_back_wish(std::uint32_t robot) {
     const BerthArc* const arc = std::exchange(states_[robot].wish, nullptr);
     meetings_.takes_back(robot, arc->to);
+    safe_.put(robot, states_[robot].robot.at);
     target_.at(arc->to).robot = kNobody;
     target_.at(arc->middle).robot = kNobody;
     for (const Berth berth : arc->touches) std::erase(claims_.at(berth), robot);
@@ -365,6 +404,7 @@ class Steps {
     if (state.wish != nullptr) {
       target_.at(state.wish->middle).robot = kNobody;
       meetings_.takes_back(robot, there);
+      safe_.put(robot, state.robot.at);
     }
     claims_.at(there).clear();
     for (const Berth berth : touched) claims_.at(berth).clear();
@@ -405,6 +445,7 @@ class Steps {
   Pockets& pockets_;
   PocketTurns turns_;
   Meetings meetings_;
+  SafeStates safe_;
   PlanRules rules_;
   std::vector<State> states_;
   std::vector<std::uint32_t> order_;

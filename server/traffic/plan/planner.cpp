@@ -22,8 +22,10 @@ constexpr std::uint32_t kBerthsAheadAlone = 8;
 bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
                    bool may_lag) {
   order_ = {};
-  const bool lags = may_lag && berths_.is_for(footprint_m) && knows(requests);
   berths_.see(network.network);
+  const bool is_laid = this->is_laid(*network.network, requests);
+  const bool lags = (may_lag || !is_laid) && berths_.is_for(footprint_m) && knows(requests);
+  if (!lags && !is_laid) return plan_nothing(requests.size());
   if (!lags && berths_.follow(network, footprint_m)) {
     distances_.clear();
     pockets_.clear();
@@ -48,8 +50,31 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   pushes_ += plan.pushes;
   asked_several_ += plan.asked_several;
   order_ = PlanOrder(std::move(plan));
+  released_.emplace(berths_, lanes_);
+  for (const PlanRobot& robot : robots) released_->add({robot.at, robot.methods});
   forget_unused();
   return !lags;
+}
+
+/// Leaves everybody where it is.
+bool Planner::plan_nothing(std::size_t robots) {
+  MovePlan nothing;
+  nothing.moves.resize(robots);
+  nothing.kept_by.resize(robots);
+  order_ = PlanOrder(std::move(nothing));
+  released_.emplace(berths_, lanes_);
+  for (std::size_t robot = 0; robot < robots; ++robot) released_->add({});
+  methods_.assign(robots, 0);
+  moving_ = 0;
+  return false;
+}
+
+/// Returns whether it is known where all lie that the requests name.
+bool Planner::is_laid(const Snapshot& network, const std::vector<PlanRequest>& requests) const {
+  return std::all_of(requests.begin(), requests.end(), [&](const PlanRequest& request) {
+    return (request.held.empty() || berths_.is_laid(network, request.held.back())) &&
+           (!request.goal || berths_.is_laid(network, *request.goal));
+  });
 }
 
 /// Returns whether all places that the requests name are in the map as it is followed.
@@ -134,14 +159,39 @@ std::uint32_t Planner::berths_in(const std::vector<PlaceId>& held) const {
       std::count_if(held.begin(), held.end() - 1, [this](const PlaceId& place) { return berths_.is_cut(place); }));
 }
 
-std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) const {
+std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) {
   const std::uint32_t turn = order_.may(robot);
-  if (moving_ < 2) return turn;
+  const Berth at = released_->at(robot);
   std::uint32_t move = order_.released(robot);
   for (; move < turn; ++move, ++held) {
-    if (held >= kBerthsAheadAlone || (held >= kBerthsAhead && order_.is_shared(robot, move))) break;
+    const bool is_far = held >= kBerthsAheadAlone || (held >= kBerthsAhead && order_.is_shared(robot, move));
+    const Berth to = order_.moves(robot)[move].arc->to;
+    if ((moving_ > 1 && is_far) || !released_->kept_by(robot, to).empty()) break;
+    released_->put(robot, to);
   }
+  released_->put(robot, at);
   return move;
+}
+
+std::vector<std::uint32_t> Planner::waits_for(std::uint32_t robot) {
+  const std::uint32_t move = order_.released(robot);
+  if (order_.may(robot) == move) return order_.waits_for(robot);
+  std::vector<std::uint32_t> robots = released_->kept_by(robot, order_.moves(robot)[move].arc->to);
+  std::erase(robots, robot);
+  return robots;
+}
+
+bool Planner::is_safe(std::uint32_t robot, const std::vector<PlaceId>& ahead) {
+  if (released_->at(robot) == kNoBerth) return true;
+  const auto next = std::find_if(ahead.begin(), ahead.end(), [this](const PlaceId& place) {
+    return berths_.has(place) && berths_.is_cut(place);
+  });
+  return next == ahead.end() || released_->kept_by(robot, berths_.at(*next)).empty();
+}
+
+void Planner::release(std::uint32_t robot, std::uint32_t moves) {
+  order_.release(robot, moves);
+  if (moves > 0) released_->put(robot, order_.moves(robot)[moves - 1].arc->to);
 }
 
 PlannedWay Planner::way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const {

@@ -13,6 +13,7 @@
 #include "server/traffic/plan/lanes.hpp"
 #include "server/traffic/plan/move_plan.hpp"
 #include "server/traffic/plan/plan_order.hpp"
+#include "server/traffic/plan/safe_states.hpp"
 
 namespace weft::server {
 
@@ -45,7 +46,8 @@ class Planner {
   /// Plans anew for all of them; `footprint_m` is that of the largest. Robots that stand where the map has no place
   /// are left out. The robots' numbers, below, are those of the requests. Where `may_lag`, the map and the layout may
   /// be those of an earlier plan, if all that the requests name lies in that: to cut a map into berths again takes
-  /// what the map does. Returns whether it is the latest.
+  /// what the map does. So they may where it is not known yet where all of these lie in the latest; then nobody moves
+  /// unless the earlier one has them. Returns whether it is the latest.
   bool plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
             bool may_lag = false);
   /// Returns the robot's planned moves from `first` to before `last`.
@@ -53,11 +55,18 @@ class Planner {
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
   /// berths of what it was released lie ahead of it. As the plan's order is, and not far ahead while others move:
   /// what it holds is in their way.
-  std::uint32_t may(std::uint32_t robot, std::uint32_t held) const;
+  std::uint32_t may(std::uint32_t robot, std::uint32_t held);
+  /// Returns whom the robot waits for, as `PlanOrder::waits_for`; and else who is not where the plan had it yet, so
+  /// that its next move would have to be taken back.
+  std::vector<std::uint32_t> waits_for(std::uint32_t robot);
+  /// Returns whether the robot may drive on to the next berth of that way though the plan does not say so: nobody
+  /// comes face to face with it there, or is stuck.
+  bool is_safe(std::uint32_t robot, const std::vector<PlaceId>& ahead);
+  /// Notes that so many of the robot's moves are released.
+  void release(std::uint32_t robot, std::uint32_t moves);
   /// Returns how many berths lie in what a robot holds, without the one where it ends.
   std::uint32_t berths_in(const std::vector<PlaceId>& held) const;
   /// Keeps the order of the plan.
-  PlanOrder& order() { return order_; }
   const PlanOrder& order() const { return order_; }
   /// Counts robots that were asked to make way, of all plans.
   std::uint64_t pushes() const { return pushes_; }
@@ -66,6 +75,8 @@ class Planner {
  private:
   using Key = std::pair<PlaceId, std::uint32_t>;
 
+  bool plan_nothing(std::size_t robots);
+  bool is_laid(const Snapshot& network, const std::vector<PlanRequest>& requests) const;
   bool knows(const std::vector<PlanRequest>& requests) const;
   void occupy(const std::vector<PlanRequest>& requests);
   PlanRobot robot_of(const PlanRequest& request);
@@ -80,6 +91,7 @@ class Planner {
   Pockets pockets_{berths_};
   Lanes lanes_{berths_};
   PlanOrder order_;
+  std::optional<SafeStates> released_;  ///< where robots are when they have driven what they were released
   std::vector<std::uint32_t> methods_;  ///< of each robot of the plan
   std::uint32_t moving_ = 0;            ///< robots that have a goal
   std::set<Key> used_;

@@ -51,11 +51,17 @@ bool PocketTurns::may_go(std::uint32_t robot, const PlanRobot& known, Berth to, 
   if (pocket != Pockets::kNone && pocket != in) {
     // A goal may lie inside what was found to be a pocket from elsewhere alone.
     const bool may_want_in = known.goal != nullptr && !wants_in && !is_asked;
-    return (may_want_in || (wants_in && known.pocket == pocket)) && is_open(pocket, robot);
+    const bool may_step_in = is_asked && wanted_by_[pocket].empty();
+    return (may_want_in || may_step_in || (wants_in && known.pocket == pocket)) && is_open(pocket, robot);
   }
   const bool would_wait = wants_in && in != known.pocket && !is_open(known.pocket, robot);
   return is_asked || !would_wait || !pockets_.is_at_mouth(known.pocket, to) ||
          pockets_.is_at_mouth(known.pocket, known.at);
+}
+
+bool PocketTurns::leads_in(const PlanRobot& known, Berth to) const {
+  const std::uint32_t pocket = pockets_.of(to);
+  return pocket != Pockets::kNone && pocket != pockets_.of(known.at);
 }
 
 std::uint32_t PocketTurns::keeper(std::uint32_t robot, const PlanRobot& known, Berth to) const {

@@ -27,8 +27,11 @@ class PocketTurns {
   /// Returns who wants to go into the pocket and is not in it.
   const std::vector<Wanting>& wanted_by(std::uint32_t pocket) const { return wanted_by_[pocket]; }
 
-  /// Returns whether the robot may go there: who is to wait does so before the mouth, unless it has to make way.
+  /// Returns whether the robot may go there: who is to wait does so before the mouth, unless it has to make way. Who
+  /// makes way may do so into a pocket that nobody wants.
   bool may_go(std::uint32_t robot, const PlanRobot& known, Berth to, bool is_asked) const;
+  /// Returns whether the drive there leads into a pocket.
+  bool leads_in(const PlanRobot& known, Berth to) const;
   /// Returns who is in the pocket that keeps the robot from going there; kNobody: nobody is.
   std::uint32_t keeper(std::uint32_t robot, const PlanRobot& known, Berth to) const;
   /// Returns whether the robot stands in the mouth of a pocket in which it wants to go, and which is taken.

@@ -69,7 +69,7 @@ class Ours final : public Policy {
   /// Releases what is the robot's turn, as the next version of its route. Returns whether that was anything.
   bool go_on(std::uint32_t robot) {
     Leased::Way& way = leased_.ways()[robot];
-    server::PlanOrder& order = planner_.order();
+    const server::PlanOrder& order = planner_.order();
     const std::uint32_t first = order.released(robot);
     const std::uint32_t held =
         way.route && way.is_told ? (way.route->released - way.at) / TaughtLanes::kPlacesOfCell : 0;
@@ -95,7 +95,7 @@ class Ours final : public Policy {
     leased_.release(robot, &stops);
     const std::uint32_t cells_released =
         way.is_told ? (way.route->released - before) / TaughtLanes::kPlacesOfCell : 0;
-    order.release(robot, first + cells_released);
+    planner_.release(robot, first + cells_released);
     is_blocked_[robot] = first + cells_released < last;
     return cells_released > 0;
   }

@@ -1,0 +1,191 @@
+#include "server/traffic/plan/safe_states.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace weft::server {
+
+void SafeStates::add(const Lanes::Stand& at) {
+  robots_.push_back(at);
+  ways_out_.emplace_back();
+  is_away_.push_back(false);
+  occupy(at.berth);
+}
+
+namespace {
+bool has(const std::vector<bool>& berths, Berth berth) {
+  return berth < berths.size() && berths[berth];
+}
+void add_to(std::vector<bool>& berths, Berth berth) {
+  if (berth >= berths.size()) berths.resize(2 * (berth + std::size_t{1}));
+  berths[berth] = true;
+}
+}  // namespace
+
+void SafeStates::put(std::uint32_t robot, Berth at) {
+  if (robots_[robot].berth == at) return;
+  place(robot, at);
+  ways_out_[robot].is_known = false;
+  for (WaysOut& ways : ways_out_) ways.is_known = ways.is_known && !has(ways.touched, at);
+}
+
+void SafeStates::occupy(Berth berth) {
+  if (berth != kNoBerth) occupied_.insert(std::upper_bound(occupied_.begin(), occupied_.end(), berth), berth);
+}
+
+void SafeStates::vacate(Berth berth) {
+  if (berth != kNoBerth) occupied_.erase(std::lower_bound(occupied_.begin(), occupied_.end(), berth));
+}
+
+void SafeStates::place(std::uint32_t robot, Berth at) {
+  const Berth from = std::exchange(robots_[robot].berth, at);
+  if (is_away_[robot]) return;
+  vacate(from);
+  occupy(at);
+}
+
+void SafeStates::set_away(std::uint32_t robot, bool is_away) {
+  if (is_away_[robot] == is_away) return;
+  is_away_[robot] = is_away;
+  if (is_away) {
+    vacate(robots_[robot].berth);
+  } else {
+    occupy(robots_[robot].berth);
+  }
+}
+
+/// Returns whether somebody stands on that drive who is not away yet, besides the one that stands at `own`.
+bool SafeStates::is_occupied(const BerthArc& arc, Berth own) const {
+  if (arc.touches.empty()) return false;
+  bool is_own_past = false;
+  auto other = std::lower_bound(occupied_.begin(), occupied_.end(), arc.touches.front());
+  for (; other != occupied_.end() && *other <= arc.touches.back(); ++other) {
+    if (*other == own && !std::exchange(is_own_past, true)) continue;
+    if (std::binary_search(arc.touches.begin(), arc.touches.end(), *other)) return true;
+  }
+  return false;
+}
+
+/// Returns whether the robot gets away past those that are not away yet. In a small network nobody does, and it is
+/// looked at pairs only: see `Meetings`.
+bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched) {
+  const Lanes::Stand stand = robots_[robot];
+  const Lanes::Ahead& ahead = lanes_.ahead(stand);
+  if (ahead.is_small) return true;
+  ++searches_;
+  std::vector<Berth> reached = {stand.berth};
+  seen_.at(stand.berth) = searches_;
+  for (std::size_t i = 0; i < reached.size() && reached.size() < ahead.enough; ++i) {
+    for (const BerthArc& arc : graph_.next(reached[i], stand.methods)) {
+      if (seen_.at(arc.to) == searches_ || !graph_.is_cut(arc.to) || is_occupied(arc, stand.berth)) continue;
+      seen_.at(arc.to) = searches_;
+      reached.push_back(arc.to);
+      if (touched == nullptr) continue;
+      for (const Berth berth : arc.touches) add_to(*touched, berth);
+    }
+  }
+  return reached.size() >= ahead.enough;
+}
+
+/// Returns whom it concerns that the robot stands there: itself, and whose ways out lead by.
+std::vector<std::uint32_t> SafeStates::concerned(std::uint32_t by, Berth berth) const {
+  std::vector<std::uint32_t> robots = {by};
+  for (std::uint32_t robot = 0; robot < robots_.size(); ++robot) {
+    if (robot == by || robots_[robot].berth == kNoBerth) continue;
+    const std::vector<Berth>& touched = lanes_.ahead(robots_[robot]).touched;
+    if (std::binary_search(touched.begin(), touched.end(), berth)) robots.push_back(robot);
+  }
+  return robots;
+}
+
+/// Looks for ways out past all others where they are, unless some are known.
+void SafeStates::look(std::uint32_t robot) {
+  WaysOut& ways = ways_out_[robot];
+  if (ways.is_known) return;
+  ways.touched.assign(graph_.size(), false);
+  ways.is_known = gets_away(robot, &ways.touched);
+}
+
+/// Returns whether the robot gets away, and has it away then.
+bool SafeStates::leaves(std::uint32_t robot, std::vector<std::uint32_t>& away) {
+  if (is_away_[robot]) return true;
+  const WaysOut& ways = ways_out_[robot];
+  const bool is_sure = ways.is_known && !has(ways.touched, taken_);
+  if (!is_sure && !gets_away(robot, nullptr)) return false;
+  away.push_back(robot);
+  set_away(robot, true);
+  return true;
+}
+
+/// Returns which of the robots, and of those in their way, cannot get away, sorted.
+std::vector<std::uint32_t> SafeStates::stuck_around(std::vector<std::uint32_t> robots) {
+  std::vector<bool> is_known(robots_.size(), false);
+  for (const std::uint32_t robot : robots) is_known[robot] = true;
+  std::vector<std::uint32_t> stuck;
+  std::vector<std::uint32_t> away;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (leaves(robots[i], away)) continue;
+    stuck.push_back(robots[i]);
+    const std::vector<Berth>& touched = lanes_.ahead(robots_[robots[i]]).touched;
+    for (std::uint32_t other = 0; other < robots_.size(); ++other) {
+      const bool is_there = !is_known[other] && robots_[other].berth != kNoBerth;
+      if (!is_there || !std::binary_search(touched.begin(), touched.end(), robots_[other].berth)) continue;
+      is_known[other] = true;
+      robots.push_back(other);
+    }
+  }
+  while (std::erase_if(stuck, [&](std::uint32_t robot) { return leaves(robot, away); }) > 0) {
+  }
+  for (const std::uint32_t robot : away) set_away(robot, false);
+  std::sort(stuck.begin(), stuck.end());
+  return stuck;
+}
+
+std::vector<std::uint32_t> SafeStates::stuck_by(std::uint32_t robot, Berth to,
+                                                const std::vector<std::uint32_t>& leaving) {
+  const Berth from = robots_[robot].berth;
+  for (const std::uint32_t other : leaving) set_away(other, true);
+  place(robot, to);
+  // Once it is away there are only the others, as if it had not come.
+  const bool is_first_away = gets_away(robot, nullptr);
+  place(robot, from);
+  std::vector<std::uint32_t> newly;
+  if (!is_first_away) newly = newly_stuck(robot, to);
+  for (const std::uint32_t other : leaving) set_away(other, false);
+  return newly;
+}
+
+std::vector<std::uint32_t> SafeStates::newly_stuck(std::uint32_t robot, Berth to) {
+  const Berth from = robots_[robot].berth;
+  std::vector<std::uint32_t> concerned = this->concerned(robot, to);
+  for (const std::uint32_t other : concerned) {
+    if (other != robot) look(other);
+  }
+  const WaysOut ways = std::exchange(ways_out_[robot], {});
+  place(robot, to);
+  taken_ = to;
+  const std::vector<std::uint32_t> after = stuck_around(std::move(concerned));
+  place(robot, from);
+  taken_ = kNoBerth;
+  ways_out_[robot] = ways;
+  if (after.empty()) return {};
+  const std::vector<std::uint32_t> before = stuck_around(after);
+  std::vector<std::uint32_t> newly;
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(newly));
+  return newly;
+}
+
+std::vector<std::uint32_t> SafeStates::kept_by(std::uint32_t robot, Berth to) {
+  const Lanes::Stand here = robots_[robot];
+  const Lanes::Stand there = {to, here.methods};
+  std::vector<std::uint32_t> met;
+  for (std::uint32_t other = 0; other < robots_.size(); ++other) {
+    const Lanes::Stand& stand = robots_[other];
+    if (other == robot || stand.berth == kNoBerth) continue;
+    if (lanes_.meet(there, stand) && !lanes_.meet(here, stand)) met.push_back(other);
+  }
+  return met.empty() ? stuck_by(robot, to, {}) : met;
+}
+
+}  // namespace weft::server

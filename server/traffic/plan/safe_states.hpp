@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/by_berth.hpp"
+#include "server/traffic/plan/lanes.hpp"
+
+namespace weft::server {
+
+/// Keeps where robots stand, or wish to, and refuses what would leave several of them stuck among one another. A
+/// state is safe if all can get away one after another, each past those that have not yet, as in the banker's
+/// algorithm (Dijkstra, EWD 623, 1977); that they find room elsewhere is taken for granted. Unlike `Lanes::meet` it
+/// sees that three robots before a crossing block a fourth.
+class SafeStates {
+ public:
+  SafeStates(BerthGraph& graph, Lanes& lanes) : graph_(graph), lanes_(lanes) {}
+
+  /// Adds a robot, with the next number; one without a berth is nowhere.
+  void add(const Lanes::Stand& at);
+  /// Notes that the robot is there now.
+  void put(std::uint32_t robot, Berth at);
+  /// Returns who could not get away any more if the robot went there, and can where it is: in order of their numbers.
+  /// Those of `leaving` are not looked at.
+  std::vector<std::uint32_t> stuck_by(std::uint32_t robot, Berth to, const std::vector<std::uint32_t>& leaving);
+  /// Returns who keeps the robot from going there: would come face to face with it, or could not get away any more,
+  /// and is in no such trouble as it is now. It may be the robot itself.
+  std::vector<std::uint32_t> kept_by(std::uint32_t robot, Berth to);
+  Berth at(std::uint32_t robot) const { return robots_[robot].berth; }
+
+ private:
+  /// Remembers ways on which a robot gets away: what may not be taken for that.
+  struct WaysOut {
+    bool is_known = false;
+    std::vector<bool> touched;  ///< by berth
+  };
+
+  std::vector<std::uint32_t> newly_stuck(std::uint32_t robot, Berth to);
+  std::vector<std::uint32_t> stuck_around(std::vector<std::uint32_t> robots);
+  void place(std::uint32_t robot, Berth at);
+  void set_away(std::uint32_t robot, bool is_away);
+  void look(std::uint32_t robot);
+  bool leaves(std::uint32_t robot, std::vector<std::uint32_t>& away);
+  std::vector<std::uint32_t> concerned(std::uint32_t by, Berth berth) const;
+  bool gets_away(std::uint32_t robot, std::vector<bool>* touched);
+  bool is_occupied(const BerthArc& arc, Berth own) const;
+  void occupy(Berth berth);
+  void vacate(Berth berth);
+
+  BerthGraph& graph_;
+  Lanes& lanes_;
+  std::vector<Lanes::Stand> robots_;
+  std::vector<WaysOut> ways_out_;  ///< of each robot, past all others where they are
+  std::vector<bool> is_away_;      ///< of each robot, while stuck ones are looked for
+  Berth taken_ = kNoBerth;         ///< where one is thought to go meanwhile
+  std::vector<Berth> occupied_;    ///< by those that are not away, sorted
+  ByBerth<std::uint32_t> seen_;    ///< in which search
+  std::uint32_t searches_ = 0;
+};
+
+}  // namespace weft::server
