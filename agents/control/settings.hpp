@@ -11,8 +11,8 @@ namespace weft::agents {
 /// Whether a setting may be as low as its low bound.
 enum class Low : std::uint8_t { open, closed };
 
-/// Every setting of the controller with its bounds, for whoever checks or reads them:
-/// `in(name, value, Low, low, high)`; `section(name)` gives the `in` of a part.
+/// Calls `in(name, value, Low, low, high)` for every setting of the controller, for whoever checks or reads them;
+/// `section(name)` returns the `in` of a part ("": the tracker's own settings).
 template <class Config, class Section>
 void each_control_setting(Config& config, Section&& section) {
   const auto tracker = section("");

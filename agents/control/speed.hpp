@@ -17,17 +17,17 @@ struct SpeedConfig {
   double integral_limit_m_s = 0.1;         ///< most that the integral adds; [0, 0.5]
 };
 
-/// The speed to have at `along_m`: below `limit`, such that bends ahead are met slowly enough, the end is reached at
-/// rest, and lateral and heading errors are worked off before going on fast. 0 at and beyond the end.
+/// Returns the speed to have at `along_m`, m/s: at most `limit_m_s`, slow enough for the bends ahead, to reach the end
+/// at rest, and to work off lateral and heading errors before going on fast. 0 at and beyond the end.
 double speed_at(const SpeedConfig& config, const Spline& path, double along_m, const TrackError& error,
                 double limit_m_s);
 
-/// Proportional-integral speed control (Gadd & Newman III-D): makes up for a base that does not do what it is told.
-/// Acceleration of the command is limited, from what the base does when control begins; braking is not held up. A
-/// value: the state between samples.
+/// Controls speed by proportional and integral terms (Gadd & Newman III-D), to make up for a base that does not do
+/// what it is told. Limits the acceleration of the command, starting from the speed that the base has when control
+/// begins; does not limit braking. Is a value: the state between samples.
 class SpeedControl {
  public:
-  /// The command for the wanted and the measured speed; all m/s, elapsed in seconds. Never negative for wanted >= 0.
+  /// Returns the command for the wanted and the measured speed; all m/s, elapsed in s. Never negative for wanted >= 0.
   double update(const SpeedConfig& config, double wanted_m_s, double measured_m_s, double elapsed_s);
   void reset() { *this = SpeedControl{}; }
 

@@ -14,7 +14,7 @@ Eigen::Vector2d direction(double heading) {
   return {std::cos(heading), std::sin(heading)};
 }
 
-/// One cubic between two poses; tangents are as long as the chord.
+/// Computes one cubic between two poses; the tangents at its ends are as long as the chord.
 struct Piece {
   Eigen::Vector2d p0, p1, m0, m1;
 

@@ -7,29 +7,29 @@
 
 namespace weft::agents {
 
-/// A point of a path: x forward along the path, and how the path bends there (left positive).
+/// Describes a point of a path: its pose, x forward along the path, and the curvature there (left positive).
 struct PathPoint {
   Pose2 pose;
   double curvature_1_m = 0.0;
 };
 
-/// Cubic Hermite spline through poses (Gadd & Newman III-D, after Mettke 1983): each pose is passed at its own
-/// heading, so neighbouring pieces meet without a jump of position or direction, and a piece depends on its two ends
-/// only (cutting a longer path elsewhere does not move it). Parametrised by arc length. Frame: that of the poses.
+/// Interpolates poses by cubic Hermite splines (Gadd & Newman III-D, after Mettke 1983): each pose is passed at its
+/// own heading, so neighbouring pieces meet without a jump of position or direction, and a piece depends on its two
+/// ends only (cutting a longer path elsewhere does not move it). Parametrised by arc length. Frame: that of the poses.
 class Spline {
  public:
-  /// invalid: no pose, a number that is not finite, or neighbours closer than 1 mm. One pose is a path without
-  /// length.
+  /// Returns the spline through the poses; one pose is a path without length. invalid: no pose, a number that is not
+  /// finite, or neighbours closer than 1 mm.
   static Result<Spline> through(const std::vector<Pose2>& poses);
 
   double length_m() const { return samples_.back().along_m; }
-  /// `along_m` outside [0, length] is taken straight on along the end's heading.
+  /// Returns the point at `along_m`; outside [0, length] it lies straight on along the heading of the nearer end.
   PathPoint at(double along_m) const;
-  /// Arc length at the i-th pose.
+  /// Returns the arc length at the i-th pose.
   double along_of(std::size_t i) const { return samples_[i * samples_a_piece].along_m; }
   std::size_t size() const { return poses_.size(); }
-  /// Arc length of the point nearest to `point` within [from_m, to_m]; may lie up to any distance before 0 or after
-  /// the length when the point is behind the first or beyond the last pose and the range allows it.
+  /// Returns the arc length, within [from_m, to_m], of the point nearest to `point`; it is below 0 or above the
+  /// length, by any distance that the range allows, when `point` lies behind the first or beyond the last pose.
   double nearest(const Eigen::Vector2d& point, double from_m, double to_m) const;
 
  private:

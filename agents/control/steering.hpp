@@ -13,18 +13,18 @@ struct SteeringConfig {
   double max_angular_rad_s = 1.0;  ///< (0, 5]
 };
 
-/// The robot against the path's nearest point: metres left of it, and heading turned left against it.
+/// Describes where the robot is against the path's nearest point: metres left of it, and heading turned left of it.
 struct TrackError {
   double cross_track_m = 0.0;
   double heading_rad = 0.0;
 };
 
-/// Error of a robot at `frame_from_robot` against a path's pose in the same frame.
+/// Returns the error of a robot at `frame_from_robot` against a pose of the path in the same frame.
 TrackError track_error(const Pose2& frame_from_path, const Pose2& frame_from_robot);
 
-/// Steering of Hoffmann, Tomlin, Montemerlo & Thrun 2007 (psi + arctan(k e / v)), which gives a car's wheel angle,
-/// made into the angular velocity of a differential drive: the path's own rate v * curvature, less a gain on that
-/// angle. Linearised e'' = -g e' - g k e: it does not swing for g >= 4 k. Limited to +- max_angular_rad_s.
+/// Returns the angular velocity, rad/s, that steers a differential drive as Hoffmann, Tomlin, Montemerlo & Thrun 2007
+/// steer a car's wheel (angle psi + arctan(k e / v)): the path's own rate v * curvature, less a gain g on that angle.
+/// Linearised e'' = -g e' - g k e: it does not swing for g >= 4 k. Limited to +- max_angular_rad_s.
 double steer_rate(const SteeringConfig& config, const TrackError& error, double curvature_1_m, double speed_m_s);
 
 }  // namespace weft::agents

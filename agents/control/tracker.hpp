@@ -18,10 +18,10 @@ struct TrackerConfig {
   double turn_first_rad = 0.9;      ///< a heading error above this is turned away standing; (0, 1.5]
   double turn_slowest_rad_s = 0.1;  ///< (0, 0.5]
 };
-/// Every bound that does not hold, each naming field, value and bound.
+/// Returns every bound that does not hold, each error naming field, value and bound.
 std::vector<Error> check(const TrackerConfig& config);
 
-/// The result of tracking one sample.
+/// Holds the result of tracking one sample.
 struct Tracked {
   Twist command;
   TrackError error;       ///< now
@@ -33,13 +33,13 @@ struct Tracked {
 /// is given anew with every sample, in the robot's own frame.
 class Tracker {
  public:
-  /// The motion of the robot, as far as it is known.
+  /// Describes the motion of the robot since the last sample, as far as it is known.
   struct Moving {
     double speed_m_s = 0.0;   ///< as measured
     bool knows_aside = true;  ///< false: the path is laid out as if the robot were on it, turned as it is seen to be
     Duration elapsed{};
   };
-  /// `robot_from_path`: a spline in the robot's frame.
+  /// Returns the command and errors for one sample. `robot_from_path`: the path, a spline in the robot's frame.
   Tracked track(const TrackerConfig& config, const Spline& robot_from_path, double limit_m_s, const Moving& moving);
   /// Turns on the spot by `heading_rad`, gently; zero below `within_rad`.
   Twist turn(const TrackerConfig& config, double heading_rad, double within_rad);
