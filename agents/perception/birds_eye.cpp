@@ -31,26 +31,27 @@ namespace {
 
 constexpr int descriptor_border_px = 20;
 
-/// Image metres per pixel across, at a floor point: where it is finer than the map, half the image is enough.
+/// Returns how many metres one pixel spans across the image at a floor point; where that is less than about half of a
+/// pixel of the map, the image at half size is enough.
 double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_floor) {
   const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
   const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_floor.x(), on_floor.y(), 0.0);
   return p.z() / focal_px(camera);
 }
 
-/// One scale: the map's floor is always equally far away.
+/// Returns a detector of corners at one scale: the map's floor is always equally far away.
 cv::Ptr<cv::ORB> detector(int count) {
   return cv::ORB::create(3 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
 }
 
-/// A direction in the map's image (x right, y down) as a heading in the robot frame: image right is robot -y,
-/// image down is robot -x.
+/// Turns a direction in the map's image (x right, y down), degrees, into a heading in the robot frame, rad: image
+/// right is robot -y, image down is robot -x.
 double heading_of(float angle_deg) {
   const double image = angle_deg * M_PI / 180.0;
   return std::atan2(-std::cos(image), -std::sin(image));
 }
 
-/// OpenCV shrinks by whole numbers several times as fast, and 0.018 / 0.003 is none.
+/// Rounds ratios that are nearly whole, as 0.018 / 0.003 is: OpenCV shrinks by whole numbers several times as fast.
 double whole_if_nearly(double ratio) {
   const double whole = std::round(ratio);
   return std::abs(ratio - whole) < 1e-9 ? whole : ratio;

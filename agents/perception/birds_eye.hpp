@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// The stretch of floor that is looked at from above, robot frame. Row 0 is the farthest, column 0 the leftmost.
+/// Bounds the stretch of floor that is rectified, robot frame. Row 0 is the farthest, column 0 the leftmost.
 struct BirdsEyeArea {
   double far_m = 1.5;
   double half_width_m = 0.9;
@@ -33,7 +33,7 @@ struct FloorPatch {
   std::vector<std::uint8_t> pixels;  ///< equalised grey; 0 where the camera does not see
 };
 
-/// The floor as a view shows it, rectified.
+/// Holds the floor that one view shows, rectified.
 struct RectifiedFloor {
   std::vector<FloorFeature> features;
   FloorPatch patch;
@@ -45,9 +45,9 @@ class BirdsEye {
  public:
   BirdsEye(const CameraModel& camera, const BirdsEyeArea& area);
 
-  /// Equalised (contrast-limited, in tiles: lamps and shadows change brightness locally), then at most `count`
-  /// oriented binary features spread over the area, and the patch at `patch_metres_per_pixel`. The image is whole
-  /// and of the camera's size.
+  /// Returns the rectified view: grey values equalised (contrast-limited, in tiles: lamps and shadows change
+  /// brightness locally), then at most `count` oriented binary features spread over the area, and the patch at
+  /// `patch_metres_per_pixel`. The image is whole and of the camera's size.
   RectifiedFloor rectify(const Image& image, int count, double patch_metres_per_pixel) const;
 
  private:

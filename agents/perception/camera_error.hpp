@@ -5,7 +5,7 @@
 
 namespace weft::agents {
 
-/// A camera against what its calibration says of it: true less given.
+/// Describes how a camera differs from what its calibration says of it: true less given.
 struct CameraError {
   double focal_share = 0.0;                             ///< true / given - 1
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();  ///< of the optical centre: right, down

@@ -7,8 +7,8 @@
 
 namespace weft::agents {
 
-/// Pinhole with a lens that bends as its model says; pixels. Camera frame: OpenCV's
-/// (x right, y down, z along the axis). `robot_from_camera` is the mount; the floor is z = 0 of the robot frame.
+/// Describes a pinhole camera whose lens bends rays as its model says; pixels. Camera frame: OpenCV's (x right, y
+/// down, z along the axis). `robot_from_camera` is the mount; the floor is z = 0 of the robot frame.
 struct CameraModel {
   std::string id;
   int width = 752;
@@ -21,8 +21,8 @@ struct CameraModel {
   CalibrationSigma sigma;  ///< how well all this is known
 };
 
-/// The mount of a camera `height_m` above the floor, `forward_m` ahead of the robot's origin, looking ahead and
-/// down by `pitch_rad` (beta in Gadd & Newman, Table I), turned by `roll_rad` about its axis and `yaw_rad` about z.
+/// Returns the mount of a camera at (forward_m, left_m, height_m) in the robot frame, looking ahead and down by
+/// `pitch_rad` (beta in Gadd & Newman, Table I), turned by `roll_rad` about its axis and `yaw_rad` about z.
 Pose3 downward_mount(double forward_m, double left_m, double height_m, double pitch_rad, double roll_rad,
                      double yaw_rad);
 

@@ -11,7 +11,7 @@ namespace weft::agents {
 /// Returns whether the image holds width * height pixels.
 bool is_whole(const Image& image);
 
-/// An image prepared for tracking. Shares its levels; copying is cheap. Keeps its own pixels.
+/// Holds an image prepared for tracking. Keeps its own pixels; copies share its levels, so copying is cheap.
 class TrackingImage {
  public:
   struct Levels;  ///< agents/perception/tracking_levels.hpp
@@ -19,14 +19,14 @@ class TrackingImage {
   TrackingImage() = default;
   explicit TrackingImage(std::shared_ptr<const Levels> levels) : levels_(std::move(levels)) {}
   explicit operator bool() const { return levels_ != nullptr; }
-  /// There are some.
+  /// Returns the levels. The image has been prepared (is not default-constructed).
   const Levels& levels() const { return *levels_; }
 
  private:
   std::shared_ptr<const Levels> levels_;
 };
 
-/// `window_px` is odd; `levels` >= 1 halvings. The image is whole.
+/// Prepares an image for tracking with windows of `window_px` (odd), halved `levels` times (>= 1). The image is whole.
 TrackingImage prepare_tracking(const Image& image, int window_px, int levels);
 
 struct CornerConfig {
@@ -38,7 +38,7 @@ struct CornerConfig {
   int border_px = 12;  ///< kept free
 };
 
-/// Pixels, the best first within each cell's turn; each where its window's gradients meet.
+/// Returns corners, in pixels, the best of each grid cell in turn; each lies where its window's gradients meet.
 std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config);
 
 /// Returns how much each pixel's motion counts when it is tracked, by direction in the image: symmetric, eigenvalues
@@ -54,8 +54,8 @@ struct Track {
   bool found = false;
 };
 
-/// Pyramidal Lucas-Kanade (Bouguet 2001) from the pixels of one image to the next, starting at `expected`; both
-/// prepared alike.
+/// Finds the pixels of one image in the next by pyramidal Lucas-Kanade (Bouguet 2001), starting at `expected`; both
+/// images are prepared alike.
 std::vector<Track> track_corners(const TrackingImage& from, const TrackingImage& to,
                                  const std::vector<Eigen::Vector2d>& pixels,
                                  const std::vector<Eigen::Vector2d>& expected);

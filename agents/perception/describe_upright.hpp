@@ -16,7 +16,7 @@ struct UprightCells {
   double smoothing_px() const { return std::max(0.5, smoothing * side_px); }
 };
 
-/// A descriptor of each point of `at`, all of them kUprightCells / 2 cells or more from the image's rim.
+/// Return a descriptor of each point of `at`, all of them kUprightCells / 2 cells or more from the image's rim.
 std::vector<Descriptor> compared_greys(const cv::Mat& grey, const std::vector<cv::Point>& at,
                                        const UprightCells& cells);
 std::vector<Descriptor> gradient_bits(const cv::Mat& grey, const std::vector<cv::Point>& at,

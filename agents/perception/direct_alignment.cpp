@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSurroundPx = 9;  // of a level: what is larger is light, not floor
 
-/// A level of a view without slow changes of brightness.
+/// Returns a level of a view without its slow changes of brightness.
 cv::Mat banded(const cv::Mat& level) {
   cv::Mat grey;
   level.convertTo(grey, CV_32F);
@@ -25,7 +25,7 @@ cv::Mat banded(const cv::Mat& level) {
   return grey - around;
 }
 
-/// A pixel of a that is looked for in b.
+/// Holds a pixel of a that is looked for in b.
 struct Point {
   Eigen::Vector2d in_a;      // normalised
   Eigen::Vector2f gradient;  // grey levels a level's pixel
@@ -63,7 +63,7 @@ std::vector<Point> points_of(const CameraModel& camera, const cv::Mat& band, int
   return points;
 }
 
-/// Grey value between pixels; none outside.
+/// Returns the grey value between pixels, interpolated; none outside.
 std::optional<float> sample(const cv::Mat& band, const Eigen::Vector2d& at) {
   const int x = static_cast<int>(std::floor(at.x()));
   const int y = static_cast<int>(std::floor(at.y()));
@@ -77,7 +77,7 @@ std::optional<float> sample(const cv::Mat& band, const Eigen::Vector2d& at) {
          down * ((1.0F - right) * bottom[0] + right * bottom[1]);
 }
 
-/// b_from_a in normalised coordinates.
+/// Returns the homography b_from_a in normalised coordinates.
 Eigen::Matrix3d homography_of(const CameraModel& camera, const PlanarState& state) {
   const Pose2 b_from_a = state.a_from_b.inverse();
   const double c = std::cos(b_from_a.heading);
@@ -101,7 +101,7 @@ PlanarState stepped(const PlanarState& state, const Vector9d& step) {
 
 using Row9f = Eigen::Matrix<float, 1, 9>;
 
-/// Grey values at one level, compared.
+/// Aligns two views by their grey values at one level.
 class LevelAlignment {
  public:
   LevelAlignment(const CameraModel& camera, const cv::Mat& a, const cv::Mat& b, int level, const AttitudePrior& prior,

@@ -21,11 +21,11 @@ struct DirectFit {
   std::size_t points = 0;  ///< of a that lie in b, finest level
 };
 
-/// The motion under which two views of the floor have the same grey values, without corners: Gauss-Newton from coarse
-/// to fine over pixels with a gradient, linearised in a (Baker & Matthews 2004, inverse compositional), Huber
+/// Finds the motion under which two views of the floor have the same grey values, without corners: Gauss-Newton from
+/// coarse to fine over pixels with a gradient, linearised in a (Baker & Matthews 2004, inverse compositional), Huber
 /// weights, all six degrees of freedom under the prior. Brightness that changes slowly over the image (vignetting,
-/// lamps) is taken out of both first. It wants a start within some pixels of the coarsest level, and stands blur and
-/// pale floors that leave no corners. Both images are whole and of the camera's size.
+/// lamps) is taken out of both first. The start must be right to some pixels of the coarsest level. Works on blurred
+/// and pale floors that leave no corners. Both images are whole and of the camera's size.
 DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const AttitudePrior& prior,
                          const PlanarState& start, const DirectConfig& config);
 

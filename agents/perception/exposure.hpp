@@ -20,7 +20,7 @@ struct ExposureConfig {
 /// nobody knows. Within [1/4, 4]. The image is whole (`is_whole`).
 double exposure_factor(const Image& image, double gain, const ExposureConfig& config);
 
-/// An exposure of so much more light than `taken` has, for an image that moves by `moves_px_s`.
+/// Returns an exposure of `factor` times the light of `taken`, for an image that moves by `moves_px_s`.
 Exposure brightened(const Exposure& taken, double factor, double moves_px_s, const ExposureConfig& config);
 
 }  // namespace weft::agents

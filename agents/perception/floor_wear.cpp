@@ -14,7 +14,7 @@ Pose2 anywhere(Random& random, double far_m) {
   return {random.uniform(0.0, far_m), random.uniform(-far_m, far_m), random.uniform(-pi, pi)};
 }
 
-/// 1 to 14 mm long, few of them large; most are darker than the floor.
+/// Draws a speck 1 to 14 mm long, few of them large; most are darker than the floor.
 Blot speck(Random& random, double far_m) {
   constexpr int corners = 8;
   const Pose2 at = anywhere(random, far_m);
@@ -31,7 +31,7 @@ Blot speck(Random& random, double far_m) {
   return blot;
 }
 
-/// Three ribs of a tyre, side by side.
+/// Adds the mark of a tyre: three ribs, side by side.
 void mark(Random& random, double far_m, std::vector<Blot>& blots) {
   const Pose2 at = anywhere(random, far_m);
   const double length_m = random.uniform(0.2, 1.0);

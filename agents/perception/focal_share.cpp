@@ -24,7 +24,7 @@ constexpr Eigen::Index kFurther = 0;
 constexpr Eigen::Index kFocal = 1;
 constexpr Eigen::Index kPitches = 2;
 
-/// One thing as a view shows it, against how the robot sees it.
+/// Describes how one thing lies in another view against how the robot sees it.
 struct Sight {
   Eigen::Index view = 0;
   double elevation = 0.0;  // tangent, downwards; mean of both
@@ -95,8 +95,8 @@ class Solver {
     return FocalShare{share, variance};
   }
 
-  /// The residual of a thing's rise in a view, and its derivatives by how near the thing is and how much further the
-  /// robot.
+  /// Holds the residual of a thing's rise in a view, and its derivatives by the thing's nearness (1 / distance) and by
+  /// how much further the robot is.
   struct Expected {
     double left = 0.0;
     double by_near = 0.0;
@@ -112,7 +112,7 @@ class Solver {
             sight.elevation * sight.towards * thing.near_1_m / (of_mean * of_mean)};
   }
 
-  /// One of Gauss and Newton's; each thing's own unknowns are eliminated (Schur complement).
+  /// Takes one Gauss-Newton step, each thing's own unknowns eliminated (Schur complement); false: it is singular.
   bool step() {
     std::vector<double> left;
     for (const Thing& thing : things_)

@@ -47,7 +47,7 @@ std::vector<Match> mutual(const std::vector<Nearest>& of_a, const std::vector<Ne
   return matches;
 }
 
-/// `candidates(j)`: indices of a that b[j] may be.
+/// Returns the mutual matches among pairs that may be one point. `candidates(j)`: indices of a that b[j] may be.
 template <class Candidates>
 std::vector<Match> match_among(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                const MatchBounds& bounds, const Candidates& candidates) {

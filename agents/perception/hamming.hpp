@@ -6,7 +6,7 @@
 
 namespace weft::agents {
 
-/// 256 comparisons of grey values around a keypoint (Rublee et al. 2011, ORB).
+/// Holds 256 comparisons of grey values around a keypoint (Rublee et al. 2011, ORB).
 using Descriptor = std::array<std::uint64_t, 4>;
 
 int hamming(const Descriptor& a, const Descriptor& b);
@@ -14,7 +14,7 @@ int hamming(const Descriptor& a, const Descriptor& b);
 void hamming(const Descriptor& from, std::span<const Descriptor> to, std::span<const std::uint32_t> which,
              std::vector<std::uint16_t>& out);
 
-/// Index pairs of the descriptors that are each other's nearest, best first.
+/// Pairs, by index, two descriptors that are each other's nearest.
 struct Match {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -26,7 +26,7 @@ struct MatchBounds {
   double ratio = 0.9;  ///< (0, 1]: of the best to the second best candidate
 };
 
-/// `candidates_of_b[j]` says which of a may be the same point as b[j] at all; without it every one may.
+/// Return matches within `bounds`, best first. `candidates_of_b[j]`: indices of a that b[j] may be; without it, all.
 std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                      const MatchBounds& bounds);
 std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,

@@ -9,14 +9,14 @@ namespace {
 constexpr double kChanceBits =
     128.0;  // descriptors that have nothing to do with each other differ in half their bits
 
-/// The bounds on how far apart the same point may lie in two images.
+/// Bounds how far apart the same point may lie in two images.
 struct Within {
   double most_shift_px = 0.0;
   double rise_px = 0.0;
   double most_rise_px = 0.0;
 };
 
-/// The question that is voted on, a bin a pixel from -most_px on: a shift, or a rise.
+/// Describes the question that is voted on, a shift or a rise, with a bin for each pixel from -most_px on.
 struct Question {
   int coordinate = 0;  ///< 0: columns, 1: rows
   double most_px = 0.0;
@@ -35,7 +35,7 @@ std::vector<Descriptor> descriptors_of(const std::vector<UprightFeature>& featur
   return descriptors;
 }
 
-/// The features of a that each feature of b may be, by index.
+/// Lists, for each feature of b, the indices of the features of a that it may be.
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
 Candidates candidates_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
@@ -82,7 +82,7 @@ void add(Histogram& bins, double moved_px, double weight) {
   bins[static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(bins.size() - 1)))] += weight;
 }
 
-/// Each vote as a bell.
+/// Returns the histogram with each vote spread out as a Gaussian of height 1, whose standard deviation is `spread_px`.
 Histogram spread_out(const Histogram& votes, double spread_px) {
   const auto reach = static_cast<std::ptrdiff_t>(3.0 * spread_px);
   std::vector<double> bell;
@@ -132,7 +132,7 @@ Histogram above_chance(const std::vector<UprightFeature>& a, const std::vector<U
   return votes;
 }
 
-/// Highest bin that is at least `apart` bins from `winner`.
+/// Returns the height of the highest bin that is at least `apart` bins from `winner`; at least 0.
 double next_peak(const std::vector<double>& bins, std::size_t winner, double apart) {
   double highest = 0.0;
   for (std::size_t i = 0; i < bins.size(); ++i) {

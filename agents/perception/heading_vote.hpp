@@ -19,7 +19,7 @@ struct HeadingVoteConfig {
   double above_chance = 3.0;  ///< [0, 20] standard deviations that votes must exceed what chance brings
 };
 
-/// Most frequent horizontal shift of what two views both show (Krajnik et al. 2018, III-C).
+/// Holds the most frequent horizontal shift of what two views both show (Krajnik et al. 2018, III-C).
 struct HeadingVote {
   double shift_px = 0.0;    ///< of b's features against a's, right positive
   std::uint32_t votes = 0;  ///< matches within twice their spread of it
@@ -42,8 +42,8 @@ struct Undecided {
 double frequent_rise(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b, double width_px,
                      const HeadingVoteConfig& config);
 
-/// Each pair of features that are each other's nearest votes for its shift, the more the more alike they are.
-/// `width_px`: of both images. `rise_px`: around which rows may differ by `most_rise`.
+/// Finds the most frequent shift: each pair of features that are each other's nearest votes for its own, the more the
+/// more alike they are. `width_px`: of both images. `rise_px`: the rise around which rows may differ by `most_rise`.
 tl::expected<HeadingVote, Undecided> vote_heading(const std::vector<UprightFeature>& a,
                                                   const std::vector<UprightFeature>& b, double width_px,
                                                   const HeadingVoteConfig& config, double rise_px = 0.0);

@@ -15,23 +15,23 @@ struct RobustHomography {
   std::size_t inliers = 0;
 };
 
-/// Gadd & Newman, eq. 1, robustly (OpenCV's USAC with PROSAC sampling: the best pairs first). None when fewer than
-/// 8 pairs are given or no model is found. `threshold` in normalised units.
+/// Fits the homography of Gadd & Newman, eq. 1, robustly (OpenCV's USAC with PROSAC sampling: the best pairs come
+/// first). None when fewer than 8 pairs are given or no model is found. `threshold` in normalised units.
 std::optional<RobustHomography> robust_homography(const std::vector<Eigen::Vector2d>& in_a,
                                                   const std::vector<Eigen::Vector2d>& in_b, double threshold);
 
-/// b_from_a = R + t n^T / d (Gadd & Newman, eq. 2): n is the plane's normal in a, pointing away from camera a.
+/// Describes b_from_a = R + t n^T / d (Gadd & Newman, eq. 2): n is the plane's normal in a, pointing away from a.
 struct PlaneMotion {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation_in_heights = Eigen::Vector3d::Zero();  ///< t / d
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
 
-/// The up to four motions that one homography allows; the plane lies in front of camera a in each.
+/// Returns the motions, up to four, that one homography allows; the plane lies in front of camera a in each.
 std::vector<PlaneMotion> decompose(const Eigen::Matrix3d& b_from_a);
 
-/// The paper's tests with their meaning restored: its printed bound on n . z cannot hold for a pitched camera, so the
-/// angle to the normal that the mount expects is bounded, before the motion and after it.
+/// Bounds the motions that are believed, as the paper's tests intend: its printed bound on n . z cannot hold for a
+/// pitched camera, so the angle to the normal that the mount expects is bounded, before the motion and after it.
 struct DecompositionBounds {
   double normal_angle_rad = 0.35;        ///< alpha_R: n against the mount's normal, and R n likewise
   double along_normal_in_heights = 0.1;  ///< alpha_t: |n . t| / d, how far a robot may leave the floor
@@ -45,11 +45,11 @@ struct Decomposed {
 Decomposed choose(const std::vector<PlaneMotion>& candidates, const Eigen::Vector3d& expected_normal,
                   const DecompositionBounds& bounds);
 
-/// Gadd & Newman, eq. 4 as corrected: 2 eta^2 (sqrt(1 + e^2 / eta^2) - 1) for a reprojection error e in pixels.
+/// Returns 2 eta^2 (sqrt(1 + e^2 / eta^2) - 1), e a reprojection error in pixels: Gadd & Newman, eq. 4, corrected.
 double huber_distance(double error_px, double eta_px);
 
-/// h_distance without matches: how far the homography moves the corners and the centre of an image of this size
-/// (normalised half width and height) from where they are, averaged.
+/// Returns h_distance without matches: the mean `huber_distance` of how far, in pixels, the homography moves the four
+/// corners and the centre of the image of camera `a` from where they are.
 double huber_distance(const Eigen::Matrix3d& b_from_a, const CameraModel& a, double eta_px);
 
 }  // namespace weft::agents

@@ -30,7 +30,7 @@ double azimuth_of(const UprightFeature& feature, double focal_px) {
   return std::atan2(static_cast<double>(feature.pixel.x()), focal_px);
 }
 
-/// pitch and share that explain the rows, and what is left of each.
+/// Holds the pitch and share that explain the rows, and the normal matrix of their fit.
 struct Fit {
   Eigen::Vector2d pitch_and_share = Eigen::Vector2d::Zero();
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -53,7 +53,7 @@ std::vector<Row> rows_of(const std::vector<UprightFeature>& a, const std::vector
   return rows;
 }
 
-/// The turn that azimuths show once looming is taken off: it moves what lies aside further aside.
+/// Sets the turn that azimuths show once looming is taken off, which moves what lies aside further aside.
 void tell_turn(const std::vector<Row>& rows, double least_sigma, Looming& looming) {
   std::vector<double> turns;
   for (const Row& row : rows) turns.push_back(row.turned - 0.5 * looming.share * std::sin(2.0 * row.azimuth));

@@ -7,8 +7,8 @@
 
 namespace weft::agents {
 
-/// The looming between two views: the share by which the second shows things nearer to its camera than the first, and
-/// how much it is turned against the first.
+/// Describes the looming between two views: the share by which the second shows things nearer to its camera than the
+/// first, and how much it is turned against the first.
 struct Looming {
   double share = 0.0;  ///< of their distance; positive: the second view is taken from further ahead
   double variance = 0.0;

@@ -5,20 +5,20 @@
 
 namespace weft::agents {
 
-/// A velocity command to a base, in the robot frame (REP 103).
+/// Describes a velocity command to a base, in the robot frame (REP 103).
 struct Twist {
   double linear_m_s = 0.0;
   double angular_rad_s = 0.0;
   bool operator==(const Twist&) const = default;
 };
 
-/// Increment of the wheels since the last sample, as the base reports it; not true, merely useful.
+/// Holds the increment of the wheels since the last sample, as the base reports it: useful, but not exact.
 struct WheelStep {
   double distance_m = 0.0;
   double heading_rad = 0.0;
 };
 
-/// The causes of a body's motion since the last sample: the command, and the wheels' step.
+/// Tells what caused a body's motion since the last sample: the command, and the wheels' step.
 struct Motion {
   Duration elapsed{};
   Twist command;                    ///< in force meanwhile

@@ -16,7 +16,7 @@ using Matrix23d = Eigen::Matrix<double, 2, 3>;
 using Matrix93d = Eigen::Matrix<double, 9, 3>;
 constexpr double kHuber = 1.5;
 
-/// The error in pixels of points for a mount that errs so.
+/// Computes the error, in pixels, of pairs of points for a mount that is wrong by `mount`.
 class Errors {
  public:
   Errors(const CameraModel& camera, const MountError& mount, const PlanarState& state)
@@ -34,7 +34,7 @@ class Errors {
   double focal_px_;
 };
 
-/// The Jacobian of points' errors by pitch, roll and focal share; central differences.
+/// Computes the Jacobian of points' errors by pitch, roll and focal share, by central differences.
 class ByMount {
  public:
   ByMount(const CameraModel& camera, const MountError& at, const PlanarState& state) {

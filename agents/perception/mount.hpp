@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// Two views of one drive on the same floor, a tenth of a metre or more apart.
+/// Holds two views of one drive on the same floor, a tenth of a metre or more apart.
 struct FloorViews {
   std::vector<FloorPair> points;
   Pose2 a_from_b;               ///< of the robot, as it was estimated with the mount that was believed then
@@ -24,7 +24,7 @@ struct MountPrior {
   double vibration_height_m = 0.001;
 };
 
-/// The tilt of a mount against the given one, about the camera's centre: nose down by pitch, left side up by roll.
+/// Describes a mount's tilt against the given one, about the camera's centre: nose down by pitch, left up by roll.
 struct MountTilt {
   double pitch_rad = 0.0;
   double roll_rad = 0.0;
@@ -33,14 +33,14 @@ struct MountTilt {
   double sigma_rad() const { return std::sqrt(covariance.diagonal().maxCoeff()); }
 };
 
-/// The same camera with its mount turned by pitch and roll about its own centre. The focal share is not applied.
+/// Returns the same camera with its mount turned by pitch and roll about its own centre; applies no focal share.
 CameraModel tilted(const CameraModel& camera, double pitch_rad, double roll_rad);
 
-/// A mount's tilt against `camera`, gathered from views: an information filter, whose unknowns of each pair of views
-/// (motion, and both views' vibration) are eliminated. One camera over a plane sees its tilt in the perspective of
-/// every motion (the normal of Gadd & Newman, eq. 2); its height it cannot see. The focal length could be seen where
-/// the robot turns, but tracking's own bias makes that 0.5 % wrong (simulated;
-/// docs/decisions/021-mount-from-a-drive.md): it is held as given, and its sigma is counted. A value: copying is
+/// Estimates a mount's tilt against `camera` from views: an information filter, where the unknowns of each pair of
+/// views (motion, and both views' vibration) are eliminated. One camera over a plane sees its tilt in the perspective
+/// of every motion (the normal of Gadd & Newman, eq. 2); its height it cannot see. The focal length could be seen
+/// where the robot turns, but tracking's own bias makes that 0.5 % wrong (simulated;
+/// docs/decisions/021-mount-from-a-drive.md): it is held as given, and its sigma is counted. Is a value: copying is
 /// cheap.
 class MountFilter {
  public:
@@ -63,15 +63,15 @@ class MountFilter {
   std::size_t pairs_ = 0;
 };
 
-/// The report on what a robot finds out about its mount while it drives.
+/// Reports what a robot finds out about its mount while it drives.
 struct MountReport {
   MountTilt tilt;  ///< against the calibration
   std::size_t pairs = 0;
-  /// Height by the wheels over the calibration's, less one: as good as the wheels' scale. None: there are none.
+  /// Is the height by the wheels over the calibration's, less one: as good as the wheels' scale. None: no wheels.
   std::optional<double> height_by_wheels;
 };
 
-/// The same filter for as long as a robot runs: what is older than about 30 m of driving fades, as mounts get
+/// Runs the same filter for as long as a robot runs: what is older than about 30 m of driving fades, as mounts get
 /// knocked.
 class MountWatch {
  public:
@@ -100,7 +100,7 @@ struct MountLever {
 std::optional<MountLever> lever_from(const std::vector<Pose2>& a_from_b, double yaw_before_rad,
                                      double forward_before_m);
 
-/// The same camera with that yaw and place.
+/// Returns the same camera with its mount corrected by `lever`.
 CameraModel shifted(const CameraModel& camera, const MountLever& lever);
 
 }  // namespace weft::agents

@@ -7,8 +7,8 @@
 
 namespace weft::agents {
 
-/// A header over the image's pixels: nothing is copied, and nothing may be written through it. The image is whole
-/// (`is_whole`).
+/// Returns a header over the image's pixels: nothing is copied, and nothing may be written through it. The image is
+/// whole (`is_whole`).
 inline cv::Mat as_mat(const Image& image) {
   // OpenCV has no read-only matrix; this is its way of looking at memory that is not its own.
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels->data())};

@@ -9,23 +9,23 @@ namespace weft::agents {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-/// Signed area, positive when counter-clockwise.
+/// Returns the signed area, positive when counter-clockwise.
 double area(const Polygon& polygon);
 Polygon counter_clockwise(Polygon polygon);
 
-/// The part of a convex polygon where normal . p + offset >= 0.
+/// Returns the part of a convex polygon where normal . p + offset >= 0.
 Polygon clip_half_plane(const Polygon& polygon, const Eigen::Vector2d& normal, double offset);
 /// Returns the common part of two polygons, both convex and counter-clockwise (Sutherland & Hodgman 1974).
 Polygon intersection(const Polygon& a, const Polygon& b);
 
-/// The part of the floor that one camera sees: its footprint and how floor becomes image.
+/// Describes the part of the floor that one camera sees: its footprint and how floor becomes image.
 struct SeenFloor {
   Polygon footprint;  ///< robot frame, counter-clockwise
   Eigen::Matrix3d camera_from_floor = Eigen::Matrix3d::Identity();
 };
 
-/// Overlap (Gadd & Newman, eq. 3, which names no denominator): the share of the image area that b's footprint
-/// takes in b's own view and that lies inside a's footprint, [0, 1]. It is not symmetric for a pitched camera.
+/// Returns the overlap (Gadd & Newman, eq. 3, which names no denominator): the share of b's footprint, by image area
+/// in b's own view, that lies inside a's footprint, [0, 1]. It is not symmetric for a pitched camera.
 double share_of_b_seen_in_a(const SeenFloor& a, const SeenFloor& b, const Pose2& a_from_b);
 
 }  // namespace weft::agents

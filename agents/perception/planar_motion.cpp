@@ -57,7 +57,7 @@ Reprojector::Viewpoint Reprojector::viewpoint_of(const CameraModel& camera, cons
           tilt_of(attitude), attitude.height_m};
 }
 
-/// The floor point of a ray, and its derivative by the attitude.
+/// Holds the point where a ray meets the floor, and its derivative by the attitude.
 struct Reprojector::OnFloor {
   Eigen::Vector2d point;
   Eigen::Matrix<double, 2, 3> by_attitude;

@@ -12,27 +12,27 @@ using Vector9d = Eigen::Matrix<double, 9, 1>;
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Matrix29d = Eigen::Matrix<double, 2, 9>;
 
-/// One point of the floor seen in two views, undistorted normalised coordinates.
+/// Holds one point of the floor seen in two views, in undistorted normalised coordinates.
 struct FloorPair {
   Eigen::Vector2d in_a;
   Eigen::Vector2d in_b;
   double sigma_px = 1.0;  ///< of the difference between both, in pixels of b's view
-  /// Weight of a difference, by its direction in the image, [0, 1]: along an edge a corner can hardly be told.
+  /// Weights a difference by its direction in the image, [0, 1]: along an edge a corner's place is hardly known.
   Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();
 
-  /// A difference in pixels of b's view, in sigmas.
+  /// Returns a difference given in pixels of b's view, weighted, in sigmas.
   Eigen::Vector2d in_sigmas(const Eigen::Vector2d& pixels) const { return counts * pixels / sigma_px; }
 };
 
-/// The state that two views determine: where b stands in the plane of a, and how both attitude.
+/// Holds the state that two views determine: where b stands in the plane of a, and both attitudes.
 struct PlanarState {
   Pose2 a_from_b;
   Attitude attitude_a;
   Attitude attitude_b;
 };
 
-/// The prior of both attitudes, before the points are looked at: mean and information of (attitude_a, attitude_b),
-/// each (pitch, roll, height).
+/// Tells what is known of both attitudes before the points are looked at: mean and information of (attitude_a,
+/// attitude_b), each (pitch, roll, height).
 struct AttitudePrior {
   Vector6d mean = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
@@ -53,7 +53,7 @@ struct PlanarFit {
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 
-/// The point that a sees at `in_a` as it appears in b, and its derivative by (xi, attitude_a, attitude_b).
+/// Holds the point that a sees at `in_a` as it appears in b, and its derivative by (xi, attitude_a, attitude_b).
 struct Reprojection {
   Eigen::Vector2d in_b;
   Matrix29d jacobian;
@@ -66,7 +66,7 @@ class Reprojector {
   Reprojection operator()(const Eigen::Vector2d& in_a) const;
 
  private:
-  /// Ry(pitch) Rx(roll) and its derivatives.
+  /// Holds Ry(pitch) Rx(roll) and its derivatives.
   struct Tilt {
     Eigen::Matrix3d rotation;
     Eigen::Matrix3d by_pitch;

@@ -41,8 +41,8 @@ cv::Mat2f warp_of(const CameraModel& camera, const OtherLook& look) {
   return fine(cv::Rect(0, 0, camera.width, camera.height));
 }
 
-/// Grey levels to add, as 128 + grey; later blots lie upon earlier ones. Drawn larger and averaged: most crumbs are
-/// smaller than a pixel, and OpenCV draws none smaller than one.
+/// Draws the grey levels to add, as 128 + grey; later blots cover earlier ones. Draws them larger and averages: most
+/// crumbs are smaller than a pixel, and OpenCV draws none smaller than one.
 cv::Mat1b drawn(const std::vector<Blot>& blots, const CameraModel& camera, const Attitude& attitude) {
   constexpr int finer = 4;
   constexpr int fraction_bits = 2;

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// Another look at the floor, by how it differs from an image that there is.
+/// Describes another look at the floor, by how it differs from an image that there is.
 struct OtherLook {
   Pose2 robot_from_other;         ///< where the other robot stands
   Attitude attitude;              ///< of its camera against its calibration
@@ -18,13 +18,13 @@ struct OtherLook {
   std::uint64_t seed = 0;         ///< of noise and wear
 };
 
-/// One sigma of the sensor's noise, grey levels: Immerkaer 1996 ("Fast noise variance estimation"), eq. 4, where the
-/// image is smoothest; what texture there is counts as noise. The image is whole.
+/// Returns one sigma of the sensor's noise, grey levels: Immerkaer 1996 ("Fast noise variance estimation"), eq. 4,
+/// where the image is smoothest; what texture there is counts as noise. The image is whole.
 double noise_of(const Image& image);
 
-/// The image that a camera of that calibration would have taken: the floor warped as a plane, worn, in that light,
-/// with as much noise as the image has. Floor that it does not show is put there mirrored from its rim: foreign, and
-/// no blank. The image is whole and of the camera's size. Pure.
+/// Returns the image that a camera of that calibration would have taken: the floor warped as a plane, worn, in that
+/// light, with as much noise as the image has. Floor beyond the image's rim is filled by mirroring the image there: it
+/// is other floor, but not blank. The image is whole and of the camera's size. Pure.
 Image revisited_view(const Image& image, const CameraModel& camera, const OtherLook& look);
 
 }  // namespace weft::agents

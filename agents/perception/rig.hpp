@@ -13,7 +13,7 @@ namespace weft::agents {
 enum class SensorKind : std::uint8_t { camera, stereo };
 const char* to_string(SensorKind kind);
 
-/// The direction in which a sensor looks, by its optical axis in the robot's frame.
+/// Names the direction in which a sensor looks, by its optical axis in the robot's frame.
 enum class Gaze : std::uint8_t {
   down,   ///< more than 20 degrees below level
   ahead,  ///< between
@@ -22,7 +22,7 @@ enum class Gaze : std::uint8_t {
 const char* to_string(Gaze gaze);
 Gaze gaze_of(const CameraModel& camera);
 
-/// One sensor of a body, as it is known; a simulated body's true one differs.
+/// Describes one sensor of a body, as it is known; a simulated body's true one differs.
 struct Sensor {
   std::string id;  ///< as `View::sensor` has it
   SensorKind kind = SensorKind::camera;

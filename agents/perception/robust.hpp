@@ -5,17 +5,17 @@
 
 namespace weft::agents {
 
-/// Standard deviation of a normal distribution, in median absolute deviations.
+/// Is the standard deviation of a normal distribution, in median absolute deviations.
 inline constexpr double kSigmaOfMad = 1.4826;
 
-/// `values` is not empty; of an even number the upper one of the middle.
+/// Returns the median, of an even number of values the upper of the two in the middle. `values` is not empty.
 inline double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Tukey's biweight: 1 where nothing is left, 0 from 4.685 sigma on.
+/// Returns Tukey's biweight of a residual `left`: 1 for a residual of 0, 0 from 4.685 sigma on.
 inline double tukey_weight(double left, double sigma) {
   constexpr double cut = 4.685;
   const double of_cut = left / (cut * sigma);

@@ -7,10 +7,10 @@
 
 namespace weft::agents {
 
-/// The height above the floor of the point about which a body rocks: 0 for a chassis that tilts on its tyres, the
-/// camera's own height for a mount that shakes. A view of the floor shows where the camera went; where the robot went
-/// differs by that height times the change of tilt, half a millimetre for 0.05 degrees. It is learned: wheels (or the
-/// command) turn evenly and no robot slips sideways, so what moves with the tilt is rocking. A value.
+/// Learns the height above the floor of the point about which a body rocks: 0 for a chassis that tilts on its tyres,
+/// the camera's own height for a mount that shakes. A view of the floor shows where the camera went; where the robot
+/// went differs by that height times the change of tilt, half a millimetre for 0.6 m and 0.05 degrees. Wheels (or the
+/// command) turn evenly and no robot slips sideways, so what moves with the tilt is rocking. Is a value.
 class RockingCentre {
  public:
   /// Begins for a camera at that height; nothing is known yet but that the point lies between it and the floor.
@@ -22,7 +22,7 @@ class RockingCentre {
   /// Returns the motion of the robot itself between two such views.
   Pose2 corrected(const Pose2& previous_from_current, const Attitude& change) const;
 
-  /// Metres above the floor, and one sigma of it.
+  /// Return the height in metres above the floor, and one sigma of it.
   double height_m() const;
   double sigma_m() const;
 
@@ -30,7 +30,7 @@ class RockingCentre {
   Eigen::Vector3d solution() const;
 
   double camera_height_m_;
-  /// The information on (the wheels' scale, the heading of straight ahead, the height), as a least-squares problem.
+  /// Holds the information on (wheels' scale, heading of straight ahead, height), as a least-squares problem.
   Eigen::Matrix3d information_;
   Eigen::Vector3d weighted_;
 };

@@ -39,7 +39,8 @@ double left_of(const Raised& one, const Eigen::Vector3d& pitch_roll_share) {
   return one.elevation - one.by.dot(pitch_roll_share);
 }
 
-/// Least squares with Tukey's weights, from the median pitch on; a weak prior keeps what nothing shows at zero.
+/// Fits by least squares with Tukey's weights, from the median pitch on; a weak prior keeps at zero what nothing
+/// shows.
 Eigen::Vector3d fit(const std::vector<Raised>& all, double least_sigma) {
   constexpr double prior_sigma = 0.3;  // radians, and share
   std::vector<double> values;

@@ -12,7 +12,7 @@
 namespace weft::agents {
 namespace {
 
-/// Well-lit scenes have plenty of strong corners; weak ones cost time and are asked for only where they are needed.
+/// Finds corners, weak ones only where strong ones are too few: well-lit scenes have plenty, and weak ones cost time.
 std::vector<cv::KeyPoint> corners_of(const cv::Mat& grey, int count) {
   std::vector<cv::KeyPoint> found;
   for (const int threshold : {40, 24, 14, 8, 5}) {

@@ -8,18 +8,18 @@
 
 namespace weft::agents {
 
-/// A corner of a view that looks ahead, and what stands around it. Descriptors do not turn with the grey values as on
-/// a floor: robots hardly roll, and what is upright in the world tells the corners of a rack from one another.
+/// Describes a corner of a view that looks ahead. Descriptors do not turn with the grey values around it as on a
+/// floor: robots hardly roll, and what is upright in the world tells the corners of a rack from one another.
 struct UprightFeature {
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
   Descriptor descriptor{};
 };
 
 enum class Description : std::uint8_t {
-  /// 256 comparisons of smoothed grey values at pairs of points (Calonder et al. 2010, BRIEF).
+  /// Compares smoothed grey values at 256 pairs of points (Calonder et al. 2010, BRIEF).
   brief,
-  /// Strength of the gradient in 4 x 4 cells and 8 directions, each a bit for more than the mean of its direction and
-  /// one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256 bits.
+  /// Measures the gradient's strength in 4 x 4 cells and 8 directions, each a bit for more than the mean of its
+  /// direction and one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256 bits.
   gradients,
 };
 
@@ -33,8 +33,8 @@ struct UprightConfig {
 /// Returns the side of a descriptor's cell, in pixels; at least 3.
 int cell_px(const UprightConfig& config, int width_px);
 
-/// AGAST corners (Mair et al. 2010), spread over the image, the strongest first of each part. None of an image that
-/// shows none or is smaller than what a descriptor sees. The image is whole (`is_whole`).
+/// Returns AGAST corners (Mair et al. 2010) spread over the image, the strongest of each part first. None when the
+/// image shows none or is smaller than what a descriptor sees. The image is whole (`is_whole`).
 std::vector<UprightFeature> upright_features(const Image& image, const UprightConfig& config);
 
 }  // namespace weft::agents

@@ -11,14 +11,14 @@
 
 namespace weft::agents {
 
-/// 8-bit grey, row-major, no padding. Shares its pixels; copying is cheap.
+/// Holds 8-bit grey values, row-major, no padding. Copies share the pixels, so copying is cheap.
 struct Image {
   int width = 0;
   int height = 0;
   std::shared_ptr<const Bytes> pixels;
 };
 
-/// Two images of one moment and one exposure; never two views.
+/// Holds two images of one moment and one exposure, which make one view and never two.
 struct StereoPair {
   Image left;
   Image right;
@@ -29,8 +29,8 @@ struct Payload {
   std::shared_ptr<const Bytes> bytes;
 };
 
-/// The exposure of an image: its grey levels are in proportion to both time and gain. Motion blurs by the first,
-/// noise grows with the second.
+/// Describes the exposure of an image: its grey levels are in proportion to both time and gain. A longer time blurs
+/// what moves, a higher gain adds noise.
 struct Exposure {
   double time_s = 0.0;
   double gain = 1.0;  ///< >= 1, by how much it amplifies
@@ -38,7 +38,7 @@ struct Exposure {
   double light_s() const { return time_s * gain; }  ///< as long as that without amplifying
 };
 
-/// One sample of one sensor of a body.
+/// Holds one sample of one sensor of a body.
 struct View {
   std::uint64_t frame = 0;
   SensorTime time{};

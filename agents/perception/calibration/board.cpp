@@ -36,9 +36,9 @@ std::optional<Sighting> find_chessboard(const cv::Mat& grey, const ChessBoard& b
   return out;
 }
 
-/// The detector's corners are good to a pixel or two. The window holds no bit but the tag's border: measured on
-/// rendered boards, errors are 0.1 px (Kalibr's, whose corners touch squares) and 0.3 px (plain tags); the detector's
-/// own refinements by contours and by AprilTag's quads left 0.7 px and more.
+/// Refines a tag's corners, which the detector finds to a pixel or two. The window holds no bit but the tag's border:
+/// on rendered boards errors were 0.1 px (Kalibr's, whose corners touch squares) and 0.3 px (plain tags); the
+/// detector's own refinements by contours and by AprilTag's quads left 0.7 px and more.
 void refine(const cv::Mat& grey, int bits_across, std::vector<cv::Point2f>& corners) {
   const double bit_px = cv::norm(corners[0] - corners[1]) / bits_across;
   const int half_window = std::max(3, static_cast<int>(std::lround(0.8 * bit_px)));
@@ -83,8 +83,8 @@ Sighting arranged(const std::vector<Tag>& tags, const TagBoard& board, std::size
   return out;
 }
 
-/// RMS distance from a plane's homography, pixels. A lens bends some pixels; a wrong arrangement is off by whole
-/// tags.
+/// Returns the RMS distance of pixels from where a plane's homography puts them, pixels; infinite when none is found.
+/// A lens bends some pixels; a wrong arrangement is off by whole tags.
 double bend_px(const Sighting& sighting) {
   std::vector<cv::Point2d> from;
   std::vector<cv::Point2d> to;

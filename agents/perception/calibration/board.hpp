@@ -10,15 +10,15 @@
 
 namespace weft::agents {
 
-/// A flat board of black and white squares; `columns` x `rows` inner corners.
+/// Describes a flat board of black and white squares with `columns` x `rows` inner corners.
 struct ChessBoard {
   int columns = 9;  ///< [3, 50], and not equal to rows: which way is up would be unknown
   int rows = 6;     ///< [3, 50]
   double square_m = 0.025;
 };
 
-/// A flat grid of AprilTags of the family 36h11, numbered from 0 along the rows; either row of the ends may be the
-/// first one, the border one bit wide (AprilTag) or two (Kalibr's AprilGrid).
+/// Describes a flat grid of AprilTags of the family 36h11, numbered from 0 along the rows; the first row may be the
+/// upper or the lower one, the border one bit wide (AprilTag) or two (Kalibr's AprilGrid).
 struct TagBoard {
   int columns = 6;  ///< [1, 30]
   int rows = 6;     ///< [1, 30], 4 to 587 tags
@@ -27,10 +27,10 @@ struct TagBoard {
 };
 using Board = std::variant<ChessBoard, TagBoard>;
 
-/// invalid: a number that breaks its bound; sizes are [0.001, 2] m.
+/// Rejects a board with a number that breaks its bound (invalid); sizes are [0.001, 2] m.
 Result<void> check(const Board& board);
 
-/// The points of a board where one image shows them.
+/// Holds the points of a board and where one image shows them.
 struct Sighting {
   std::vector<Eigen::Vector2d> on_board;  ///< metres, in the board's plane
   std::vector<Eigen::Vector2d> pixels;    ///< the centre of the first pixel at (0, 0)

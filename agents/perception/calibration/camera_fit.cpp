@@ -29,7 +29,7 @@ struct Solved {
   std::vector<Pose3> camera_from_board;  ///< of each image
 };
 
-/// The points as OpenCV calibrates with them: lists of lists.
+/// Holds the points as OpenCV calibrates with them: one list for each image.
 struct Points {
   std::vector<std::vector<cv::Point3f>> on_board;
   std::vector<std::vector<cv::Point2f>> pixels;
@@ -57,7 +57,7 @@ Pose3 pose_from(const cv::Mat& turn, const cv::Mat& shift) {
   return pose;
 }
 
-/// The one place that calls OpenCV's solvers; both start from a camera without distortion.
+/// Calibrates by OpenCV; this alone calls its two calibrators, which both start from a camera without distortion.
 Result<Solved> solve(const std::vector<const BoardImage*>& images, int width, int height, LensModel lens) {
   const Points points = points_of(images);
   const cv::Size size(width, height);
@@ -137,7 +137,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The image that disagrees most with the others; none when they agree.
+/// Returns which image disagrees most with the others; none when they agree.
 std::optional<std::size_t> worst_of(const std::vector<double>& rms_px, const CameraFitConfig& config) {
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(rms_px) - rms_px.begin());
   std::vector<double> others = rms_px;

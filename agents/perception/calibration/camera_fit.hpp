@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// One image's board.
+/// Holds the board as one image shows it.
 struct BoardImage {
   std::string name;
   Sighting sighting;

@@ -29,7 +29,7 @@ Eigen::Vector2d predicted(const CameraModel& camera, const Pose3& camera_from_bo
                                (camera_from_board * Eigen::Vector3d(on_board.x(), on_board.y(), 0.0)).hnormalized());
 }
 
-/// Central differences.
+/// Returns the Jacobian of a point's pixel by the intrinsics, by central differences.
 Eigen::Matrix<double, 2, kIntrinsics> by_intrinsics(const CameraModel& camera, const Pose3& pose,
                                                     const Eigen::Vector2d& point) {
   Eigen::Matrix<double, 2, kIntrinsics> jacobian;

@@ -6,10 +6,10 @@
 
 namespace weft::agents {
 
-/// Share of the image's area that lies within the board's points of any image, [0, 1].
+/// Returns the share of the image's area that lies within the board's points of any image, [0, 1].
 double cover_of(const std::vector<Sighting>& sightings, int width, int height);
 
-/// The largest angle between the board's normals of two images, rad.
+/// Returns the largest angle between the board's normals of two images, rad, [0, pi / 2].
 double widest_tilt(const std::vector<Pose3>& camera_from_board);
 
 /// Returns how well images determine the mean focal length, the optical centre (the worse of its two coordinates) and
