@@ -14,15 +14,15 @@ struct SitePoint {
   bool operator==(const SitePoint&) const = default;
 };
 
-/// The body that an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until
+/// Is the body that an agent drives. Time is the body's: `step` brings the next sample, driving with `command` until
 /// then.
 class Body {
  public:
   virtual ~Body() = default;
-  /// unavailable: the sensor or recording is over or broken; the message says where. The agent then stands.
-  /// corrupt: the same, and what it gave until then was damaged in part.
+  /// Returns the next sample. unavailable: the sensor or recording is over or broken; the message says where, and the
+  /// agent then stands. corrupt: the same, and what it gave until then was damaged in part.
   virtual Result<Sample> step(const Twist& command) = 0;
-  /// Simulated bodies: a clumsy hand drives this polyline (site frame, metres) from where the robot stands.
+  /// Lets a clumsy hand drive a simulated body along this polyline (site frame, metres) from where the robot stands.
   /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.
   virtual Result<void> drive_by_hand(const std::vector<SitePoint>& along) = 0;
   virtual void stop_hand() = 0;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double kLongestFocalPx = 1e5;
 
-/// Images by the numbers that are their names, from 0: 000012.png is of the time in row 12.
+/// Maps the numbers, from 0, that are the images' names to their paths: 000012.png has the time in row 12 (from 0).
 using Numbered = std::map<std::size_t, std::string>;
 
 Result<Numbered> images_in(const fs::path& folder) {

@@ -9,7 +9,7 @@
 
 namespace weft::agents::replay {
 
-/// One half of a rectified pair as KITTI's odometry benchmark records it.
+/// Holds one half of a rectified pair as KITTI's odometry benchmark records it.
 struct KittiCamera {
   CameraModel model;  ///< no lens; `robot_from_camera` is where it is beside the left one
   std::vector<RecordedImage> images;
@@ -25,8 +25,9 @@ bool is_kitti(const std::string& folder);
 Result<KittiCamera> read_kitti(const std::string& folder, const std::string& half,
                                const std::function<void(const std::string&)>& warn);
 
-/// The projection of a rectified camera, 3 x 4 row by row on a line "P0: 12 numbers"; lines without names are P0, P1,
-/// ... in their order. not_found: no such line; invalid: it has not 12 numbers, or is none of a rectified camera.
+/// Describes the projection of a rectified camera, 3 x 4 row by row on a line "P0: 12 numbers"; lines without names
+/// are P0, P1, ... in their order. not_found: no such line; invalid: it has not 12 numbers, or is of no rectified
+/// camera.
 struct Projection {
   double focal_px = 0.0, cx = 0.0, cy = 0.0;
   double baseline_m = 0.0;  ///< to the right of the left camera

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One camera of the recording.
+/// Describes one camera of the recording.
 struct RecordedCamera {
   CameraModel model;
   bool has_mount = false;

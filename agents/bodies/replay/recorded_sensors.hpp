@@ -10,8 +10,8 @@
 
 namespace weft::agents::replay {
 
-/// One moment at which a sensor fired: the paths of its image, or of both images of a pair. An empty path is half a
-/// pair that was not recorded.
+/// Holds one moment at which a sensor fired: the paths of its image, or of both images of a pair. An empty path is
+/// half a pair that was not recorded.
 struct Shot {
   SensorTime time{};
   std::string left;
@@ -23,7 +23,7 @@ struct RecordedSensor {
   std::vector<Shot> shots;  ///< in the order of time
 };
 
-/// The sensors of a recording that are to be played.
+/// Names the sensors of a recording that are to be played.
 struct WantedSensors {
   std::string folder;
   std::string names;                       ///< "cam0"; "cam0,cam1" are two sensors, "cam0+cam1" a stereo pair

@@ -9,23 +9,23 @@
 
 namespace weft::agents::replay {
 
-/// One row of data.csv.
+/// Holds one row of data.csv.
 struct RecordedImage {
   SensorTime time{};
   std::string file;  ///< as the row names it
 };
 
-/// Rows "nanoseconds,file" under a # header; times must increase. invalid: file, line and what is wrong.
+/// Parses rows "nanoseconds,file" under a # header; times must increase. invalid: file, line and what is wrong.
 Result<std::vector<RecordedImage>> parse_image_list(const std::string& text, const std::string& file_name);
 
-/// The distance and angle by which the wheels had rolled and turned the base by a time, since any beginning.
+/// Holds the distance and angle that the wheels had rolled and turned the base by a time, since any beginning.
 struct RecordedWheels {
   SensorTime time{};
   double distance_m = 0.0;
   double heading_rad = 0.0;  ///< not wrapped
 };
 
-/// Rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line and what is wrong.
+/// Parses rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line, what is wrong.
 Result<std::vector<RecordedWheels>> parse_wheels(const std::string& text, const std::string& file_name);
 
 /// Returns the wheels' motion, read between the rows around each of the two times; none outside of them.

@@ -14,7 +14,7 @@ double signed_size(double least, Random& random) {
   return sign * least * random.uniform(1.0, 1.2);
 }
 
-/// First-order lag under an acceleration limit.
+/// Returns the next value of a first-order lag towards `target` under an acceleration limit.
 double towards(double now, double target, const BaseSetup& setup, double dt_s) {
   const double lag = (target - now) * std::min(1.0, dt_s / setup.time_constant_s);
   const double limit = setup.acceleration_m_s2 * dt_s;

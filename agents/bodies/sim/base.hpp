@@ -13,10 +13,11 @@ struct WheelErrors {
   double left_scale = 1.0;
   double right_scale = 1.0;
 };
-/// Scale error and asymmetry of at least the stated sizes, at most a fifth more; signs and sizes from `random`.
+/// Draws a scale error and an asymmetry of at least the stated sizes, at most a fifth more; signs and sizes by
+/// `random`.
 WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random);
 
-/// A differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same motion.
+/// Simulates a differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same motion.
 class Base {
  public:
   Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,
@@ -30,7 +31,7 @@ class Base {
   const Pose2& site_from_robot() const { return site_from_robot_; }
   /// Returns the true motion now; zero against a box.
   Twist velocity() const { return velocity_; }
-  /// Nothing rolls and nothing that was commanded waits.
+  /// Returns whether nothing rolls and nothing that was commanded waits.
   bool at_rest() const;
   /// Returns what the wheels have reported since the last call.
   WheelStep take_wheel_step();
@@ -58,7 +59,7 @@ class Base {
   WheelStep reported_;
 };
 
-/// Distance from a point (site frame) to a box's footprint, metres; 0 inside.
+/// Returns the distance from a point (site frame) to a box's footprint, metres; 0 inside.
 double distance_to(const Box& box, double x, double y);
 
 }  // namespace weft::agents::sim

@@ -13,14 +13,14 @@ struct FloorMet {
   Eigen::Vector2d at;                  ///< site frame
   float bend_x = 0.0F, bend_y = 0.0F;  ///< how the ray that meets the plane straight below there differs, normalised
 };
-/// `on_plane`: where it meets the plane, from the same eye.
+/// Finds where a line of sight meets the uneven floor. `on_plane`: where it meets the plane, from the same eye.
 FloorMet meet_floor(const Relief& relief, const Pose3& site_from_camera, const Eigen::Vector2d& on_plane);
 
 /// Rays of pixels that meet the floor's plane where the pixels' own rays meet the uneven floor: what samples a plane
 /// along them sees the uneven one. How they bend is known at the nodes of a grid over the image and even between.
 class BentRays {
  public:
-  /// A node every `cell` pixels; `columns` x `rows` of them, row-major.
+  /// Makes a grid of nodes, one every `cell` pixels; `columns` x `rows` of them, row-major.
   BentRays(int cell, int columns, int rows);
   void set(std::size_t node, const FloorMet& met);
   /// Bends the rays of the pixels from (u, v) on, as many as there are; u is a multiple of the cell, and so is their

@@ -232,7 +232,7 @@ void Camera::sample_floor(const FloorShot& shot) {
   }
 }
 
-/// Pixels from `begin` to before `end`, where they may show floor.
+/// Samples the floor in a row's pixels from `begin` to before `end`, where they may show floor.
 void Camera::sample_row(RowJob& job, int begin, int end, int v) {
   const auto sees_floor = [this, v](int u) { return shows_.empty() || shows(u, v) != Shows::inside; };
   for (int u = begin; u < end;) {

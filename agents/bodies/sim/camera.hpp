@@ -22,7 +22,7 @@ inline constexpr std::array<double, kSubsamples> kSubsampleTime = {-0.375, -0.12
 inline constexpr std::array<double, kSubsamples> kSubsampleDown = {-0.125, 0.375, -0.375, 0.125};
 inline constexpr std::array<double, kSubsamples> kSubsampleRight = {0.25, -0.25, -0.25, 0.25};
 
-/// One image's circumstances.
+/// Describes the circumstances in which one image is taken.
 struct FloorShot {
   std::array<Pose3, kSubsamples> site_from_camera;  ///< in the middle of each quarter of the exposure
   Pose3 site_from_camera_mid;
@@ -56,21 +56,21 @@ struct CameraOptions {
   std::optional<Relief> relief = {};  ///< of the floor; none: it is a plane
 };
 
-/// A camera that sees the site. Not for several threads.
+/// Renders what a camera sees of the site's floor and boxes. Not for several threads.
 class Camera {
  public:
-  /// `camera` is the true one; its width a multiple of 8.
+  /// Takes the true camera; its width and height are multiples of 8.
   Camera(const CameraModel& camera, const CameraOptions& options, std::shared_ptr<const FloorSource> floor,
          std::shared_ptr<const Scene> scene, const Light& light);
   void set_light(const Light& light) { light_ = light; }
 
-  /// 8-bit grey, row-major.
+  /// Returns the image, 8-bit grey, row-major.
   Bytes render(const FloorShot& shot);
 
   const FloorWindow& floor() const { return floor_; }
 
  private:
-  /// Floor points of the light grid, site frame.
+  /// Holds the floor points of the light grid, site frame.
   struct Nodes {
     std::vector<float> x, y;
   };
@@ -84,7 +84,7 @@ class Camera {
         : at(site_from_camera_pose.translation),
           site_from_camera(site_from_camera_pose.rotation.toRotationMatrix().cast<float>()) {}
   };
-  /// The surface where a ray hits: what is seen of it, and where that is.
+  /// Describes the surface where a ray hits: its albedo, and where that is (site frame).
   struct Surface {
     float albedo = 0.0F;
     Eigen::Vector3f at = Eigen::Vector3f::Zero();
@@ -93,7 +93,7 @@ class Camera {
   struct PixelLight {
     float gain, add, camera_gain;
   };
-  /// The same for one row of a cell's pixels, from its first on.
+  /// Holds the same for one row of a cell's pixels, from its first on.
   struct CellLight {
     std::array<float, kShadeCell> gain, add, camera_gain;
   };
@@ -106,21 +106,21 @@ class Camera {
   std::vector<FloorFromSubsamples> floor_from_rows(const FloorShot& shot, TileKey origin) const;
   void sample_floor(const FloorShot& shot);
   void sample_row(RowJob& job, int begin, int end, int v);
-  /// Image row of a row of the light grid.
+  /// Returns the image row of a row of the light grid.
   int row_of_node(int j) const { return std::min(j * kShadeCell, camera_.height - 1); }
   std::size_t pixel(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(u);
   }
 
   // camera_boxes.cpp
-  /// The classes of cells of the light grid, by what they show of boxes in the middle of the exposure.
+  /// Classes cells of the light grid by what they show of boxes in the middle of the exposure.
   enum class Shows : std::uint8_t {
     floor,   ///< no box
     mixed,   ///< perhaps a box
     face,    ///< one face of one box
     inside,  ///< one face, as the cells around it: no floor and no edge
   };
-  /// Points on faces and how bright the lamps make them.
+  /// Holds points on faces and how bright the lamps make them.
   struct WallPoints {
     std::vector<float> x, y, z, gain;
     void clear() {
@@ -138,7 +138,7 @@ class Camera {
       light.on_wall(x, y, z, gain);
     }
   };
-  /// The places to paint, as a FaceJob wants them.
+  /// Holds the places to paint, as a FaceJob wants them.
   struct PaintPlaces {
     std::array<double, kShadeCell> along_m{}, up_m{}, pixel_m{};
     void set(std::size_t i, const Eigen::Vector2d& in_face, double pixel_size_m) {
@@ -171,7 +171,7 @@ class Camera {
   void draw_insides(const Viewpoint& viewpoint, double exposure_gain, int v);
   void draw_lone(const FloorShot& shot);
   void draw_edges(const FloorShot& shot);
-  /// Grey levels of places on a face, without the lamps.
+  /// Writes the grey levels of places on a face, without the lamps, to `out`.
   void paint(const BoxHit& face, const PaintPlaces& places, int count, float* out);
   Surface surface_at(const BoxHit& hit, const Viewpoint& viewpoint, const Eigen::Vector3f& direction);
   bool at_edge(int u, int v);

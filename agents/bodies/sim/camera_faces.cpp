@@ -83,7 +83,7 @@ void Camera::draw_boxes(const FloorShot& shot) {
   forget_boxes();
 }
 
-/// Cells of one row of pixels that lie within faces. Along a cell the light changes evenly.
+/// Draws the cells of one row of pixels that lie within faces. Along a cell the light changes evenly.
 void Camera::draw_insides(const Viewpoint& viewpoint, double exposure_gain, int v) {
   inside_.clear();
   ends_.clear();
@@ -122,7 +122,7 @@ void Camera::draw_insides(const Viewpoint& viewpoint, double exposure_gain, int 
   }
 }
 
-/// Pixels on a face in cells that show other things too.
+/// Draws pixels that show one face, in cells that are not wholly within it.
 void Camera::draw_lone(const FloorShot& shot) {
   ends_.clear();
   Viewpoint viewpoint;

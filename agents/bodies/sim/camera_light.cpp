@@ -20,7 +20,7 @@ void Camera::make_noise() {
   }
 }
 
-/// A speck on the lens is far out of focus: it takes light from a blurred disc of the image, always the same one.
+/// Darkens the grid by specks on the lens: far out of focus, each dims a blurred disc of the image, always the same.
 void Camera::soil_lens() {
   constexpr double kLeastPx = 14.0;  // of its radius: finer than the grid of nodes none is
   constexpr double kMostPx = 55.0;

@@ -4,10 +4,10 @@
 
 #include "core/geometry/pose2.hpp"
 
-/// The changes of a site since the robots were taught: [change] of a site file.
+/// Describes how a site has changed since the robots were taught: [change] of a site file.
 namespace weft::agents::sim {
 
-/// A dark rectangle on the floor, with soft rims; it may swing to and fro along its length.
+/// Describes a dark rectangle on the floor, with soft rims; it may swing to and fro along its length.
 struct CastShadow {
   Pose2 site_from_shadow;  ///< its middle, of its swing too
   double length_m = 1.2, width_m = 0.8;
@@ -20,7 +20,7 @@ struct CastShadow {
   bool operator==(const CastShadow&) const = default;
 };
 
-/// Darker floor under a film that mirrors the lamps.
+/// Describes darker floor under a film that mirrors the lamps.
 struct WetArea {
   double x = 0.0, y = 0.0;
   double radius_m = 0.6;  ///< mean; its rim is uneven
@@ -37,7 +37,7 @@ struct PaintedLine {
   bool operator==(const PaintedLine&) const = default;
 };
 
-/// Nothing of it by default.
+/// Holds all that has changed; by default nothing has.
 struct Change {
   std::uint64_t from_day = 0;  ///< bodies on earlier days see nothing of it
   std::uint64_t seed = 1;      ///< where dirt lies, and what wet rims and the lens look like

@@ -4,7 +4,7 @@
 
 namespace weft::agents::sim {
 
-/// The keys of [change]: what is not written stays as in `preset`, and arrays add to it.
+/// Reads [change] onto `preset`, whose arrays it adds to; keys that are missing leave it as it is (but from_day: 0).
 Change change_in(const config::Table& table, Change preset);
 
 }  // namespace weft::agents::sim

@@ -20,8 +20,8 @@ Error unknown(const std::string& what, const std::string& name, const std::vecto
   return {ErrorCode::invalid, "no " + what + " \"" + name + "\"; there are " + list};
 }
 
-/// One place in each square of the floor, so that a robot meets some wherever it drives; squares grow where there
-/// would be more than a site file may list.
+/// Calls `put` at one place in each square of the floor, so that a robot meets some wherever it drives; squares grow
+/// where there would be more than a site file may list.
 template <class Put>
 void strew(const Site& site, double apart_m, std::uint64_t stream, Put&& put) {
   constexpr double kMost = 800.0;

@@ -1,21 +1,21 @@
 #pragma once
 #include <cstdint>
 
-/// The looks of the faces of boxes. Plain types only, as in floor/kernels.hpp, where the loop over them is chosen.
+/// Describes the looks of boxes' faces. Plain types only, as in floor/kernels.hpp, where the loop over them is chosen.
 namespace weft::agents::sim {
 
 enum class FaceLook : std::uint8_t { rack, plain, wall, pillar };
 
-/// A memo of what was looked at last: neighbouring pixels mostly share it. Changes no result.
+/// Keeps what was looked at last, which neighbouring pixels mostly share. Changes no result.
 struct FaceMemo {
-  /// Corners of a cell of noise; the cell's place as whole numbers.
+  /// Holds the corners of a cell of noise, and the cell's place as whole numbers.
   struct Cell {
     double x = 0.5, y = 0.5;
     std::int64_t salt = 0;
     double corners[4] = {};
   };
   Cell dirt[3];  ///< by size
-  /// A rack's load by its place, and its grey level.
+  /// Holds a rack's load by its place, and its grey level.
   struct Load {
     double along = 0.5, shelf = 0.5;
     std::int64_t salt = 0;
@@ -23,8 +23,8 @@ struct FaceMemo {
   } load;
 };
 
-/// Grey levels, as albedo, of places on one face: `along_m` from the face's middle, `up_m` above the floor; details
-/// finer than `pixel_m` are left out.
+/// Asks for grey levels, as albedo, of places on one face: `along_m` from the face's middle, `up_m` above the floor;
+/// details finer than `pixel_m` are left out.
 struct FaceJob {
   FaceLook look = FaceLook::plain;
   std::int64_t salt = 0;  ///< of the face: its loads and dirt

@@ -38,7 +38,7 @@ template <class Real>
   return raised > high ? every<Real>(high) : raised;
 }
 
-/// std::floor for what a site measures: beyond this summand a double has no fraction.
+/// Rounds down as std::floor, within what a site measures: beyond this summand a double has no fraction.
 template <class Real>
 [[gnu::always_inline]] inline Real floor_of(const Real& x) {
   constexpr double kNoFraction = 6755399441055744.0;  // 1.5 * 2^52
@@ -63,7 +63,7 @@ inline double noise_at(double x, double y, std::int64_t salt) {
           {noise_at(x, y, salt), noise_at(x + 1, y, salt), noise_at(x, y + 1, salt), noise_at(x + 1, y + 1, salt)}};
 }
 
-/// Smooth noise in [-1, 1].
+/// Returns smooth noise in [-1, 1].
 template <class Real>
 [[gnu::always_inline]] inline Real smooth_noise(const Real& x, const Real& y, std::int64_t salt,
                                                 FaceMemo::Cell& cell) {
@@ -87,7 +87,7 @@ template <class Real>
   return 2.0 * (top * (1.0 - v) + bottom * v) - 1.0;
 }
 
-/// 1 within [low, high], 0 outside, fading over 1 / per_soft.
+/// Returns 1 within [low, high], 0 outside, fading over 1 / per_soft around either bound.
 template <class Real>
 [[gnu::always_inline]] inline Real band(const Real& x, double low, double high, const Real& per_soft) {
   const Real inside = least<Real>(x - low, high - x);
@@ -151,7 +151,7 @@ template <class Real>
   return false;
 }
 
-/// Dirt of a few sizes, none finer than a pixel.
+/// Adds dirt of a few sizes, none finer than a pixel.
 template <class Real>
 [[gnu::always_inline]] inline Real with_dirt(Real grey, const FaceJob& job, const Real& along, const Real& up,
                                              const Real& pixel) {

@@ -7,11 +7,11 @@
 
 namespace weft::agents::sim {
 
-/// Someone who leads a robot along a line, not very well. Knows the truth, and nobody sees what he knows.
+/// Leads a robot along a line as a person does, not very well. Knows the robot's true pose, and tells nobody.
 class Hand {
  public:
-  /// invalid: fewer than two points, not finite, the start further than 1.5 m from the robot, or closer to a box than
-  /// the robot's radius; the message names the point or segment.
+  /// Makes a hand that leads along `line`. invalid: fewer than two points, not finite, the start further than 1.5 m
+  /// from the robot, or closer to a box than the robot's radius; the message names the point or segment.
   static Result<Hand> along(const std::vector<SitePoint>& line, const Site& site, const Pose2& site_from_robot,
                             Random random);
 

@@ -20,7 +20,7 @@ constexpr float kFilmSizeM = 0.35F;    // of that image, at the lamp
 constexpr float kFilmVeil = 5.0F;      // of the ceiling's mirror image under ambient light 1, grey levels
 constexpr std::size_t kTogether = 64;  // points whose values stay in the nearest cache from lamp to lamp
 
-/// Point lamp over a floor: the cosine to the fourth (two for distance, one for each surface).
+/// Returns the light of a point lamp on a floor: the cosine to the fourth (two for distance, one for each surface).
 float falloff(float dx, float dy, float height) {
   const float h2 = height * height;
   const float c2 = h2 / (dx * dx + dy * dy + h2);
@@ -31,15 +31,16 @@ constexpr float between(float x, float low, float high) {
   return x < low ? low : (x > high ? high : x);
 }
 
-/// Schlick 1994: mirrors better at grazing view.
+/// Returns the factor by which a floor mirrors, more at grazing view: as Schlick 1994, but to the third power.
 float fresnel(float away_x, float away_y) {
   const float cosine = 1.0F / std::sqrt(1.0F + away_x * away_x + away_y * away_y);
   const float grazing = (1.0F - cosine) * (1.0F - cosine) * (1.0F - cosine);
   return 0.5F + 2.5F * grazing;
 }
 
-/// Share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis. Behind the
-/// ray's foot it hides only what it stands on. Without a branch, so that several points are worked out together.
+/// Returns the share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis.
+/// Behind the ray's foot it hides only what it stands on. Without a branch, so that several points are worked out
+/// together.
 float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, const ShadowBody& body) {
   const float top = static_cast<float>(body.height_m) / lamp_h;
   const float dx = (lamp_x - x) * top;
@@ -182,8 +183,8 @@ void Light::add_changes(const Seen& seen, std::span<float> gain, std::span<float
   }
 }
 
-/// The lamps near by, mirrored by `share` of the floor with `grey` levels in the middle, as large as `size_m` up
-/// there.
+/// Adds the lamps near by, mirrored by `share` of the floor with `grey` levels in the middle, as large as `size_m` at
+/// the lamps.
 void Light::add_mirrored(const Seen& seen, float grey, float size_m, std::span<const float> share,
                          std::span<float> shine) const {
   for (std::size_t i = 0; i < shine.size(); ++i) {

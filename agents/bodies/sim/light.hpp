@@ -9,26 +9,27 @@
 
 namespace weft::agents::sim {
 
-/// The body that throws the shadow: an upright cylinder.
+/// Describes the body that throws the shadow: an upright cylinder.
 struct ShadowBody {
   double x = 0.0, y = 0.0;
   double radius_m = 0.28;
   double height_m = 0.5;
 };
 
-/// The lamps of one run (lamps_now); of the ambient light `Change::ambient` is left.
+/// Lights the site by the lamps of one run (lamps_now); of the ambient light `Change::ambient` is left.
 class Light {
  public:
   Light(const Site& site, double gloss_grey, Random random);
 
-  /// Floor points (x, y) seen from `eye`: `gain` on the floor's albedo, 1 on average over the site, and `shine`, the
-  /// grey levels that the mirrored lamps add. `shadow_share` 0: no shadow. All spans of one length.
+  /// Lights floor points (x, y) seen from `eye`: `gain` on the floor's albedo, 1 on average over the site, and
+  /// `shine`, the grey levels that the mirrored lamps add. `shadow_share` 0: no shadow. All spans have one length.
   void on_floor(std::span<const float> x, std::span<const float> y, const Eigen::Vector3d& eye,
                 const ShadowBody& body, double shadow_share, std::span<float> gain, std::span<float> shine) const;
   /// Lights upright faces at points (x, y, z), without shadow or shine.
   void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                std::span<float> gain) const;
-  /// Lamps far from the robot are taken without shadow and shine. `time_s` is what moving shadows move by.
+  /// Sets the robot's place: lamps far from it cast no shadow or shine. Moving shadows stand where they do at
+  /// `time_s`.
   void look_around(double x, double y, double time_s);
 
  private:
@@ -37,7 +38,7 @@ class Light {
   struct LampNow {
     float x, y, height, brightness;
   };
-  /// Points of a part of the floor, and by how much the line from the eye goes on sideways a metre of height.
+  /// Holds points of a part of the floor, and how far the line from the eye goes on sideways a metre of height.
   struct Seen {
     std::span<const float> x, y, away_x, away_y;
     float eye_height_m = 1.0F;

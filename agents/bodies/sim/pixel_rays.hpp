@@ -5,7 +5,7 @@
 
 namespace weft::agents::sim {
 
-/// Normalised, without distortion, of each pixel; row-major.
+/// Holds the ray of each pixel, normalised, without distortion; row-major.
 struct PixelRays {
   explicit PixelRays(const CameraModel& camera);
   std::vector<float> x, y;

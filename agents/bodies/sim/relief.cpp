@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastWaveM = 0.3;
 constexpr double kMostWaveM = 3.0;
 
-/// Sine of so many turns, within 1e-7. Without a branch, so that several are worked out together.
+/// Returns the sine of so many turns, within 1e-7. Without a branch, so that several are worked out together.
 double sine_of_turns(double turns) {
   constexpr double kNoFraction = 6755399441055744.0;  // 1.5 * 2^52: beside such a summand a double has no fraction
   const double from_nearest = turns - ((turns + kNoFraction) - kNoFraction);

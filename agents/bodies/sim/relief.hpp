@@ -7,15 +7,15 @@
 
 namespace weft::agents::sim {
 
-/// The height of a floor above its plane: smooth bumps with wavelengths of 0.3 to 3 m, a function of place and seed.
-/// Long waves are higher in proportion, so that waves of all lengths are equally steep.
+/// Computes a floor's height above its plane: smooth bumps with wavelengths of 0.3 to 3 m, a function of place and
+/// seed. Long waves are higher in proportion, so that waves of all lengths are equally steep.
 class Relief {
  public:
   /// Heights stay within `peak_m` of the plane; their root mean square is 0.63 of it.
   Relief(double peak_m, std::uint64_t floor_seed);
 
   double height_m(double x, double y) const;
-  /// A slope that fewer than one place in a thousand exceed in a given direction.
+  /// Returns a slope that fewer than one place in a thousand exceed in a given direction.
   double steep() const;
 
  private:

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kFaces = 5;
 
-/// Corners of a box, lower four then upper four, anticlockwise from (+, -).
+/// Returns the corners of a box, lower four then upper four, anticlockwise from (+, -); site frame.
 std::array<Eigen::Vector3f, 8> corners_of(const Box& box) {
   std::array<Eigen::Vector3f, 8> corners;
   const std::array<Eigen::Vector2d, 4> around = {{{0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}}};

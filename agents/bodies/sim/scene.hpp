@@ -9,14 +9,14 @@
 
 namespace weft::agents::sim {
 
-/// The first point in which a ray meets a box.
+/// Describes the first point in which a ray meets a box.
 struct BoxHit {
   std::int32_t box = -1;  ///< index into the site's boxes; -1: none
   std::int32_t face = 0;  ///< 0..3: the sides at +x, +y, -x, -y of the box's frame; 4: its top
   float distance = 0.0F;  ///< in lengths of the ray's direction
 };
 
-/// The plane of one face of a box, for many rays from one eye, and the face's own coordinates in it.
+/// Describes the plane of one face of a box, for many rays from one eye, and the face's own coordinates in it.
 struct FacePlane {
   Eigen::Vector3f normal;  ///< site frame
   float ahead = 0.0F;      ///< metres from the eye along the normal
@@ -28,7 +28,7 @@ struct FacePlane {
   float distance(const Eigen::Vector3f& direction) const {
     return ahead / (normal.x() * direction.x() + normal.y() * direction.y() + normal.z() * direction.z());
   }
-  /// along_m and up_m of a point of the plane, site frame.
+  /// Returns along_m and up_m of a point of the plane, site frame.
   Eigen::Vector2d in_face(const Eigen::Vector3d& p) const {
     const double x = p.x() - middle.x();
     const double y = p.y() - middle.y();
@@ -36,7 +36,7 @@ struct FacePlane {
   }
 };
 
-/// The things that stand on the floor, for ray queries. May be used by several cameras, one thread each.
+/// Holds the things that stand on the floor, for ray queries. May be used by several cameras, one thread each.
 class Scene {
  public:
   explicit Scene(std::vector<Box> boxes);
@@ -51,19 +51,19 @@ class Scene {
   void cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,
             std::span<BoxHit> hits) const;
 
-  /// A face as seen from `eye` (site frame).
+  /// Returns the plane of a face as seen from `eye` (site frame).
   FacePlane plane_of(std::int32_t box, std::int32_t face, const Eigen::Vector3d& eye) const;
 
   const std::vector<Box>& boxes() const { return boxes_; }
-  /// A floor point in a box's own frame.
+  /// Returns a floor point (site frame) in a box's own frame.
   Eigen::Vector2d in_box(std::int32_t box, double x, double y) const {
     const Turn& turn = turns_[static_cast<std::size_t>(box)];
     return {turn.cosine * (x - turn.x) + turn.sine * (y - turn.y),
             turn.cosine * (y - turn.y) - turn.sine * (x - turn.x)};
   }
-  /// Boxes that come within `reach_m` of a floor point.
+  /// Returns the boxes that come within `reach_m` of a floor point.
   std::vector<std::int32_t> boxes_near(double x, double y, double reach_m) const;
-  /// Does the line of sight from (eye_x, eye_y) to (x, y) pass over the box's footprint?
+  /// Returns whether the line of sight from (eye_x, eye_y) to (x, y) passes over the box's footprint.
   bool crosses(std::int32_t box, double eye_x, double eye_y, double x, double y) const;
 
  private:

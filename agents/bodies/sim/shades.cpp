@@ -14,7 +14,7 @@ constexpr double kReachM = 6.0;      // the camera sees the floor no further
 constexpr float kWetRimM = 0.03F;    // over which a film ends
 constexpr double kMostUneven = 1.3;  // largest radius of a wet area against its mean
 
-/// The swing's middle, moved to where it is at that time.
+/// Returns the pose of the shadow's middle where its swing has brought it at that time.
 Pose2 swung(const CastShadow& shadow, double time_s) {
   if (shadow.travel_m <= 0.0) return shadow.site_from_shadow;
   const double rate = 2.0 * shadow.speed_m_s / shadow.travel_m;  // its greatest speed is rate * travel / 2

@@ -7,7 +7,7 @@
 
 namespace weft::agents::sim {
 
-/// Cast shadows and wet areas: where they lie on the floor at a time.
+/// Tells where cast shadows and wet areas lie on the floor at a time.
 class Shades {
  public:
   explicit Shades(const Change& change);
@@ -15,13 +15,14 @@ class Shades {
   void look_around(double x, double y, double time_s);
   bool any_shadow() const { return !near_shadows_.empty(); }
   bool any_wet() const { return !near_wet_.empty(); }
-  /// Floor points; rims are no sharper than `apart_m`, how far the next ones lie. All spans here are of one length.
+  /// Holds floor points; rims are no sharper than `apart_m`, how far the next ones lie. All spans here have one
+  /// length.
   struct Points {
     std::span<const float> x, y, apart_m;
   };
-  /// Share of the light that is left.
+  /// Writes the share of the light that is left, [0, 1].
   void shadows(const Points& at, std::span<float> left) const;
-  /// 1 in the wet, 0 where it is dry.
+  /// Writes 1 in the wet, 0 where it is dry, and between at rims.
   void wetness(const Points& at, std::span<float> wet) const;
 
  private:

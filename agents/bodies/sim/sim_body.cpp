@@ -41,7 +41,7 @@ Shake shake_from(const Disturbances& d, Random random) {
   return {wave(d.vibration_rad, 1), wave(d.vibration_rad, 2), wave(d.vibration_m, 3)};
 }
 
-/// An camera and its rhythm.
+/// Holds a camera and its rhythm.
 struct TimedCamera {
   std::unique_ptr<SimulatedCamera> camera;
   double fps = 0.0, fps_at_rest = 0.0;

@@ -21,18 +21,18 @@ struct SimBodyConfig {
   std::function<void(const std::string&)> warn;  ///< optional; assumptions that were made
 };
 
-/// A body as whoever simulates has it in hand; what drives it knows a Body.
+/// Is a body as whoever simulates has it in hand; what drives it knows a Body.
 class SimulatedBody : public Body {
  public:
-  /// Lifted, and put down there rolling with `moving`; nobody leads it any more, and the light is another one, as
-  /// when a lead begins.
+  /// Lifts the robot and puts it down there, rolling with `moving`; nobody leads it any more, and the light is another
+  /// one, as when a lead begins.
   virtual void put(const Pose2& site_from_robot, const Twist& moving) = 0;
-  /// The truth at the newest sample, for judges.
+  /// Returns the true pose at the newest sample, for judges.
   virtual Pose2 site_from_robot() const = 0;
 };
 
-/// kind() is "sim". not_found: no such robot, folder; invalid, corrupt: a photograph or sidecar, by name;
-/// unavailable: the truth file cannot be written.
+/// Makes a simulated body; its kind() is "sim". not_found: no such robot, folder; invalid, corrupt: a photograph or
+/// sidecar, by name; unavailable: the truth file cannot be opened.
 Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config);
 
 }  // namespace weft::agents::sim

@@ -13,7 +13,7 @@
 
 namespace weft::agents::sim {
 
-/// The time and place at which an image is taken.
+/// Describes the time and place at which an image is taken.
 struct Moment {
   /// Returns where a camera with this mount is so many seconds from now, all that shakes it included.
   std::function<Pose3(const Pose3& robot_from_camera, double from_now_s)> site_from_camera;
@@ -23,14 +23,14 @@ struct Moment {
   std::uint64_t noise_seed = 0;
 };
 
-/// A camera that a body sees with.
+/// Is a camera that a body sees with.
 class SimulatedCamera {
  public:
   virtual ~SimulatedCamera() = default;
   virtual std::string name() const = 0;
   /// Returns the camera model as agents are told it; the true one differs.
   virtual const CameraModel& given() const = 0;
-  /// Another run: each lamp as bright as `random` makes it.
+  /// Begins another run: each lamp is as bright as `random` makes it.
   virtual void light_up(Random random) = 0;
   virtual Image look(const Moment& moment) = 0;
   /// Returns the exposure of the image looked at last; none: not known.
@@ -39,7 +39,7 @@ class SimulatedCamera {
   virtual bool expose(const Exposure&) { return false; }
 };
 
-/// The owner of a camera; the calibration's name and errors follow from it.
+/// Describes the owner of a camera; the calibration's name and errors follow from it.
 struct CameraOwner {
   std::string robot;
   std::uint64_t day = 0;

@@ -12,7 +12,8 @@ namespace {
 /// Times of the samples as shares of the exposure, from its middle, in order: the middles of its quarters.
 constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125, 0.375};
 
-/// A focal length from a data sheet and where it was screwed on; its lens nobody has measured, on any day.
+/// Returns the camera as agents are told it: a focal length from a data sheet and where it was screwed on. Nobody has
+/// measured its lens, on any day.
 CameraModel given_camera(const ForwardCameraSetup& setup, const CameraOwner& owner) {
   CameraModel camera;
   camera.id = owner.robot + "/forward";

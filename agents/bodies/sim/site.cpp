@@ -309,7 +309,7 @@ Disturbances disturbances_in(const Table& table) {
   return d;
 }
 
-/// [change]: what is named comes first, and each key says it otherwise.
+/// Reads [change]: what `light` and `wear` name comes first, and each other key overrides or adds to that.
 void add_change(const Table& table, Site& site) {
   const std::string light = table.choice("light", light_names().front(), light_names());
   const std::string wear = table.choice("wear", wear_names().front(), wear_names());

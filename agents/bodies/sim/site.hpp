@@ -11,11 +11,11 @@
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
 
-/// A simulated warehouse as its site file describes it; docs/simulation.md has every key with unit, bound and
+/// Describes a simulated warehouse as its site file has it; docs/simulation.md has every key with unit, bound and
 /// default. Site frame: x, y on the floor, z up; metres and radians here, whatever the file's units are.
 namespace weft::agents::sim {
 
-/// Stands on the floor; `centre` is its middle, `length` along its heading.
+/// Stands on the floor; its frame's origin is its middle, `length_m` along its heading.
 struct Box {
   enum class Kind : std::uint8_t { rack, wall, pillar };
   Kind kind = Kind::rack;
@@ -65,7 +65,7 @@ struct CameraSetup {
   double fps = 30.0, fps_at_rest = 2.0;
 };
 
-/// A camera that looks ahead over the floor; agents are told a focal length and no more.
+/// Describes a camera that looks ahead over the floor; agents are told its focal length and mount, and no more.
 struct ForwardCameraSetup {
   int width = 320, height = 240;
   double focal_px = 386.0;  ///< 45 degrees of view, as the camera of Krajnik et al. 2018
@@ -79,13 +79,13 @@ struct ForwardCameraSetup {
   double fps = 30.0, fps_at_rest = 2.0;
 };
 
-/// The part of a hall that the floor camera does not see.
+/// Describes the part of a hall that the floor camera does not see.
 struct HallSetup {
   double ceiling_m = 7.0;
   double ceiling_grey = 95.0, wall_grey = 125.0;  ///< under mean light
 };
 
-/// Somebody who walks or drives to and fro.
+/// Describes somebody who walks or drives to and fro.
 struct Mover {
   enum class Kind : std::uint8_t { person, forklift };
   Kind kind = Kind::person;
@@ -112,7 +112,7 @@ struct HandSetup {
   double lookahead_m = 0.45;
 };
 
-/// Every default is the least that a demonstration has to stand.
+/// Sets the sizes of all disturbances; every default is the least that a demonstration has to stand.
 struct Disturbances {
   double focal_error = 0.003;        ///< RMS of true / given - 1; drawn by robot and day, as the four below
   double centre_error_px = 1.0;      ///< RMS, of the optical centre, across and down each
@@ -157,7 +157,7 @@ struct Site {
   Change change;
 };
 
-/// Text of a site file. invalid: names file, line, key and bound.
+/// Parses the text of a site file. invalid: names file, line, key and bound.
 Result<Site> parse_site(std::string_view text, const std::string& file_name);
 
 }  // namespace weft::agents::sim

@@ -8,8 +8,8 @@
 
 namespace weft::agents::sim {
 
-/// A file of where the robot really was, for a judge: one JSON line a frame. Each line goes to the system whole and
-/// at once, so that a killed process leaves whole lines.
+/// Writes a file of where the robot really was, for a judge: one JSON line a frame. Each line goes to the system whole
+/// and at once, so that a killed process leaves whole lines.
 class TruthFile {
  public:
   /// Appends. unavailable: cannot be opened.
@@ -20,7 +20,8 @@ class TruthFile {
   TruthFile& operator=(const TruthFile&) = delete;
   ~TruthFile();
 
-  /// exhausted: the disk is full.
+  /// Appends a line; time in s, pose in the site frame. exhausted: it cannot be written whole, as when the disk is
+  /// full.
   Result<void> write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& site_from_robot);
 
  private:

@@ -5,10 +5,10 @@
 
 namespace weft::agents::sim {
 
-/// Band-limited noise that can be asked for at any argument: a sum of sines with random frequencies and phases.
+/// Makes band-limited noise that can be asked for at any argument: a sum of sines with random frequencies and phases.
 class Wave {
  public:
-  /// Frequencies within [low, high] (cycles per unit of the argument), root mean square `rms`.
+  /// Draws frequencies within [low, high] (cycles per unit of the argument); the root mean square is `rms`.
   Wave(double low, double high, double rms, Random random);
   double at(double argument) const;
 
@@ -21,7 +21,7 @@ class Wave {
   std::vector<Sine> sines_;
 };
 
-/// A wave of which |value| <= peak always holds.
+/// Makes a wave of which |value| <= peak always holds.
 class BoundedWave {
  public:
   BoundedWave(double low, double high, double peak, Random random);

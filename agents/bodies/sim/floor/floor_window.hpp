@@ -8,16 +8,16 @@
 
 namespace weft::agents::sim {
 
-/// The floor around the robot at every level, as one wrapping picture a level that the sampling loop can read without
-/// looking tiles up (a clipmap: Tanner, Migdal & Jones 1998).
+/// Holds the floor around the robot at every level, one wrapping picture a level, which the sampling loop can read
+/// without looking tiles up (a clipmap: Tanner, Migdal & Jones 1998).
 class FloorWindow {
  public:
-  /// `reach_m`: the largest extent along x or y of what one image looks at with each level, 0 where it uses none;
-  /// `budget_bytes` is for windows and cache together.
+  /// Reserves the windows. `reach_m`: the largest extent along x or y of what one image looks at with each level, 0
+  /// where it uses none; `budget_bytes` is for windows and cache together.
   FloorWindow(std::shared_ptr<const FloorSource> source, const std::array<double, kLevels>& reach_m,
               std::size_t budget_bytes);
 
-  /// The tile is in the window afterwards; another one a window's length away is not.
+  /// Brings the tile into the window, in place of the one that lies a whole number of window lengths away.
   void need(int level, TileKey key);
   /// Returns the pixels to sample around tile `origin`; its lower corner is the origin of sampling coordinates.
   LevelPixels level(int level, TileKey origin) const;

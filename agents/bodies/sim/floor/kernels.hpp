@@ -3,7 +3,7 @@
 
 #include "agents/bodies/sim/faces.hpp"
 
-/// The loops that touch every pixel or texel, in two builds: one for any x86-64 and one for AVX2, chosen at run time.
+/// Holds the loops that touch every pixel or texel, in two builds: for any x86-64 and for AVX2, chosen at run time.
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
@@ -13,8 +13,8 @@ inline constexpr int kStripLog2 = 5;
 inline constexpr int kStripTexels = 1 << kStripLog2;
 inline constexpr int kStripRowBytes = 2 * (kStripTexels + 1);
 
-/// One level of the floor around the robot; addresses wrap at mask + 1. Rows of a strip follow each other closely:
-/// whole rows would lie a multiple of a page apart, and a walk down a column would miss every cache there is.
+/// Points to one level of the floor around the robot; addresses wrap at mask + 1. Rows of a strip follow each other
+/// closely: whole rows would lie a multiple of a page apart, and a walk down a column would miss every cache there is.
 struct LevelPixels {
   const std::uint8_t* pairs = nullptr;
   int strip_bytes = 0;  ///< of one strip, all its rows
@@ -23,8 +23,8 @@ struct LevelPixels {
   float texels_per_m = 0.0F;
 };
 
-/// Floor coordinates (metres from the sampling origin) from a normalised ray (x, y, 1): row-major 3x3, and the least
-/// denominator, which keeps rays near the horizon finite.
+/// Maps a normalised ray (x, y, 1) to floor coordinates (metres from the sampling origin): row-major 3x3, and the
+/// least denominator, which keeps rays near the horizon finite.
 struct FloorFromRay {
   float m[9] = {};
   float least_w = 1e-3F;
@@ -32,7 +32,8 @@ struct FloorFromRay {
 
 inline constexpr int kSubsamples = 4;
 
-/// A run of pixels of one row: the mean of kSubsamples bilinear samples each, spread over exposure and pixel.
+/// Describes a run of pixels of one row, each the mean of kSubsamples bilinear samples, spread over exposure and
+/// pixel.
 struct RowJob {
   const float* ray_x = nullptr;
   const float* ray_y = nullptr;
@@ -42,8 +43,8 @@ struct RowJob {
   float* out = nullptr;
 };
 
-/// Light and camera gain of a run of pixels, bilinear between grid nodes `cell` pixels apart:
-/// out = (albedo * gain + add) + noise * noise_scale, rounded and cut to 0..255.
+/// Describes the light and camera gain of a run of pixels, bilinear between grid nodes `cell` pixels apart: out =
+/// (albedo * gain + add) + noise * noise_scale, rounded and cut to 0..255.
 struct ShadeJob {
   const float* albedo = nullptr;
   const float* gain_above = nullptr;  ///< nodes of the grid row above, and below
@@ -61,9 +62,10 @@ inline constexpr int kShadeCell = 8;
 struct Kernels {
   void (*sample_row)(const RowJob& job);
   void (*shade_row)(const ShadeJob& job);
-  /// Mean of 2 x 2; `side` of the result.
+  /// Averages 2 x 2 texels; `side` is that of the result.
   void (*halve)(const std::uint8_t* from, int side, std::uint8_t* to);
-  /// to[i] += amplitude * noise, noise of unit variance (sum of four bytes), a pure function of (x0 + i, y, seed).
+  /// Adds amplitude * noise to to[i], noise of unit variance (sum of four bytes), a pure function of (x0 + i, y,
+  /// seed).
   void (*add_noise_row)(std::int32_t x0, std::int32_t y, std::uint32_t seed, int count, float amplitude, float* to);
   /// Doubles a row of a lattice: even and odd children weigh their parents 3 : 1. `from` has count / 2 + 2 values,
   /// the first is the parent before.

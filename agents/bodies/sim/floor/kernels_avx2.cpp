@@ -20,7 +20,7 @@ __m128i two_at(const std::uint8_t* from, std::int64_t places) {
   return _mm_insert_epi32(_mm_cvtsi32_si128(first), second, 1);
 }
 
-/// Four bytes from each of eight places. Loads of their own: several processors take long over a gather instruction.
+/// Loads four bytes from each of eight places, one by one: several processors take long over a gather instruction.
 __m256i four_bytes_at(const std::uint8_t* from, __m256i places) {
   const __m128i low = _mm256_castsi256_si128(places);
   const __m128i high = _mm256_extracti128_si256(places, 1);
@@ -29,7 +29,7 @@ __m256i four_bytes_at(const std::uint8_t* from, __m256i places) {
       _mm_unpacklo_epi64(two_at(from, _mm_cvtsi128_si64(low)), two_at(from, _mm_extract_epi64(low, 1))));
 }
 
-/// Bilinear samples at eight points, metres from the sampling origin.
+/// Returns bilinear samples at eight points, metres from the sampling origin.
 __m256 sample(const LevelPixels& level, __m256 x_m, __m256 y_m) {
   const __m256 per_m = _mm256_set1_ps(level.texels_per_m);
   const __m256 half = _mm256_set1_ps(0.5F);
@@ -67,7 +67,7 @@ __m256 linear(const float* m, __m256 x, __m256 y) {
                        _mm256_set1_ps(m[2]));
 }
 
-/// Subsample by subsample, so that what belongs to one stays in registers; the sums lie in `out` meanwhile.
+/// Samples a row, subsample by subsample, so that what belongs to one stays in registers; sums wait in `out`.
 void sample_row(const RowJob& job) {
   for (int k = 0; k < kSubsamples; ++k) {
     const FloorFromRay h = *job.floor_from_ray[k];

@@ -5,10 +5,10 @@
 
 namespace weft::agents::sim {
 
-/// A floor's look is its grey under white light and, where the light has a colour, its warmth.
+/// Names the parts of a floor's look: its grey under white light and, where the light has a colour, its warmth.
 enum class Channel : std::uint8_t { grey, warmth };
 
-/// One of the two, being drawn: each shape is drawn on both at the same place, with its own amount.
+/// Draws one of the two: each shape is drawn on both at the same place, with its own amount.
 struct Layer {
   Channel channel = Channel::grey;
   Canvas canvas;

@@ -6,7 +6,7 @@
 
 namespace weft::agents::sim {
 
-/// The floor with what came upon it since: painted lines, and dirt.
+/// Returns the floor with what came upon it since: painted lines, and dirt.
 std::shared_ptr<const FloorSource> make_marked_floor(std::shared_ptr<const FloorSource> floor, const Change& change);
 
 }  // namespace weft::agents::sim

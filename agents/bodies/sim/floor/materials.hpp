@@ -5,13 +5,14 @@
 
 namespace weft::agents::sim {
 
-/// A kind of floor by what it is made of. Amplitudes are grey levels, sizes metres, densities a square metre.
+/// Describes a kind of floor by what it is made of. Amplitudes are grey levels, sizes metres, densities a square
+/// metre.
 struct Material {
-  /// The kind of pieces that are laid under everything else.
+  /// Names the kind of pieces that are laid under everything else.
   enum class Pieces : unsigned char { none, tiles, planks };
 
   std::string name;
-  /// Noise on lattices of kTexelM, 2 kTexelM, ... up to one tile.
+  /// Holds the amplitudes of noise on lattices of kTexelM, 2 kTexelM, ... up to one tile.
   std::array<float, 11> octaves{};
   Pieces pieces = Pieces::none;
   double chips_per_m2 = 0.0;

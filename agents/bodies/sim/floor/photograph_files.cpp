@@ -38,7 +38,7 @@ double scale_in(const config::Table& table) {
   return table.number("mm_per_pixel", config::required, kLeastMmPerPixel, kMostMmPerPixel);
 }
 
-/// FILE.toml beside a picture: one key. Nothing when there is none.
+/// Reads the scale, mm a pixel, from FILE.toml beside a picture, its one key. Nothing when there is none.
 Result<std::optional<double>> scale_beside(const fs::path& picture) {
   const fs::path sidecar = picture.string() + ".toml";
   if (!fs::exists(sidecar)) {
@@ -56,7 +56,7 @@ Result<std::optional<double>> scale_beside(const fs::path& picture) {
   return std::optional<double>(scale);
 }
 
-/// floors.toml: a table for each picture that it knows; tables are named as the pictures are, without ending.
+/// Reads floors.toml: a table for each picture that it knows; tables are named as the pictures are, without ending.
 Result<Scales> scales_in(const fs::path& folder, const std::vector<fs::path>& pictures) {
   Scales scales;
   const fs::path list = folder / "floors.toml";

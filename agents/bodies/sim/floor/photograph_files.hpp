@@ -9,19 +9,19 @@
 
 namespace weft::agents::sim {
 
-/// A photograph of floor, grey, at kTexelM a pixel.
+/// Holds a photograph of floor, grey, at kTexelM a pixel.
 struct Photograph {
   std::string name;   ///< of the file, without ending
   cv::Mat grey;       ///< CV_8U
   double mean = 0.0;  ///< of its grey under white light
 };
 
-/// Errors and `warn` as make_photographed_floor says; sorted by name.
+/// Reads a folder's photographs, sorted by name. Errors and `warn` as make_photographed_floor says.
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,
                                                  double light_warmth,
                                                  const std::function<void(const std::string&)>& warn);
 
-/// Sorted. not_found: the folder, as `what` calls it, or there is none in it.
+/// Lists a folder's pictures, sorted. not_found: the folder, as `what` calls it, or there is none in it.
 Result<std::vector<std::filesystem::path>> pictures_in(const std::string& folder, const std::string& what);
 /// Reads a picture as a grey camera sees it under light of that colour. Empty: damaged, or no picture.
 cv::Mat read_grey(const std::filesystem::path& path, double light_warmth);

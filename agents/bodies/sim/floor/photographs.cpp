@@ -19,7 +19,7 @@ constexpr double kGloss = 12.0;
 
 constexpr int kPatchSide = static_cast<int>((kPatchM + kFeatherM) / kTexelM);
 
-/// A patch of the quilt: where it lies and what of which photograph it shows.
+/// Describes a patch of the quilt by what of which photograph it shows, and how it is turned.
 struct Patch {
   std::size_t photograph = 0;
   double centre_x = 0.0, centre_y = 0.0;  ///< in the photograph, pixels
@@ -62,7 +62,7 @@ class PhotographedFloor final : public FloorSource {
   std::vector<float> ramp_;  ///< weight along one side of a patch
 };
 
-/// The photograph of the nearest of jittered region centres.
+/// Returns the photograph of the nearest of jittered region centres.
 std::size_t PhotographedFloor::photograph_at(double x, double y) const {
   const auto cx = static_cast<std::int64_t>(std::floor(x / kRegionM));
   const auto cy = static_cast<std::int64_t>(std::floor(y / kRegionM));

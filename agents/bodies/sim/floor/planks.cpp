@@ -49,7 +49,7 @@ double low_of(std::uint64_t seed, std::int64_t row) {
   return static_cast<double>(row) * kWidthM + random_of(seed, row, 0, 5).uniform(-kWidthJitterM, kWidthJitterM);
 }
 
-/// Annual rings seen from the side: layers of a few widths, which last for some decimetres.
+/// Returns annual rings seen from the side: layers of a few widths, which last for some decimetres.
 std::vector<float> grain_of(Random random) {
   constexpr double kWidths[] = {0.0013, 0.003, 0.007, 0.018};
   constexpr double kGreys[] = {5.0, 6.0, 8.0, 7.0};
@@ -93,7 +93,7 @@ Plank plank_of(std::uint64_t seed, std::int64_t row, std::int64_t piece) {
   return plank;
 }
 
-/// The grain's own coordinate: it runs at a slant, in waves, and around knots.
+/// Holds the grain's own coordinate across the plank: it runs at a slant, in waves, and around knots.
 struct Bend {
   double across = 0.0;
   double dark = 0.0;  ///< of knots
@@ -122,7 +122,7 @@ float grain_at(const Plank& plank, int node, float share, double across) {
   return (1.0F - share) * (near[0] + between * (near[1] - near[0])) + share * (far[0] + between * (far[1] - far[0]));
 }
 
-/// The part that is the same for all rows of a canvas, for each column on a plank.
+/// Holds what is the same for all rows of a canvas, for each column on a plank.
 struct Columns {
   int first = 0;
   std::vector<double> along, drift;  ///< from the plank's begin; of the grain

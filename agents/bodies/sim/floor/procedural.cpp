@@ -132,7 +132,7 @@ void ProceduralFloor::draw_broad(TileKey key, const Layer& layer) const {
           [&](Random& random, double x, double y) { draw_tyre(random, x, y, layer); });
 }
 
-/// Rubber that a turning or braking wheel leaves: a few ribs side by side along a bend, fading in and out.
+/// Draws rubber that a turning or braking wheel leaves: a few ribs side by side along a bend, fading in and out.
 void ProceduralFloor::draw_tyre(Random& random, double x, double y, const Layer& layer) const {
   const double radius = random.uniform(1.2, 6.0);
   const double middle = random.uniform(0.0, 2.0 * std::numbers::pi);

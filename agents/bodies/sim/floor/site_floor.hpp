@@ -9,7 +9,7 @@
 
 namespace weft::agents::sim {
 
-/// The floor that a site's [floor] and [change] describe; with `photographs`, a folder of them, in place of a
+/// Makes the floor that a site's [floor] and [change] describe; with `photographs`, a folder of them, in place of a
 /// material. Errors as make_procedural_floor and make_photographed_floor.
 Result<std::shared_ptr<const FloorSource>> make_site_floor(const Site& site,
                                                            const std::optional<std::string>& photographs,

@@ -5,9 +5,9 @@
 
 namespace weft::agents::sim {
 
-/// The floor is an endless plane of square tiles; tile (x, y) covers [x, x+1) x [y, y+1) tile lengths of the site
-/// frame. Texel (i, j) of a tile, row-major with j along y, is the albedo about its centre ((i + 0.5), (j + 0.5))
-/// texels on.
+/// Divide the floor, an endless plane, into square tiles; tile (x, y) covers [x, x+1) x [y, y+1) tile lengths of the
+/// site frame. Texel (i, j) of a tile, row-major with j along y, is the albedo about its centre, which lies (i + 0.5,
+/// j + 0.5) texels from the tile's corner.
 inline constexpr int kTileTexels = 1024;
 inline constexpr double kTexelM = 0.625e-3;
 inline constexpr double kTileM = kTileTexels * kTexelM;
@@ -18,13 +18,13 @@ struct TileKey {
   auto operator<=>(const TileKey&) const = default;
 };
 
-/// The texture of a floor.
+/// Is the texture of a floor.
 class FloorSource {
  public:
   virtual ~FloorSource() = default;
   /// Fills one tile of kTileTexels x kTileTexels grey levels. Deterministic; neighbours fit together.
   virtual void fill(TileKey key, std::span<std::uint8_t> texels) const = 0;
-  /// Strength of the mirrored lamps, grey levels at their middle for a lamp of brightness 1.
+  /// Returns the strength of the mirrored lamps, grey levels at their middle for a lamp of brightness 1.
   virtual double gloss() const = 0;
 };
 

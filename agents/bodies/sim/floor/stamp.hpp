@@ -3,7 +3,7 @@
 
 namespace weft::agents::sim {
 
-/// A square picture of floats over a part of the floor, to draw on.
+/// Holds a square picture of floats over a part of the floor, to draw on.
 struct Canvas {
   std::span<float> values;  ///< row-major, `side` x `side`
   int side = 0;
@@ -21,7 +21,7 @@ struct Ellipse {
 };
 void stamp(const Ellipse& ellipse, const Canvas& canvas);
 
-/// The same along a stroke.
+/// Adds `grey` likewise along a stroke.
 struct Stroke {
   double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
   double half_width_m = 0.0;
@@ -30,7 +30,7 @@ struct Stroke {
 };
 void stamp(const Stroke& stroke, const Canvas& canvas);
 
-/// The same along a bend around (x, y), fading over `fade_m` towards both ends.
+/// Adds `grey` likewise along a bend around (x, y), fading over `fade_m` towards both ends.
 struct Arc {
   double x = 0.0, y = 0.0, radius_m = 1.0;
   double middle = 0.0, half_angle = 0.0;  ///< at most 1.4; of the way from its middle to an end

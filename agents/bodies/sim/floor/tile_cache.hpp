@@ -10,19 +10,19 @@
 
 namespace weft::agents::sim {
 
-/// A tile with its area-averaged halvings; level l has kTileTexels >> l texels a side.
+/// Counts the levels of a tile, itself and its area-averaged halvings; level l has kTileTexels >> l texels a side.
 inline constexpr int kLevels = 5;
 struct FloorTile {
   std::array<std::vector<std::uint8_t>, kLevels> levels;
   std::size_t bytes() const;
 };
 
-/// Tiles made on demand, the least recently used thrown away; never more than `limit_bytes`.
+/// Keeps tiles made on demand, the least recently used thrown away; never more than `limit_bytes`.
 class TileCache {
  public:
-  /// `limit_bytes` is at least two tiles.
+  /// Begins empty; `limit_bytes` is at least two tiles.
   TileCache(std::shared_ptr<const FloorSource> source, std::size_t limit_bytes);
-  /// Valid until the next call.
+  /// Returns the tile, made if it is not there; valid until the next call.
   const FloorTile& tile(TileKey key);
   std::size_t bytes() const { return bytes_; }
   std::size_t made() const { return made_; }

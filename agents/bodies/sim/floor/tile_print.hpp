@@ -6,12 +6,12 @@
 
 namespace weft::agents::sim {
 
-/// Square tiles of kPrintTexels a side, all with one print, between joints: a floor that does repeat.
+/// Is the side in texels of square tiles, all with one print, between joints: a floor that does repeat.
 inline constexpr int kPrintTexels = 480;
 
 class TilePrint {
  public:
-  /// Another seed: another print.
+  /// Draws the print; another seed gives another print.
   explicit TilePrint(std::uint64_t seed);
   /// Adds the tiles on a canvas of finest texels.
   void add(const Layer& layer) const;

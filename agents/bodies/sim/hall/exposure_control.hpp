@@ -6,21 +6,21 @@
 
 namespace weft::agents::sim {
 
-/// A camera that makes its image as bright as it is told by exposing longer, and where that blurs too much, by
-/// amplifying: noise grows with it. While somebody tells it how to expose it does that instead.
+/// Controls the exposure of a camera that makes its image as bright as it is told by exposing longer, and beyond its
+/// longest time by amplifying: noise grows with it. While somebody tells it how to expose it does that instead.
 class ExposureControl {
  public:
   ExposureControl(const ForwardCameraSetup& setup, double exposure_s);
 
-  /// An image is about to be taken.
+  /// Says that an image is about to be taken.
   void comes(double time_s);
   double exposure_s() const;  ///< now
   double amplified() const;   ///< >= 1
-  /// Grey levels of an image for what would be 1 at the exposure that sites are lit for.
+  /// Returns the grey levels of an image for what would be 1 at the exposure that sites are lit for.
   double gain() const { return told_ ? told_->light_s() / lit_for_s() : asked_; }
   /// Returns the present exposure as agents are told it.
   Exposure now() const;
-  /// `mean_light`: of the image just taken, what its grey levels would be at gain 1.
+  /// Follows the image just taken. `mean_light`: what its mean grey level would be at gain 1.
   void taken(double mean_light);
   /// Sets the exposure from the next image on, within what the camera can. False: it exposes as the site is lit for,
   /// whatever the light.

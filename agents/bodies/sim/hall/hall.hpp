@@ -10,7 +10,7 @@
 
 namespace weft::agents::sim {
 
-/// A hall as cameras that look around see it; shared by all of them, one thread each.
+/// Holds a hall as cameras that look around see it; shared by all of them, one thread each.
 class Hall {
  public:
   Hall(const Site& site, const FloorSource& floor, const Photographed& photographed);

@@ -19,7 +19,7 @@ constexpr std::size_t kNoise = 1U << 18U;
 constexpr std::array<float, kHallSamples> kRight = {0.25F, -0.25F, -0.25F, 0.25F};
 constexpr std::array<float, kHallSamples> kDown = {-0.125F, 0.375F, -0.375F, 0.125F};
 
-/// Pixel of the i-th ray of a block.
+/// Finds the pixel of the i-th ray of a block.
 struct BlockPixels {
   int columns;
   std::size_t at(std::size_t block, std::size_t i) const {

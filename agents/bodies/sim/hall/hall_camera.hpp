@@ -14,7 +14,7 @@ namespace weft::agents::sim {
 inline constexpr std::size_t kHallSamples = 4;
 inline constexpr int kHallBand = 4;  ///< rows of an image that are taken together
 
-/// One image's circumstances.
+/// Describes the circumstances in which one image is taken.
 struct HallShot {
   std::array<Pose3, kHallSamples> site_from_camera;  ///< in the middle of each quarter of the exposure
   /// Holds, of a rolling shutter, the same for each kHallBand rows; empty: all rows are taken at once.
@@ -35,20 +35,20 @@ struct HallCameraOptions {
   double headlight = 0.0;   ///< of a lamp beside the camera: light on what is 2 m before it, 1 being the floor's mean
 };
 
-/// A camera that looks around in a hall: each pixel is the mean of four rays, at four moments of the exposure and
-/// four places within it. Not for several threads.
+/// Renders what a camera that looks around in a hall sees: each pixel is the mean of four rays, at four moments of the
+/// exposure and four places within it. Not for several threads.
 class HallCamera {
  public:
-  /// `camera` is the true one; width and height are multiples of 4.
+  /// Takes the true camera; its width and height are multiples of 4.
   HallCamera(const CameraModel& camera, const HallCameraOptions& options, std::shared_ptr<const Hall> hall,
              std::vector<Mover> movers, const HallLight& light);
-  /// Another run's.
+  /// Sets the light of another run.
   void set_light(const HallLight& light);
 
   HallImage take(const HallShot& shot);
 
  private:
-  /// The things that move, where they are when an image is taken.
+  /// Holds the things that move, where they are when an image is taken.
   struct Moving {
     struct Sphere {
       Eigen::Vector3f middle = Eigen::Vector3f::Zero();
@@ -62,7 +62,7 @@ class HallCamera {
     bool may_be_met(const Eigen::Vector3f& eye, const Eigen::Vector3f& way, float focal_px) const;
   };
   std::vector<ShadedFace> faces_of(const std::vector<Quad>& quads, const std::vector<QuadLight>& light) const;
-  /// One of the looks through each pixel.
+  /// Describes one of the looks through each pixel.
   struct Sample {
     Eigen::Vector3f eye = Eigen::Vector3f::Zero();
     Eigen::Matrix3f site_from_camera = Eigen::Matrix3f::Identity();

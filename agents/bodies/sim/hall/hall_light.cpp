@@ -61,7 +61,7 @@ float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
   return sum * per_mean_ * change_;
 }
 
-/// It shines by itself; which one it is tells its place.
+/// Returns the light of a lamp's own face, which shines by itself; its place tells which lamp it is.
 QuadLight HallLight::of_lamp(const Quad& quad) const {
   float shines = 0.0F;
   float nearest = std::numeric_limits<float>::infinity();

@@ -10,19 +10,19 @@
 
 namespace weft::agents::sim {
 
-/// Light at the corners of a quad, (0, 0), (1, 0), (0, 1), (1, 1); 1 is the floor's mean with the lamps as the site
-/// file has them.
+/// Holds the light at the corners of a quad, (0, 0), (1, 0), (0, 1), (1, 1); 1 is the floor's mean with the lamps as
+/// the site file has them.
 struct QuadLight {
   std::array<float, 4> at{};
 };
 
-/// The lamps of one run over a hall (lamps_now); of the ambient light `Change::ambient` is left. Things that stand in
-/// the way throw shadows.
+/// Lights a hall by the lamps of one run (lamps_now); of the ambient light `Change::ambient` is left. Things that
+/// stand in the way throw shadows.
 class HallLight {
  public:
   HallLight(const Site& site, Random random);
 
-  /// `in_the_way`: what throws shadows; null: nothing does.
+  /// Returns the light on each quad. `in_the_way`: what throws shadows; null: nothing does.
   std::vector<QuadLight> on(std::span<const Quad> quads, const QuadScene* in_the_way) const;
 
  private:

@@ -21,7 +21,7 @@ class Picture {
   void frame(double x, double y, double w, double h, double grey, int thickness = 1) {
     cv::rectangle(grey_, box(x, y, w, h), cv::Scalar(grey), thickness);
   }
-  /// Rows of dashes, as print looks from where it cannot be read.
+  /// Draws rows of dashes, as print looks from where it cannot be read.
   void print(double x, double y, double w, double h, double grey, Random& random) {
     for (double row = y; row + 2 <= y + h; row += 4.0)
       for (double at = x; at < x + w - 2;) {
@@ -84,7 +84,7 @@ Texture cartons(Random& random) {
   return picture.done(random);
 }
 
-/// Film over dark or light goods: streaks from corner to corner, a label.
+/// Draws film over dark or light goods: streaks from side to side, a label.
 Texture wrapped(Random& random) {
   const double grey = random.uniform(60.0, 190.0);
   Picture picture(grey);

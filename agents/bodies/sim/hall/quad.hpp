@@ -5,12 +5,12 @@
 
 namespace weft::agents::sim {
 
-/// The material of a surface; each has textures of its own.
+/// Names the material of a surface; each has textures of its own.
 enum class Stuff : std::uint8_t { floor, wall, ceiling, steel, load, pallet, sign, vehicle, clothing, lamp };
 inline constexpr std::size_t kStuffs = 10;
 
-/// A parallelogram of the hall, site frame, metres. It is seen from both sides and lit on the one that `across` x
-/// `up` points to.
+/// Describes a parallelogram of the hall, site frame, metres. It is seen from both sides and lit on the one that
+/// `across` x `up` points to.
 struct Quad {
   Eigen::Vector3f corner = Eigen::Vector3f::Zero();
   Eigen::Vector3f across = Eigen::Vector3f::UnitX();
@@ -23,8 +23,8 @@ struct Quad {
   Eigen::Vector3f normal() const { return across.cross(up).normalized(); }
 };
 
-/// Upright box on a heading: its four sides and its top (no bottom: nobody looks from under the floor). Sides in the
-/// order of BoxHit's faces.
+/// Describes an upright box on a heading: its four sides and its top (no bottom: nobody looks from under the floor).
+/// Sides come in the order of BoxHit's faces.
 struct BoxSides {
   Eigen::Vector3d middle_of_bottom = Eigen::Vector3d::Zero();
   double heading_rad = 0.0;

@@ -12,7 +12,7 @@ namespace weft::agents::sim {
 
 inline constexpr std::size_t kRays = 16;
 
-/// Directions of rays from one eye, and what they meet first.
+/// Holds directions of rays from one eye, and what they meet first.
 struct RayPacket {
   std::array<float, kRays> x{}, y{}, z{};  ///< directions, site frame, of any length
   std::array<std::int32_t, kRays> quad{};  ///< -1: none
@@ -20,7 +20,7 @@ struct RayPacket {
   std::array<float, kRays> distance{};     ///< in lengths of the direction
 };
 
-/// Parallelograms for ray queries (Embree).
+/// Holds parallelograms for ray queries (Embree).
 class QuadScene {
  public:
   explicit QuadScene(std::span<const Quad> quads);
@@ -29,7 +29,7 @@ class QuadScene {
   QuadScene& operator=(QuadScene&&) noexcept;
 
   void cast(const Eigen::Vector3f& eye, RayPacket& packet) const;
-  /// Is anything between the two points, 1 mm from either end left out?
+  /// Returns whether anything is between the two points, 1 mm from either end left out.
   bool is_hidden(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 
  private:

@@ -1,20 +1,20 @@
 #pragma once
 #include <cstdint>
 
-/// Shading of what eight rays see of a face, in two builds: one for any x86-64 and one for AVX2, chosen at run time.
-/// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
+/// Shades what eight rays see of a face, in two builds: one for any x86-64 and one for AVX2, chosen at run time. Both
+/// give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
 inline constexpr int kShaded = 8;
 
-/// A texture of 2^top texels a side and its area-averaged halvings, one after the other; mirrored beyond its rims.
+/// Points to a texture of 2^top texels a side and its area-averaged halvings, in sequence; mirrored beyond its rims.
 struct TexelLevels {
   const std::uint8_t* texels = nullptr;
   const std::uint32_t* from = nullptr;  ///< where each level begins
   int top = 0;
 };
 
-/// A face as shading needs it. Its coordinates u, v are in [0, 1].
+/// Describes a face as shading needs it. Its coordinates u, v are in [0, 1].
 struct ShadedFace {
   TexelLevels levels;
   float per_u = 1.0F, per_v = 1.0F, at_u = 0.0F, at_v = 0.0F;  ///< texels
@@ -24,7 +24,7 @@ struct ShadedFace {
   float light[4] = {};  ///< at (0, 0), (1, 0), (0, 1), (1, 1)
 };
 
-/// Eight rays, all of which meet `face`: arrays of eight.
+/// Describes eight rays, all of which meet `face`: arrays of eight.
 struct ShadeRays {
   const float *x = nullptr, *y = nullptr, *z = nullptr;  ///< directions
   const float *u = nullptr, *v = nullptr;                ///< of the face, where they meet it
@@ -38,7 +38,7 @@ struct ShadeRays {
 };
 
 using ShadeFace = void (*)(const ShadeRays& rays);
-/// The fastest that this machine can.
+/// Returns the fastest that this machine can run.
 ShadeFace shade_face();
 
 namespace plain {

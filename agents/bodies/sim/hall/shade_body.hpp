@@ -28,7 +28,7 @@ using Ints [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
   return cut + (value < __builtin_convertvector(cut, Floats));  // true is -1
 }
 
-/// Whole texels to and fro: 0 .. side - 1, then back.
+/// Folds whole texels back into the texture: 0 .. side - 1, then back.
 [[gnu::always_inline]] inline Ints mirrored(const Ints& at, const Ints& side) {
   const Ints within = at & (2 * side - 1);
   const Ints back = 2 * side - 1 - within;

@@ -18,7 +18,7 @@ std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& from, int side
   return out;
 }
 
-/// A place in a texture that has nothing to do with the next pattern's.
+/// Returns where in a texture a pattern begins along an axis, texels; unrelated to where the next pattern does.
 float offset_of(std::uint32_t pattern, std::uint32_t axis) {
   std::uint32_t h = (pattern + 0x9E3779B9U * (axis + 1U)) * 0x85EBCA6BU;
   h = (h ^ (h >> 15U)) * 0xC2B2AE35U;

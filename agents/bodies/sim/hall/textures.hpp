@@ -11,13 +11,13 @@
 
 namespace weft::agents::sim {
 
-/// Grey levels about a mean of 128, with its area-averaged halvings. Coordinates are mirrored beyond its rims, so
-/// that nothing has a seam.
+/// Holds grey levels about a mean of 128, with their area-averaged halvings. Coordinates are mirrored beyond its rims,
+/// so that nothing has a seam.
 class Texture {
  public:
-  /// `side` a power of two; `texels` side x side.
+  /// Takes side x side texels, `side` a power of two, and makes the halvings.
   Texture(int side, std::vector<std::uint8_t> texels);
-  /// Valid as long as this is.
+  /// Returns all levels; valid as long as this is.
   TexelLevels levels() const { return {texels_.data(), from_.data(), top_}; }
   int side() const { return 1 << top_; }
 
@@ -30,13 +30,13 @@ class Texture {
 /// Textures of a stuff in place of those that are drawn; none is empty.
 using Photographed = std::map<Stuff, std::vector<Texture>>;
 
-/// The textures of each stuff. A texture of cloth, concrete or the like has its size in metres and goes on from quad
-/// to quad; the picture of a load or a sign fills its quad.
+/// Holds the textures of each stuff. A texture of cloth, concrete or the like has its size in metres and goes on from
+/// quad to quad; the picture of a load or a sign fills its quad.
 class Textures {
  public:
   static constexpr double kTexelM = 0.005;
 
-  /// Procedural but for what was photographed; `floor` is what the site's floor cameras see, too.
+  /// Draws all but what was photographed; `floor` is what the site's floor cameras see, too.
   Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed);
 
   /// Returns a quad's face without its light. Valid as long as this is.
@@ -51,11 +51,11 @@ constexpr bool is_fitted(Stuff stuff) {
   return stuff == Stuff::load || stuff == Stuff::sign;
 }
 
-/// Pictures of stacked cartons, wrapped pallets, drums, empty shelves; and of signs, doors and panels on walls. 128
-/// texels a side.
+/// Draw pictures of stacked cartons, wrapped pallets, drums, empty shelves; and of signs, doors and panels on walls.
+/// They have 128 texels a side.
 std::vector<Texture> draw_loads(std::uint64_t seed);
 std::vector<Texture> draw_signs(std::uint64_t seed);
-/// 5 mm a texel, 2.56 m.
+/// Return a texture of 5 mm a texel, 2.56 m a side.
 Texture draw_plain(Stuff stuff, std::uint64_t seed);
 Texture floor_texture(const FloorSource& floor);
 
