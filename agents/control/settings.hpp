@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// Whether a setting may be as low as its low bound.
+/// Says whether a setting may be as low as its low bound.
 enum class Low : std::uint8_t { open, closed };
 
 /// Calls `in(name, value, Low, low, high)` for every setting of the controller, for whoever checks or reads them;
