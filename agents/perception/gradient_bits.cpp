@@ -23,7 +23,7 @@ struct SummedGradients {
   }
 };
 
-/// Directions evenly round the circle.
+/// Holds directions evenly round the circle.
 struct Directions {
   std::array<float, kDirections> x{}, y{};
 };

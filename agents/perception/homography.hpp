@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// Homographies here are b_from_a in normalised coordinates: robots have different cameras.
+/// Holds a homography b_from_a in normalised coordinates, as all here are: robots have different cameras.
 struct RobustHomography {
   Eigen::Matrix3d b_from_a = Eigen::Matrix3d::Identity();
   std::vector<bool> inlier;  ///< of each pair

@@ -71,7 +71,7 @@ struct MountReport {
   std::optional<double> height_by_wheels;
 };
 
-/// Runs the same filter for as long as a robot runs: what is older than about 30 m of driving fades, as mounts get
+/// Keeps the same filter for as long as a robot runs: what is older than about 30 m of driving fades, as mounts get
 /// knocked.
 class MountWatch {
  public:
@@ -88,8 +88,8 @@ class MountWatch {
   double seen_m_ = 0.0;
 };
 
-/// Corrections to a mount as seen from above, found from motions of a base that does not slide sideways (u_y = 0 in
-/// the middle of each arc): straight drives show the yaw, turns how far ahead the camera sits.
+/// Corrects a mount as seen from above, found from motions of a base that does not slide sideways (u_y = 0 in the
+/// middle of each arc): straight drives show the yaw, turns how far ahead the camera sits.
 struct MountLever {
   double yaw_rad = 0.0;    ///< to be added to the mount's
   double forward_m = 0.0;  ///< likewise

@@ -39,8 +39,7 @@ double left_of(const Raised& one, const Eigen::Vector3d& pitch_roll_share) {
   return one.elevation - one.by.dot(pitch_roll_share);
 }
 
-/// Fits by least squares with Tukey's weights, from the median pitch on; a weak prior keeps at zero what nothing
-/// shows.
+/// Fits by least squares with Tukey's weights, from the median pitch on; a weak prior keeps at 0 what nothing shows.
 Eigen::Vector3d fit(const std::vector<Raised>& all, double least_sigma) {
   constexpr double prior_sigma = 0.3;  // radians, and share
   std::vector<double> values;
