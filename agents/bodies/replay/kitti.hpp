@@ -15,7 +15,7 @@ struct KittiCamera {
   std::vector<RecordedImage> images;
 };
 
-/// Whether that folder is laid out so: calib.txt, image_l/ and image_r/.
+/// Returns whether that folder is laid out so: holds calib.txt and image_l/ (image_r/ is not looked for).
 bool is_kitti(const std::string& folder);
 
 /// Reads image_l (P0 of calib.txt) or image_r (P1). Images are numbered by their names from 0, so that one
@@ -25,9 +25,8 @@ bool is_kitti(const std::string& folder);
 Result<KittiCamera> read_kitti(const std::string& folder, const std::string& half,
                                const std::function<void(const std::string&)>& warn);
 
-/// Describes the projection of a rectified camera, 3 x 4 row by row on a line "P0: 12 numbers"; lines without names
-/// are P0, P1, ... in their order. not_found: no such line; invalid: it has not 12 numbers, or is of no rectified
-/// camera.
+/// Describes the projection of a rectified camera, 3 x 4 row by row on a line "P0: 12 numbers"; without names lines
+/// are P0, P1, ... in order. not_found: no such line; invalid: it has not 12 numbers, or is of no rectified camera.
 struct Projection {
   double focal_px = 0.0, cx = 0.0, cy = 0.0;
   double baseline_m = 0.0;  ///< to the right of the left camera

@@ -8,13 +8,12 @@
 
 namespace weft::agents::sim {
 
-/// Errors of one robot's own wheels as its base reports them: reported / rolled.
+/// Describes the errors of one robot's own wheels as its base reports them: reported / rolled.
 struct WheelErrors {
   double left_scale = 1.0;
   double right_scale = 1.0;
 };
-/// Draws a scale error and an asymmetry of at least the stated sizes, at most a fifth more; signs and sizes by
-/// `random`.
+/// Draws scale error and asymmetry of at least the stated sizes, at most a fifth more, and signs, from `random`.
 WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random);
 
 /// Simulates a differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same motion.

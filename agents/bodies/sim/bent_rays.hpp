@@ -16,8 +16,9 @@ struct FloorMet {
 /// Finds where a line of sight meets the uneven floor. `on_plane`: where it meets the plane, from the same eye.
 FloorMet meet_floor(const Relief& relief, const Pose3& site_from_camera, const Eigen::Vector2d& on_plane);
 
-/// Rays of pixels that meet the floor's plane where the pixels' own rays meet the uneven floor: what samples a plane
-/// along them sees the uneven one. How they bend is known at the nodes of a grid over the image and even between.
+/// Bends rays of pixels so that they meet the floor's plane where the pixels' own rays meet the uneven floor: what
+/// samples a plane along them sees the uneven one. How they bend is known at the nodes of a grid over the image and
+/// interpolated between.
 class BentRays {
  public:
   /// Makes a grid of nodes, one every `cell` pixels; `columns` x `rows` of them, row-major.

@@ -76,7 +76,7 @@ class Camera {
   };
   using RowLevels = std::array<std::uint8_t, kSubsamples>;
   using FloorFromSubsamples = std::array<FloorFromRay, kSubsamples>;
-  /// Directions and what lights a hit, for one pose of the camera.
+  /// Holds where one pose of the camera looks from, and how it turns directions into the site frame.
   struct Viewpoint {
     Eigen::Vector3d at;
     Eigen::Matrix3f site_from_camera;

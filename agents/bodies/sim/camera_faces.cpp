@@ -7,7 +7,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Faces turned to different sides differ a little, as under any real light.
+/// Scales the brightness of a box's faces: turned to different sides they differ a little, as under any real light.
 constexpr std::array<float, 5> kSide = {1.0F, 0.88F, 0.95F, 0.82F, 1.1F};
 
 FaceLook look_of(Box::Kind kind, std::int32_t face) {

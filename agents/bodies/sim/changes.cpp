@@ -68,7 +68,7 @@ void add_wet_areas(Site& site) {
   });
 }
 
-/// Aisles painted along and across the hall.
+/// Adds aisles painted along and across the hall.
 void add_lines(Site& site) {
   constexpr double kApartM = 4.0;
   const FloorSetup& f = site.floor;

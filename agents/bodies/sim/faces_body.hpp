@@ -113,7 +113,7 @@ template <class Real>
   return grey;
 }
 
-/// Pallets with loads of their own grey, gaps between, under a beam every 1.5 m.
+/// Returns the grey of a rack: pallets with loads of their own grey, gaps between, under a beam every 1.5 m.
 template <class Real>
 [[gnu::always_inline]] inline Real rack_grey(std::int64_t salt, const Real& along, const Real& up,
                                              const Real& per_soft, FaceMemo& memo) {

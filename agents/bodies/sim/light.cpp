@@ -39,8 +39,7 @@ float fresnel(float away_x, float away_y) {
 }
 
 /// Returns the share of a lamp that the body hides from (x, y): the part of the ray below its top against its axis.
-/// Behind the ray's foot it hides only what it stands on. Without a branch, so that several points are worked out
-/// together.
+/// Behind the ray's foot it hides only what it stands on. Without a branch: several points are worked out together.
 float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, const ShadowBody& body) {
   const float top = static_cast<float>(body.height_m) / lamp_h;
   const float dx = (lamp_x - x) * top;

@@ -28,8 +28,7 @@ class Light {
   /// Lights upright faces at points (x, y, z), without shadow or shine.
   void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                std::span<float> gain) const;
-  /// Sets the robot's place: lamps far from it cast no shadow or shine. Moving shadows stand where they do at
-  /// `time_s`.
+  /// Sets the robot's place (far lamps are taken without shadow and shine) and where moving shadows are by then.
   void look_around(double x, double y, double time_s);
 
  private:

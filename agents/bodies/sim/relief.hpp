@@ -11,7 +11,7 @@ namespace weft::agents::sim {
 /// seed. Long waves are higher in proportion, so that waves of all lengths are equally steep.
 class Relief {
  public:
-  /// Heights stay within `peak_m` of the plane; their root mean square is 0.63 of it.
+  /// Draws waves whose heights stay within `peak_m` of the plane; their root mean square is 0.63 of it.
   Relief(double peak_m, std::uint64_t floor_seed);
 
   double height_m(double x, double y) const;

@@ -45,7 +45,7 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   static constexpr std::size_t kPacket = 16;
-  /// Rays from one eye (site frame), at most kPacket of them; `hits` has as many.
+  /// Casts rays from one eye (site frame), at most kPacket of them; `hits` has as many.
   void cast(const Eigen::Vector3d& eye, std::span<const Eigen::Vector3f> directions, std::span<BoxHit> hits) const;
   /// Casts rays likewise, each from an eye of its own.
   void cast(std::span<const Eigen::Vector3f> eyes, std::span<const Eigen::Vector3f> directions,

@@ -15,8 +15,7 @@ class Shades {
   void look_around(double x, double y, double time_s);
   bool any_shadow() const { return !near_shadows_.empty(); }
   bool any_wet() const { return !near_wet_.empty(); }
-  /// Holds floor points; rims are no sharper than `apart_m`, how far the next ones lie. All spans here have one
-  /// length.
+  /// Holds floor points; rims are no sharper than `apart_m`, how far the next ones lie. All spans are of one length.
   struct Points {
     std::span<const float> x, y, apart_m;
   };

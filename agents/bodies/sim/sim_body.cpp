@@ -16,7 +16,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Streams of randomness, so that more of one does not change another.
+/// Names streams of randomness, so that more of one does not change another.
 enum Part : std::uint64_t { wheels = 1, calibration, slip, vibration, exposure, timing, hand, light, noise };
 
 std::uint64_t seed_of(std::uint64_t seed, const RobotStart& robot) {

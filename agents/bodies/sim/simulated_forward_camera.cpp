@@ -9,7 +9,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Times of the samples as shares of the exposure, from its middle, in order: the middles of its quarters.
+/// Sets the times of the samples as shares of the exposure, from its middle, in order: the middles of its quarters.
 constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125, 0.375};
 
 /// Returns the camera as agents are told it: a focal length from a data sheet and where it was screwed on. Nobody has

@@ -12,7 +12,7 @@ namespace weft::agents::sim {
 /// and at once, so that a killed process leaves whole lines.
 class TruthFile {
  public:
-  /// Appends. unavailable: cannot be opened.
+  /// Opens a file to append to. unavailable: cannot be opened.
   static Result<TruthFile> open(const std::string& path);
   TruthFile(TruthFile&& other) noexcept;
   TruthFile& operator=(TruthFile&& other) noexcept;
@@ -20,8 +20,7 @@ class TruthFile {
   TruthFile& operator=(const TruthFile&) = delete;
   ~TruthFile();
 
-  /// Appends a line; time in s, pose in the site frame. exhausted: it cannot be written whole, as when the disk is
-  /// full.
+  /// Appends a line; s, and metres and radians, site frame. exhausted: cannot be written (the disk is full).
   Result<void> write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& site_from_robot);
 
  private:

@@ -7,8 +7,9 @@
 /// Both give the same numbers. Plain types only: a file built for AVX2 must not share inline code with the others.
 namespace weft::agents::sim {
 
-/// Texels across a strip of a level, and the bytes of its row: each texel stands beside the one below it, and the
-/// first of the strip to the right is repeated, so that four consecutive bytes are what a bilinear sample needs.
+/// Count the texels across a strip of a level, and the bytes of its row: each texel stands beside the one below it,
+/// and the first of the strip to the right is repeated, so that four consecutive bytes are what a bilinear sample
+/// needs.
 inline constexpr int kStripLog2 = 5;
 inline constexpr int kStripTexels = 1 << kStripLog2;
 inline constexpr int kStripRowBytes = 2 * (kStripTexels + 1);
@@ -32,8 +33,7 @@ struct FloorFromRay {
 
 inline constexpr int kSubsamples = 4;
 
-/// Describes a run of pixels of one row, each the mean of kSubsamples bilinear samples, spread over exposure and
-/// pixel.
+/// Describes a run of pixels of a row: means of kSubsamples bilinear samples each, spread over exposure and pixel.
 struct RowJob {
   const float* ray_x = nullptr;
   const float* ray_y = nullptr;
@@ -64,8 +64,7 @@ struct Kernels {
   void (*shade_row)(const ShadeJob& job);
   /// Averages 2 x 2 texels; `side` is that of the result.
   void (*halve)(const std::uint8_t* from, int side, std::uint8_t* to);
-  /// Adds amplitude * noise to to[i], noise of unit variance (sum of four bytes), a pure function of (x0 + i, y,
-  /// seed).
+  /// Adds amplitude * noise to to[i]; noise of variance 1 (sum of four bytes), a pure function of (x0 + i, y, seed).
   void (*add_noise_row)(std::int32_t x0, std::int32_t y, std::uint32_t seed, int count, float amplitude, float* to);
   /// Doubles a row of a lattice: even and odd children weigh their parents 3 : 1. `from` has count / 2 + 2 values,
   /// the first is the parent before.

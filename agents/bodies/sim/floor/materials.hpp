@@ -5,8 +5,7 @@
 
 namespace weft::agents::sim {
 
-/// Describes a kind of floor by what it is made of. Amplitudes are grey levels, sizes metres, densities a square
-/// metre.
+/// Describes what a kind of floor is made of. Amplitudes are grey levels, sizes metres, densities a square metre.
 struct Material {
   /// Names the kind of pieces that are laid under everything else.
   enum class Pieces : unsigned char { none, tiles, planks };

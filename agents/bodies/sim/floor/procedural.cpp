@@ -51,7 +51,7 @@ class ProceduralFloor final : public FloorSource {
   std::optional<TilePrint> print_;
 };
 
-/// Colours differ from decimetre to decimetre; from grain to grain they differ with the chips.
+/// Returns the noise of a level: colours differ from decimetre to decimetre; from grain to grain by the chips.
 float ProceduralFloor::amplitude(int level, Channel channel) const {
   if (channel == Channel::grey) return material_.octaves[static_cast<std::size_t>(level)];
   return level >= 5 ? static_cast<float>(0.12 * material_.warmth_spread) : 0.0F;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kColumns = 64;  // whose places are worked out together, once for all their rows
 
-/// Texels whose centres lie within [low, high] metres, cut to the canvas.
+/// Holds the texels whose centres lie within [low, high] metres, cut to the canvas.
 struct Range {
   int first = 0;
   int last = -1;

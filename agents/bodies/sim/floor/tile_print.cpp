@@ -17,7 +17,7 @@ Layer layer_on(std::vector<float>& values, Channel channel) {
   return {channel, Canvas{values, kPrintTexels, kTexelM, 0.0, 0.0}};
 }
 
-/// Clouds, veins and specks, as a printer puts them on stoneware.
+/// Draws clouds, veins and specks, as a printer puts them on stoneware.
 void draw_print(Random random, const Layer& layer) {
   for (int i = 0; i < 60; ++i) {
     const double size = random.uniform(0.01, 0.06);

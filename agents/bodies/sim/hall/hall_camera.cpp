@@ -151,7 +151,7 @@ void HallCamera::look_through(std::size_t from, const Sample& sample, const Movi
   if (moves != 0) shade(moving.faces, to_moving, from, moves);
 }
 
-/// Whether rays of a block about this one may meet something that moves.
+/// Returns whether rays of a block about this one may meet something that moves.
 bool HallCamera::Moving::may_be_met(const Eigen::Vector3f& eye, const Eigen::Vector3f& way, float focal_px) const {
   constexpr float block_px = 4.0F;  // from its middle ray to its corners, and a little
   const float length2 = way.squaredNorm();

@@ -39,7 +39,7 @@ Quad face(const Eigen::Vector3d& corner, const Eigen::Vector3d& across, const Ei
   return quad;
 }
 
-/// Signs, doors and panels on a wall face, a centimetre before it, no higher than 3.5 m.
+/// Adds signs, doors and panels on a wall face, a centimetre before it, no higher than 3.5 m.
 void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
   const double length = wall.across.norm();
   const double height = std::min(3.5, static_cast<double>(wall.up.norm()));
@@ -86,7 +86,7 @@ void add_shell(const Site& site, std::vector<Quad>& quads) {
   add_wall(face({x0, y0 + d, 0}, across, up, Stuff::wall, grey), Random(walls).fork(4), quads);
 }
 
-/// Beams across the hall every five metres, and the lamps' boxes.
+/// Adds beams across the hall every five metres, and the lamps' boxes.
 void add_overhead(const Site& site, std::vector<Quad>& quads) {
   const FloorSetup& f = site.floor;
   Quad beam;

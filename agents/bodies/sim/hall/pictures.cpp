@@ -167,7 +167,7 @@ std::vector<Texture> draw_signs(std::uint64_t seed) {
 
 namespace {
 
-/// Clouds of the sizes (texels) and strengths (grey levels) given, added up.
+/// Describes clouds of a size (texels) and strength (grey levels); `clouds` adds several up, about 128.
 struct Cloud {
   int size;
   double grey;

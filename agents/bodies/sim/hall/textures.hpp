@@ -27,7 +27,7 @@ class Texture {
   std::array<std::uint32_t, 16> from_{};  ///< where each begins
 };
 
-/// Textures of a stuff in place of those that are drawn; none is empty.
+/// Holds textures of a stuff in place of those that are drawn; none of its lists is empty.
 using Photographed = std::map<Stuff, std::vector<Texture>>;
 
 /// Holds the textures of each stuff. A texture of cloth, concrete or the like has its size in metres and goes on from
@@ -46,7 +46,7 @@ class Textures {
   std::array<std::vector<Texture>, kStuffs> of_;
 };
 
-/// Stuffs whose pictures fill their quads.
+/// Returns whether a stuff's pictures fill their quads.
 constexpr bool is_fitted(Stuff stuff) {
   return stuff == Stuff::load || stuff == Stuff::sign;
 }
