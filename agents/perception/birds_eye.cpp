@@ -31,7 +31,7 @@ namespace {
 
 constexpr int descriptor_border_px = 20;
 
-/// Returns metres of floor a pixel spans across, at a point: below about half a map pixel, half the image is enough.
+/// Returns metres a pixel spans across, at a floor point: below about half a map pixel the half-size image is enough.
 double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_floor) {
   const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
   const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_floor.x(), on_floor.y(), 0.0);
