@@ -6,7 +6,7 @@
 namespace weft::agents {
 namespace {
 
-/// `alike` (x, y, heading) is added to the covariance of what is no Metric3.
+/// Adds `alike`, a covariance of (x, y, heading), to that of a relation that is no Metric3.
 void add_planar(Relation& relation, const Eigen::Matrix3d& alike) {
   if (auto* const flat = std::get_if<Metric2>(&relation)) {
     flat->covariance += alike;

@@ -10,18 +10,18 @@
 
 namespace weft::agents {
 
-/// A method that an agent can run: what it needs of a body, how it is set, and how it is made of both.
+/// Describes a method that an agent can run: what it needs of a body, how it is set, and how it is made of both.
 template <class M>
 concept Runnable = Method<M> &&
     requires(const typename M::Config& config, const Rig& rig, const config::Table& table) {
   { M::needs } -> std::convertible_to<SensorNeed>;
-  /// make: of the sensors that were chosen for it, no others. invalid: a setting or a calibration breaks its bound.
+  /// Makes a method of the sensors chosen for it and no others. invalid: a setting or a calibration breaks its bound.
   { M::make(config, rig) } -> std::same_as<Result<M>>;
-  /// read_config: of the table [NAME] of a configuration file; what is wrong is collected by the table.
+  /// Reads the settings from the table [NAME] of a configuration file; the table collects what is wrong.
   { M::read_config(table) } -> std::same_as<typename M::Config>;
 };
 
-/// A method whose contents can be signed by who has no camera: the server.
+/// Describes a method whose contents can be signed by a process that has no camera: the server.
 template <class M>
 concept SignsBytes = requires(ByteView bytes) {
   { M::sign_bytes(bytes) } -> std::same_as<std::optional<Signature>>;
@@ -38,7 +38,7 @@ struct MethodList {
   }
 };
 
-/// Every method that robots navigate by: who adds one adds it here, and nowhere else.
+/// Lists every method that robots navigate by: whoever adds a method adds it here and nowhere else.
 using AllMethods = MethodList<Floor, Bearing>;
 
 }  // namespace weft::agents

@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// Contents as bytes: little-endian, in order, without padding.
+/// Writes a content as bytes: little-endian, in order, without padding.
 class ContentWriter {
  public:
   template <class T>
@@ -28,7 +28,7 @@ class ContentWriter {
 /// Reads in order; after the first fault every further read gives zero and the fault stays.
 class ContentReader {
  public:
-  /// `kind`: "floor content", for messages.
+  /// Begins to read `bytes`; `kind` names the content in messages: "floor content".
   ContentReader(ByteView bytes, std::string_view kind) : bytes_(bytes), kind_(kind) {}
 
   template <class T>
@@ -37,7 +37,7 @@ class ContentReader {
     if (const ByteView view = raw(field, sizeof(T)); !view.empty()) std::memcpy(&value, view.data(), sizeof(T));
     return value;
   }
-  /// Finite, in [low, high].
+  /// Reads a number; it is a fault if it is not finite and in [low, high].
   double real(std::string_view field, double low, double high) {
     const auto value = number<double>(field);
     if (!(value >= low && value <= high)) fault(field, "is out of bounds");

@@ -22,21 +22,21 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 
-/// The method contract: what differs between ways of navigating by camera. Everything else (teaching, searching the
-/// neighbourhood, acceptance, recovery, following, stitching) is generic and in agents/navigation.
+/// Describes the method contract: what differs between ways of navigating by camera. Everything else (teaching,
+/// searching the neighbourhood, acceptance, recovery, following, stitching) is generic and in agents/navigation.
 namespace weft::agents {
 
-/// The effect on a relation of errors that all steps of a drive have in common (a calibration's), one column each: xi
-/// of (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent of one
-/// another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
+/// Holds the effect on a relation of errors that all steps of a drive have in common (a calibration's), one column
+/// each: xi of (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent
+/// of one another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
 using CommonErrors = Eigen::Matrix<double, 6, 11>;
-/// The same of x, y and heading alone.
+/// Holds the same of x, y and heading alone.
 using PlanarErrors = Eigen::Matrix<double, 3, 11>;
 inline constexpr Eigen::Index kYaw = 5;  ///< row of CommonErrors
 CommonErrors in_space(const PlanarErrors& errors);
 PlanarErrors in_plane(const CommonErrors& errors);
 
-/// The motion between two consecutive samples.
+/// Describes the motion between two consecutive samples.
 struct Step {
   Relation previous_from_current;  ///< with its covariance, that of `common` included
   bool seen = false;               ///< false: vision was blind, this is integrated commands or wheels
@@ -53,7 +53,7 @@ struct Refusal {
 template <class T>
 using OrRefusal = tl::expected<T, Refusal>;
 
-/// A relation that two contents agree on, with its evidence.
+/// Describes a relation that two contents agree on, with its evidence.
 struct Related {
   Relation a_from_b;
   std::uint32_t inliers = 0;
@@ -62,9 +62,9 @@ struct Related {
   std::vector<Diagnostic> diagnostics = {};  ///< what else the two contents show of the robot that saw b
 };
 
-/// A diagnostic of fixes that is worth a person's attention while it is beyond a bound, and how to say so.
+/// Describes a diagnostic of fixes that deserves a person's attention while it is beyond a bound, and how to say so.
 struct WatchedDiagnostic {
-  /// The bounds at which a notice begins and, lower, ends: no notice flickers.
+  /// Sets where a notice begins and, lower, where it ends, so that it does not flicker.
   struct Bounds {
     double begins = 0.0;
     double ends = 0.0;
@@ -78,26 +78,26 @@ struct WatchedDiagnostic {
 };
 
 using Signature = std::vector<float>;
-/// Squared distance of two signatures of one method.
+/// Returns the squared distance of two signatures of one method.
 double distance2(const Signature& a, const Signature& b);
 
-/// A recognised place and where the robot is relative to it, with the evidence.
+/// Describes a recognised place and where the robot is relative to it, with the evidence.
 struct Fix {
   PlaceId place;
   Relation place_from_robot;
   Related evidence;
 };
 
-/// The pose that navigation believes: a single hypothesis. A method that localises in its own way may keep a richer
-/// belief; its fixes lead to this.
+/// Holds the pose that navigation believes: a single hypothesis. A method that localises in its own way may keep a
+/// richer belief; its fixes lead to this.
 struct Estimate {
   PlaceId place;
   Relation place_from_robot;
   double blind_m = 0.0;  ///< travelled since the last fix
 };
 
-/// A place as a chart is made of it: its relation to the chart's centre and its decoded content (null while the
-/// bytes have not arrived).
+/// Describes a place as a chart is made of it: its relation to the chart's centre and its decoded content (null while
+/// the bytes have not arrived).
 template <class Content>
 struct ChartPlace {
   PlaceId id;
@@ -106,13 +106,13 @@ struct ChartPlace {
   std::shared_ptr<const Content> content;
 };
 
-/// The size of the part of the map around the robot that a chart is made of.
+/// Bounds the part of the map around the robot that a chart is made of.
 struct ChartSize {
   std::uint32_t hops = 12;
   std::uint32_t places = 200;
 };
 
-/// The answer of `locate`.
+/// Holds the answer of `locate`.
 template <class Belief>
 struct Located {
   Belief belief;
@@ -120,8 +120,8 @@ struct Located {
   std::vector<Refusal> refusals;  ///< of this attempt
 };
 
-/// The way ahead that `steer` may look at: the released part of the route in the robot's frame (planar, points of the
-/// path with the direction of travel), the profile, and how it ends.
+/// Describes the way ahead that `steer` may look at: the released part of the route in the robot's frame (planar,
+/// points of the path with the direction of travel), the profile, and how it ends.
 struct Ahead {
   std::vector<Pose2> robot_from_path;  ///< ordered; the first may lie behind the robot
   double to_end_m = 0.0;               ///< along the path to the released point
@@ -136,20 +136,21 @@ struct Stop {
 };
 using Steering = tl::expected<Twist, Stop>;
 
-/// A new relation for an edge of one's own unsealed experience.
+/// Describes a new relation for an edge of one's own unsealed experience.
 struct Amendment {
   EdgeId edge;
   Relation a_from_b;
 };
 
-/// Another robot, on another day, beside where a view was taken.
+/// Describes another robot, on another day, beside where a view was taken.
 struct Revisit {
   std::size_t condition = 0;  ///< one of M::conditions
   Pose2 robot_from_other;     ///< a few centimetres and degrees: what lies further off was not in the view
   std::uint64_t seed = 0;     ///< of its calibration's error, noise and what lies on the floor
 };
 
-/// M is a value: configuration and calibration, fixed after construction. Odometry is the state between samples.
+/// Describes a method. M is a value: configuration and calibration, fixed after construction. Odometry is its state
+/// between samples.
 template <class M>
 concept Method = std::movable<M> &&
     requires(const M& m, typename M::Odometry odometry, const View& view, const Motion& motion,
@@ -157,18 +158,18 @@ concept Method = std::movable<M> &&
   { M::name } -> std::convertible_to<std::string_view>;
   { M::content_format } -> std::convertible_to<std::uint32_t>;
   requires std::default_initializable<typename M::Odometry>;
-  /// observe: state, view, motion -> step; the state is updated in place. `view` is null when the frame was dropped.
+  /// Returns the step of a sample and updates the state in place. `view` is null when the frame was dropped.
   { m.observe(odometry, static_cast<const View*>(nullptr), motion) } -> std::same_as<Step>;
-  /// extract: what a place here would store. Refusal: nothing to remember here (too blank, too blurred).
+  /// Returns what a place here would store. Refusal: nothing to remember here (too blank, too blurred).
   { m.extract(std::as_const(odometry), view) } -> std::same_as<OrRefusal<typename M::Content>>;
   { m.encode(content) } -> std::same_as<Bytes>;
   { m.decode(bytes) } -> std::same_as<Result<typename M::Content>>;
-  /// relate: a_from_b of the robot frames at which both were extracted.
+  /// Returns a_from_b of the robot frames at which both were extracted.
   { m.relate(content, content, guess) } -> std::same_as<OrRefusal<Related>>;
   { m.sign(content) } -> std::same_as<std::optional<Signature>>;
 };
 
-/// A method that localises in its own way (a mosaic, a filter, fixed points). The default is
+/// Describes a method that localises in its own way (a mosaic, a filter, fixed points). The default is
 /// agents/navigation/localiser.hpp: a list of candidates, breadth-first + relate.
 template <class M>
 concept ChartsItself = Method<M> &&
@@ -178,88 +179,90 @@ concept ChartsItself = Method<M> &&
   { m.chart(around) } -> std::same_as<typename M::Chart>;
   { m.begin(chart, seed) } -> std::same_as<typename M::Belief>;
   { m.locate(chart, belief, step, seen) } -> std::same_as<Located<typename M::Belief>>;
-  /// believed: the belief once navigation has weighed the method's fix, around navigation's own estimate.
+  /// Returns the belief, around navigation's own estimate, once navigation has weighed the method's fix.
   { m.believed(chart, belief, seed) } -> std::same_as<typename M::Belief>;
 };
 
-/// Beliefs that hold more than where the robot is: that outlives a lost way and goes into each new chart.
+/// Describes a method whose beliefs hold more than where the robot is: that outlives a lost way and goes into each new
+/// chart.
 template <class M>
 concept Remembers = ChartsItself<M> &&
     requires(const M& m, const typename M::Chart& chart, const typename M::Belief& before, const Estimate& seed) {
   { m.begin(chart, seed, before) } -> std::same_as<typename M::Belief>;
 };
 
-/// A method whose contents look alike in more places than one: what a view is related to anywhere is believed when
-/// no place elsewhere in the window is nearly as much like it.
+/// Describes a method whose contents look alike in more places than one: what a view is related to anywhere is
+/// believed when no place elsewhere in the window is nearly as much like it.
 template <class M>
 concept ComparesRivals = Method<M> &&
     requires(const M& m, const typename M::Content& place, const typename M::Content& seen) {
-  /// likeness: the more the more alike; 0: not at all.
+  /// Returns how alike the two are: larger is more alike; 0: not at all.
   { m.likeness(place, seen) } -> std::same_as<double>;
-  /// most_of_rival: how much like it a place elsewhere may be, by the likeness of the place itself.
+  /// Returns how much like it a place elsewhere may be, by the likeness of the place itself.
   { m.most_of_rival(1.0) } -> std::same_as<double>;
 };
 
-/// A method that steers in its own way. The default is spline + Hoffmann + PI (agents/navigation/follower.hpp).
+/// Describes a method that steers in its own way. Default: spline + Hoffmann + PI
+/// (agents/navigation/follower.hpp).
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;
 };
 
-/// A method that says how its camera is to expose the next views so that they show most of what it matches. None: as
-/// the camera likes. Asked after `observe`, at each view.
+/// Describes a method that says how its camera is to expose the next views so that they show most of what it matches.
+/// None: as the camera likes. It is asked after `observe`, at each view.
 template <class M>
 concept Exposes = Method<M> && requires(const M& m, const typename M::Odometry& odometry, const View& view) {
   { m.expose(odometry, view) } -> std::same_as<std::optional<Exposure>>;
 };
 
-/// A method whose places know how the robot was driving there: it is repeated no faster.
+/// Describes a method whose places know how the robot was driving there: it is repeated no faster.
 template <class M>
 concept Replays = Method<M> && requires(const typename M::Content& content) {
   { M::driven(content) } -> std::same_as<Twist>;
 };
 
-/// A method whose places become better known each time that a robot comes by. What it has learned of a place is a
-/// content like any other: every robot localises against it.
+/// Describes a method whose places become better known each time that a robot comes by. What it has learned of a place
+/// is a content like any other: every robot localises against it.
 template <class M>
 concept Learns = Method<M> && requires(const M& m, const typename M::Content& known, const typename M::Content& seen,
                                        const Relation& known_from_seen) {
-  /// learned_format: of the contents that `encode` makes of what was learned; `content_format` is of those that were
+  /// Is the format of contents that `encode` makes of what was learned; `content_format` is that of those that were
   /// taught.
   { M::learned_format } -> std::convertible_to<std::uint32_t>;
-  /// learn: the place as it is better known after one more pass, of which `seen` is the view nearest to it. None:
+  /// Returns the place as it is better known after one more pass, of which `seen` is the view nearest to it. None:
   /// this view is not to be learned from.
   { m.learn(known, seen, known_from_seen) } -> std::same_as<std::optional<typename M::Content>>;
-  /// Whether a robot sees so much more of the second one, `learned`, than of the first, `shared`, upon which it was
-  /// learned, that all robots are to have it. Soon false where nothing changes.
+  /// Returns whether a robot sees so much more of the second one, `learned`, than of the first, `shared`, upon which
+  /// it was learned, that all robots are to have it. Soon false where nothing changes.
   { m.is_worth_sharing(known, known) } -> std::same_as<bool>;
 };
 
-/// The newest format of contents that M reads.
+/// Returns the newest format of contents that M reads.
 template <Method M>
 constexpr std::uint32_t newest_format() {
   if constexpr (Learns<M>) return std::max<std::uint32_t>(M::content_format, M::learned_format);
   return M::content_format;
 }
 
-/// A method that can say what another robot would have seen instead of a view, of the same camera and frame: with it
-/// teaching finds out whether a place will be found again before the robot leaves it.
+/// Describes a method that can say what another robot would have seen instead of a view, of the same camera and frame:
+/// with it teaching finds out whether a place will be found again before the robot leaves it.
 template <class M>
 concept SimulatesRevisits = Method<M> && requires(const M& m, const View& view, const Revisit& revisit) {
-  /// conditions: names of what may have changed by then, the mildest first: "as_is", "half_light".
+  /// Names what may have changed by then, the mildest first: "as_is", "half_light".
   {std::span<const std::string_view>(M::conditions)};
   { m.simulate_revisit(view, revisit) } -> std::same_as<OrRefusal<View>>;
 };
 
-/// A method that measures more of its robot than where it is.
+/// Describes a method that measures more of its robot than where it is.
 template <class M>
 concept Diagnoses = Method<M> && requires(const M& m, const typename M::Odometry& odometry) {
   {std::span<const WatchedDiagnostic>(M::watched)};
-  /// diagnose: what the drive so far has shown; a diagnostic that is not known well enough is left out.
+  /// Returns what the drive so far has shown; a diagnostic that is not known well enough is left out.
   { m.diagnose(odometry) } -> std::same_as<std::vector<Diagnostic>>;
 };
 
-/// A method that improves its own unsealed experience at its end.
+/// Describes a method that improves its own unsealed experience at its end.
 template <class M>
 concept Refines = Method<M> && requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& experience) {
   { m.refine(experience) } -> std::same_as<std::vector<Amendment>>;

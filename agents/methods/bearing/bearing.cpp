@@ -22,7 +22,7 @@ Image resampled(const Image& image, double scale) {
   return {out.cols, out.rows, std::make_shared<const Bytes>(out.datastart, out.dataend)};
 }
 
-/// Null: this is an image of the camera.
+/// Returns why the view is no image of the camera; empty: it is one.
 std::string_view what_is_wrong(const View& view, const CameraModel& camera) {
   const auto* const image = std::get_if<Image>(&view.data);
   if (image == nullptr) return "not_an_image";

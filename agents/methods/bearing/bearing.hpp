@@ -14,9 +14,9 @@
 
 namespace weft::agents {
 
-/// Navigation by one camera that looks ahead and whose lens nobody has measured (Krajnik et al., "Navigation without
-/// localisation", 2018, as corrected in docs/decisions/026-bearing-as-corrected.md): how far the robot has
-/// travelled along a path that it was taught, and by how much it is turned against it, and never a pose. A value;
+/// Navigates by one camera that looks ahead and whose lens nobody has measured (Krajnik et al., "Navigation without
+/// localisation", 2018, as corrected in docs/decisions/026-bearing-as-corrected.md): finds how far the robot has
+/// travelled along a path that it was taught, and by how much it is turned against it, but never a pose. A value;
 /// every call is pure.
 class Bearing {
  public:
@@ -29,13 +29,13 @@ class Bearing {
     Twist driving;  ///< as wheels or command say, at the newest sample
   };
 
-  /// A place along the path around the chart's centre.
+  /// Describes a place along the path around the chart's centre.
   struct Stop {
     PlaceId place;
     AlongPath centre_from_place;
     std::shared_ptr<const Content> content;  ///< null while its bytes have not arrived
   };
-  /// The places around, sorted by their distance from the centre.
+  /// Holds the places around, sorted by their distance from the centre along the path (signed).
   struct Chart {
     std::vector<Stop> stops;
   };
@@ -47,7 +47,7 @@ class Bearing {
     std::optional<CameraRise> rise = {};
   };
 
-  /// invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
+  /// Makes a method. invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
   static Result<Bearing> make(const BearingConfig& config, const CameraModel& camera);
   static Result<Bearing> make(const BearingConfig& config, const Rig& rig) { return make(config, rig.camera()); }
   using Config = BearingConfig;
@@ -55,21 +55,21 @@ class Bearing {
   static constexpr SensorNeed needs = {SensorKind::camera, Gaze::ahead, 1};
   static BearingConfig read_config(const config::Table& table) { return read_bearing_config(table); }
 
-  /// AlongPath, by the wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
+  /// Returns an AlongPath, by wheels or, without, by the command. Blind reasons: no_view, not_an_image, wrong_size.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
 
   /// Returns the exposure to wish for. None: the view's own is not known, or it is no image of the camera.
   std::optional<Exposure> expose(const Odometry& odometry, const View& view) const;
 
-  /// Refusals: not_an_image, wrong_size, few_features.
+  /// Extracts what a place here would store. Refusals: not_an_image, wrong_size, few_features.
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
 
   Bytes encode(const Content& content) const { return encode_bearing_content(content); }
   Result<Content> decode(ByteView bytes) const { return decode_bearing_content(bytes); }
 
-  /// AlongPath: the heading as most of what both see says, the distance as the guess has it (0 without), with its
-  /// uncertainty. Without a guess more is asked. Refusals: few_features, no_majority, ambiguous, further_off,
-  /// another_scene, described_otherwise.
+  /// Returns an AlongPath: the heading on which most of what both see agrees, the distance of the guess (0 without),
+  /// with its uncertainty. Without a guess more evidence is required. Refusals: few_features, no_majority, ambiguous,
+  /// further_off, another_scene, described_otherwise.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   /// Returns how many features stand in both as in views of one scene (BearingConfig::inlier_px); 0: they tell no
@@ -77,7 +77,7 @@ class Bearing {
   double likeness(const Content& a, const Content& b) const;
   double most_of_rival(double likeness) const;
 
-  /// The velocity profile (III-B).
+  /// Returns how the robot was driving at the place (the velocity profile, III-B).
   static Twist driven(const Content& content) { return content.driving; }
 
   /// Returns none: corners that look alike are everywhere.
@@ -85,7 +85,7 @@ class Bearing {
 
   Chart chart(const std::vector<ChartPlace<Content>>& around) const;
   Belief begin(const Chart& chart, const Estimate& seed) const;
-  /// Cameras are still those that they were.
+  /// Begins anew but keeps what `before` has found out about the cameras that taught: they are still the same.
   Belief begin(const Chart& chart, const Estimate& seed, const Belief& before) const;
   /// Finds the robot's distance along the path and its heading. How much nearer things are than in each of the places
   /// before and behind tells how far along the path it is, once the focal lengths of those that taught are taken into
@@ -97,11 +97,12 @@ class Bearing {
   /// told of the cameras that taught counts from now on.
   Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const;
 
-  /// The features of the place with one more pass counted, without those that are hardly ever seen and with some of
-  /// the view's that it does not have, placed by what both show (learn.cpp). None: of another focal length, taken too
-  /// far before or behind or aside, or the heading is not sure.
+  /// Returns the features of the place with one more pass counted, without those that are hardly ever seen and with
+  /// some of the view's that the place does not have, put where what both show places them (learn.cpp). None: the view
+  /// is described otherwise or of another focal length, was taken too far before, behind or beside the place, or its
+  /// heading is not sure.
   std::optional<Content> learn(const Content& known, const Content& seen, const Relation& known_from_seen) const;
-  /// A robot that comes by sees that much more of `learned` (BearingLearnConfig::worth; worth.cpp).
+  /// Returns whether a robot that comes by sees so much more of `learned` (BearingLearnConfig::worth; worth.cpp).
   bool is_worth_sharing(const Content& shared, const Content& learned) const;
 
   const BearingConfig& config() const { return config_; }

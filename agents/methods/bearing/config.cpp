@@ -3,7 +3,7 @@
 namespace weft::agents {
 namespace {
 
-/// Every setting but the description, with its bounds: visit(name, value, low, high).
+/// Visits every setting but the description, with its bounds: visit(name, value, low, high).
 template <class Config, class Visit>
 void each_setting(Config& config, Visit&& visit) {
   visit("focal_px", config.focal_px, 100, 2000);

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// Settings for places that learn from the views of robots that come by (learn.cpp). Bounds in brackets.
+/// Holds the settings for places that learn from the views of robots that come by (learn.cpp). Bounds in brackets.
 struct BearingLearnConfig {
   double along_m = 0.07;        ///< [0.01, 0.5] a view taken so far before or behind the place is learned from
   double along_sigma_m = 0.05;  ///< [0.005, 1] as far as it is known where it was taken
@@ -28,8 +28,8 @@ struct BearingLearnConfig {
   double worth = 0.25;        ///< [0.01, 10] by which share more of a place is to be seen to be worth sharing it
 };
 
-/// Settings of the method `bearing`. Symbols of Krajnik et al. 2018 stand beside the field's names; bounds in
-/// brackets.
+/// Holds the settings of the method `bearing` (Krajnik et al. 2018). Bounds in brackets beside each setting; `check`
+/// enforces them.
 struct BearingConfig {
   // Views
   double focal_px = 386.0;  ///< [100, 2000]; images are brought to this focal length: what stands around a corner is
@@ -70,7 +70,7 @@ struct BearingConfig {
   BearingLearnConfig learn;  ///< keys begin with learn_
 };
 
-/// Every bound that does not hold.
+/// Returns a line for every setting that breaks its bounds: name, value, bounds. Empty when all is well.
 std::vector<std::string> check(const BearingConfig& config);
 BearingConfig read_bearing_config(const config::Table& table);
 

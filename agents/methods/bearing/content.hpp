@@ -17,8 +17,8 @@ struct Sightings {
   bool operator==(const Sightings&) const = default;
 };
 
-/// The content that `bearing` stores of a place (docs/formats/bearing-content.md): what was seen ahead, and how the
-/// robot was driving (the velocity profile of Krajnik et al. 2018, III-B).
+/// Holds what `bearing` stores of a place (docs/formats/bearing-content.md): what was seen ahead, and how the robot
+/// was driving (the velocity profile of Krajnik et al. 2018, III-B).
 struct BearingContent {
   std::vector<UprightFeature> features;  ///< pixels from the image's middle, at `focal_px`
   double focal_px = 386.0;

@@ -59,7 +59,7 @@ Sightings with_pass(const Sightings& before, bool is_seen, int fade_passes) {
   return {static_cast<std::uint8_t>(could), static_cast<std::uint8_t>(seen)};
 }
 
-/// One pass by a place.
+/// Updates the content of a place by what one pass has shown.
 class Learning {
  public:
   Learning(const BearingLearnConfig& config, const BearingContent& known, const BearingContent& seen,
@@ -68,7 +68,8 @@ class Learning {
     place_.sightings = sightings_of(known);
   }
 
-  /// `half`: of the part of the image in which features are found.
+  /// Counts for each feature whether it could be seen and was. `half`: half the size, in pixels, of the part of the
+  /// image in which features are found.
   void count_all(const std::vector<Match>& agreeing, const Eigen::Vector2f& half) {
     std::vector<bool> is_seen(place_.features.size(), false);
     for (const Match& match : agreeing) {
@@ -111,7 +112,7 @@ class Learning {
     return std::abs(off.x()) <= config_.moved_px && std::abs(off.y()) <= config_.risen_px;
   }
 
-  /// The place has it, though the vote took another one for it.
+  /// Returns whether the place has this feature, though the vote matched it with none or with another one.
   bool is_there(const UprightFeature& feature) const {
     constexpr int alike_bits = 64;
     for (const UprightFeature& one : place_.features) {
@@ -134,7 +135,7 @@ class Learning {
     place_.sightings.resize(kept);
   }
 
-  /// The least seen go, as far as they are seldom seen.
+  /// Drops the least seen features to make room for `wanted` more, as far as they are seldom seen.
   void make_room(std::size_t wanted) {
     const auto most = static_cast<std::size_t>(config_.features);
     if (place_.features.size() + wanted <= most) return;

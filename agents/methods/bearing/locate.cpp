@@ -19,7 +19,7 @@ AlongPath as_along(const Relation& relation) {
   return along(compose(relation, AlongPath{}));
 }
 
-/// A place that told a heading.
+/// Describes a place that told a heading.
 struct Told {
   const Bearing::Stop* stop;
   HeadingVote vote;
@@ -28,16 +28,17 @@ struct Told {
   double focal_variance = 0.0;     ///< of the share that is taken off `looming`
 };
 
-/// The distance by which the robot is further along the path than believed.
+/// Describes by how much the robot is further along the path than believed.
 struct Further {
   double ahead_m = 0.0;
   double variance_m2 = 0.0;
   double looming_1_m = 0.0;  ///< share by which things are nearer for each metre
 };
 
-/// Places ahead show things smaller than the robot sees them, places behind larger, the more so the further off they
-/// are: where that changes sign is the robot. A line through both, by least squares; how steep it is tells how far
-/// away things are, which is known roughly beforehand. None: hardly anything is told.
+/// Estimates how much further along the path the robot is than believed. Places ahead show things smaller than the
+/// robot sees them, places behind larger, the more so the further off they are: where that changes sign is the robot.
+/// Fits a line to both by least squares; its slope tells how far away things are, which is known roughly beforehand.
+/// None: hardly anything is told.
 std::optional<Further> further_of(const std::vector<Told>& told) {
   constexpr double usual_1_m = 0.35;  // of things 1 to 10 m away
   constexpr double usual_sigma_1_m = 0.3;
@@ -70,9 +71,9 @@ std::optional<Further> further_of(const std::vector<Told>& told) {
   return further;
 }
 
-/// Those that agree on how the robot is turned, if they are most of them: each alone is found a heading by chance now
-/// and then. In a bend places look in other directions, and each takes for a turn what of the robot's distance from
-/// the way lies across its own.
+/// Returns those that agree on how the robot is turned if they are most of them, else none: each alone finds a heading
+/// by chance now and then. In a bend places look in other directions, and each mistakes for a turn what of the robot's
+/// distance from the path lies across its own direction: so more is allowed there.
 std::vector<Told> agreeing(const std::vector<Told>& told) {
   constexpr double near_rad = 0.06;
   constexpr double aside = 0.35;  // distance from the way over that of things: 1 m of 3 m
@@ -122,7 +123,7 @@ std::optional<CameraLook> look_at_camera(const OtherCameras& cameras, const std:
   return share ? std::optional(CameraLook{run, *share}) : std::nullopt;
 }
 
-/// Things seem as much nearer as a focal length is larger.
+/// Takes off each looming what unlike focal lengths cause: things seem as much nearer as a focal length is larger.
 void take_off_focal_shares(std::vector<Told>& told, const OtherCameras& cameras, double sigma) {
   for (Told& one : told) {
     const FocalShare focal = cameras.of(one.stop->place.experience, sigma);

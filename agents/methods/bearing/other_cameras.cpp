@@ -9,7 +9,7 @@ namespace {
 constexpr double kApart_m = 0.3;
 constexpr std::size_t kMostRuns = 64;  // those that were not seen for longest go
 constexpr double kOfView = 0.004;      ///< 1 sigma, of what a view says beside its own
-/// Lenses bend differently, and do so in all views: no share is known better than this.
+/// Bounds sigma from below: lenses bend differently, and do so in all views, so no share is known better.
 constexpr double kLeastSigma = 0.0015;
 
 constexpr double kSurprising = 2.5;  // sigma

@@ -20,20 +20,21 @@ struct CameraRise {
   double px = 0.0;
 };
 
-/// The focal lengths of those that taught, as far as a robot knows them: a run is taught with one camera, and nobody
-/// has measured it, nor its own. A value.
+/// Keeps how the robot's focal length compares with those of the cameras that taught, as far as it is known: a run is
+/// taught with one camera, and nobody has measured it, nor the robot's own. A value.
 class OtherCameras {
  public:
-  /// `sigma`: of a share of which nothing has been seen yet.
+  /// Returns the share by which the run's camera differs; `sigma`: 1 sigma of one of which nothing has been seen yet.
   FocalShare of(const ExperienceId& run, double sigma) const;
   void moved(double metres);
   /// Whether another word of that run's is worth asking for: views from nearly one spot show the same things, and err
   /// alike.
   bool is_due(const ExperienceId& run) const;
-  /// `sigma` as above. What differs by more than errors explain counts as what just does not.
+  /// Learns from one view; `sigma` as above. What differs by more than errors explain counts as what they just
+  /// explain.
   void told(const CameraLook& by_view, double sigma);
 
-  /// The median of what views have told; none: too few have.
+  /// Returns the median, in pixels, of what views have told of a run; none: too few have.
   std::optional<double> rise_px(const ExperienceId& run) const;
   void told(const CameraRise& by_view);
 

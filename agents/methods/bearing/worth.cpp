@@ -11,7 +11,7 @@ class Outlook {
  public:
   explicit Outlook(double stays) : stays_(stays) {}
 
-  /// Those of `shared` that stayed in `learned`.
+  /// Adds a feature of `shared` that stayed in `learned`.
   void add_old(const Sightings& then, const Sightings& now) {
     const bool is_halved = now.could < then.could || now.seen < then.seen;
     const double seen =

@@ -8,8 +8,8 @@
 
 namespace weft::agents {
 
-/// Settings of the method `floor`. Symbols are those of Gadd & Newman, Table I. Each bound stands beside its number;
-/// `check` enforces it.
+/// Holds the settings of the method `floor`. Symbols are those of Gadd & Newman, Table I. Each bound stands beside its
+/// number; `check` enforces it.
 struct FloorConfig {
   // Odometry
   int corners = 160;                  ///< [40, 1000] tracked from each keyframe
@@ -83,10 +83,10 @@ struct FloorConfig {
   double most_repeated = 0.7;          ///< [0, 10] features that meet their like elsewhere, against the inliers
 };
 
-/// Every setting that breaks its bound: name, value, bound. Empty when all is well.
+/// Returns every setting that breaks its bound: name, value, bound. Empty when all is well.
 std::vector<std::string> check(const FloorConfig& config);
 
-/// The settings of a TOML table, key by key as they are named here; what is wrong is reported into its document.
+/// Reads the settings from a TOML table, key by key as they are named here; reports what is wrong into its document.
 FloorConfig read_floor_config(const config::Table& table);
 
 /// Returns the settings with what a calibration states of itself in place of those that were not set; its yaw_rad and

@@ -8,7 +8,7 @@
 namespace weft::agents {
 namespace {
 
-/// SE(2) that takes two points of b to two of a.
+/// Returns the pose a_from_b in SE(2) that takes two points of b to two of a.
 Pose2 pose_of_two(const Eigen::Vector2d& a1, const Eigen::Vector2d& a2, const Eigen::Vector2d& b1,
                   const Eigen::Vector2d& b2) {
   const Eigen::Vector2d da = a2 - a1;

@@ -10,8 +10,8 @@
 
 namespace weft::agents {
 
-/// The content that `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane
-/// of the mount, with the calibration they were seen through, so that another robot's camera can be held against
+/// Holds what `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane of
+/// the mount, with the calibration of the camera that saw them, so that another robot's camera can be compared with
 /// them.
 struct FloorContent {
   CameraModel camera;  ///< the view's; attitude has not been applied to the features
@@ -26,7 +26,7 @@ inline constexpr std::size_t most_floor_features = 4096;
 inline constexpr int widest_floor_patch_px = 512;
 
 Bytes encode_floor_content(const FloorContent& content);
-/// corrupt: short, trailing or impossible values, naming field and offset; newer: a later format.
+/// Reads a content. corrupt: short, trailing or impossible values, naming field and offset; newer: a later format.
 Result<FloorContent> decode_floor_content(ByteView bytes);
 
 }  // namespace weft::agents

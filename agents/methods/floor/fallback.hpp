@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// A motion that was seen without following corners.
+/// Describes a motion that was seen without following corners.
 struct SeenOtherwise {
   PlanarFit fit;
   std::size_t points = 0;  ///< that agree

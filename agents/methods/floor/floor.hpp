@@ -20,7 +20,7 @@
 
 namespace weft::agents {
 
-/// Navigation by the floor's texture seen through one downward camera (Gadd & Newman, "A Framework for
+/// Navigates by the floor's texture seen through one downward camera (Gadd & Newman, "A Framework for
 /// Infrastructure-Free Warehouse Navigation", as corrected in docs/decisions/020-floor-as-corrected.md). A value:
 /// calibration and settings, fixed after construction; every call is pure.
 class Floor {
@@ -28,15 +28,15 @@ class Floor {
   static constexpr std::string_view name = "floor";
   static constexpr std::uint32_t content_format = floor_content_format;
 
-  /// A corner of the keyframe that is still followed.
+  /// Describes a corner of the keyframe that is still followed.
   struct Tracked {
     Eigen::Vector2d in_keyframe = Eigen::Vector2d::Zero();  ///< undistorted, normalised
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< in the newest view
     Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a FloorPair says
   };
 
-  /// The means by which a view's motion was found. Corners are the fastest and the most exact; where they fail (few
-  /// of them, not on one plane, against the wheels), grey values are aligned, then features matched, before vision is
+  /// Names the means by which a view's motion was found. Corners are the fastest and the most exact; where they
+  /// fail (too few of them, or not on one plane), grey values are aligned, then features matched, before vision is
   /// blind.
   enum class SeenBy { nothing, corners, grey_values, features };
   static std::string_view name_of(SeenBy by);
@@ -49,8 +49,8 @@ class Floor {
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Attitude keyframe_attitude;
-    /// Information on the keyframe's attitude that earlier fits gave, beyond what is known of every view, and its
-    /// product with the mean.
+    /// Hold the information on the keyframe's attitude that earlier fits gave, beyond what is known of every view, and
+    /// its product with the mean.
     Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
     Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();
     Eigen::Matrix3d keyframe_covariance = Eigen::Matrix3d::Zero();  ///< of keyframe_from_robot, as steps have said
@@ -81,31 +81,31 @@ class Floor {
   static Result<Floor> make(const FloorConfig& config, const CameraModel& camera);
   static Result<Floor> make(const FloorConfig& config, const Rig& rig) { return make(config, rig.camera()); }
 
-  /// Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast, few_tracks,
-  /// homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.
+  /// Returns the motion as Metric2. Blind reasons: first_view, dropped_frame, not_an_image, wrong_size, low_contrast,
+  /// few_tracks, homography_refused, normal_refused, not_converged, disagrees_with_wheels, disagrees_with_command.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
 
-  /// Diagnostics that are watched: height_offset_m of `relate`.
+  /// Lists the diagnostics that are watched: height_offset_m of `relate`.
   static const std::array<WatchedDiagnostic, 1> watched;
   /// Returns what driving has shown of the mount against its calibration: mount_pitch_rad, mount_roll_rad, and
   /// mount_height_share, the height's error as a share of it, which wheels show; none: not driven far enough.
   std::vector<Diagnostic> diagnose(const Odometry& odometry) const;
 
-  /// Refusals: not_an_image, wrong_size, too_blank (features found).
+  /// Extracts what a place here would store. Refusals: not_an_image, wrong_size, too_blank (features found).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
 
   Bytes encode(const Content& content) const { return encode_floor_content(content); }
   Result<Content> decode(ByteView bytes) const { return decode_floor_content(bytes); }
 
-  /// Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it (III-C); without, every
-  /// heading and offset is possible. Its diagnostic: height_offset_m, by how much higher above its calibration b's
-  /// camera stood than a's above its own, when the features tell it to 2 mm. Refusals: no_overlap, few_matches,
+  /// Returns Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it (III-C); without,
+  /// every heading and offset is possible. Its diagnostic: height_offset_m, by how much higher above its calibration
+  /// b's camera stood than a's above its own, when the features tell it to 2 mm. Refusals: no_overlap, few_matches,
   /// no_consensus, few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual,
   /// disagrees_with_guess; ambiguous: the floor that both see looks the same elsewhere in a (moved by any motion, or,
-  /// with a guess, by less than `widest_gate_m`), so that the relation is one of several.
+  /// with a guess, within `widest_gate_m` or twice the gate), so that the relation is one of several.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
-  /// The middle of the features.
+  /// Returns the middle of the features, in the robot's frame.
   Eigen::Vector2d gaze(const Content& content) const;
 
   /// Counts how often each of 512 words occurs among the features, whichever way the robot looked: views of one

@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// The view's image. Refusals: not_an_image, wrong_size (its width against the camera's).
+/// Returns the view's image. Refusals: not_an_image, wrong_size (its width against the camera's).
 inline OrRefusal<const Image*> image_of(const View& view, const CameraModel& camera) {
   const auto* const image = std::get_if<Image>(&view.data);
   if (image == nullptr) return tl::unexpected<Refusal>(Refusal{"not_an_image", 0.0, 1.0});

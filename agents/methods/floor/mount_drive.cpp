@@ -17,7 +17,7 @@ std::string text(double value) {
   return all.substr(0, all.find('.') + 4);
 }
 
-/// One time through the drive.
+/// Holds what one pass through the drive has shown.
 struct Played {
   std::vector<FloorViews> views;
   Pose2 first_from_last;
@@ -65,8 +65,8 @@ Result<void> check_drive(const Played& played, const MountDriveConfig& config) {
   return {};
 }
 
-/// Share of the focal length's error that distances keep when the height has been found with it: another drive is
-/// another mixture of straights and bends (docs/decisions/024-odometry-candidates.md).
+/// Sets the share of the focal length's error that distances keep when the height has been found with it: another
+/// drive is another mixture of straights and bends (docs/decisions/024-odometry-candidates.md).
 constexpr double kScaleByFocal = 0.15;
 
 struct Height {
@@ -75,7 +75,7 @@ struct Height {
   std::optional<double> scale_sigma;
 };
 
-/// Distances are proportional to the height that was believed.
+/// Finds by what share the height is wrong: distances as seen are proportional to the height that was believed.
 Result<Height> height_from(const Played& played, const MountDriveConfig& config) {
   const double seen_m = played.first_from_last.translation().norm();
   if (config.distance_m.has_value()) {

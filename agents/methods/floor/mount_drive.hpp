@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// A short drive, from its first sample to its last, as often as it is asked for; view null: a dropped frame.
+/// Plays a short drive, from its first sample to its last, at each call; view null: a dropped frame.
 using PlayDrive = std::function<Result<void>(const std::function<void(const View*, const Motion&)>& take)>;
 
 struct MountDriveConfig {
@@ -28,8 +28,8 @@ struct MountDriveConfig {
 enum class HeightFrom { nothing, distance, wheels };
 
 struct MountDrive {
-  /// The camera with the mount that was found and how well it is known; scale_share is none when the height was not
-  /// observable.
+  /// Holds the camera with the mount that was found and how well it is known; scale_share is none when the height was
+  /// not observable.
   CameraModel camera;
   double pitch_rad = 0.0;  ///< found less given
   double roll_rad = 0.0;
@@ -45,9 +45,9 @@ struct MountDrive {
   std::size_t blind = 0;
 };
 
-/// The camera's mount from one drive: pitch and roll from what it sees of the floor, yaw and place ahead from its
-/// base's not sliding sideways, height from the measured distance, or else from the wheels, or else as given and said
-/// to be unobservable. The drive is played several times. refused: too short, too blind, too little seen for pitch
+/// Finds the camera's mount from one drive: pitch and roll from what it sees of the floor, yaw and place ahead from
+/// its base's not sliding sideways, height from the measured distance, or else from the wheels, or else as given and
+/// said to be unobservable. Plays the drive several times. refused: too short, too blind, too little seen for pitch
 /// and roll; names the bound and what to do.
 Result<MountDrive> calibrate_mount(const CameraModel& given, const PlayDrive& play, const MountDriveConfig& config);
 

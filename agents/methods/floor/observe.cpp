@@ -11,7 +11,7 @@
 namespace weft::agents {
 namespace {
 
-/// Covariance of a_from_b * b_from_c of which only the first is uncertain.
+/// Returns the covariance of a_from_b * b_from_c of which only the first is uncertain.
 Eigen::Matrix3d carried(const Eigen::Matrix3d& of_a_from_b, const Pose2& b_from_c) {
   const Eigen::Matrix3d transport = adjoint(b_from_c.inverse());
   return transport * of_a_from_b * transport.transpose();
@@ -24,7 +24,8 @@ Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
   return axes * parts.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
 }
 
-/// The shared fallback, kept in the keyframe's account so that the next tracked view takes its error back.
+/// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error
+/// back.
 Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
   s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
   s.keyframe_covariance = carried(s.keyframe_covariance, planar(reckoned.previous_from_current)) +
@@ -32,7 +33,7 @@ Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
   return {reckoned.previous_from_current, false, reason};
 }
 
-/// The newest view becomes the keyframe.
+/// Makes the newest view the keyframe.
 void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s) {
   s.keyframe_view = view;
   s.keyframe_attitude = s.attitude;
@@ -50,8 +51,8 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   s.keyframe_tracks = s.tracks.size();
 }
 
-/// The attitude of any one view, as far as it is known: the mount's tilt as far as it has been found, and vibration.
-/// Height cannot be seen in one camera's motion: it is held by the calibration.
+/// Describes the attitude of any one view as far as it is known: the mount's tilt as far as it has been found, and
+/// vibration. Height cannot be seen in one camera's motion: it is held by the calibration.
 struct KnownAttitude {
   Eigen::Vector3d mean;
   Eigen::Matrix3d shared;  ///< covariance that all views have in common
@@ -160,9 +161,9 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
-/// Composed step by step, the covariances come to the fit's as long as a keyframe lasts (what has been said too much,
-/// as of blind steps, cannot be taken back), and from keyframe to keyframe they add up. On top what all steps have in
-/// common (docs/decisions/024-odometry-candidates.md).
+/// Returns a step's covariance. Composed step by step, the covariances come to the fit's as long as a keyframe lasts
+/// (what has been said too much, as of blind steps, cannot be taken back), and from keyframe to keyframe they add up.
+/// On top comes what all steps have in common (docs/decisions/024-odometry-candidates.md).
 Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const PlanarErrors& common,
                                 Floor::Odometry& s) {
   // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
@@ -177,7 +178,7 @@ Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const 
   return covariance;
 }
 
-/// Vision is blind. The mount's tilt is still known, this view's vibration is not.
+/// Returns a blind step and begins a keyframe. The mount's tilt is still known, this view's vibration is not.
 Step lose_sight(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s,
                 const Step& reckoned, std::string_view reason) {
   Step step = blind(s, reckoned, reason);

@@ -7,14 +7,14 @@
 
 namespace weft::agents {
 
-/// Whether pairs of points show one plane, the floor.
+/// Says whether pairs of points show one plane, the floor.
 struct OnePlane {
   std::string_view refused;    ///< few_tracks, homography_refused, normal_refused; empty: they do
   std::vector<bool> is_on_it;  ///< of each pair; empty when refused
 };
 
-/// Gadd & Newman, eq. 1 and 2: the pairs that one homography explains within `threshold_px`, and the decomposition's
-/// word on whether its plane is the floor. The best pairs stand first.
+/// Finds the pairs that one homography explains within `threshold_px`, and decides by its decomposition whether its
+/// plane is the floor (Gadd & Newman, eq. 1 and 2). The best of `pairs` stand first.
 OnePlane one_plane(const CameraModel& camera, const FloorConfig& config, const PlanarState& expected,
                    const std::vector<FloorPair>& pairs, double threshold_px);
 

@@ -20,7 +20,7 @@ tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound b
   return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
 }
 
-/// The bounds within which the truth may lie from the guess.
+/// Bounds how far from the guess the truth may lie.
 struct Gate {
   Pose2 a_from_b;
   double distance_m = 0.0;
@@ -36,7 +36,7 @@ std::optional<Gate> gate_of(const FloorConfig& c, const std::optional<Relation>&
               std::clamp(turn, c.gate_rad, 1.6)};
 }
 
-/// Floor points with the estimated attitude undone: where the robot's level frame has them.
+/// Returns the features on the floor in the robot's level frame: the estimated attitude is undone.
 std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
   const Eigen::Matrix3d floor_from_mount =
       camera_from_floor(content.camera, content.attitude).inverse() * camera_from_floor(content.camera, Attitude{});
@@ -46,8 +46,8 @@ std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
   return points;
 }
 
-/// a's features in cells of the floor, to ask for those near a point: each cell's side by side, as they are asked for
-/// tens of thousands of times.
+/// Sorts a's features into cells of the floor, to ask for those near a point: each cell's stand side by side in
+/// memory, as they are asked for tens of thousands of times.
 class FloorCells {
  public:
   struct Entry {
@@ -91,7 +91,7 @@ class FloorCells {
   }
 
  private:
-  /// A damaged or foreign content may put a feature at its horizon.
+  /// Returns whether a point is within 20 m: a damaged or foreign content may put a feature at its horizon.
   static bool is_near(const Eigen::Vector2d& point) { return point.allFinite() && point.norm() < 20.0; }
   int column(double x) const { return static_cast<int>((x - low_.x()) / cell_m_); }
   int row(double y) const { return static_cast<int>((y - low_.y()) / cell_m_); }
@@ -104,7 +104,7 @@ class FloorCells {
   int columns_ = 0;
 };
 
-/// Guided matching (III-C): b's features are looked for where the guess puts them.
+/// Matches b's features with those of a near where the guess puts them (guided matching, III-C).
 std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                                   const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
                                   const Gate& gate) {
@@ -125,8 +125,8 @@ std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, c
                            candidates);
 }
 
-/// A feature's place in the undistorted image, from its place on the mount's floor plane, and how many pixels one
-/// metre on the floor is there (across the view: the finer direction).
+/// Describes a feature in the undistorted image: its place there, from that on the mount's floor plane, and how many
+/// pixels one metre on the floor is there (across the view: the finer direction).
 struct InImage {
   Eigen::Vector2d normalised;
   double px_per_m = 0.0;
@@ -171,7 +171,7 @@ struct Refined {
   std::vector<double> residual_px;  ///< of the inliers
 };
 
-/// Fit, take every match that the fit explains, fit again: the gate narrows from the consensus to the noise.
+/// Fits, takes every match that the fit explains, fits again: the gate narrows from the consensus to the noise.
 Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& b, const std::vector<FloorPair>& all,
                const std::vector<std::size_t>& start, const Pose2& a_from_b) {
   Refined out;
@@ -196,9 +196,9 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
   return out;
 }
 
-/// The fit's own, and where the cameras differ the mounts' position and heading, which no view of a plane shows: of
-/// this robot's camera as it is known, of the other one, whose calibration's sigmas its content does not say, as
-/// calibrations are.
+/// Returns the fit's covariance, and where the cameras differ adds that of the mounts' position and heading, which no
+/// view of a plane shows: of this robot's camera as it is known, of the other one, whose calibration's sigmas its
+/// content does not say, as calibrations usually are.
 Eigen::Matrix3d covariance_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                               const PlanarFit& fit) {
   Eigen::Matrix3d covariance = fit.covariance.topLeftCorner<3, 3>();
@@ -256,7 +256,7 @@ double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& match
   return whole > 0.0 ? area_of(agreeing) / whole : 0.0;
 }
 
-/// a's features on the floor that b sees too.
+/// Returns the indices of a's features on the floor that b sees too.
 std::vector<std::uint32_t> shared_stretch(const std::vector<Eigen::Vector2d>& at_a, const Polygon& seen_by_b,
                                           const Pose2& a_from_b) {
   const Pose2 b_from_a = a_from_b.inverse();

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLikes = 3;   // kept of each feature: on tiles many are alike
 constexpr double kHardlyRad = 0.7;  // two features' own headings against each other
 
-/// Features in the order of their own headings, twice round: those headed alike lie side by side.
+/// Keeps features in the order of their own headings, twice round: those headed alike lie side by side.
 class ByHeading {
  public:
   explicit ByHeading(const std::vector<FloorFeature>& features) {
@@ -28,7 +28,7 @@ class ByHeading {
     for (const auto& [heading, index] : turns_) indices_.push_back(index);
   }
 
-  /// Headed within `within_rad`, less than half a turn, of this heading.
+  /// Returns the features headed within `within_rad`, less than half a turn, of this heading.
   std::span<const std::uint32_t> near(double heading_rad, double within_rad) const {
     double low = wrap_angle(heading_rad) - within_rad;
     if (low < -std::numbers::pi) low += 2.0 * std::numbers::pi;
@@ -47,7 +47,7 @@ class ByHeading {
   std::vector<std::uint32_t> indices_;
 };
 
-/// Each feature of the stretch with those most like it elsewhere, best first.
+/// Matches each feature of the stretch (b) with those most like it elsewhere (a), best first.
 std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<FloorFeature>& features,
                                    const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                                    double reach_m) {

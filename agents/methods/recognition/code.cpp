@@ -37,7 +37,8 @@ double off(float number, const Moments& own) {
   return (static_cast<double>(number) - own.mean) / own.deviation / kStep;
 }
 
-/// Number i stands in byte i % bytes, in its lower half for i < bytes, else in its upper half.
+/// Correlates weights with a code, whose number i stands in byte i % bytes, in its lower half for i < bytes, else in
+/// its upper half.
 [[gnu::always_inline]] inline std::int32_t correlate(const std::int16_t* weights, const std::uint8_t* code,
                                                      std::size_t bytes) {
   std::array<std::int16_t, kLanes> sums{};

@@ -10,20 +10,20 @@ namespace weft::agents {
 
 inline constexpr std::size_t longest_signature = 1024;  ///< numbers
 
-/// A signature in four bits a number: how far each lies from the mean of all, in 16 steps of half their own standard
-/// deviation. 512 numbers take 256 bytes, so that those of a million places fit in memory.
-/// In bytes; of equally long signatures the same.
+/// Returns the size in bytes of a signature's code; it is the same of equally long signatures. A code has four bits a
+/// number: how far each lies from the mean of all, in 16 steps of half their own standard deviation. 512 numbers take
+/// 256 bytes, so that those of a million places fit in memory.
 std::size_t code_bytes(std::size_t numbers);
-/// `code` has code_bytes(signature.size()).
+/// Writes a signature's code into `code`, which has code_bytes(signature.size()).
 void write_code(const Signature& signature, std::span<std::uint8_t> code);
 
-/// The mean of all codes of a network. Frequent words are frequent in all of them: what tells places apart is how far
-/// they lie from this.
+/// Keeps the mean of all codes of a network. Words that are frequent are so in all places: what tells places apart is
+/// how far they lie from this mean.
 class UsualLevels {
  public:
-  /// One more of them, or with `times` = -1 one less. All of the same length.
+  /// Adds one more code or, with `times` = -1, takes one away. All are of the same length.
   void count(std::span<const std::uint8_t> code, int times);
-  /// Mean level of a number of the signature, [0, 15]; the middle while there is no code.
+  /// Returns the mean level of a number of the signature, [0, 15]; the middle while there is no code.
   double of(std::size_t number) const;
 
  private:
@@ -31,15 +31,15 @@ class UsualLevels {
   std::vector<std::int64_t> sums_;
 };
 
-/// The signature that is looked for, in finer steps and as the difference to what is usual: codes are compared with
-/// it, not with a code of it.
+/// Holds the signature that is looked for, in finer steps and as the difference from what is usual: codes are compared
+/// with it, not with a code of it.
 class CodeQuery {
  public:
   /// Takes a signature of at most `longest_signature` finite numbers.
   CodeQuery(const Signature& seen, const UsualLevels& usual);
 
-  /// The likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike.
-  /// Correlation, but for a factor that is the same for all.
+  /// Finds the likeness of each of `likeness.size()` codes that stand one behind the other; larger is more alike. It
+  /// is the correlation, but for a factor that is the same for all.
   void compare(std::span<const std::uint8_t> codes, std::span<std::int32_t> likeness) const;
   std::size_t bytes() const { return bytes_; }
 

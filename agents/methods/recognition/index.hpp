@@ -12,12 +12,12 @@
 
 namespace weft::agents {
 
-/// The coded signatures of a network's places, all of one method and content format. Derived from contents, so never
-/// stored. About 260 bytes a place of the method `floor`.
+/// Holds the coded signatures of a network's places, all of one method and content format. They are derived from
+/// contents, so never stored. About 260 bytes a place of the method `floor`.
 class RecognitionIndex {
  public:
   static constexpr std::uint32_t chunk_places = 256;
-  /// Consecutive places of one experience.
+  /// Holds the codes of consecutive places of one experience.
   struct Chunk {
     std::vector<std::uint8_t> codes;  ///< in the order of places, up to the last that is signed
     std::bitset<chunk_places> is_signed;
@@ -30,7 +30,7 @@ class RecognitionIndex {
   void forget(ExperienceId experience);
 
   std::size_t size() const { return size_; }
-  /// Whether this can be looked for: as long as those that were put.
+  /// Returns whether this can be looked for: it is as long as those that were put.
   bool fits(const Signature& seen) const { return !seen.empty() && seen.size() == numbers_; }
   std::size_t numbers() const { return numbers_; }  ///< of each signature; 0 while there is none
   std::size_t memory_bytes() const { return memory_bytes_; }
@@ -55,13 +55,13 @@ struct Likely {
 /// Compares one signature with all of an index, a piece at a time. The index may change between pieces.
 class RecognitionSearch {
  public:
-  /// `keep`: how many of the likeliest are wanted. The index fits `seen`.
+  /// Begins to look for `seen`, which the index fits. `keep`: how many of the likeliest are wanted.
   RecognitionSearch(const RecognitionIndex& index, const Signature& seen, std::size_t keep)
       : query_(seen, index.usual()), keep_(keep) {}
 
   /// Compares about `places` more. Of the likeliest only those in `now` count. Returns false when it has seen all.
   bool step(const RecognitionIndex& index, const Snapshot& now, std::size_t places);
-  /// The likeliest first, ties by id.
+  /// Returns the likeliest first, ties by id.
   std::vector<PlaceId> ranked() const;
 
  private:
@@ -75,7 +75,7 @@ class RecognitionSearch {
   std::vector<std::int32_t> likeness_;              ///< of one chunk
 };
 
-/// The part of the likeliest places that is wanted: `most` of those behind the first `after`.
+/// Says which of the likeliest places are wanted: `most` of those behind the first `after`.
 struct Wanted {
   std::size_t most = 64;
   std::size_t after = 0;
@@ -87,7 +87,8 @@ std::size_t kept_for(const Wanted& wanted);
 /// neighbours.
 std::vector<PlaceId> spread_out(const Snapshot& snapshot, const std::vector<PlaceId>& ranked, const Wanted& wanted);
 
-/// Places of the network that look like `seen`, the likeliest first, spread out. All at once. The index fits `seen`.
+/// Returns places of the network that look like `seen`, the likeliest first, spread out; searches all at once. The
+/// index fits `seen`.
 std::vector<PlaceId> likeliest(const RecognitionIndex& index, const Snapshot& snapshot, const Signature& seen,
                                const Wanted& wanted);
 
