@@ -39,7 +39,7 @@ struct ServiceConfig {
   std::string vendor;                 ///< for the hello
   double robot_silent_after_s = 5.0;  ///< (0, 3600]; shown and alarmed, frees nothing
   Unjoined unjoined = Unjoined::warn;
-  /// [0, 3600]; for so long after it has come to a goal a robot is at work there, and is not asked to make way.
+  /// Sets for how long, [0, 3600] s, a robot is at work at a goal it has come to, and is not asked to make way.
   double handling_s = 10.0;
   SilentGoal silent_goal = SilentGoal::hand_over;
   double silent_goal_after_s = 60.0;  ///< [1, 86400]; for so long a robot is not heard before that rule holds

@@ -17,11 +17,11 @@ class Distances {
  public:
   static constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-  /// To drive to a berth that somebody occupies for long counts as so much more: a way round that is shorter is
+  /// Adds so many metres to the drive to a berth that somebody occupies for long: a way round that is shorter is
   /// driven.
   static constexpr double kOccupied_m = 100.0;
 
-  /// `occupied`: sorted; it does not change. Graph and it must outlive this.
+  /// Measures ways to `to`. `occupied`: sorted; it does not change. Graph and it must outlive this.
   Distances(BerthGraph& graph, Berth to, std::uint32_t methods, const std::vector<Berth>& occupied);
 
   /// Returns the metres to be driven from there; `kFar_m`: there is no way.
