@@ -11,7 +11,7 @@
 namespace weft::agents {
 namespace {
 
-/// 0: about the robot's own heading, 1 to 3: a quarter of a turn more each.
+/// Returns how far the robot is turned against the place, in quarters of a turn: 0, about as it is; 1 to 3, more.
 std::size_t direction_of(const Relation& place_from_robot) {
   constexpr double quarter = std::numbers::pi / 2.0;
   const long turns = std::lround(wrap_angle(planar(place_from_robot).heading) / quarter);

@@ -4,8 +4,8 @@
 
 namespace weft::agents {
 
-/// The last centimetres: stands until the goal is seen, then creeps, steps aside or turns until position and heading
-/// are good enough. A value: the state between samples.
+/// Drives the last centimetres: stands until the goal is seen, then creeps, steps aside or turns until position and
+/// heading are good enough. A value: the state between samples.
 class Arrival {
  public:
   struct Out {
@@ -18,10 +18,10 @@ class Arrival {
   bool begun() const { return phase_ != Phase::path; }
   void begin();
   void reset() { *this = Arrival{}; }
-  /// The robot stands and waits for a fix.
+  /// Returns whether the robot stands and waits for a fix.
   bool waits_for_fix() const { return phase_ == Phase::settle; }
 
-  /// `fresh`: there was a fix since the robot has stood still.
+  /// Decides on one sample. `fresh`: there was a fix since the robot has stood still.
   Out step(const FollowConfig& config, const TrackerConfig& tracker, const Pose2& robot_from_goal, bool fresh);
 
  private:

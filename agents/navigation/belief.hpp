@@ -8,45 +8,46 @@
 
 namespace weft::agents {
 
-/// `relation` with extra independent uncertainty (one sigma) at its b end.
+/// Returns `relation` with extra independent uncertainty (one sigma) at its b end.
 Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad);
 
 /// Returns how far two relations between the same two frames lie apart, in sigmas (Mahalanobis over x, y, heading;
 /// the configured floor is part of the covariance).
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured);
 
-/// Covariance-weighted mean of a prediction and a measurement of the same relation: a Kalman update on SE(2) or SE(3)
-/// in the frame of the predicted pose, per component along a path. Of different kinds the measured one counts alone.
+/// Returns the covariance-weighted mean of a prediction and a measurement of the same relation: a Kalman update on
+/// SE(2) or SE(3) in the frame of the predicted pose, per component along a path. Of different kinds the measured one
+/// counts alone.
 Relation fuse(const Relation& predicted, const Relation& measured);
 
-/// a_from_b through at most `hops` edges of the window, with the map's own noise for each; none if they are not
-/// joined.
+/// Returns a_from_b through at most `hops` edges of the window, with the map's own noise for each; none if they are
+/// not joined.
 std::optional<Relation> between(const BeliefConfig& config, const Window& window, const PlaceId& a, const PlaceId& b,
                                 std::uint32_t hops);
 
-/// The pose that the robot believes: one hypothesis, moved by odometry, corrected by fixes that agree with it, and
-/// overruled or found anew only by fixes that agree with one another. A value, pure.
+/// Keeps the pose that the robot believes: one hypothesis, moved by odometry, corrected by fixes that agree with it,
+/// and overruled or found anew only by fixes that agree with one another. A value, pure.
 class Belief {
  public:
   explicit Belief(const BeliefConfig& config) : config_(config) {}
 
   const std::optional<Estimate>& estimate() const { return estimate_; }
   void advance(const Step& step);
-  /// Trust this from now on, as if it had just been seen.
+  /// Trusts this fix from now on, as if it had just been seen.
   void set(const Fix& fix);
   void forget();
-  /// The same belief, seen from another place.
+  /// Expresses the same belief relative to another place.
   void stand(const Estimate& estimate) { estimate_ = estimate; }
 
-  /// A fix of a robot that knows about where it is; `predicted` is of the same place. Gives the fix as believed
-  /// (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.
+  /// Takes a fix of a robot that knows about where it is; `predicted` is of the same place. Returns the fix as
+  /// believed (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.
   OrRefusal<Fix> correct(const Fix& fix, const Relation& predicted, const Window& window);
-  /// A fix of a robot that knows nothing: believed once `unseeded_fixes` in a row agree with one another under the
+  /// Takes a fix of a robot that knows nothing: it is believed once `needed` in a row agree with one another under the
   /// odometry between them. Refused until then: "unconfirmed".
   OrRefusal<Fix> propose(const Fix& fix, const Window& window, std::uint32_t needed);
   /// Forgets what was proposed and is not believed.
   void withdraw();
-  /// The last fix proposed and not believed, moved along with the robot.
+  /// Returns the last fix proposed and not believed, moved along with the robot.
   const std::optional<Fix>& proposed() const { return proposed_; }
 
  private:

@@ -11,7 +11,8 @@ namespace weft::agents {
 
 namespace {
 
-/// Certainly farther than `reach_m`, by the plane alone: most of a large map is, and costs little to leave out.
+/// Returns whether a place is certainly farther than `reach_m`, by the plane alone: most of a large map is, and costs
+/// little to leave out. False along a path, where no pose is known.
 bool is_beyond(const Reached& reached, const Relation& centre_from_robot, double reach_m) {
   const bool metric = !std::holds_alternative<AlongPath>(reached.centre_from_place) &&
                       !std::holds_alternative<AlongPath>(centre_from_robot);

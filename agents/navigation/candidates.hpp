@@ -8,7 +8,8 @@
 
 namespace weft::agents {
 
-/// A place that the robot may see from where it is believed to be, with the weak estimate composed along the search.
+/// Describes a place that the robot may see from where it is believed to be, with the weak estimate composed along the
+/// search.
 struct Candidate {
   PlaceId place;
   std::uint32_t depth = 0;    ///< hops from the believed place
@@ -16,19 +17,21 @@ struct Candidate {
   double cost = 0.0;          ///< predicted norm, lowered for preferred places
 };
 
-/// Search of Gadd & Newman III-C (eq. 6): breadth-first from the believed place, each place with its composed
+/// Searches as Gadd & Newman III-C (eq. 6): breadth-first from the believed place, each place with its composed
 /// estimate and the map's noise, those within `reach_m` (by norm) ordered by cost, ties by id.
 std::vector<Candidate> candidates(const NavigationConfig& config, const Window& window, const Estimate& estimate,
                                   std::uint32_t hops, double reach_m, const std::set<PlaceId>& preferred);
 
-/// The same, those within `reach_m` by distance alone, whichever way they look; in the order of the search.
+/// Searches likewise but leaves out by distance alone, whichever way the places look, those farther than `reach_m`
+/// (none along a path, where no pose is known); in the order of the search.
 std::vector<Candidate> at_any_heading(const NavigationConfig& config, const Window& window, const Estimate& estimate,
                                       std::uint32_t hops, double reach_m);
 
 /// Sorts by cost, ties by place.
 void sort_by_cost(std::vector<Candidate>& candidates);
 
-/// Depth and reach of the search: near after a fix, growing with what was travelled blind up to d_max.
+/// Return depth (hops) and reach (metres) of the search: near after a fix, growing with what was travelled blind; the
+/// depth up to d_max.
 std::uint32_t search_hops(const NavigationConfig& config, double blind_m);
 double search_reach_m(const NavigationConfig& config, double blind_m);
 

@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// The chart and belief of a method that localises in its own way; nothing for the others.
+/// Holds the chart and belief of a method that localises in its own way; nothing for the others.
 template <class M>
 class Charted {
  public:
@@ -39,7 +39,7 @@ class Charted<M> {
     if (is_placed_) belief_ = method_->believed(*chart_, *belief_, estimate);
   }
 
-  /// `without`: places of that experience are left out.
+  /// Makes the chart around the estimate unless it is still right. `without`: places of that experience are left out.
   void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate,
                const std::optional<ExperienceId>& without = std::nullopt) {
     const bool in_the_middle = is_placed_ && inside_.contains(estimate.place);
@@ -70,8 +70,8 @@ class Charted<M> {
   }
 
  private:
-  /// The places that a chart is made of. Not known by the window's revision: it changes far from here, and moves
-  /// within one.
+  /// Keeps the places that a chart is made of, to find whether they are still the same. The window's revision does not
+  /// tell: the window changes far from here, and moves within one revision.
   struct Made {
     std::vector<Reached> places;
     std::vector<ContentHash> missing;  ///< had not arrived

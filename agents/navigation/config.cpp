@@ -91,7 +91,7 @@ void each_learn(Config& learn, const In& in) {
   in("sure_m", learn.sure_m, Low::open, 0, 5);
 }
 
-/// Everything but the controller's.
+/// Visits every setting but the controller's.
 template <class Config, class Section>
 void each_setting(Config& config, const Section& section) {
   each_teach(config.teach, section("teach"));

@@ -95,12 +95,12 @@ struct NavigationConfig {
   TrackerConfig tracker;
 };
 
-/// Every bound that does not hold, each naming field, value and bound.
+/// Returns every bound that does not hold, each naming field, value and bound.
 std::vector<Error> check(const NavigationConfig& config);
 
-/// A table of parts: [teach], [belief], [locate], [stitch], [follow], [learn], [control], [control.steering],
+/// Reads a table of parts: [teach], [belief], [locate], [stitch], [follow], [learn], [control], [control.steering],
 /// [control.speed], each with the settings above by their names, but for footprint_radius_m, which others need too.
-/// What is wrong is collected by the table.
+/// The table collects what is wrong.
 NavigationConfig read_navigation_config(const config::Table& table, const NavigationConfig& defaults);
 
 }  // namespace weft::agents

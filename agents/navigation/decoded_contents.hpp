@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// Contents in the method's own form, so many bytes of them at most as they are encoded, the least recently used
+/// Keeps contents in the method's own form, so many bytes of them at most as they are encoded, the least recently used
 /// forgotten first; the newest stays, however large. Signatures, which are small, are kept for longer.
 template <Method M>
 class DecodedContents {
@@ -21,7 +21,7 @@ class DecodedContents {
 
   DecodedContents(const M& method, std::uint64_t most_bytes) : method_(&method), most_bytes_(most_bytes) {}
 
-  /// Refused: "content_missing" (its bytes have not arrived), "other_method", "content_damaged".
+  /// Returns a place's content. Refused: "content_missing" (not arrived), "other_method", "content_damaged".
   OrRefusal<Pointer> find(const Place& place, const Contents& bytes) {
     const auto known = by_hash_.find(place.content.hash);
     if (known != by_hash_.end()) {

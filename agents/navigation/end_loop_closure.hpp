@@ -21,7 +21,8 @@ class EndLoopClosure {
                  DecodedContents<M>& decoded)
       : method_(method), config_(config), map_(map), bytes_(bytes), decoded_(decoded) {}
 
-  /// Refused: "nothing_alike", "unsure_how_far" (measured and bound: sigma, metres), and those of `locate`.
+  /// Finds what the run has come back to at its last place, `kept`. Refused: "nothing_alike", "unsure_how_far"
+  /// (measured and bound: sigma, metres), and those of `locate`.
   OrRefusal<Fix> look(const Teacher& teacher, const PlaceId& kept, const Content& content) {
     const std::optional<Fix> likeliest = most_alike(teacher, kept, content);
     if (!likeliest) return tl::unexpected(Refusal{"nothing_alike"});

@@ -20,7 +20,7 @@ bool ends_at_goal(const Route& route) {
   return !route.ended && route.released + 1 >= route.places.size();
 }
 
-/// The path shortened by `metres` at its end.
+/// Shortens the path by `metres` at its end.
 void shorten(std::vector<Pose2>& path, double metres) {
   path.back() = path.back() * Pose2{-metres, 0.0, 0.0};
   while (path.size() > 1 && (path[path.size() - 2].inverse() * path.back()).x < 0.01) {

@@ -15,13 +15,13 @@ class Follower {
  public:
   explicit Follower(const NavigationConfig& config) : config_(config) {}
 
-  /// A new route, or a new version: goes on from where the robot is, which is not before place `from`.
+  /// Takes a new route, or a new version: goes on from where the robot is, which is not before place `from`.
   void follow(const Route& route, std::uint32_t from = 0);
   void stop();
   const std::optional<Route>& route() const { return route_; }
-  /// Places of the route near the robot, which localising prefers.
+  /// Returns the places of the route near the robot, which localising prefers.
   const std::set<PlaceId>& near_places() const { return near_; }
-  /// Stands where a fix is waited for.
+  /// Returns whether the robot stands where a fix is waited for.
   bool waits_for_fix() const { return arrival_.waits_for_fix(); }
 
   struct Seen {
@@ -31,21 +31,21 @@ class Follower {
     double speed_m_s = 0.0;  ///< measured
     Duration elapsed{};
   };
-  /// The decision for one sample: a path to steer along, for a method that steers itself or for the default, or a
-  /// command without one.
+  /// Holds the decision for one sample: a path to steer along, for a method that steers itself or for the default, or
+  /// a command without one.
   struct Drive {
     std::optional<Ahead> along;  ///< set: steer along this
     std::optional<Spline> path;  ///< through `along`
     Navigated navigated;         ///< the command where there is nothing to steer along, progress, state and reason
   };
   Drive look(const Seen& seen);
-  /// The default `steer`: spline, Hoffmann, PI.
+  /// Steers by the default: spline, Hoffmann, PI.
   Steering steer(const Ahead& ahead, const Spline& path);
 
  private:
   void progress(const RouteAround& around);
   void standing(Navigated& navigated, Following following, std::string_view reason);
-  /// The robot knows where it is and cannot go on from there: at last it gives the route up.
+  /// Stops a robot that knows where it is and cannot go on from there; after `give_up_s` it gives the route up.
   Drive stuck(Drive drive, const Seen& seen, std::string_view reason);
   Drive turn_on_the_spot(const RouteAround& around);
   Drive end_of_path(const RouteAround& around, const Estimate& estimate);

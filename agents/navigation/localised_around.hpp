@@ -6,9 +6,9 @@
 
 namespace weft::agents {
 
-/// A content that was seen about there, localised by the method in a chart of its own, of which places of `without`
-/// are no part. What looks most alike may stand a place or two further on: then it is looked at from there.
-/// Refused: as `locate` does, "nothing_near".
+/// Localises a content that was seen about there by the method, in a chart of its own, of which places of `without`
+/// are no part. What looks most alike may stand a place or two further on: then it is looked at from there. Refused:
+/// as `locate` does, "nothing_near".
 template <ChartsItself M>
 OrRefusal<Fix> localised_around(const M& method, const Window& map, const Contents& bytes,
                                 DecodedContents<M>& decoded, Estimate at, const typename M::Content& content,

@@ -67,7 +67,7 @@ class Localiser {
     if (estimate()) seek_.end();
   }
 
-  /// This run is never found: what is being taught looks for what else it can be joined to.
+  /// Leaves this run out of every search: what is being taught looks for what else it can be joined to.
   void leave_out(const ExperienceId& run) { seek_.leave_out(run); }
 
   /// Returns the open question which places look like what is seen; null: nothing is to be asked.
@@ -87,12 +87,12 @@ class Localiser {
     seek_.end();
   }
 
-  /// The same belief in other words: seen from another place.
+  /// Expresses the same belief relative to another place.
   void stand(const Estimate& estimate) {
     belief_.stand(estimate);
     charted_.forget();
   }
-  /// Taken over from someone else, as good as it says: no search any more.
+  /// Takes over a belief from someone else, as good as it says, and ends the search.
   void believe(const Estimate& told) {
     set(Fix{told.place, told.place_from_robot, {}});
     stand(told);
@@ -142,7 +142,7 @@ class Localiser {
     stand({near.front().place, near.front().place_from_robot, estimate()->blind_m});
   }
 
-  /// The default `locate` (III-C): the best candidates by predicted norm, related with the prediction as guess.
+  /// Runs the default `locate` (III-C): relates the best candidates by predicted norm, with the prediction as guess.
   void track(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
              const std::set<PlaceId>& preferred, Outcome& outcome) {
     const double blind_m = estimate()->blind_m;
@@ -173,7 +173,7 @@ class Localiser {
     }
   }
 
-  /// The method's own `locate`. Its fixes pass the same test as those of the default.
+  /// Runs the method's own `locate`. Its fixes pass the same test as those of the default.
   void chart(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
              Outcome& outcome) requires ChartsItself<M> {
     charted_.prepare(map, bytes, decoded, *estimate());
@@ -226,7 +226,7 @@ class Localiser {
     }
   }
 
-  /// Those whose content is there; the others stay for later. True when this sample is done.
+  /// Tries the proposed places whose content is there; the others stay for later. True when this sample is done.
   bool try_proposed(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
                     std::uint32_t& tries, Outcome& outcome) {
     std::vector<PlaceId>& open = seek_.proposed();
@@ -247,8 +247,9 @@ class Localiser {
     return place != nullptr && bytes.find(place->content.hash) != nullptr;
   }
 
-  /// The window of a robot that looks at proposed places has few others: what lies around a suspected one comes a
-  /// little later. Until then the place itself would confirm what it said before.
+  /// Returns whether a suspected place waits for its neighbours: the window of a robot that looks at proposed places
+  /// has few others, and what lies around comes a little later. Until then the place itself would confirm what it said
+  /// before.
   bool waits_for_neighbours(const Window& map, const Contents& bytes) const {
     constexpr std::uint32_t patience = 60;  // samples; some places have no neighbours
     if (query_.open() == nullptr && !query_.may_go_on()) return false;
@@ -350,7 +351,8 @@ class Localiser {
     return true;
   }
 
-  /// Around a seed, a method that localises in its own way does so where two contents alone tell too little.
+  /// Looks for a fix at a place by its content. Around a seed, a method that localises in its own way does so where
+  /// two contents alone tell too little.
   OrRefusal<Fix> look_at(const PlaceId& id, const Content& there, const Content& seen, const Window& map,
                          const Contents& bytes, DecodedContents<M>& decoded) {
     const OrRefusal<Related> related = method_->relate(there, seen, std::nullopt);

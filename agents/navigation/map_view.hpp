@@ -8,18 +8,18 @@
 
 namespace weft::agents {
 
-/// Contents that this robot holds; null while the bytes have not arrived.
+/// Holds the contents that this robot has; null while the bytes have not arrived.
 class Contents {
  public:
   virtual ~Contents() = default;
   virtual std::shared_ptr<const Bytes> find(const ContentHash& hash) const = 0;
 };
 
-/// The robot's copy of the network, as navigation sees it for one step.
+/// Holds the robot's copy of the network, as navigation sees it for one step.
 struct MapView {
   const Window& window;
   const Contents& contents;
-  /// Another one whenever the window has changed: it can move within one revision.
+  /// Is another one whenever the window has changed: it can move within one revision.
   std::uint64_t generation = 0;
 };
 

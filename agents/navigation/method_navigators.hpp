@@ -7,10 +7,10 @@
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/navigator.hpp"
 
-/// The navigators of a robot with several methods, and what they tell one another (multi_method_navigator.hpp).
+/// Holds the navigators of a robot with several methods, and what they tell one another (multi_method_navigator.hpp).
 namespace weft::agents {
 
-/// The navigator of one method, and what has happened since it stepped last.
+/// Holds the navigator of one method, and what has happened since it stepped last.
 struct MethodNavigator {
   std::string sensor;
   std::unique_ptr<Navigator> navigator;

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// A method that wants other settings of navigation than most: TOML, as a table [navigation] has them.
+/// Describes a method that wants other settings of navigation than most: TOML, as a table [navigation] has them.
 template <class M>
 concept HasNavigationDefaults = requires {
   { M::navigation_defaults } -> std::convertible_to<std::string_view>;

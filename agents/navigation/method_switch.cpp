@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint32_t kHops = 12;
 constexpr std::uint32_t kPlaces = 400;
 
-/// A pose to begin with for who needs one: how far to the side is not known, a lane's width is assumed.
+/// Returns a pose to begin with for a method that needs one: how far to the side is not known, a lane's width is
+/// assumed.
 Relation as_pose(const Relation& relation) {
   const auto* const along = std::get_if<AlongPath>(&relation);
   if (along == nullptr) return relation;

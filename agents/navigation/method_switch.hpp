@@ -8,7 +8,7 @@
 #include "agents/navigation/navigator.hpp"
 #include "core/network/window.hpp"
 
-/// Rules by which a robot that sees by several methods changes from one to another (docs/decisions/027).
+/// Holds the rules by which a robot that sees by several methods changes from one to another (docs/decisions/027).
 namespace weft::agents {
 
 /// Returns the method of an edge between a place of each of two methods: a robot needs both to drive it, either way.
@@ -25,18 +25,19 @@ std::optional<Estimate> as_seen_by(std::string_view method, const NavigationConf
 /// that no way leads to agrees with nothing.
 bool agree(const NavigationConfig& config, const Window& window, const Estimate& one, const Estimate& other);
 
-/// The method of the route's next place after `at`, at its end of the last one; empty where the window does not have
-/// it.
+/// Returns the method of the route's next place after `at`, at the route's end that of the last one; empty where the
+/// window does not have it.
 std::string_view next_method(const Window& window, const Route& route, std::uint32_t at);
 
-/// Edges between two experiences that one robot is taught at once, by two methods: where it was by the one when it
-/// kept a place of the other. A value.
+/// Makes the edges between two experiences that one robot is taught at once, by two methods: where it was by the one
+/// when it kept a place of the other. A value.
 class Joins {
  public:
   explicit Joins(const StitchConfig& config) : config_(config) {}
 
   void clear() { *this = Joins(config_); }
-  /// `kept` has just been kept where `older` is known. None: that one is joined already.
+  /// Returns the edge to `kept`, just kept where the robot is known to be at `older`. None: that one is joined
+  /// already.
   std::optional<Edge> join(const Estimate& older, std::string_view older_method, const Place& kept);
 
  private:

@@ -16,14 +16,14 @@
 
 namespace weft::agents {
 
-/// A place that teaching has just kept, with the edges that join it to what exists.
+/// Describes a place that teaching has just kept, with the edges that join it to what exists.
 struct Kept {
   Place place;
   Bytes content;
   std::vector<Edge> edges;  ///< odometry to the place before, stitches to places of the window
 };
 
-/// A place that the robot has come by and knows better now.
+/// Describes a place that the robot has come by and knows better now.
 struct LearnedPlace {
   PlaceId place;
   ContentHash made_of;  ///< the content that it was learned upon: another one there by now makes it void
@@ -31,16 +31,16 @@ struct LearnedPlace {
   Bytes content;
 };
 
-/// `stopped` may go on by itself; `failed` has given up on this route.
+/// Says how following goes: `stopped` may go on by itself; `failed` has given up on this route.
 enum class Following : std::uint8_t { none, driving, waiting, arrived, stopped, failed };
 
-/// A wish for the exposure of the next images of a sensor (`View::sensor`).
+/// Describes a wish for the exposure of the next images of a sensor (`View::sensor`).
 struct ExposureWish {
   std::string sensor;
   Exposure exposure;
 };
 
-/// The outcome of one sample.
+/// Holds the outcome of one sample.
 struct Navigated {
   Twist command;  ///< zero when a hand drives, when standing, and when lost
   std::vector<Kept> kept;
@@ -61,8 +61,8 @@ struct TeachStart {
   std::vector<ExperienceId> others = {};  ///< of the methods that the navigator teaches beside the first
 };
 
-/// A question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever has all
-/// contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or, in
+/// Holds a question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever has
+/// all contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or, in
 /// memory, `RecognitionIndex` (agents/methods/recognition):
 ///
 ///     navigator.step(...);
@@ -76,13 +76,14 @@ struct Question {
   std::uint32_t after = 0;  ///< so many places were proposed for this signature before, in vain
 };
 
-/// Teach, localise, recover and follow for one robot and one method, written once (agents/navigation). The method's
-/// type ends here: a variant of `NavigatorOf<M>` is behind it. Pure: time and views come in, decisions go out.
+/// Teaches, localises, recovers and follows for one robot and one method, written once (agents/navigation). The
+/// method's type ends here: a variant of `NavigatorOf<M>` is behind it. Pure: time and views come in, decisions go
+/// out.
 class Navigator {
  public:
   virtual ~Navigator() = default;
   virtual std::string_view method() const = 0;
-  /// The methods that it teaches with, each an experience of its own.
+  /// Returns the methods that it teaches with, each an experience of its own.
   virtual std::vector<std::string> teaches() const { return {std::string(method())}; }
   /// Returns the methods of the edges that it can drive: its own, and the changes from one to the other.
   virtual std::vector<std::string> drives() const { return {std::string(method())}; }
@@ -97,20 +98,22 @@ class Navigator {
   /// view at that sample goes on being taught (`is_taught`): call again after the next one.
   virtual std::vector<Kept> end_teach(const MapView& map) = 0;
   virtual bool is_taught() const = 0;
-  /// It is taught no more, and ends where the last place was kept.
+  /// Ends teaching where the last place was kept; nothing more is kept.
   virtual void leave_teach() = 0;
-  /// Keep a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
+  /// Keeps a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
-  /// An experience of one place: where the robot stands, without being taught, joined to the map by stitches of which
-  /// at least one can be driven. Nothing but the newest view counts; what is believed stays as it is. Refused while
-  /// teaching, when it does not know where it is, and when what is seen joins nothing ("nothing_joined", or why not).
+  /// Returns an experience of one place: where the robot stands, without being taught, joined to the map by stitches
+  /// of which at least one can be driven. Nothing but the newest view counts; what is believed stays as it is. Refused
+  /// while teaching, when it does not know where it is, and when what is seen joins nothing ("nothing_joined", or why
+  /// not).
   virtual OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) = 0;
 
-  /// The window `before` became `after`. What is believed on a place that is not there any more is believed on the
-  /// nearest place that stayed, by the relations that led there. False: none of what was around has stayed, and what
-  /// is believed hangs in the air. Places that were taught and are on their way to the server count as there.
+  /// Takes note that the window `before` became `after`. What is believed on a place that is not there any more is
+  /// believed on the nearest place that stayed, by the relations that led there. False: none of what was around has
+  /// stayed, and what is believed relates to nothing. Places that were taught and are on their way to the server count
+  /// as there.
   virtual bool map_changed(const Window& before, const Window& after) = 0;
-  /// The server has refused what was taught: those places will never be in the map.
+  /// Forgets what was taught, as the server has refused it: those places will never be in the map.
   virtual void forget_taught(const Window& map) = 0;
   /// Drops the pose estimate and keeps the route.
   virtual void forget_where() = 0;
@@ -118,8 +121,8 @@ class Navigator {
   /// `blind_m` allows.
   virtual void believe(const Estimate& told) = 0;
 
-  /// Look for oneself: around a seed, or, without one, in the whole window. While teaching (or just before it begins)
-  /// this finds where the experience joins the map.
+  /// Looks for where the robot is: around a seed, or, without one, in the whole window. While teaching (or just before
+  /// it begins) this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
   /// Looks for oneself in the whole window, nearest to what is believed first, and believes that until it is seen
   /// otherwise. Who believes nothing seeks.
@@ -131,9 +134,9 @@ class Navigator {
   /// try: it stays the same until it is answered, and is another one when the answer was in vain, when the robot has
   /// been moved by more than 0.25 m, and after ten seconds or so. Null: nothing. Valid until the next call.
   virtual const Question* question() const { return nullptr; }
-  /// The answer: places, the likeliest first; none: no more are known. They are tried in this order, before the rest
-  /// of the window, as soon as the window has them with their contents. To a question that is not open any more: let
-  /// go.
+  /// Takes the answer: places, the likeliest first; none: no more are known. They are tried in this order, before the
+  /// rest of the window, as soon as the window has them with their contents. Ignores one to a question that is not
+  /// open any more.
   virtual void propose(std::uint64_t /*question*/, const std::vector<PlaceId>& /*places*/) {}
   /// Returns where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
   virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
@@ -148,11 +151,11 @@ class Navigator {
   /// cannot say.
   virtual Result<TeachReport> teach_report() const = 0;
 
-  /// A new route or a new version of it; the robot never passes `route.released`. `from`: the index of a place that
-  /// it is known to have passed.
+  /// Follows a new route or a new version of it; the robot never passes `route.released`. `from`: the index of a place
+  /// that it is known to have passed.
   virtual void follow(const Route& route, std::uint32_t from) = 0;
   void follow(const Route& route) { follow(route, 0); }
-  /// Forget the route and stand.
+  /// Forgets the route and stands.
   virtual void stop() = 0;
 };
 

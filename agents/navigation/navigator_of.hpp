@@ -19,7 +19,7 @@
 
 namespace weft::agents {
 
-/// Teach, localise, recover and follow with method M.
+/// Teaches, localises, recovers and follows with method M.
 template <Method M>
 class NavigatorOf final : public Navigator {
  public:
@@ -216,7 +216,8 @@ class NavigatorOf final : public Navigator {
   /// Returns the localiser that looks for the robot: while teaching, the one that finds where the run joins the map.
   const Localiser<M>& looks() const { return finder_ ? *finder_ : localiser_; }
 
-  /// `known`: a map of this method's own. Over the places of others a pose would become a distance.
+  /// Moves what is believed to the nearest place that stays; false: none does. `known`: a map of this method's own.
+  /// Over the places of others a pose would become a distance.
   bool stand_on_what_stays(const Window& known, const Window& after) {
     const auto all = static_cast<std::uint32_t>(known.places.size());
     for (const Reached& reached : breadth_first(known, estimate()->place, all, all)) {
@@ -232,7 +233,7 @@ class NavigatorOf final : public Navigator {
   using Content = typename M::Content;
   using Pointer = std::shared_ptr<const Content>;
 
-  /// The newest sample; its content is extracted at most once.
+  /// Holds the newest sample; its content is extracted at most once.
   struct Latest {
     std::optional<View> view;
     std::uint64_t frame = 0;
@@ -240,7 +241,7 @@ class NavigatorOf final : public Navigator {
     std::optional<OrRefusal<Pointer>> content;
   };
 
-  /// Null when there is nothing to remember here; the refusal is noted once.
+  /// Returns the newest view's content; null: there is nothing to remember here, and its refusal is noted once.
   Pointer seen(Navigated& navigated) {
     if (!latest_->content) {
       OrRefusal<Content> content = method_.extract(std::as_const(odometry_), *latest_->view);
@@ -264,13 +265,15 @@ class NavigatorOf final : public Navigator {
 
   bool lost() const { return !teacher_ && estimate() && estimate()->blind_m > config_.follow.blind_limit_m; }
 
-  /// A run that knows no poses does in any case: only there it shows what it has come back to.
+  /// Returns whether the run is to end with a place. One that knows no poses is in any case: only at its end it shows
+  /// what it has come back to.
   bool is_to_end_with_a_place() const {
     return teacher_->worth_an_end() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
   }
 
-  /// A view that vision could not join to the one before may show something else than what lies here (somebody walks
-  /// through it): the next ones tell. Where none is joined, as over a blank floor, the run is taught as it is seen.
+  /// Returns whether the newest view may become a place. One that vision could not join to the view before may show
+  /// something else than what lies here (somebody walks through it): the next ones tell. Where none is joined, as over
+  /// a blank floor, the run is taught as it is seen.
   bool may_be_kept() const {
     constexpr std::uint32_t patience = 5;  // views
     return views_not_followed_ == 0 || views_not_followed_ > patience;
@@ -300,7 +303,7 @@ class NavigatorOf final : public Navigator {
     navigated.kept.push_back(std::move(kept));
   }
 
-  /// Distances along a path do not tell whether a run has come back to something: at its end that is looked for.
+  /// Looks, at the end of a run, for what it has come back to: distances along its path do not tell.
   void come_back(const MapView& map, Kept& last) {
     if constexpr (ChartsItself<M>) {
       const bool is_joined = std::any_of(last.edges.begin(), last.edges.end(),
@@ -317,7 +320,7 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  /// A robot that does not know where it is when teaching begins goes on looking, so that what it teaches can be
+  /// Goes on looking for where the robot is, if it did not know when teaching began, so that what it teaches can be
   /// stitched to the map.
   void find_anchor(const MapView& map, Navigated& navigated) {
     constexpr std::uint32_t every = 5;  // samples; a search at each would cost too much while driving

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// The map of one method: the window without what others need to see, joined with the places that this robot has
+/// Holds the map of one method: the window without what others need to see, joined with the places that this robot has
 /// taught and that the window does not hold yet. Where nothing is to be left out or joined it is the window itself.
 class OwnMap {
  public:
@@ -17,15 +17,15 @@ class OwnMap {
 
   /// Forgets the own places.
   void clear();
-  /// A place and edges to places of this map. `anchor`: a join that the robot believes but does not hand in.
+  /// Add a place and edges to places of this map. `anchor`: a join that the robot believes but does not hand in.
   void add(const Place& place, const std::vector<Edge>& edges);
   void anchor(const Edge& edge);
-  /// One of the places that were added.
+  /// Returns whether a place is one of those that were added.
   bool has(const PlaceId& place) const;
   /// Joins the own places to a new window; to be called with each, before `map`; `generation` as in MapView. Once the
   /// window holds the last own place and teaching is over (`done`), the own places are forgotten.
   void update(const Window& window, std::uint64_t generation, bool done);
-  /// The same over another window: as it was, or as it will be.
+  /// Returns the same over another window: as it was, or as it will be.
   OwnMap over(const Window& window) const;
   const Window& map(const Window& window) const { return joined_ ? *joined_ : window; }
 

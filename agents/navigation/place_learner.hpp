@@ -26,14 +26,14 @@ class PlaceLearner {
 
   void advance(const Step& step) { driven_m_ += std::abs(distance_m(step.previous_from_current)); }
 
-  /// The robot does not drive by itself, or not know where it is: what has been seen of the place here is let go.
+  /// Drops what has been seen of the place here: the robot does not drive by itself, or not know where it is.
   void leave() {
     nearest_.reset();
     fixed_at_m_ = kNever;
   }
 
-  /// `seen` has shown that the robot is at `fix`. Gives what it has learned of the place that it has passed by that,
-  /// if it is worth sharing.
+  /// Takes note that `seen` has shown the robot at `fix`. Returns what it has learned of the place that it has thereby
+  /// passed, if it is worth sharing.
   std::optional<LearnedPlace> pass(const Fix& fix, const Pointer& seen, const MapView& map,
                                    DecodedContents<M>& decoded) {
     std::optional<LearnedPlace> learned_place;
@@ -51,12 +51,12 @@ class PlaceLearner {
  private:
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-  /// The pass of the place that the robot is at.
+  /// Describes the pass of the place that the robot is at.
   struct Pass {
     Fix fix;
     Pointer seen;
   };
-  /// The knowledge of a place beyond what is shared.
+  /// Holds the knowledge of a place beyond what is shared.
   struct Known {
     PlaceId place;
     ContentHash made_of;
@@ -101,7 +101,7 @@ class PlaceLearner {
     return known;
   }
 
-  /// A robot that sways between two places passes neither anew.
+  /// Sets how many metres lie between two passes: a robot that sways between two places passes neither anew.
   static constexpr double kAnotherPassM = 1.0;
 
   const M* method_;
@@ -113,7 +113,7 @@ class PlaceLearner {
   std::map<PlaceId, typename std::list<Known>::iterator> by_place_;
 };
 
-/// The learner of a method that does not learn: it does nothing.
+/// Does nothing: it is the learner of a method that does not learn.
 struct NoPlaceLearner {
   template <class... Args>
   explicit NoPlaceLearner(const Args&...) {}

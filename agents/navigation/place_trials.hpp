@@ -61,7 +61,7 @@ class PlaceTrials<M> {
     report_.places.push_back({place, report_.driven_m, std::nullopt});
     newest_ = std::move(content);
   }
-  /// A place was due and not worth keeping.
+  /// Notes that a place was due and not worth keeping.
   void missed(std::string_view reason) {
     constexpr double apart_m = 0.1;
     const bool is_known = !report_.missed.empty() && report_.missed.back().reason == reason &&
@@ -69,7 +69,7 @@ class PlaceTrials<M> {
     if (!is_known) report_.missed.push_back({report_.driven_m, reason});
   }
 
-  /// A view while teaching, before it may become a place; `here`: on the last place kept.
+  /// Takes a view while teaching, before it may become a place; `here`: relative to the last place kept.
   void look(const Estimate& here, const typename M::Odometry& odometry, const View& view) {
     // About as far as a robot that localises passes from where it looks.
     constexpr double of_spacing = 0.25;
@@ -91,7 +91,7 @@ class PlaceTrials<M> {
   }
 
  private:
-  /// A place and a view of it from further on.
+  /// Holds a place and a view of it from further on.
   struct Waiting {
     std::size_t place = 0;  // index into report_.places
     Pointer content;
@@ -100,13 +100,13 @@ class PlaceTrials<M> {
     View view;
     Trials trials;
   };
-  /// The content that the other robot sees under the condition that is tried, and where it is.
+  /// Holds the content that the other robot sees under the condition that is tried, and where that robot is.
   struct Seen {
     Content content;
     Relation place_from_other;
   };
 
-  /// Either what the other robot sees, or whether it is the place.
+  /// Takes one step of a trial: finds either what the other robot sees, or whether that is the place.
   void advance(Waiting& first) {
     // One seed for all conditions: they differ in light and wear alone.
     const PlaceId& place = report_.places[first.place].id;

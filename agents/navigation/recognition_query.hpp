@@ -9,11 +9,11 @@
 
 namespace weft::agents {
 
-/// The question that a robot that looks for itself has open, if any. A value, pure.
+/// Keeps the question that a robot that looks for itself has open, if any. A value, pure.
 class RecognitionQuery {
  public:
   void advance(const Step& step);
-  /// Nothing is known of what was asked before; numbers go on.
+  /// Forgets what was asked before; numbers go on.
   void forget();
 
   /// Whether what is seen now is to be signed and asked about: nothing has been asked, the robot stands elsewhere by
@@ -25,9 +25,9 @@ class RecognitionQuery {
   /// Takes note of an answer. Returns false when that question is not open.
   bool answered(std::uint64_t number, std::size_t places);
 
-  /// The answer had places, and there may be more.
+  /// Returns whether the answer had places, so that there may be more.
   bool may_go_on() const { return asked_ && !is_open_ && last_answer_ > 0; }
-  /// The answer came some time ago, so that places of it which have not arrived never will.
+  /// Returns whether the answer came some time ago, so that places of it which have not arrived never will.
   bool is_stale() const;
   const Question* open() const { return asked_ && is_open_ ? &*asked_ : nullptr; }
 

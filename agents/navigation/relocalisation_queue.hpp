@@ -9,14 +9,14 @@
 
 namespace weft::agents {
 
-/// The order in which places are tried by a robot that does not know where it is. A value, pure.
+/// Keeps the order in which places are tried by a robot that does not know where it is. A value, pure.
 class RelocalisationQueue {
  public:
-  /// Around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last believed, then what is
-  /// proposed, then in the whole window.
+  /// Begins a search around a seed (Gadd & Newman III-C, B), or, without one, around where the robot was last
+  /// believed, then at what is proposed, then in the whole window.
   void start(const std::optional<PlaceId>& seed);
   void end() { active_ = false; }
-  /// Its places are not tried, until the next start.
+  /// Leaves the places of a run out until the next start.
   void leave_out(const ExperienceId& run) { left_out_ = run; }
   const std::optional<ExperienceId>& left_out() const { return left_out_; }
   bool leaves_out(const PlaceId& place) const { return left_out_ == place.experience; }
@@ -29,11 +29,11 @@ class RelocalisationQueue {
   /// Returns the places that are still to be tried in this pass, the next one last.
   std::vector<PlaceId>& order() { return order_; }
   std::optional<PlaceId> next();
-  /// Places around where the robot was last believed are left to try.
+  /// Returns whether places around where the robot was last believed are left to try.
   bool looks_near() const { return near_left_ > 0; }
   /// Returns the places that were proposed and are still to be tried, the likeliest first.
   std::vector<PlaceId>& proposed() { return proposed_; }
-  /// Signatures have been used to order this pass.
+  /// Returns whether signatures have been used to order this pass.
   bool ordered() const { return ordered_; }
   void set_ordered() { ordered_ = true; }
 

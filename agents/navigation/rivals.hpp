@@ -23,7 +23,7 @@ class Rivals {
   bool is_open() const { return seen_.has_value(); }
   void close() { *this = Rivals(*method_); }
 
-  /// `left_out`: nobody looks for that run.
+  /// Begins with a view that seems to be of `at`. `left_out`: a run that nobody looks for.
   void begin(const NavigationConfig& config, const Window& map, const PlaceId& at, const Content& seen,
              const std::optional<ExperienceId>& left_out) {
     constexpr double near_m = 1.0;

@@ -37,7 +37,7 @@ bool on_the_spot(const RoutePose& a, const RoutePose& b) {
   return hop.translation().norm() < on_the_spot_m && std::abs(hop.heading) > least_turn_rad;
 }
 
-/// [first, last] positions in `poses` between which the robot turns on the spot; first == last: none.
+/// Holds the [first, last] positions in `poses` between which the robot turns on the spot; first == last: none.
 struct Spot {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -89,7 +89,7 @@ std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
   return a > b ? a - b : b - a;
 }
 
-/// The index of the believed place itself that is nearest to `from`; a route may come by a place more than once.
+/// Returns the index of the believed place itself that is nearest to `from`; a route may come by a place twice.
 std::optional<std::uint32_t> own_index(const Route& route, const PlaceId& place, std::uint32_t from) {
   std::optional<std::uint32_t> own;
   for (std::uint32_t i = 0; i < route.places.size(); ++i) {
@@ -98,7 +98,7 @@ std::optional<std::uint32_t> own_index(const Route& route, const PlaceId& place,
   return own;
 }
 
-/// The place of route[first .. end) that is nearest to the robot, as the window joins it.
+/// Returns the place of route[first .. end) that is nearest to the robot, as the window joins it.
 std::optional<Joint> nearest_joined(const NavigationConfig& config, const Window& window, const Route& route,
                                     const Estimate& estimate, std::uint32_t first, std::uint32_t end) {
   std::map<PlaceId, std::uint32_t> index_of;

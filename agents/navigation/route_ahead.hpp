@@ -10,14 +10,14 @@
 
 namespace weft::agents {
 
-/// A place of the route in the robot's frame.
+/// Describes a place of the route in the robot's frame.
 struct RoutePose {
   std::uint32_t index = 0;
   Pose2 robot_from_place;
 };
 
-/// The route around the robot: places by composed relations, from some behind to a segment ahead, none beyond the
-/// released one.
+/// Holds the route around the robot: places by composed relations, from some behind to a segment ahead, none beyond
+/// the released one.
 struct RouteAround {
   std::vector<RoutePose> poses;  ///< ascending by index, without gaps
   std::size_t nearest = 0;       ///< position in `poses` of the place nearest to the robot
@@ -31,8 +31,9 @@ Pose2 laid_out(const Relation& a_from_b);
 /// than a follower drives.
 bool can_cross(const StitchConfig& config, const Relation& a_from_b);
 
-/// A way from the believed place to the route: to the place's own index, or to the nearest place of the route that
-/// the window joins it to. `from`: earlier places have been passed. None: not joined within `locate.most_hops`.
+/// Describes a way from the believed place to the route: to the place's own index, or to the nearest place of the
+/// route that the window joins it to. `from`: earlier places have been passed. None: not joined within
+/// `locate.most_hops`.
 struct Joint {
   std::uint32_t index = 0;
   Relation believed_from_route;
@@ -40,17 +41,18 @@ struct Joint {
 std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
                            const Estimate& estimate, std::uint32_t from);
 
-/// `at`: the last place known to be passed; none at the start, when the nearest one counts.
+/// Lays out the route around the robot. `at`: the last place known to be passed; none at the start, when the nearest
+/// one counts.
 RouteAround around(const NavigationConfig& config, const Route& route, const Joint& joint,
                    const Relation& believed_from_robot, std::optional<std::uint32_t> at);
 
-/// A path that can be driven forwards: from behind the robot up to `segment_m` ahead, without the places that step
-/// back or jump sideways where experiences are stitched together.
+/// Describes a path that can be driven forwards: from behind the robot up to `segment_m` ahead, without the places
+/// that step back or jump sideways where experiences are stitched together.
 struct PathAhead {
   std::vector<Pose2> robot_from_path;
   bool reaches_end = false;  ///< its last pose is the released place (or a turn on the spot)
-  /// The path ends where the robot has to turn on the spot; then: the heading to turn to, and the place reached by
-  /// it.
+  /// Say, where the path ends at a turn on the spot, to which heading (in the robot's frame) to turn, and which place
+  /// is reached by it.
   std::optional<double> turn_to_rad;
   std::uint32_t turn_reaches = 0;
 };

@@ -36,7 +36,7 @@ class Stitcher {
 
   void clear() { *this = Stitcher(*method_, config_); }
 
-  /// `map` holds the kept place already; `teacher` has just kept it.
+  /// Looks for stitches of the place just kept: `map` holds it already, and it is the last one of `teacher`.
   Found look(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Teacher& teacher,
              const Place& kept, const Content& content) {
     Found found;
@@ -72,7 +72,7 @@ class Stitcher {
     return found;
   }
 
-  /// The stitch that what was found makes.
+  /// Returns the stitch that what was found makes.
   Edge edge(const PlaceId& older, const PlaceId& kept, const Related& related) const {
     Edge edge;
     edge.id = {older, kept};
@@ -86,7 +86,7 @@ class Stitcher {
   }
 
  private:
-  /// A relation over an uncertain way, waiting for a second one.
+  /// Holds a relation over an uncertain way, which waits for a second one.
   struct Pending {
     PlaceId place;
     PlaceId kept;
@@ -128,7 +128,7 @@ class Stitcher {
     return near;
   }
 
-  /// A stitch to a lane that is met head-on or across. Refusals are not told: mostly nothing of it is in view.
+  /// Finds a stitch to a lane that is met head-on or across. Refusals are not told: mostly nothing of it is in view.
   std::optional<Edge> across(const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
                              const std::vector<Candidate>& around, const Teacher& teacher, const PlaceId& kept,
                              const Content& content) {
@@ -145,7 +145,8 @@ class Stitcher {
     return std::nullopt;
   }
 
-  /// Two contents alone do not say how far apart along a path they are: the method does, in a chart of that path.
+  /// Finds a stitch along a path: two contents alone do not say how far apart along it they are, but the method does,
+  /// in a chart of that path.
   Found located(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Candidate& candidate,
                 const PlaceId& kept, const Content& content) requires ChartsItself<M> {
     Found found;
@@ -200,7 +201,7 @@ class Stitcher {
     return tl::unexpected(Refusal{"stitch_unconfirmed", spread.metres, config_.stitch.trusted_sigma_m});
   }
 
-  /// place_from_kept as the pending stitch and the chains between both pairs of places say.
+  /// Returns place_from_kept as the pending stitch and the chains between both pairs of places say.
   std::optional<Relation> through_pending(const Window& map, const PlaceId& place, const PlaceId& kept,
                                           const std::optional<Pending>& pending) const {
     constexpr std::uint32_t hops = 8;

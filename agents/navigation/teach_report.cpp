@@ -9,7 +9,7 @@ namespace {
 
 using Reasons = std::map<std::string_view, int>;
 
-/// One stretch while it is added up.
+/// Holds one stretch while it is added up.
 struct Tally {
   std::vector<const TaughtPlace*> places;
   int tried = 0;
@@ -49,7 +49,7 @@ std::string reason_of(const Tally& tally, const std::vector<std::string_view>& c
   return condition + ": " + std::string(std::max_element(reasons.begin(), reasons.end(), rarer)->first);
 }
 
-/// The standard error of a share is a binomial's.
+/// Returns the share of places found, its standard error being a binomial's.
 Diagnostic share_of(std::string_view condition, int found, int tried) {
   const double share = tried > 0 ? static_cast<double>(found) / tried : 0.0;
   const double sigma = tried > 0 ? std::sqrt(share * (1.0 - share) / tried) : 0.0;

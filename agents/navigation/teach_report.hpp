@@ -25,13 +25,13 @@ struct TaughtPlace {
   std::optional<Trials> trials;  ///< none: not tried, or not yet
 };
 
-/// A place was due, and what was seen was not worth one.
+/// Notes where a place was due and what was seen was not worth one.
 struct Missed {
   double at_m = 0.0;
   std::string_view reason;  ///< static text
 };
 
-/// The report on what a robot has been taught since teaching began, and whether other robots will find it again.
+/// Reports what a robot has been taught since teaching began, and whether other robots will find it again.
 struct TeachReport {
   ExperienceId experience;
   std::vector<std::string_view> conditions;  ///< under which places are tried, the mildest first; static texts
@@ -40,7 +40,7 @@ struct TeachReport {
   std::vector<Missed> missed;
 };
 
-/// A stretch as an operator wants to know it before he leaves it.
+/// Describes a stretch as an operator wants to know it before he leaves it.
 struct TaughtStretch {
   double from_m = 0.0;
   double to_m = 0.0;
@@ -51,7 +51,7 @@ struct TaughtStretch {
   std::string reason;  ///< which condition is the worst, and what is refused most often then; empty: none is
 };
 
-/// Least share of a stretch's places that must be found; with fewer it is one where a robot will not find itself.
+/// Sets the least share of a stretch's places that must be found; with fewer a robot will not find itself there.
 inline constexpr double kFoundEnough = 0.5;
 
 /// Returns a row a metre; a way longer than `most` metres has longer ones. Where no place was kept because of what

@@ -14,10 +14,11 @@ class Teacher {
       : config_(config), start_(start), method_(method), content_format_(content_format) {}
 
   void advance(const Step& step);
-  /// The first view, enough travelled or turned since the last place, or asked for.
+  /// Returns whether a place is due: at the first view, after enough travel or turning since the last place, or if
+  /// asked for.
   bool due() const;
   void ask() { asked_ = true; }
-  /// The run ends here: is this far enough from the last place to be one of its own?
+  /// Returns whether the robot is far enough from the last place to end the run with one of its own.
   bool worth_an_end() const;
   /// Returns whether there was any step since the last place.
   bool has_moved() const { return since_.has_value(); }
@@ -27,9 +28,9 @@ class Teacher {
 
   /// Returns where the robot is on its own chain: the last place kept and the way since. None before the first.
   std::optional<Estimate> estimate() const;
-  /// Metres driven since teaching began.
+  /// Returns the metres driven since teaching began.
   double driven_m() const { return driven_m_.empty() ? 0.0 : driven_m_.back() + since_m_; }
-  /// Metres driven from own place `index` to the last one.
+  /// Returns the metres driven from own place `index` to the last one.
   double driven_since_m(std::uint32_t index) const { return driven_m_.back() - driven_m_[index]; }
   const TeachStart& start() const { return start_; }
 
