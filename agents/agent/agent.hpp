@@ -31,13 +31,13 @@ struct AgentConfig {
   std::uint64_t bytes_per_second = 4ULL << 20U;  ///< budget for bulk in each direction
 };
 
-/// A fix that the agent made, for files of record (deploy/demo, tests/judge).
+/// Describes a fix that the agent made, for files of record (deploy/demo, tests/judge).
 struct FixRecord {
   std::uint64_t frame = 0;
   Fix fix;
 };
 
-/// A batch that the server has on disk.
+/// Describes a batch that the server has on disk.
 struct AckRecord {
   ExperienceId experience;
   std::uint64_t sequence = 0;
@@ -56,37 +56,37 @@ struct AgentOutput {
   std::vector<std::string> notes;  ///< for the log: what changed and why
 };
 
-/// One robot's agent without its edges: session with the server, spool, window and contents, mission. No clock,
-/// thread or socket. `step` runs on the body's samples, `handle` and `tick` on the process's steady clock.
+/// Describes one robot's agent without its edges: session with the server, spool, window and contents, mission. No
+/// clock, thread or socket. `step` runs on the body's samples, `handle` and `tick` on the process's steady clock.
 class Agent {
  public:
   virtual ~Agent() = default;
   virtual AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) = 0;
   virtual AgentOutput tick(SteadyTime now) = 0;
   virtual std::optional<SteadyTime> next_tick() const = 0;
-  /// The process was away for so long until now. To be said before what has come in meanwhile is handled: no wait for
-  /// the server's answer or for a view counts that time.
+  /// Takes note that the process was away for so long until now. To be called before what has come in meanwhile is
+  /// handled: no wait for the server's answer or for a view counts that time.
   virtual void was_away(Duration away, SteadyTime now) = 0;
   virtual AgentOutput step(const Sample& sample, SteadyTime now) = 0;
-  /// The body broke down (its error): stand, say so, refuse goals.
+  /// Takes note that the body broke down (its error): stands, says so, refuses goals.
   virtual AgentOutput body_failed(const Error& error, SteadyTime now) = 0;
-  /// The process is being ended: its last word, so that nobody waits for it.
+  /// Says its last word, as the process is being ended, so that nobody waits for it.
   virtual AgentOutput leave(SteadyTime now) = 0;
-  /// Whether a hand's request could be carried out.
+  /// Takes note of whether a hand's request could be carried out.
   virtual AgentOutput hand_answered(const Result<void>& answer, SteadyTime now) = 0;
 
   /// Returns the window that the agent holds; like the two below for invariants and records.
   virtual const Window& window() const = 0;
   virtual std::optional<Route> route() const = 0;
   virtual std::optional<Estimate> estimate() const = 0;
-  /// Refused and ignored messages, the navigator's fixes and refusals, by name.
+  /// Returns how often messages were refused or ignored, and the navigator's fixes and refusals, by name.
   virtual std::map<std::string, std::uint64_t> counters() const = 0;
   /// Returns what driving has shown of the robot beside where it is (its camera's mount); empty: nothing yet.
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }
 };
 
-/// The spool is read and what is pending is sent again. invalid: a setting breaks its bound; errors of the spool are
-/// passed on.
+/// Starts an agent: reads the spool and sends again what is pending. invalid: a setting breaks its bound; errors of
+/// the spool are passed on.
 Result<std::unique_ptr<Agent>> start(const AgentConfig& config, std::unique_ptr<Navigator> navigator,
                                      storage::Spool& spool, Random random, SteadyTime now);
 

@@ -5,7 +5,7 @@
 
 namespace weft::agents {
 
-/// Token bucket: at most `bytes_per_second` on average, and `burst_bytes` at once. Starts full.
+/// Limits a data rate as a token bucket: at most `bytes_per_second` on average, `burst_bytes` at once. Starts full.
 class Budget {
  public:
   Budget(std::uint64_t bytes_per_second, std::uint64_t burst_bytes, SteadyTime now);

@@ -8,7 +8,7 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-/// The server may ask again before it has seen what is under way.
+/// Sets for how long after a content was sent it is not sent again: the server may ask before it has seen it.
 constexpr Duration kUnderWay = 1s;
 }  // namespace
 

@@ -12,17 +12,17 @@
 
 namespace weft::agents {
 
-/// Contents on their way out, cut into chunks, oldest request first.
+/// Queues contents on their way out, cut into chunks, oldest request first.
 class ChunkQueue {
  public:
-  /// A content that is waiting already, or was sent a moment ago, is not queued twice.
+  /// Queues a content, from `offset` bytes on, unless it is waiting already or was sent a moment ago.
   void push(const ContentHash& hash, std::uint64_t offset, SteadyTime now);
   bool empty() const { return queue_.empty(); }
   void clear();
 
   using Read = std::function<Result<Bytes>(const ContentHash&)>;
-  /// The next chunk without its header and addressed to the server, if the budget has room for one. A content that
-  /// cannot be read is dropped (its batch will be asked for again) and its error passed on.
+  /// Returns the next chunk, without its header and addressed to the server, if the budget has room for one. A content
+  /// that cannot be read is dropped (its batch will be asked for again) and its error passed on.
   Result<std::optional<msg::Chunk>> next(Budget& budget, const Read& read, SteadyTime now);
 
  private:

@@ -7,20 +7,20 @@
 
 namespace weft::agents {
 
-/// The identity of a command: its number alone need not be unique across starts of the server.
+/// Identifies a command: its number alone need not be unique across starts of the server.
 struct CommandKey {
   Epoch epoch;
   std::uint64_t command = 0;
   bool operator==(const CommandKey&) const = default;
 };
 
-/// Each command is done once, however often it comes: repeats of an answered one get the same answer again.
+/// Sees to it that each command is done once, however often it comes: repeats get the answer that was given before.
 class CommandLedger {
  public:
   enum class Seen { fresh, under_way, answered };
   /// Notes a fresh command as under way.
   Seen see(const CommandKey& key);
-  /// The answer that was given; null while there is none.
+  /// Returns the answer that was given; null while there is none.
   const msg::AgentReply* answer(const CommandKey& key) const;
   void answered(const CommandKey& key, const msg::AgentReply& reply);
 

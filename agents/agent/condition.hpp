@@ -8,7 +8,7 @@
 
 namespace weft::agents {
 
-/// The condition of the robot: what the last sample showed of it, and what keeps it from driving.
+/// Describes the condition of the robot: what the last sample showed of it, and what keeps it from driving.
 struct Condition {
   std::uint64_t frame = 0;
   double speed_m_s = 0.0;

@@ -15,8 +15,8 @@
 
 namespace weft::agents {
 
-/// The contents of the window, as many of them as fit: the nearest are asked for first and given up last. They come
-/// as the server keeps them, are expanded and verified here, and counted by their own size.
+/// Holds the contents of the window, as many of them as fit: the nearest are asked for first and given up last. They
+/// come as the server keeps them, are expanded and verified here, and counted by their own size.
 class ContentCache final : public Contents {
  public:
   ContentCache(std::uint64_t most_bytes, std::uint64_t bytes_per_second);
@@ -25,14 +25,14 @@ class ContentCache final : public Contents {
 
   /// Asks for the contents that the window names, nearest first; replaces what was wanted before.
   void want(const std::vector<ContentRef>& nearest_first, SteadyTime now);
-  /// One's own, just taught.
+  /// Takes in a content of this robot's own, just taught.
   void put(const ContentHash& hash, Bytes bytes);
   /// Takes in a chunk. Returns true when it completed a content.
   bool on_chunk(const msg::Chunk& chunk, SteadyTime now);
-  /// Everything that is under way is asked for again.
+  /// Asks again for everything that is under way.
   void server_restarted(SteadyTime now);
 
-  /// A request without its header, when it is time for one.
+  /// Returns a request without its header, when it is time for one.
   std::optional<msg::ContentRequest> due(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
@@ -54,7 +54,7 @@ class ContentCache final : public Contents {
 
     std::uint64_t contiguous() const { return assembly.has_value() ? assembly->contiguous() : 0; }
   };
-  /// The content that the last chunk completed; none: what came is not what its hash says.
+  /// Returns the content that the last chunk completed; none: what came is not what its hash says.
   std::optional<Bytes> expand(const msg::Chunk& last, const Incoming& incoming);
   std::size_t rank_of(const ContentHash& hash) const;
   void keep(const ContentHash& hash, Bytes bytes, std::size_t rank);

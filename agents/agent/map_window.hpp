@@ -22,8 +22,8 @@ struct MapContext {
   std::optional<ExperienceId> taught;  ///< being taught
 };
 
-/// The part of the map that this agent holds, with its contents: decides which part that is, and in which order the
-/// contents come.
+/// Holds the part of the map that this agent has, with its contents: decides which part that is, and in which order
+/// the contents come.
 class MapWindow {
  public:
   struct Limits {
@@ -31,7 +31,7 @@ class MapWindow {
     std::uint64_t cache_bytes = 256ULL << 20U;
     std::uint64_t bytes_per_second = 4ULL << 20U;
   };
-  /// `first_id`: as Replica wants it.
+  /// Begins with nothing held. `first_id`: as Replica wants it.
   MapWindow(const Limits& limits, std::uint64_t first_id, SteadyTime now);
 
   MapView view() const { return {replica_.window(), cache_, replica_.generation()}; }
@@ -40,14 +40,15 @@ class MapWindow {
   const ContentCache& contents() const { return cache_; }
   const Proposals& proposals() const { return proposals_; }
 
-  /// `goes_elsewhere`: the window moves away from the estimate on purpose. Returns a note for the log; empty: none.
+  /// Takes in a patch. `goes_elsewhere`: the window moves away from the estimate on purpose. Returns a note for the
+  /// log; empty: none.
   std::string on_patch(const msg::WindowPatch& patch, const MapContext& context, bool goes_elsewhere, SteadyTime now);
   void on_chunk(const msg::Chunk& chunk, SteadyTime now) { cache_.on_chunk(chunk, now); }
-  /// One's own content, just taught.
+  /// Takes in a content of this robot's own, just taught.
   void put(const ContentHash& hash, Bytes bytes) { cache_.put(hash, std::move(bytes)); }
   void server_restarted(SteadyTime now);
 
-  /// Requests without their headers, when it is time for them.
+  /// Return requests without their headers, when it is time for them.
   std::optional<msg::WindowRequest> window_due(SteadyTime now) { return replica_.due(now); }
   std::optional<msg::ContentRequest> contents_due(SteadyTime now) { return cache_.due(now); }
   SteadyTime next() const;

@@ -20,7 +20,7 @@ class Outbox {
     message.header = session_.header();
     output_.send.emplace_back(std::move(message));
   }
-  /// A hello carries no header.
+  /// Sends a hello, which carries no header.
   void send(msg::Hello hello) { output_.send.emplace_back(std::move(hello)); }
 
   void note(std::string text) { output_.notes.push_back(std::move(text)); }

@@ -10,15 +10,15 @@
 
 namespace weft::agents {
 
-/// The size of an agent's window while nothing else is asked for.
+/// Bounds an agent's window while nothing else is asked for.
 struct WindowSize {
   std::uint32_t hops = 25;
   std::uint32_t cap = 2000;
 };
 
-/// The places that the server says to look at, and the window that looking at them needs. A robot that knows nothing
-/// of where it is gets a window of these places alone; one that has an idea, is being taught, or holds the whole
-/// network anyway, holds them beside what it has.
+/// Keeps the places that the server says to look at, and finds the window that looking at them needs. A robot that
+/// knows nothing of where it is gets a window of these places alone; one that has an idea, is being taught, or holds
+/// the whole network anyway, holds them beside what it has.
 class Proposals {
  public:
   explicit Proposals(const WindowSize& usual) : usual_(usual) {}
@@ -47,7 +47,7 @@ class Proposals {
   };
   /// Returns the window that looking at the proposed places needs, and notes which kind of window that is.
   WindowDefinition wanted(WindowDefinition present, const std::optional<Route>& route, const Held& held);
-  /// The window is of the proposed places alone.
+  /// Returns whether the window is of the proposed places alone.
   bool is_alone() const { return is_alone_; }
   void leave_alone() { is_alone_ = false; }
 

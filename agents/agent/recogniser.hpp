@@ -14,12 +14,13 @@ namespace weft::agents {
 /// wants to know. Without an answer the navigator goes on with what there is.
 class Recogniser {
  public:
-  /// `first_request` is random for each incarnation, so that answers to an earlier one are not taken for ours.
+  /// Begins with `first_request`, random for each incarnation, so that answers to an earlier one are not taken for
+  /// ours.
   explicit Recogniser(std::uint64_t first_request) : request_(first_request) {}
 
   /// Sets the question that the navigator wants answered now; null: none.
   void want(const Question* open, SteadyTime now);
-  /// A question without its header, when it is time for one.
+  /// Returns a question without its header, when it is time for one.
   std::optional<msg::Recognise> due(SteadyTime now);
   std::optional<SteadyTime> next() const;
   void server_restarted(SteadyTime now);

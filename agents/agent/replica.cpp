@@ -10,9 +10,9 @@ using namespace std::chrono_literals;
 
 constexpr Duration kRetry = 500ms;
 constexpr Duration kRetryMost = 8s;
-/// Two patches that pass each other on the way are not to make a storm of requests.
+/// Sets the least time between requests: two patches that pass each other on the way make no storm of them.
 constexpr Duration kBetweenRequests = 250ms;
-/// The server sends what changes; this finds out when it believes to have done so.
+/// Sets how often to ask all the same: the server sends what changes, but may wrongly believe to have done so.
 constexpr Duration kRefresh = 30s;
 
 template <class T>

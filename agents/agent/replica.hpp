@@ -10,14 +10,14 @@
 
 namespace weft::agents {
 
-/// The robot's copy of its window of the network. Patches are put together from their parts and applied; one that
-/// does not fit, or that gives another digest than the server's, changes nothing and leads to a new request.
+/// Holds the robot's copy of its window of the network. Patches are put together from their parts and applied; one
+/// that does not fit, or that gives another digest than the server's, changes nothing and leads to a new request.
 class Replica {
  public:
-  /// `first_id` is random for each incarnation, so that answers to an earlier one are not taken for ours.
+  /// Begins with `first_id`, random for each incarnation, so that answers to an earlier one are not taken for ours.
   Replica(WindowDefinition definition, std::uint64_t first_id, SteadyTime now);
 
-  /// Another part of the network from now on. The same definition as before does nothing.
+  /// Asks for another part of the network from now on. The same definition as before does nothing.
   void define(WindowDefinition definition, SteadyTime now);
   const WindowDefinition& definition() const { return definition_; }
 
@@ -27,10 +27,10 @@ class Replica {
   }
   enum class Heard { changed, incomplete, ignored };
   Heard on_patch(const msg::WindowPatch& part, SteadyTime now);
-  /// Ask again: the server may have forgotten who holds what.
+  /// Asks again: the server may have forgotten who holds what.
   void server_restarted(SteadyTime now);
 
-  /// A request without its header, when it is time for one.
+  /// Returns a request without its header, when it is time for one.
   std::optional<msg::WindowRequest> due(SteadyTime now);
   SteadyTime next() const { return ask_at_; }
 
@@ -38,9 +38,9 @@ class Replica {
   /// Returns the window as it was before the last change.
   const Window& before() const { return before_; }
   const Digest& digest() const { return digest_; }
-  /// Another one after each change of the window, which can move within one revision.
+  /// Returns another number after each change of the window, which can move within one revision.
   std::uint64_t generation() const { return generation_; }
-  /// The window is of the present definition; false until its first patch has come.
+  /// Returns whether the window is of the present definition; false until its first patch has come.
   bool is_settled() const { return held_id_ == definition_id_; }
   const Counters& counters() const { return counters_; }
 

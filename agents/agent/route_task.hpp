@@ -11,8 +11,8 @@
 
 namespace weft::agents {
 
-/// The route that the server gave this robot, and what the robot tells about it. Orders come doubled, late and out of
-/// order: a lower version and a route that is over are ignored, what has been released is never taken back.
+/// Keeps the route that the server gave this robot, and what the robot tells about it. Orders come doubled, late and
+/// out of order: a lower version and a route that is over are ignored, what has been released is never taken back.
 class RouteTask {
  public:
   enum class Took {
@@ -39,10 +39,10 @@ class RouteTask {
   /// Sets how far along the route the robot is; never goes back within a version, nor where the
   /// next version begins by the same places.
   void set_progress(std::uint32_t at, std::uint32_t freed, SteadyTime now);
-  /// goal_from_robot as believed, on arrival.
+  /// Sets goal_from_robot as believed, on arrival.
   void set_arrival(const Relation& goal_from_robot) { goal_from_robot_ = goal_from_robot; }
 
-  /// A report without its header: on a change at most five times a second, and every other second without one.
+  /// Returns a report without its header: on a change at most five times a second, and every other second without.
   std::optional<msg::RouteProgress> due(SteadyTime now);
   std::optional<SteadyTime> next() const;
   void server_restarted(SteadyTime now) { touch(now); }

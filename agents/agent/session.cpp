@@ -14,7 +14,7 @@ constexpr Duration kHelloHeard = 15s;
 constexpr Duration kHelloAsking = 500ms;
 constexpr Duration kConfirmedWithin = 3s;
 constexpr std::size_t kMostClaims = 4;
-/// A server that has nothing to answer (an empty network) would leave the fence open for ever.
+/// Bounds the fence: a server that has nothing to answer (an empty network) would leave it open for ever.
 constexpr Duration kFenceAtMost = 3s;
 }  // namespace
 

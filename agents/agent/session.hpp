@@ -14,34 +14,34 @@ namespace weft::agents {
 /// Counts of refused messages, by the name of the refusal.
 using Counters = std::map<std::string, std::uint64_t>;
 
-/// The agent's side of its relation to the server: who the server is, and the header of everything the agent says.
-/// Takes one that speaks in a higher epoch for a mere claimant at first: the agent's hello asks with a random number;
-/// a hello that answers it shows that its sender lives, and makes it the server.
+/// Keeps the agent's side of its relation to the server: who the server is, and the header of everything the agent
+/// says. Takes one that speaks in a higher epoch for a mere claimant at first: the agent's hello asks with a random
+/// number; a hello that answers it shows that its sender lives, and makes it the server.
 class Session {
  public:
-  /// `own` is the agent's hello; its protocol range is what this program speaks.
+  /// Begins with the agent's hello, `own`; its protocol range is what this program speaks.
   Session(msg::Hello own, Random random, SteadyTime now);
 
   enum class Heard { known, restarted, refused };
-  /// A server's hello. refused: a lower epoch than heard before, a second server in the same epoch, a claim that is
-  /// not confirmed yet, or no protocol version in common.
+  /// Takes in a server's hello. refused: a lower epoch than heard before, a second server in the same epoch, a claim
+  /// that is not confirmed yet, or no protocol version in common.
   Heard hear(const msg::Hello& hello, SteadyTime now);
-  /// The header of any other message of the server's. The same rules hold, and it confirms nothing.
+  /// Takes in the header of any other message of the server's. The same rules hold, and it confirms nothing.
   Heard hear(const msg::Header& header, SteadyTime now);
 
-  /// The server has answered something that this incarnation asked: what it says from here on it says to us.
+  /// Notes that the server has answered what this incarnation asked: what it says from here on it says to us.
   void answered(const msg::Header& header);
   /// Returns false for orders that may be late and have been meant for an earlier incarnation of this robot.
   bool is_meant_for_me(const msg::Header& header, SteadyTime now) const;
 
   /// Returns the header for the next message of this agent.
   msg::Header header();
-  /// Our hello, when it is time to (again) say it.
+  /// Returns our hello, when it is time to (again) say it.
   std::optional<msg::Hello> due(SteadyTime now);
   /// Drops claims that nobody has confirmed in time. Returns what a log should say of each.
   std::vector<std::string> drop_claims(SteadyTime now);
   SteadyTime next() const;
-  /// Nothing could be heard for so long until now.
+  /// Takes note that nothing could be heard for so long until now.
   void was_away(Duration away, SteadyTime now);
 
   bool heard_server() const { return server_incarnation_.has_value(); }

@@ -81,7 +81,7 @@ Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
   return {};
 }
 
-/// A restarted agent is not to find an edge to a place that was in memory alone.
+/// Spools what a batch names first: a restarted agent is not to find an edge to a place that was in memory alone.
 Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
   for (const Edge& edge : batch.edges) {
     const auto named = open_.find(edge.id.a.experience);

@@ -37,9 +37,9 @@ class Spooler {
   /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
   /// experience ends before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
-  /// Places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the spool
-  /// when this returns. All of them until the agent ends are of one experience without places of its own; `fresh` is
-  /// its id when there is none yet. Errors of the spool: nothing of it is handed in.
+  /// Hands in places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the
+  /// spool when this returns. All of them until the agent ends are of one experience without places of its own;
+  /// `fresh` is its id when there is none yet. Errors of the spool: nothing of it is handed in.
   Result<void> learned(std::vector<Place> places, std::vector<Bytes> contents, ExperienceId fresh, SteadyTime now);
   /// Closes the batches under way, so that their places are in the spool when this returns.
   Result<void> flush(SteadyTime now);
@@ -53,7 +53,7 @@ class Spooler {
     std::vector<AckRecord> acknowledged;
   };
   Heard on_ack(const msg::BatchAck& ack, SteadyTime now);
-  /// The server asks for (the rest of) a content.
+  /// Queues (the rest of) a content that the server asks for.
   void on_request(const msg::ContentRequest& request, SteadyTime now);
   /// Sends again whatever was under way to the old server.
   void server_restarted(SteadyTime now);
@@ -64,7 +64,7 @@ class Spooler {
   bool has_chunks() const { return !chunks_.empty(); }
   std::optional<SteadyTime> next() const;
 
-  /// The newest place of that experience of this robot's that the server is known to have.
+  /// Returns the newest place of that experience of this robot's that the server is known to have.
   std::optional<PlaceId> newest_durable(ExperienceId experience) const;
   /// Whether anything of the experience is still to be acknowledged.
   bool is_pending(ExperienceId experience) const;

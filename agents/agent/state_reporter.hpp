@@ -19,9 +19,9 @@ class StateReporter {
   bool description_due(SteadyTime now);
   /// Returns whether to send this state now.
   bool state_due(const msg::RobotState& state, SteadyTime now);
-  /// A state is due, changed or not.
+  /// Makes a state due, changed or not.
   void hurry(SteadyTime now) { state_at_ = now; }
-  /// Another server knows nothing of this robot.
+  /// Makes a description and a state due, as another server knows nothing of this robot.
   void server_restarted(SteadyTime now);
   SteadyTime next() const;
 

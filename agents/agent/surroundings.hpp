@@ -11,8 +11,8 @@
 
 namespace weft::agents {
 
-/// The window's contents in the order in which the robot needs them: its route from `route_at` on, then outwards from
-/// `focus` by hops, then the rest by id. No repeats, and none of places that none of `methods` can read.
+/// Returns the window's contents in the order in which the robot needs them: its route from `route_at` on, then
+/// outwards from `focus` by hops, then the rest by id. No repeats, and none of places that none of `methods` can read.
 std::vector<ContentRef> nearest_first(const Window& window, const std::vector<std::string>& methods,
                                       const std::optional<PlaceId>& focus, const std::optional<Route>& route,
                                       std::uint32_t route_at);
@@ -28,7 +28,7 @@ bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::u
 /// Whether `place` is within `hops` of `centre` in the window.
 bool is_near(const Window& window, const PlaceId& centre, const PlaceId& place, std::uint32_t hops);
 
-/// goal_from_robot through the relations of the window; none where they do not join.
+/// Returns goal_from_robot through the relations of the window; none where they do not join.
 std::optional<Relation> seen_from(const Window& window, const PlaceId& goal, const PlaceId& place,
                                   const Relation& place_from_robot);
 

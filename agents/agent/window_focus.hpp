@@ -12,7 +12,7 @@ class WindowFocus {
  public:
   /// Takes the believed place, at most once a second. Returns whether it is another one than before.
   bool follow(const std::optional<Estimate>& estimate, SteadyTime now);
-  /// The believed place when it was last taken.
+  /// Returns the believed place as it was last taken.
   const PlaceId& place() const { return place_; }
   /// Returns the place around which contents are wanted: the believed one if the window has it.
   std::optional<PlaceId> in(const Replica& replica) const;

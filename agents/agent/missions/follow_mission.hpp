@@ -29,7 +29,7 @@ class FollowMission {
   Took take(const Route& order, bool is_stopped, SteadyTime now);
   /// Takes what a sample has led to.
   void step(const Navigated& navigated, bool is_stopped, SteadyTime now);
-  /// `may_drive`: nobody has stopped the robot, its body is well, and it is not being taught.
+  /// Goes on at a tick. `may_drive`: nobody has stopped the robot, its body is well, and it is not being taught.
   void tick(bool may_drive, SteadyTime now);
 
   /// Stops the robot; `reason` is reported.
@@ -37,7 +37,7 @@ class FollowMission {
   /// Lets the robot drive on after a stop.
   void resume(SteadyTime now) { at_latest_ = now; }
   void fail(const std::string& reason, SteadyTime now);
-  /// A search for where the robot is begins: the route waits for its end.
+  /// Lets the route wait for the end of a search for where the robot is, which begins now.
   void await_localisation(SteadyTime now);
   /// Gives a route back that lies elsewhere than the robot. Returns whether it did.
   bool give_back_if_astray();
@@ -45,7 +45,7 @@ class FollowMission {
   const RouteTask& task() const { return task_; }
   const std::optional<Route>& route() const { return task_.route(); }
   bool has_route() const { return task_.route().has_value(); }
-  /// There is a route, and its end is not reached.
+  /// Returns whether there is a route whose end is not reached.
   bool is_under_way() const { return has_route() && !task_.arrived(); }
   bool strays() const { return stray_.strays(); }
   /// Says why a route is not followed yet, for people; empty: it is.

@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// A place that somebody wants to name where the robot stands, without its being taught.
+/// Keeps a place that somebody wants to name where the robot stands, without its being taught.
 class KeepPlaceMission {
  public:
   struct Uses {

@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// The robot looks for itself: because an operator asks for it, or of its own accord. Waits for the map first.
+/// Lets the robot look for itself, as an operator asks for it or of its own accord. Waits for the map first.
 class LocaliseMission {
  public:
   struct Uses {

@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// The commands that wait for the next place kept while teaching. All of them get the same place.
+/// Keeps the commands that wait for the next place kept while teaching. All of them get the same place.
 class PlaceRequests {
  public:
   void add(const CommandKey& key, SteadyTime now);

@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// A run that is taught: an experience for each method, and what has been kept of it.
+/// Describes a run that is taught: an experience for each method, and what has been kept of it.
 struct TaughtRun {
   ExperienceId experience;           ///< of the first method
   std::vector<ExperienceId> others;  ///< of the methods beside it

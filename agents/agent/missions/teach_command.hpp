@@ -8,14 +8,14 @@
 
 namespace weft::agents {
 
-/// The line that the hand is asked to drive.
+/// Returns the line that the hand is asked to drive.
 std::vector<SitePoint> line_of(const msg::AgentCommand& command);
 
-/// Whether a robot that is not being taught can be taught as the command says. refused: why not.
+/// Checks whether a robot that is not being taught can be taught as the command says. refused: why not.
 Result<void> check_teach_start(const msg::AgentCommand& command, const AgentConfig& config,
                                const Condition& condition, bool has_route);
 
-/// The same for a robot that is being taught this run, and whose hand is to drive another line of it.
+/// Checks the same for a robot that is being taught this run, and whose hand is to drive another line of it.
 Result<void> check_next_part(const AgentConfig& config, const Condition& condition);
 
 }  // namespace weft::agents

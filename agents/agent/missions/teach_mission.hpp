@@ -18,7 +18,7 @@
 
 namespace weft::agents {
 
-/// Being taught, from the command to the sealed experience, and until the server has all of it.
+/// Carries out teaching, from the command to the sealed experience, and until the server has all of it.
 class TeachMission {
  public:
   struct Uses {
@@ -36,11 +36,11 @@ class TeachMission {
   bool start(const msg::AgentCommand& command, const CommandKey& key, const Condition& condition, bool has_route,
              SteadyTime now);
   void stop(const CommandKey& key, SteadyTime now);
-  /// A place is wanted here, at the next view.
+  /// Lets a place be kept here, at the next view.
   void keep_place(const CommandKey& key, SteadyTime now);
 
-  /// An answer that is to be given after the state in which the last part of the run is over no more: whoever waits
-  /// for the end of the next part would take the end of the last one for it.
+  /// Holds an answer to be given only once the state no longer shows the end of the last part of the run: whoever
+  /// waits for the end of the next part would take that for it.
   struct Answer {
     CommandKey key;
     msg::AgentReply reply;
@@ -53,7 +53,7 @@ class TeachMission {
   void tick(SteadyTime now);
   /// Answers the end of teaching when its time has come; see UploadConfirmation.
   void confirm(SteadyTime now) { confirmation_.tick(uses_.spooler, uses_.replies, now); }
-  /// The server has refused a batch of this experience.
+  /// Takes note that the server has refused a batch of this experience.
   void refused(ExperienceId experience, const Spooler::Heard& heard, SteadyTime now);
 
   /// Ends teaching with what has been taught until now.
@@ -62,7 +62,7 @@ class TeachMission {
   /// there.
   void abandon(const std::string& reason, SteadyTime now);
 
-  /// The run being taught; none: there is none.
+  /// Returns the run being taught; none: there is none.
   std::optional<ExperienceId> experience() const;
   bool is_active() const { return teaching_.has_value(); }
   /// Says what it waits for, for people, or "hand_done".

@@ -24,13 +24,13 @@ class TeachPreparation {
   TeachPreparation(const std::optional<PlaceId>& seed, std::vector<SitePoint> along, SteadyTime now);
 
   enum class Step { waits, begins };
-  /// refused: teaching cannot begin, and why.
+  /// Goes on with the preparation. refused: teaching cannot begin, and why.
   Result<Step> tick(const Uses& uses, SteadyTime now);
-  /// It looks for itself around the seed.
+  /// Returns whether the robot looks for itself around the seed.
   bool seeks() const { return phase_ == Phase::search; }
-  /// The fix for which it looked.
+  /// Takes note of the fix for which it looked.
   Step on_fix(const Uses& uses) { return start_hand(uses); }
-  /// The hand's answer is awaited.
+  /// Returns whether the hand's answer is awaited.
   bool awaits_hand() const { return phase_ == Phase::hand; }
 
   /// Says what it waits for, for people; empty: for the hand.

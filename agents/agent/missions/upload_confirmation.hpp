@@ -17,7 +17,7 @@ class UploadConfirmation {
   /// Forgets the run without an answer.
   void drop() { awaited_.reset(); }
   void tick(const Spooler& spooler, Replies& replies, SteadyTime now);
-  /// The server has refused some of the experience, which may be the one that is waited for.
+  /// Takes note that the server has refused some of the experience, which may be the one that is waited for.
   void refused(ExperienceId experience, const std::string& reason, Replies& replies);
 
   bool is_awaiting() const { return awaited_.has_value(); }

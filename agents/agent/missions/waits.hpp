@@ -6,11 +6,11 @@
 
 namespace weft::agents {
 
-/// The longest wait for a piece of the map; then what there is has to do.
+/// Bounds the wait for a piece of the map; then what there is has to do.
 inline constexpr Duration kMapAtMost = std::chrono::seconds(20);
-/// The longest search of a robot for where it is; then the search was in vain.
+/// Bounds a robot's search for where it is; then the search was in vain.
 inline constexpr Duration kSearchAtMost = std::chrono::seconds(60);
-/// The map around a seed before looking for oneself there.
+/// Sets how far the map reaches around a seed before the robot looks for itself there, in hops.
 inline constexpr std::uint32_t kSeedHops = 3;
 
 }  // namespace weft::agents

@@ -11,10 +11,10 @@
 
 namespace weft::agents {
 
-/// The body that the options name. Errors are the body's own: no such file, site, recording or robot in it.
+/// Makes the body that the options name. Errors are its own: no such file, site, recording or robot in it.
 Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
 
-/// A method, and the sensors of the body that it looks through.
+/// Holds a method, and the sensors of the body that it looks through.
 struct Equipped {
   std::string method;
   Rig rig;

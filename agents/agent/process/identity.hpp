@@ -8,16 +8,16 @@
 
 namespace weft::agents {
 
-/// A robot's state directory, held by one agent at a time.
+/// Holds a robot's state directory, for one agent at a time.
 class StateDirectory {
  public:
-  /// Made if it is not there. unavailable: it cannot be made or written, or another agent works in it.
+  /// Makes it if it is not there. unavailable: it cannot be made or written, or another agent works in it.
   static Result<StateDirectory> open(const std::filesystem::path& directory);
   StateDirectory(StateDirectory&& other) noexcept;
   StateDirectory& operator=(StateDirectory&&) = delete;
   ~StateDirectory();
 
-  /// The robot's id: 16 random bytes, drawn at its first start and kept in DIR/identity as 32 hex digits.
+  /// Returns the robot's id: 16 random bytes, drawn at its first start and kept in DIR/identity as 32 hex digits.
   /// corrupt: the file holds something else.
   Result<RobotId> identity() const;
   std::filesystem::path spool() const { return directory_ / "spool"; }
@@ -29,7 +29,7 @@ class StateDirectory {
   int lock_ = -1;  // open file that holds the lock
 };
 
-/// A generator seeded by the machine; differs at every call.
+/// Returns a generator seeded by the machine; differs at every call.
 Random random_from_machine();
 
 }  // namespace weft::agents

@@ -120,7 +120,7 @@ void Loop::schedule(SensorTime sample) {
   }
 }
 
-/// A robot drives on without its records, but whoever reads them hears of it.
+/// Writes records. A robot drives on without them, but whoever reads them hears of it.
 void Loop::note(const AgentOutput& output) {
   parts_.records->note(output, frame_);
   if (damage_ || parts_.records->lost() == 0) return;

@@ -27,11 +27,11 @@ class Loop {
     spdlog::logger& log;
     std::string server = {};  ///< where it is looked for, in words
   };
-  /// `pace`: sensor seconds a second at most; 0: no bound.
+  /// Prepares a loop. `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
 
-  /// corrupt: the body gave damaged data; exhausted: records could not be written. Said at the end too, so that
-  /// whoever started this hears of it.
+  /// Runs until `stop` returns true. corrupt: the body gave damaged data; exhausted: records could not be written.
+  /// Said at the end too, so that whoever started this hears of it.
   Result<void> until(const std::function<bool()>& stop);
 
  private:

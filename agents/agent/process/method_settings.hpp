@@ -6,7 +6,7 @@
 
 namespace weft::agents {
 
-/// The settings of one method: its own table, [NAME], and how navigation goes with it, [navigation] and
+/// Holds the settings of one method: its own table, [NAME], and how navigation goes with it, [navigation] and
 /// [NAME.navigation].
 template <class M>
 struct Configured {
@@ -20,7 +20,7 @@ template <class... M>
 struct ConfiguredOf<MethodList<M...>> {
   using Type = std::tuple<Configured<M>...>;
 };
-/// The settings of each method.
+/// Holds the settings of each method.
 using MethodSettings = ConfiguredOf<AllMethods>::Type;
 
 /// Reads the settings of method M of a configuration file: a setting of [NAME.navigation] wins over [navigation],

@@ -20,7 +20,7 @@ constexpr int kFailed = 1;
 constexpr int kUsage = 2;
 
 enum class Kind { text, number, list };
-/// A setting that is a flag as well. The key is the flag with '_' for '-'.
+/// Describes a setting that is a flag as well. The key is the flag with '_' for '-'.
 struct Flag {
   const char* key;
   Kind kind;
@@ -92,7 +92,7 @@ std::string methods_help() {
   return all + " [" + std::string(AllMethods::names.front()) + "]";
 }
 
-/// A flag's values as a line of TOML, so that its bounds are stated once, for flag and file.
+/// Returns a flag's values as a line of TOML, so that its bounds are stated once, for flag and file.
 std::string as_toml(const Flag& flag, const std::vector<std::string>& values) {
   std::string line = std::string(flag.key) + " = ";
   switch (flag.kind) {
@@ -143,7 +143,7 @@ class Sources {
     std::string value = text(key, "");
     return value.empty() ? std::nullopt : std::optional(std::move(value));
   }
-  /// Names of methods with commas between, each once.
+  /// Reads the names of methods, with commas between, each once.
   std::vector<std::string> methods() const {
     return pick("method", [](const config::Table& table) {
       std::vector<std::string> methods =

@@ -47,7 +47,7 @@ struct Options {
   std::vector<config::Setting> effective;  ///< for the log
 };
 
-/// The command line asked for something to be printed, or was wrong: what to print, and the exit code.
+/// Says what to print, and the exit code: the command line asked for something to be printed, or was wrong.
 struct Leave {
   int exit_code = 0;
   std::string text;

@@ -32,7 +32,7 @@ Records::Records(Records&& other) noexcept
       told_(std::move(other.told_)),
       lost_(other.lost_) {}
 
-/// One write a line: with O_APPEND, lines of several robots in one file stay whole.
+/// Appends a line in one write: with O_APPEND, lines of several robots in one file stay whole.
 void Records::append(int file, const std::string& line) {
   const std::string whole = line + "\n";
   if (::write(file, whole.data(), whole.size()) != static_cast<ssize_t>(whole.size())) ++lost_;

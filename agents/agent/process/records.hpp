@@ -13,14 +13,14 @@ namespace weft::agents {
 /// append to the same files.
 class Records {
  public:
-  /// unavailable: the directory is not there or cannot be written.
+  /// Opens the files. unavailable: the directory is not there or cannot be written.
   static Result<Records> open(const std::filesystem::path& directory, const std::string& robot);
   Records(Records&& other) noexcept;
   Records& operator=(Records&&) = delete;
   ~Records();
 
   void note(const AgentOutput& output, std::uint64_t frame);
-  /// Lines that could not be written whole, as on a full disk: what is judged from these files is not all there was.
+  /// Returns how many lines could not be written whole, as on a full disk: then these files do not show all.
   std::uint64_t lost() const { return lost_; }
 
  private:

@@ -18,7 +18,7 @@
 namespace weft::agents {
 namespace {
 
-/// SIGINT and SIGTERM, blocked in every thread from here on and asked for in between. Construct it first.
+/// Blocks SIGINT and SIGTERM in every thread from here on; they are asked for in between. Construct it first.
 class StopSignal {
  public:
   StopSignal() {

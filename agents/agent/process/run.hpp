@@ -4,7 +4,8 @@
 
 namespace weft::agents {
 
-/// Runs one robot until SIGINT or SIGTERM. Errors are of the start only; a body that fails later stands, and says so.
+/// Runs one robot until SIGINT or SIGTERM; a body that fails later stands, and says so. Errors are those of the start
+/// and, at the end, corrupt: the body gave damaged data, exhausted: records could not be written.
 Result<void> run(const Options& options);
 
 }  // namespace weft::agents

@@ -5,7 +5,7 @@
 
 namespace weft::agents {
 
-/// printf into a string; what is longer than 511 bytes is cut.
+/// Prints into a string, as printf does; what is longer than 511 bytes is cut.
 template <class... Values>
 std::string text(const char* format, Values... values) {
   std::array<char, 512> line{};

@@ -26,7 +26,7 @@
 
 namespace weft::agents {
 
-/// The agent put together from its parts and missions. Decides nothing itself: what comes in goes to the part that it
+/// Puts the agent together from its parts and missions. Decides nothing itself: what comes in goes to the part that it
 /// concerns, what one of them returns goes to the others, and after each call everything that is due goes out, small
 /// before big.
 class RobotAgent final : public Agent {

@@ -2,7 +2,7 @@
 
 #include "agents/agent/robot/robot_agent.hpp"
 
-/// The one file that steps the navigator.
+/// Steps the navigator; no other file does.
 namespace weft::agents {
 namespace {
 

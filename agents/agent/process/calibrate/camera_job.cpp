@@ -31,7 +31,7 @@ Result<std::vector<fs::path>> images_in(const std::string& folder) {
   return files;
 }
 
-/// The findings in the images: boards, and why the other images are of no use.
+/// Holds the findings in the images: boards, and why the other images are of no use.
 struct Found {
   std::vector<BoardImage> boards;
   std::vector<std::pair<int, int>> sizes;                    ///< of each
@@ -55,7 +55,7 @@ void look_at(const fs::path& file, const Board& board, Found& found) {
   }
 }
 
-/// One camera has one size: that of most images with a board.
+/// Keeps images of one size, that of most images with a board: one camera has one size.
 void keep_one_size(Found& found) {
   std::pair<int, int> size;
   std::ptrdiff_t most = 0;

@@ -14,7 +14,7 @@ struct Grid {
   int columns = 0;
   int rows = 0;
 };
-/// "9x6"
+/// Reads a grid such as "9x6".
 Grid grid_from(const std::string& flag, const std::string& text) {
   Grid grid;
   const std::size_t x = text.find('x');
@@ -27,7 +27,7 @@ Grid grid_from(const std::string& flag, const std::string& text) {
   return grid;
 }
 
-/// The words of the command line, before they are a job.
+/// Holds the words of the command line, before they are a job.
 struct Words {
   std::string chessboard, tags, model = "radtan";
   std::optional<double> square_mm, tag_mm, gap_mm;
@@ -70,7 +70,7 @@ void camera_options(CLI::App& sub, CameraJob& job, Words& words) {
   sub.add_flag("--json", job.json, "Print one JSON document");
 }
 
-/// The mount's flags, in the units of the command line.
+/// Holds the mount's flags, in the units of the command line.
 struct MountWords {
   std::optional<double> height_m, pitch_deg, forward_m, left_m, distance_m, wheels_percent;
   double distance_sigma_mm = 5.0;

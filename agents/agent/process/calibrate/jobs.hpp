@@ -10,7 +10,7 @@
 #include "agents/perception/calibration/camera_fit.hpp"
 #include "core/result.hpp"
 
-/// `weft-agent calibrate ...`: programs of their own that find out what an agent is then told with --calibration.
+/// Holds `weft-agent calibrate ...`: programs of their own that find out what an agent is told with --calibration.
 namespace weft::agents {
 
 struct CameraJob {
@@ -22,12 +22,12 @@ struct CameraJob {
   bool json = false;
 };
 
-/// A rough mount of a camera, measured by hand: good to 5 degrees and a few centimetres.
+/// Describes a rough mount of a camera, measured by hand: good to 5 degrees and a few centimetres.
 struct MountGuess {
   double height_m = 0.0, pitch_rad = 0.0, forward_m = 0.0, left_m = 0.0;
 };
 
-/// A drive to find the mount from: recorded, or of a simulated robot that is led along a line.
+/// Describes a drive to find the mount from: recorded, or of a simulated robot that is led along a line.
 struct MountJob {
   std::string recording;  ///< folder in EuRoC layout; empty: `site`, `robot`, `along`
   std::string site, robot, along;
@@ -48,7 +48,7 @@ struct JobOutput {
   std::function<double()> now_s;  ///< steady
 };
 
-/// "calibrate camera DIR ..." or "calibrate mount ...", without the program's name.
+/// Reads "calibrate camera DIR ..." or "calibrate mount ...", without the program's name.
 std::variant<CameraJob, MountJob, Leave> parse_calibrate(int argc, const char* const* argv);
 
 /// Prints a row an image and what was found; writes camera file and picture. not_found: no such folder, no images;

@@ -22,7 +22,8 @@ constexpr double kPlotWide = 800.0;
 constexpr double kBarsLeft = kMargin + kPlotWide + 50.0;
 constexpr double kBarLongest = 170.0;
 
-/// Dark blue for nothing, over green to yellow for `share` = 1 (close to "viridis", which prints well in grey).
+/// Returns a colour: dark blue for nothing, over green to yellow for `share` = 1 (close to "viridis", which prints
+/// well in grey).
 Ink heat(double share) {
   constexpr std::array<Ink, 5> kSteps = {
       {{0.27, 0.00, 0.33}, {0.23, 0.32, 0.55}, {0.13, 0.57, 0.55}, {0.37, 0.79, 0.38}, {0.93, 0.83, 0.10}}};
@@ -34,7 +35,7 @@ Ink heat(double share) {
           mix(kSteps[low].b, kSteps[low + 1].b)};
 }
 
-/// A round number of pixels near this one.
+/// Returns the largest round number of pixels, of 0.01 to 20, up to this one; below these 0.01.
 double rounded(double px) {
   double best = 0.01;
   for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
@@ -42,7 +43,7 @@ double rounded(double px) {
   return best;
 }
 
-/// The scales from which the drawing's sizes follow.
+/// Holds the scales from which the drawing's sizes follow.
 struct Scale {
   double image = 1.0;        ///< sheet units a pixel
   double full_px = 1.0;      ///< residual of the brightest colour: nineteen of twenty are smaller
@@ -93,7 +94,7 @@ void draw_legend(Canvas& sheet, const Scale& scale, double top) {
              "size of the residual; 5 % are larger, drawn at most twice as long", 12.0, kQuiet);
 }
 
-/// A bar an image; what is four times as large as usual, or more, fills the width.
+/// Draws a bar an image; what is four times as large as usual, or more, fills the width.
 void draw_bars(Canvas& sheet, const CameraFit& fit, double row) {
   double most = fit.rms_px;
   for (const ImageFit& image : fit.images) most = std::max(most, image.rms_px);
