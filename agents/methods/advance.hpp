@@ -15,8 +15,7 @@ CommonErrors corrected(const CommonErrors& common, const Relation& before, const
 /// Returns one step in place of two consecutive ones; it is `seen` only if both are.
 Step joined(const Step& first, const Step& second);
 
-/// Returns one motion in place of two consecutive ones: the mean command, and the wheels' where both have
-/// them.
+/// Returns one motion in place of two consecutive ones: the mean command, and the wheels' where both have them.
 Motion joined(const Motion& first, const Motion& second);
 
 }  // namespace weft::agents

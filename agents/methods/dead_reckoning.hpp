@@ -3,8 +3,7 @@
 
 namespace weft::agents {
 
-/// Sets the error of wheels and commands while vision is blind: one sigma, as a share of what was
-/// moved.
+/// Sets the error of wheels and commands while vision is blind: one sigma, as a share of what was moved.
 struct DeadReckoningConfig {
   double wheel_distance_share = 0.05;    ///< of the distance, along and across; (0, 1]
   double wheel_heading_share = 0.05;     ///< of the turn, and rad per metre driven; (0, 1]

@@ -202,8 +202,7 @@ concept ComparesRivals = Method<M> &&
   { m.most_of_rival(1.0) } -> std::same_as<double>;
 };
 
-/// Describes a method that steers in its own way. Default: spline + Hoffmann + PI
-/// (agents/navigation/follower.hpp).
+/// Describes a method that steers in its own way. Default: spline + Hoffmann + PI (agents/navigation/follower.hpp).
 template <class M>
 concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
   { m.steer(ahead) } -> std::same_as<Steering>;

@@ -27,8 +27,8 @@ class OtherCameras {
   /// Returns the share by which the run's camera differs; `sigma`: 1 sigma of one of which nothing has been seen yet.
   FocalShare of(const ExperienceId& run, double sigma) const;
   void moved(double metres);
-  /// Whether another word of that run's is worth asking for: views from nearly one spot show the same things, and err
-  /// alike.
+  /// Returns whether another word of that run's is worth asking for: views from nearly one spot show the same things,
+  /// and err alike.
   bool is_due(const ExperienceId& run) const;
   /// Learns from one view; `sigma` as above. What differs by more than errors explain counts as what they just
   /// explain.

@@ -10,9 +10,8 @@
 
 namespace weft::agents {
 
-/// Holds what `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane of
-/// the mount, with the calibration of the camera that saw them, so that another robot's camera can be compared with
-/// them.
+/// Holds what `floor` stores of a place (docs/formats/floor-content.md): features rectified to the floor plane of the
+/// mount, with the calibration of the camera that saw them, so that another robot's camera can be compared with them.
 struct FloorContent {
   CameraModel camera;  ///< the view's; attitude has not been applied to the features
   Attitude attitude;   ///< estimated at the view

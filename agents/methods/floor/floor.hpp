@@ -35,9 +35,8 @@ class Floor {
     Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a FloorPair says
   };
 
-  /// Names the means by which a view's motion was found. Corners are the fastest and the most exact; where they
-  /// fail (too few of them, or not on one plane), grey values are aligned, then features matched, before vision is
-  /// blind.
+  /// Names the means by which a view's motion was found. Corners are the fastest and the most exact; where they fail
+  /// (too few of them, or not on one plane), grey values are aligned, then features matched, before vision is blind.
   enum class SeenBy { nothing, corners, grey_values, features };
   static std::string_view name_of(SeenBy by);
 

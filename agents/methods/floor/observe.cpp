@@ -24,8 +24,7 @@ Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
   return axes * parts.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
 }
 
-/// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error
-/// back.
+/// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error back.
 Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
   s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
   s.keyframe_covariance = carried(s.keyframe_covariance, planar(reckoned.previous_from_current)) +
