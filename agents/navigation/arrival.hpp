@@ -14,7 +14,7 @@ class Arrival {
     std::string_view reason;  ///< set when it gives up: "goal_not_reached"
   };
 
-  /// Whether the last centimetres have begun; from then on the path is not followed any more.
+  /// Returns whether the last centimetres have begun; from then on the path is not followed any more.
   bool begun() const { return phase_ != Phase::path; }
   void begin();
   void reset() { *this = Arrival{}; }

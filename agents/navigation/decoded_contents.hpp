@@ -54,7 +54,7 @@ class DecodedContents {
     }
   }
 
-  /// Whether `signature` has been asked for this content before.
+  /// Returns whether `signature` has been asked for this content before.
   bool has_signature(const ContentHash& hash) const { return signatures_.contains(hash); }
   /// Returns a place's signature. None: the method gives none, or the content cannot be read.
   const std::optional<Signature>& signature(const Place& place, const Contents& bytes) {

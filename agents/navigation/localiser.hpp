@@ -103,7 +103,7 @@ class Localiser {
     seek_.end();
   }
 
-  /// Whether an attempt is worth its cost now. `soon`: standing where a fix is waited for.
+  /// Returns whether an attempt is worth its cost now. `soon`: standing where a fix is waited for.
   bool due(bool soon) const {
     if (seek_.active()) return true;
     if (!estimate()) return false;
@@ -226,7 +226,8 @@ class Localiser {
     }
   }
 
-  /// Tries the proposed places whose content is there; the others stay for later. True when this sample is done.
+  /// Tries the proposed places whose content is there; the others stay for later. Returns true when this sample is
+  /// done.
   bool try_proposed(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
                     std::uint32_t& tries, Outcome& outcome) {
     std::vector<PlaceId>& open = seek_.proposed();

@@ -81,7 +81,7 @@ void seed_lost(MethodNavigators& navigators, std::size_t active, const Navigatio
   }
 }
 
-/// Whether a place of that method comes soon on the route.
+/// Returns whether a place of that method comes soon on the route.
 static bool comes_soon(std::string_view method, const Window& window, const Route& route, std::uint32_t at) {
   constexpr std::uint32_t kAhead = 10;  // places
   for (std::uint32_t ahead = 0; ahead < kAhead; ++ahead) {

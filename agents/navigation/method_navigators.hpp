@@ -24,8 +24,8 @@ struct MethodNavigator {
   /// Returns its estimate carried on by the motion since its last step.
   std::optional<Estimate> now() const;
   void moves(const Motion& motion);
-  /// Whether it is to step without a view: while the robot rolls with its camera silent, at each sample, as
-  /// a robot with this camera alone would be; at rest, when images are rare, now and then.
+  /// Returns whether it is to step without a view: while the robot rolls with its camera silent, at each sample, as a
+  /// robot with this camera alone would be; at rest, when images are rare, now and then.
   bool is_due_blind() const;
   Motion take_motion(bool sees);
 };

@@ -21,8 +21,8 @@ std::string change_between(std::string_view one, std::string_view other);
 std::optional<Estimate> as_seen_by(std::string_view method, const NavigationConfig& config, const Window& window,
                                    const Estimate& known);
 
-/// Whether two estimates of the same moment may both be right, by the window's way from one to the other. A place
-/// that no way leads to agrees with nothing.
+/// Returns whether two estimates of the same moment may both be right, by the window's way from one to the other. A
+/// place that no way leads to agrees with nothing.
 bool agree(const NavigationConfig& config, const Window& window, const Estimate& one, const Estimate& other);
 
 /// Returns the method of the route's next place after `at`, at the route's end that of the last one; empty where the

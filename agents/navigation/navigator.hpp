@@ -124,8 +124,8 @@ class Navigator {
   /// Looks for where the robot is: around a seed, or, without one, in the whole window. While teaching (or just before
   /// it begins) this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
-  /// Looks for oneself in the whole window, nearest to what is believed first, and believes that until it is seen
-  /// otherwise. Who believes nothing seeks.
+  /// Looks for where the robot is in the whole window, nearest to what is believed first, and believes that until it
+  /// is seen otherwise. Who believes nothing seeks.
   virtual void look_again() = 0;
   /// Ends such a look that was in vain. A search by who believes nothing, or is lost, goes on.
   virtual void stop_looking() = 0;

@@ -48,7 +48,7 @@ class RelocalisationQueue {
   std::uint32_t pause_ = 0;
 };
 
-/// Whether the window holds places of other runs than this one.
+/// Returns whether the window holds places of other runs than this one.
 bool has_others(const Window& window, const ExperienceId& run);
 
 }  // namespace weft::agents

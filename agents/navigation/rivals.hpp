@@ -19,7 +19,7 @@ class Rivals {
 
   explicit Rivals(const M& method) : method_(&method) {}
 
-  /// Whether places are left to be looked at.
+  /// Returns whether places are left to be looked at.
   bool is_open() const { return seen_.has_value(); }
   void close() { *this = Rivals(*method_); }
 

@@ -15,9 +15,9 @@ constexpr double turn_counts_rad = 0.35;  // less than this is driven, not turne
 
 constexpr double gentle_rad = 0.2;  // how steep a bend is driven where there is a choice
 
-/// Whether `next` can be driven to from `from`, both headings kept, without a sharp bend: ahead, and no steeper to
-/// the side than the turn itself explains (an arc's chord lies half way between its headings). In front of a stitch
-/// the next places are tried instead.
+/// Returns whether `next` can be driven to from `from`, both headings kept, without a sharp bend: ahead, and no
+/// steeper to the side than the turn itself explains (an arc's chord lies half way between its headings). In front of
+/// a stitch the next places are tried instead.
 bool drivable(const Pose2& from, const Pose2& next, double steepest_rad) {
   constexpr double least_ahead_m = 0.04;
   const Pose2 step = from.inverse() * next;
@@ -25,12 +25,12 @@ bool drivable(const Pose2& from, const Pose2& next, double steepest_rad) {
   return std::abs(wrap_angle(std::atan2(step.y, step.x) - 0.5 * step.heading)) <= steepest_rad;
 }
 
-/// Whether a robot at `from` can get onto a way that leads straight on through `onto`.
+/// Returns whether a robot at `from` can get onto a way that leads straight on through `onto`.
 bool merges(const StitchConfig& config, const Pose2& from, const Pose2& onto) {
   return drivable(from, onto * Pose2{config.merge_m, 0.0, 0.0}, gentle_rad);
 }
 
-/// Whether the hop from `a` to `b` turns the robot on the spot.
+/// Returns whether the hop from `a` to `b` turns the robot on the spot.
 bool on_the_spot(const RoutePose& a, const RoutePose& b) {
   const Pose2 hop = a.robot_from_place.inverse() * b.robot_from_place;
   constexpr double least_turn_rad = 0.025;

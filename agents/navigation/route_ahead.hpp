@@ -26,9 +26,9 @@ struct RouteAround {
 /// Lays out a hop of a route in the plane: a metric relation as it is, one along a path as an arc.
 Pose2 laid_out(const Relation& a_from_b);
 
-/// Whether a robot that drives through one of two places can change over to the way through the other, in either
-/// direction: near, level, and neither so far to the side nor so much apart in heading that the bend would be steeper
-/// than a follower drives.
+/// Returns whether a robot that drives through one of two places can change over to the way through the other, in
+/// either direction: near, level, and neither so far to the side nor so much apart in heading that the bend would be
+/// steeper than a follower drives.
 bool can_cross(const StitchConfig& config, const Relation& a_from_b);
 
 /// Describes a way from the believed place to the route: to the place's own index, or to the nearest place of the

@@ -11,7 +11,7 @@
 
 namespace weft::agents {
 
-/// Whether another robot that comes by finds a place again.
+/// Says whether another robot that comes by finds a place again.
 struct Trial {
   bool found = false;
   std::string_view refused;  ///< why not; static text
