@@ -17,8 +17,8 @@ constexpr std::size_t kItems = 64;
 constexpr std::size_t kUnwanted = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t kUnderWayLeast = 256 * 1024;
 
-/// Whether a chunk can be of a content of `size` bytes: compressed bytes are fewer, so nothing that a message says
-/// takes more memory than what was asked for.
+/// Returns whether a chunk can be of a content of `size` bytes: compressed bytes are fewer, so nothing that a message
+/// says takes more memory than what was asked for.
 bool is_possible(const msg::Chunk& chunk, std::uint64_t size) {
   const bool has_room = chunk.coding == msg::Coding::raw ? chunk.total == size : chunk.total < size;
   return has_room && chunk.offset <= chunk.total && chunk.data.size() <= chunk.total - chunk.offset;

@@ -21,7 +21,7 @@ class Replica {
   void define(WindowDefinition definition, SteadyTime now);
   const WindowDefinition& definition() const { return definition_; }
 
-  /// Whether the patch answers a request of this incarnation.
+  /// Returns whether the patch answers a request of this incarnation.
   bool is_own(const msg::WindowPatch& part) const {
     return part.definition_id >= first_id_ && part.definition_id <= definition_id_;
   }

@@ -63,7 +63,7 @@ class Session {
   Heard hear(const Speaker& who, bool is_confirmed, SteadyTime now);
   bool is_server(const Speaker& who) const;
   void claim(const Speaker& who, SteadyTime now);
-  /// Whether the hello answers what is being asked now.
+  /// Returns whether the hello answers what is being asked now.
   bool answers(const msg::Hello& hello) const;
 
   msg::Hello own_;

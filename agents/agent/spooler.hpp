@@ -66,7 +66,7 @@ class Spooler {
 
   /// Returns the newest place of that experience of this robot's that the server is known to have.
   std::optional<PlaceId> newest_durable(ExperienceId experience) const;
-  /// Whether anything of the experience is still to be acknowledged.
+  /// Returns whether anything of the experience is still to be acknowledged.
   bool is_pending(ExperienceId experience) const;
 
  private:

@@ -17,15 +17,15 @@ std::vector<ContentRef> nearest_first(const Window& window, const std::vector<st
                                       const std::optional<PlaceId>& focus, const std::optional<Route>& route,
                                       std::uint32_t route_at);
 
-/// Whether the window reaches `hops` around `place` with all contents that one of `methods` reads: enough to look for
-/// oneself there.
+/// Returns whether the window reaches `hops` around `place` with all contents that one of `methods` reads: enough to
+/// look for oneself there.
 bool is_covered(const MapView& map, const std::vector<std::string>& methods, const PlaceId& place,
                 std::uint32_t hops);
 
-/// Whether the next `count` places of the route from `at` on are there with their contents.
+/// Returns whether the next `count` places of the route from `at` on are there with their contents.
 bool is_covered(const MapView& map, const Route& route, std::uint32_t at, std::uint32_t count);
 
-/// Whether `place` is within `hops` of `centre` in the window.
+/// Returns whether `place` is within `hops` of `centre` in the window.
 bool is_near(const Window& window, const PlaceId& centre, const PlaceId& place, std::uint32_t hops);
 
 /// Returns goal_from_robot through the relations of the window; none where they do not join.

@@ -22,7 +22,7 @@ class RunRecorder {
   const TaughtRun& run() const { return run_; }
   /// Begins to keep places, the first at the next view.
   void begin();
-  /// Errors of the spool: not all of it is recorded, and teaching cannot go on.
+  /// Records places that were kept. Errors of the spool: not all is recorded, and teaching cannot go on.
   Result<void> keep(const std::vector<Kept>& kept, SteadyTime now);
   /// Has the spool write what it was given, so that the newest place is on disk.
   Result<void> flush(SteadyTime now) { return uses_.spooler.flush(now); }
