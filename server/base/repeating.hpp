@@ -7,7 +7,8 @@
 
 namespace weft::server {
 
-/// Repeats of what is not answered come after the first wait, then after twice as long each time, up to the last.
+/// Bound the wait before what is not answered is repeated: the first one, then twice as long each time, up to the
+/// last.
 inline constexpr Duration kFirstRepeat = std::chrono::milliseconds(500);
 inline constexpr Duration kLastRepeat = std::chrono::seconds(4);
 inline Duration next_wait(Duration wait) {
