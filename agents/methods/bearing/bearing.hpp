@@ -47,7 +47,7 @@ class Bearing {
     std::optional<CameraRise> rise = {};
   };
 
-  /// Makes a method. invalid: a setting breaks its bound, or the camera has no focal length; every one is named.
+  /// Makes a method. invalid: a setting or the camera's focal length breaks its bound; every one is named.
   static Result<Bearing> make(const BearingConfig& config, const CameraModel& camera);
   static Result<Bearing> make(const BearingConfig& config, const Rig& rig) { return make(config, rig.camera()); }
   using Config = BearingConfig;

@@ -101,7 +101,8 @@ class Floor {
   /// b's camera stood than a's above its own, when the features tell it to 2 mm. Refusals: no_overlap, few_matches,
   /// no_consensus, few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual,
   /// disagrees_with_guess; ambiguous: the floor that both see looks the same elsewhere in a (moved by any motion, or,
-  /// with a guess, within `widest_gate_m` or twice the gate), so that the relation is one of several.
+  /// with a guess, by at most `widest_gate_m` or twice the gate, whichever is more), so that the relation is one of
+  /// several.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   /// Returns the middle of the features, in the robot's frame.
