@@ -19,7 +19,7 @@ class Contents {
 struct MapView {
   const Window& window;
   const Contents& contents;
-  /// Is another one whenever the window has changed: it can move within one revision.
+  /// Changes whenever the window does: it can move within one revision.
   std::uint64_t generation = 0;
 };
 

@@ -101,7 +101,7 @@ class PlaceLearner {
     return known;
   }
 
-  /// Sets how many metres lie between two passes: a robot that sways between two places passes neither anew.
+  /// Sets how many metres at least lie between two passes: a robot that sways between two places passes neither anew.
   static constexpr double kAnotherPassM = 1.0;
 
   const M* method_;
