@@ -10,23 +10,23 @@
 
 namespace weft::cli {
 
-/// The position of a labelled place in a frame of the site: that of a floor plan, or of an exported file.
+/// Describes where a labelled place lies in a frame of the site: that of a floor plan, or of an exported file.
 struct Anchor {
   std::string label;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< metres
   std::optional<double> heading;                       ///< of a robot at the place, radians
 };
 
-/// "LABEL=X,Y" or "LABEL=X,Y,HEADING". invalid: anything else, naming what is wrong.
+/// Reads "LABEL=X,Y" or "LABEL=X,Y,HEADING". invalid: the text is anything else; names what is wrong.
 Result<Anchor> parse_anchor(std::string_view text);
 
-/// An anchor that lies elsewhere than all others say.
+/// Describes an anchor that lies elsewhere than all the others say.
 struct Contradicting {
   std::string label;
   double off_m = 0.0;
 };
 
-/// A network moved into the site's frame: the part of it that the anchors hold.
+/// Holds a network moved into the site's frame: the part of it that the anchors hold.
 struct Anchored {
   Window network;
   Layout layout;         ///< in the site's frame
@@ -41,7 +41,7 @@ struct Anchored {
 /// parts of the network that nothing joins, or all within a metre.
 Result<Anchored> anchored(const Window& network, const Layout& layout, const std::vector<Anchor>& anchors);
 
-/// "the anchors fit within 0.12 m", for people.
+/// Returns how well the anchors fit, for people: "the anchors fit within 0.12 m".
 std::string to_text(const Anchored& result, std::size_t anchors);
 
 }  // namespace weft::cli

@@ -17,7 +17,7 @@ constexpr double kBelowChart = 50.0;
 constexpr double kChartWords = 11.0;  // sizes
 constexpr double kAxisWords = 12.0;
 
-/// The part of the canvas that the chart takes, and the ranges that it shows.
+/// Describes the part of the canvas that the chart takes, and the ranges that it shows.
 struct Frame {
   double left = 0.0;
   double top = 0.0;
@@ -30,7 +30,7 @@ struct Frame {
   }
 };
 
-/// A range that has a size.
+/// Returns the range, or one of width 1 about it when it has next to no width (below 1e-9).
 Range sized(const Range& range) {
   return range.high - range.low < 1e-9 ? Range{range.low - 0.5, range.low + 0.5} : range;
 }

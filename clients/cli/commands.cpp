@@ -13,7 +13,7 @@ constexpr Duration kReach = 10s;  ///< discovery across vendors takes seconds on
 constexpr Duration kSoon = 15s;
 constexpr Duration kAMinute = 60s;
 
-/// A command that asks the server: the function that does it, and how long an answer may take when nobody says.
+/// Describes a command that asks the server: the function that does it, and how long an answer may take by default.
 struct Asking {
   Command command;
   Exit (*run)(Session&, const Invocation&, const Output&);

@@ -9,7 +9,7 @@
 
 namespace weft::cli {
 
-/// The streams that a command's words go to. With --json exactly one document goes to `out`, errors included.
+/// Holds the streams that a command's words go to. With --json exactly one document goes to `out`, errors included.
 struct Output {
   std::ostream& out;
   std::ostream& err;
@@ -34,7 +34,7 @@ Exit run_file(const Invocation& invocation, const Output& output);
 
 /// Shows help, or what is wrong with a command line: its exit code.
 int report(const NotRun& not_run, const Output& output);
-/// "weft: ..." to err, and with --json the error as a document.
+/// Write "weft: ..." to err, and with --json the error as a document to out; return the exit code.
 Exit report(const Error& error, bool json, const Output& output);
 Exit report(const Error& error, Exit exit, bool json, const Output& output);
 /// Reports an error of a command that needs no server: what cannot be reached is a file, and the exit code is 1.
@@ -48,15 +48,15 @@ Exit run_teach_report(Session& session, const Invocation& invocation, const Outp
 /// Shows how often a robot found where it is, and what it refused.
 Exit run_counts(Session& session, const Invocation& invocation, const Output& output);
 Exit run_map(Session& session, const Invocation& invocation, const Output& output);
-/// The log of revisions, and what two of them differ in.
+/// Show the runs of the map, the log of revisions, and what two revisions differ in.
 Exit run_map_list(Session& session, const Invocation& invocation, const Output& output);
 Exit run_history(Session& session, const Invocation& invocation, const Output& output);
-/// The network that is wanted, page by page; says how far it is. refused: there is no such revision.
+/// Asks for the network that is wanted, page by page; says how far it is. refused: there is no such revision.
 Result<Window> network_at(Session& session, const Invocation& invocation, Session::Wanted wanted,
                           const Output& output);
-/// Edits of the map and upkeep of the store; long ones show how far they are.
+/// Edits the map or does upkeep of the store; long work shows how far it is.
 Exit run_map_work(Session& session, const Invocation& invocation, const Output& output);
-/// Two stretches are different floors, or a list of all that are.
+/// Records that two stretches are different floors, or lists all pairs that are.
 Exit run_apart(Session& session, const Invocation& invocation, const Output& output);
 /// Asks for the aparts of the map as it was at that revision; 0: as it is.
 Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision);
@@ -65,7 +65,7 @@ Result<NetworkPage> last_page_at(Session& session, const Invocation& invocation,
 /// Makes the request for what is to be done to the map. invalid: what the command line names is nothing that could be
 /// meant.
 Result<msg::OperatorRequest> map_work(const Invocation& invocation);
-/// Rules, and edges that one closes: laid down, listed, taken away.
+/// Lays down, lists and takes away rules, and closes single edges by rules.
 Exit run_rules(Session& session, const Invocation& invocation, const Output& output);
 /// Makes the request of a command on rules. invalid: what the command line names is no stretch.
 Result<msg::OperatorRequest> rule_request(const Invocation& invocation);
@@ -77,7 +77,7 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
 Duration patience(const Invocation& invocation);
 Result<msg::QueryReply> query_robots(Session& session, Duration at_most);
 Names names_of(const std::vector<msg::RobotRow>& robots);
-/// The server's reply, shown: its exit code.
+/// Shows the server's reply and returns its exit code.
 Exit show(const msg::OperatorReply& reply, const Invocation& invocation, const Output& output);
 
 }  // namespace weft::cli

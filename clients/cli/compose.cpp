@@ -33,7 +33,7 @@ std::string detail_of(const Subject& subject, std::size_t runs) {
   return detail;
 }
 
-/// Robots first, then labels, then runs: who comes first is nearer to what it names.
+/// Makes the tags of robots first, then of labels, then of runs: the earlier is placed nearer to what it names.
 class TagMaker {
  public:
   TagMaker(const Subject& subject, const Sheet& sheet, const WidthOf& width)

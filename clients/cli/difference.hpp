@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// The differences between two revisions of the network; each list sorted.
+/// Holds the differences between two revisions of the network; each list is sorted.
 struct NetworkDifference {
   Revision from, to;
   std::vector<PlaceId> places_added, places_removed;
@@ -20,7 +20,7 @@ struct NetworkDifference {
 };
 NetworkDifference compare(const Window& from, const Window& to);
 
-/// Sorted lists, as a snapshot has them.
+/// Compares lists that are sorted, as a snapshot has them.
 void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found);
 /// Compares rules by name.
 void compare_rules(const std::vector<Rule>& from, const std::vector<Rule>& to, NetworkDifference& found);

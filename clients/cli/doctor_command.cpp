@@ -12,7 +12,7 @@ constexpr double kSkewed = 1.0;                  // seconds
 constexpr std::uint64_t kDiskLow = 1ULL << 30U;  // bytes
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
 
-/// One thing that was looked at.
+/// Describes one thing that was looked at.
 struct Finding {
   std::string what;
   bool good = true;
@@ -44,7 +44,7 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   return found;
 }
 
-/// `has_places`: there is something that a robot could know itself in.
+/// Returns what is found of one robot. `has_places`: the map has places in which a robot could localise itself.
 std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& server_software, bool has_places) {
   const std::string name = "robot " + row.description.name;
   std::vector<Finding> found;
@@ -75,7 +75,7 @@ std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& serve
   return found;
 }
 
-/// Goals that have not got on for a while, and why; those behind another one in a queue are not news.
+/// Finds goals that have not got on for a while, and why; those that queue behind another goal are not reported.
 std::vector<Finding> of_goals(const std::vector<Goal>& goals, WallTime now) {
   constexpr double kLong = 60.0;  // seconds
   std::vector<Finding> found;

@@ -7,7 +7,7 @@
 namespace weft::cli {
 namespace {
 
-/// The share of each stretch over all of its metres, under one condition.
+/// Returns the curve of one condition: the share found again of each stretch, in percent, over its metres.
 Curve line_of(const std::vector<msg::TaughtStretch>& report, std::size_t condition, const drawing::Colour& ink,
               double thick) {
   Curve curve{words_for(report.front().found[condition].name), {}, ink, {thick}};
@@ -19,7 +19,7 @@ Curve line_of(const std::vector<msg::TaughtStretch>& report, std::size_t conditi
   return curve;
 }
 
-/// Thick below thin: where they are the same, all of them show.
+/// Returns a curve for each condition, thick ones below thin ones: where they coincide, all of them show.
 std::vector<Curve> lines_of(const std::vector<msg::TaughtStretch>& report) {
   const std::array inks = {drawing::kSky, drawing::kVermilion, drawing::kInk, drawing::kQuiet};
   constexpr std::array thick = {6.0, 3.2, 1.3, 0.8};

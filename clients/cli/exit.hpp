@@ -4,10 +4,10 @@
 
 namespace weft::cli {
 
-/// The meaning of the command's exit code; frozen, scripts rely on it.
+/// Says what the command's exit code means. The numbers are frozen, as scripts rely on them.
 enum class Exit : int { done = 0, failed = 1, usage = 2, unreached = 3, refused = 4, timed_out = 5 };
 
-/// unavailable: the server was not reached; timed_out: it was, and did not answer.
+/// Return the exit code. Of the errors, unavailable: the server was not reached; timed_out: it did not answer.
 Exit exit_of(const Error& error);
 Exit exit_of(msg::Outcome outcome);
 

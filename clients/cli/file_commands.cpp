@@ -13,7 +13,7 @@ namespace {
 
 using formats::Read;
 
-/// A file of one of the open formats.
+/// Holds what was read from a file of one of the open formats.
 using Content = std::variant<formats::PoseGraph, formats::Trajectory, formats::Cloud, formats::RouteGraph,
                              formats::GreyImage, formats::MapServerFile>;
 

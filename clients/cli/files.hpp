@@ -6,14 +6,14 @@
 
 namespace weft::cli {
 
-/// A file's bytes; unpacked if its name ends in .gz. invalid: it cannot be opened; exhausted: over 1 GiB.
+/// Return a file's bytes, unpacked if its name ends in .gz. invalid: it cannot be opened; exhausted: over 1 GiB.
 Result<Bytes> read_file(const std::string& file);
 Result<std::string> read_text(const std::string& file);
-/// exhausted: it cannot be written.
+/// Write a whole file. exhausted: it cannot be written.
 Result<void> write_file(ByteView bytes, const std::string& file);
 Result<void> write_file(const std::string& text, const std::string& file);
 
-/// The name's ending in lower case with its dot, .gz left out: ".g2o" for "A.G2O.gz"; empty if there is none.
+/// Returns the name's ending, lower case, with its dot, without .gz: ".g2o" for "A.G2O.gz"; empty if there is none.
 std::string ending_of(const std::string& file);
 
 }  // namespace weft::cli

@@ -14,7 +14,7 @@ using Command = Invocation::Command;
 constexpr Duration kBetweenLooks = 500ms;
 constexpr Duration kLook = 5s;
 
-/// The goals as they are, with names for their robots.
+/// Holds the goals as they are, with names for their robots.
 struct Goals {
   std::vector<Goal> goals;
   std::vector<Route> routes;
@@ -60,7 +60,7 @@ Result<Goals> look(Session& session, const GoalId& only, Duration at_most) {
                robots->robots,          names_of(robots->robots), session.world().wall()};
 }
 
-/// The goal whose id begins so.
+/// Returns the goal whose id begins so. not_found: no goal does, or more than one.
 Result<Goal> find(const Goals& goals, const std::string& beginning) {
   const Goal* found = nullptr;
   for (const Goal& goal : goals.goals) {

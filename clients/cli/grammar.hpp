@@ -42,7 +42,7 @@ class Grammar {
   void anchors(CLI::App& sub);
 
   // grammar_map_work.cpp
-  /// Each makes one revision, which `map undo --revision` takes back.
+  /// Adds the commands that edit the map. Each makes one revision, which `map undo --revision` takes back.
   void edits(CLI::App& map);
   void apart(CLI::App& map);
   void upkeep(CLI::App& map);
@@ -51,7 +51,7 @@ class Grammar {
   void covering(CLI::App& sub);
 
   // grammar_rules.cpp
-  /// Each change is one revision, which `map undo --revision` takes back.
+  /// Adds the commands on rules. Each change is one revision, which `map undo --revision` takes back.
   void rules();
   void one_edge(CLI::App& parent, const char* name, const char* help, Command command);
   void held(CLI::App& parent, const char* name, const char* help, Command command);

@@ -6,7 +6,7 @@
 #include "clients/cli/progress.hpp"
 #include "clients/cli/table.hpp"
 
-/// The map's past: what each revision did, and what two of them differ in.
+/// Holds the commands on the map's past: what each revision did, and what two of them differ in.
 namespace weft::cli {
 namespace {
 

@@ -27,7 +27,7 @@ Result<formats::PoseGraph> read_graphs(const std::vector<std::string>& files, co
   return formats::join(graphs);
 }
 
-/// Each label as NAME.LABEL: those that the network has already stay where they are.
+/// Puts each label as NAME.LABEL: those that the network has already stay where they are.
 Result<void> put_labels(Session& session, const formats::Import& import, const Invocation& invocation) {
   for (const auto& [label, place] : import.labels) {
     msg::OperatorRequest request;

@@ -48,7 +48,8 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-/// One line. CLI11 misses a subcommand before it looks at what stood in its place, which is what helps most.
+/// Returns one line on the mistake. CLI11 reports a missing subcommand before the word that stood in its place, though
+/// that word helps most.
 std::string mistake(const CLI::App& app, const CLI::ParseError& problem) {
   const std::vector<std::string> strays = app.remaining(true);
   std::string what = problem.what();

@@ -11,7 +11,7 @@
 
 namespace weft::cli {
 
-/// One command line, understood.
+/// Describes one command line, understood.
 struct Invocation {
   enum class Command {
     robots,
@@ -108,7 +108,7 @@ struct Invocation {
   std::optional<double> timeout_s;  ///< none: what suits the command
 };
 
-/// A command line that is not to be run: help, or a mistake with what to do.
+/// Describes a command line that is not to be run: help, or a mistake with what to do.
 struct NotRun {
   int exit_code = 2;
   std::string text;
@@ -124,8 +124,8 @@ struct Environment {
 
 std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const Environment& environment);
 
-/// A polyline, one point "x y" or "x,y" a line, metres in the site's frame; '#' begins a comment.
-/// invalid: names file, line and what is wrong.
+/// Reads a polyline, one point "x y" or "x,y" a line, metres in the site's frame; '#' begins a comment.
+/// invalid: there are fewer than two points, or a line is wrong; names the file, the line and what is wrong.
 Result<std::vector<msg::AgentCommand::Point>> parse_polyline(std::string_view text, const std::string& file);
 
 }  // namespace weft::cli

@@ -8,7 +8,7 @@
 
 namespace weft::cli {
 
-/// Names of runs (experiences); runs that have none are missing.
+/// Holds names of runs (experiences); runs that have none are missing.
 using RunNames = std::map<ExperienceId, std::string>;
 
 /// Returns the document as text: always valid, with U+FFFD where a name or a path is no UTF-8.
@@ -21,20 +21,20 @@ std::string printed(const Json& document, int indent = 2) {
 using Names = std::map<RobotId, std::string>;
 std::string name_of(const Names& names, const RobotId& robot);
 
-/// The robot's `waits` is {robot, at, needs, held_by, since}, or null.
+/// Return JSON documents of what the server answers. A robot's `waits` is {robot, at, needs, held_by, since}, or null.
 nlohmann::json to_json(const msg::RobotRow& row, const Names& names);
 nlohmann::json to_json(const msg::RobotWait& wait, const std::string& robot, const Names& names);
 nlohmann::json to_json(const GoalEvent& event);
-/// `route`: the goal's latest one, or null.
+/// Returns a goal's document. `route`: the goal's latest one, or null.
 nlohmann::json to_json(const Goal& goal, const Route* route, const Names& names, WallTime now);
 nlohmann::json to_json(const msg::Arrival& arrival);
 nlohmann::json to_json(const msg::Event& event, const Names& names);
 nlohmann::json to_json(const msg::MapInfo& info);
-/// docs/formats/records.md, network.json.
+/// Returns the document that docs/formats/records.md describes as network.json.
 nlohmann::json to_json(const Window& network, const Names& names, const RunNames& runs);
 nlohmann::json to_json(const Pose2& pose);
 
-/// "2026-11-21T10:40:03.250Z"
+/// Returns the time in UTC to the millisecond: "2026-11-21T10:40:03.250Z".
 std::string to_text(WallTime time);
 /// Returns how long the goal has taken, from when it was asked for until its end, or until now.
 double duration_s(const Goal& goal, WallTime now);

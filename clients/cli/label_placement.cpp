@@ -68,7 +68,7 @@ class Room {
   std::map<Key, std::vector<Point>> points_;
 };
 
-/// The box whose side or corner that faces the anchor lies so far from it, in a direction.
+/// Returns the box whose side or corner that faces the anchor lies `away` from it, in a direction (0: right, y down).
 Box beside(const LabelWish& wish, double away, double direction) {
   const double right = std::cos(direction);
   const double down = std::sin(direction);
@@ -105,7 +105,7 @@ std::optional<Box> near_anchor(const LabelWish& wish, const Room& room, const Bo
   return best;
 }
 
-/// Rows below a frame, filled from left to right.
+/// Places boxes in rows below a frame, filled from left to right.
 class Rows {
  public:
   explicit Rows(const Box& frame) : frame_(frame), x_(frame.left), y_(frame.bottom + kBetweenRows) {}

@@ -5,7 +5,7 @@
 
 namespace weft::cli {
 
-/// A label to be placed near what it names.
+/// Describes a label that is to be placed near what it names.
 struct LabelWish {
   Point anchor;
   double clear = 0.0;  ///< radius of the mark at the anchor, which no label covers

@@ -29,7 +29,7 @@ std::vector<PlaceId> anchors(const Window& network) {
   return firsts;
 }
 
-/// The island of `anchor`: what can be reached from it, in the anchor's frame.
+/// Returns the island of `anchor`: the places that can be reached from it, with their poses in the anchor's frame.
 std::map<PlaceId, Pose2> compose_from(const Window& network, const PlaceId& anchor) {
   std::map<PlaceId, Pose2> poses = {{anchor, Pose2{}}};
   std::deque<PlaceId> along = {anchor};
@@ -81,7 +81,7 @@ void ease(const Window& network, const PlaceId& anchor, std::map<PlaceId, Pose2>
   }
 }
 
-/// Turned so that the island lies along the sheet.
+/// Returns the turn about the origin that lays the island's longer axis along the sheet.
 Pose2 sheet_from(const std::map<PlaceId, Pose2>& poses) {
   double mean_x = 0.0;
   double mean_y = 0.0;

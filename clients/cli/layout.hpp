@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// Places on one sheet, for people: the network itself has no common frame.
+/// Lays places out on one sheet, for people: the network itself has no common frame.
 struct Layout {
   std::map<PlaceId, Pose2> drawing_from_place;
   std::size_t islands = 0;                ///< parts that no edge joins; set side by side

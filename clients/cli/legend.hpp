@@ -8,7 +8,7 @@
 
 namespace weft::cli {
 
-/// A line of the legend: a sample of a mark, and what it means.
+/// Describes a line of the legend: a sample of a mark, and what it means.
 struct LegendLine {
   enum class Sample { none, line, run, dot, label, robot, robot_lost, robot_silent, held, ahead, goal };
   Sample sample = Sample::none;
@@ -18,7 +18,7 @@ struct LegendLine {
   bool dashed = false;
 };
 
-/// Runs on the left, marks on the right.
+/// Holds the legend: runs on the left, marks on the right.
 struct Legend {
   std::vector<LegendLine> runs;
   std::vector<LegendLine> marks;

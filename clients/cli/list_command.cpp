@@ -6,7 +6,7 @@
 #include "clients/cli/table.hpp"
 #include "core/network/imported.hpp"
 
-/// The command `map list` shows what was taught and imported.
+/// Holds the command `map list`, which shows what was taught and imported.
 namespace weft::cli {
 namespace {
 
@@ -25,7 +25,7 @@ std::vector<std::string> shown_labels(const msg::ExperienceRow& row) {
   return shown;
 }
 
-/// An import is no robot's.
+/// Returns the name of the robot that taught the run; "-" for an import, which no robot taught.
 std::string taught_by(const msg::ExperienceRow& row, const Names& robots) {
   return row.method == kImportedMethod ? std::string("-") : name_of(robots, row.robot);
 }

@@ -12,7 +12,7 @@
 namespace weft::cli {
 namespace {
 
-/// "#rrggbb"
+/// Returns the colour as "#rrggbb".
 std::string to_text(const Colour& colour) {
   std::array<char, 8> text{};
   const auto byte = [](double share) { return static_cast<unsigned>(std::lround(255.0 * share)); };

@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// The network where it is to be drawn or written: as laid out, or in the site's frame.
+/// Holds the network where it is to be drawn or written: as laid out, or in the site's frame.
 struct Laid {
   Window network;
   Layout layout;

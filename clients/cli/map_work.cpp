@@ -41,7 +41,7 @@ Kind kind_of(const Invocation& invocation) {
   }
 }
 
-/// "E:I..J"; none when the text is not of that form.
+/// Reads "E:I..J"; none when the text is not of that form.
 std::optional<Stretch> parse_stretch(const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) return std::nullopt;
@@ -100,7 +100,7 @@ Result<void> put_apart(const std::vector<std::string>& named, msg::OperatorReque
   return {};
 }
 
-/// A row for each kind; the server names its numbers "kind: what".
+/// Shows a row for each kind; the server names its numbers "kind: what".
 void show_space(const msg::OperatorReply& reply, const Output& output) {
   Table table;
   table.add({"WHAT", "COUNT", "BYTES ON DISK", "AS HANDED IN"});

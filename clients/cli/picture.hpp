@@ -29,7 +29,7 @@ inline constexpr double kDetailWords = 14.0;  // size, below the title
 inline constexpr std::size_t kMostRunsListed = 12;  ///< in the legend, and named on the drawing
 inline constexpr std::size_t kMostLabels = 1000;    ///< named; others are marked only
 
-/// The subject of a drawing.
+/// Holds what is to be drawn.
 struct Subject {
   Window network;
   Layout layout;
@@ -53,13 +53,13 @@ struct Tag {
 void place(std::vector<Tag>& tags, const std::vector<Box>& marks, const std::vector<Point>& points, Sheet& sheet,
            double legend_height);
 
-/// A tag for words of a width, at an anchor that has a mark.
+/// Returns a tag for the words, as wide as they are, at an anchor that has a mark of radius `clear`.
 Tag make_tag(const std::string& words, const Point& anchor, double clear, const WidthOf& width);
 
 /// Returns a line for each of the longest runs, and for each kind of mark that there is.
 Legend legend_of(const Subject& subject, const std::vector<Run>& runs);
 
-/// A picture's words, decided before anything is drawn.
+/// Holds a picture's words and where they go, decided before anything is drawn.
 struct Picture {
   Sheet sheet;
   std::string title;

@@ -9,7 +9,7 @@
 
 namespace weft::cli {
 
-/// A floor plan to draw a network upon; the layout is in the plan's frame then.
+/// Holds a floor plan to draw a network upon; the layout is in the plan's frame then.
 struct Ground {
   formats::FloorPlan plan;
   std::string caption;  ///< where it is from, and how well the network lies on it
@@ -18,7 +18,7 @@ struct Ground {
 /// Reads a map_server file and its image, which must be a PGM. Says on `err` what of them is not understood.
 Result<formats::FloorPlan> read_floor_plan(const std::string& file, std::ostream& err);
 
-/// The four corners in the plan's frame.
+/// Returns the four corners of the plan in the plan's frame.
 std::array<Pose2, 4> corners_of(const formats::FloorPlan& plan);
 
 }  // namespace weft::cli

@@ -7,7 +7,7 @@
 namespace weft::cli {
 namespace {
 
-/// Floor white, walls dark, what is not known grey: pale enough for the network upon it.
+/// Returns white for floor, dark for walls, grey for the unknown: all pale enough for the network upon them.
 std::uint32_t colour_of(std::int8_t cell) {
   constexpr std::uint32_t kUnknown = 0xe6;
   constexpr double kFree = 255.0;

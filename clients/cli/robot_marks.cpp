@@ -9,7 +9,7 @@
 namespace weft::cli {
 namespace {
 
-/// The ends of what a robot holds: "PLACE", or "PLACE to PLACE".
+/// Reads the ends of what a robot holds: "PLACE", or "PLACE to PLACE". None: the text is of neither form.
 std::optional<std::pair<PlaceId, PlaceId>> ends_of(std::string_view occupies) {
   constexpr std::string_view between = " to ";
   const std::size_t at = occupies.find(between);
@@ -19,7 +19,7 @@ std::optional<std::pair<PlaceId, PlaceId>> ends_of(std::string_view occupies) {
   return std::pair{*from, *to};
 }
 
-/// The places of the route from the one to the other; empty when it does not lead there.
+/// Returns the places of the route from the one to the other; empty when it does not lead there.
 std::vector<PlaceId> part_of(const Route& route, const PlaceId& from, const PlaceId& to) {
   const auto first = std::ranges::find(route.places, from);
   const auto last = std::find(first, route.places.end(), to);
@@ -79,7 +79,7 @@ class MarkMaker {
     drop_strange(mark.held);
   }
 
-  /// The route of the robot's goal that is under way; null when there is none.
+  /// Returns the route of the robot's goal that is under way; null when there is none.
   const Route* under_way(const RobotId& robot) const {
     for (const Goal& goal : goals_) {
       if (goal.robot != robot || is_terminal(goal.state)) continue;

@@ -8,9 +8,10 @@
 
 namespace weft::cli {
 
-/// A robot as a picture of the network shows it.
+/// Describes a robot as a picture of the network shows it.
 struct RobotMark {
-  /// lost: it does not know where it is, and stands where it last did; silent: nothing is heard of it.
+  /// Says what is known of the robot. lost: it does not know where it is, and is drawn where it last did; silent: it
+  /// is not heard.
   enum class Look { heard, lost, silent };
   std::string name;
   std::string words;  ///< name and mode

@@ -4,7 +4,7 @@
 #include "clients/cli/table.hpp"
 #include "core/text.hpp"
 
-/// The commands on rules: what is laid down for pieces of the map.
+/// Holds the commands on rules: what is laid down for pieces of the map.
 namespace weft::cli {
 namespace {
 

@@ -6,8 +6,8 @@
 
 namespace weft::cli {
 
-/// The colours that runs are drawn in: told apart also by most people who see colours differently (any two differ by
-/// 0.12 or more in OKLab), and from stitches, grey and white.
+/// Holds the colours that runs are drawn in: told apart also by most people who see colours differently (any two
+/// differ by 0.12 or more in OKLab), and from stitches, grey and white.
 inline constexpr std::array<Colour, 20> kRunColours = {
     {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45}, {0.00, 0.00, 0.88}, {0.00, 0.38, 0.00},
      {0.00, 0.69, 1.00}, {0.00, 0.81, 0.00}, {0.38, 0.31, 1.00}, {0.63, 0.44, 0.69}, {0.69, 0.13, 0.25},

@@ -5,7 +5,7 @@
 
 namespace weft::cli {
 
-/// A run as far as it is in a network.
+/// Describes a run as far as it is in a network.
 struct Run {
   ExperienceId id;
   std::size_t places = 0;

@@ -15,26 +15,26 @@
 
 namespace weft::cli {
 
-/// The clocks and the wait that a session needs of the world; a test gives it a virtual one.
+/// Gives a session the clocks and the wait that it needs of the world; a test gives it virtual ones.
 struct World {
   std::function<SteadyTime()> now;
   std::function<WallTime()> wall;
   std::function<void(Duration)> wait;  ///< at most so long; less when something has come in
 };
 
-/// One operator's conversation with the server: asks, repeats what is not answered with the same number, and puts
-/// answers together from their parts. Not for several threads.
+/// Holds one operator's conversation with the server: asks, repeats with the same number what is not answered, and
+/// puts answers together from their parts. Not for several threads.
 class Session {
  public:
-  /// `name` is who asks, as events will show it.
+  /// Begins a conversation; `name` is who asks, as events will show it.
   Session(bus::Link& link, World world, Random random, PeerId self, std::string name);
 
-  /// unavailable: no server has answered our hello within `at_most`; refused: it speaks no protocol version that we
-  /// do.
+  /// Says hello to the server. unavailable: none has answered within `at_most`; refused: it speaks no protocol version
+  /// that we do.
   Result<msg::Hello> connect(Duration at_most);
   using Progress = std::function<void(const msg::OperatorReply&)>;
-  /// timed_out: no answer within `at_most`, and of long work no word for so long. What the request asked for may
-  /// still happen.
+  /// Sends the request and returns the answer. timed_out: none within `at_most`, and of long work no word for so long;
+  /// what the request asked for may still happen.
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
   /// Asks the server, and joins all parts of its answer. refused, internal: in the server's words, why it has none.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
@@ -43,7 +43,7 @@ class Session {
     Revision apart_from = {};  ///< only runs that differ from those of that revision; 0: all
   };
   using PageProgress = std::function<void(const PagedNetwork&)>;
-  /// The whole network, page by page, none of which may take longer than `at_most`.
+  /// Asks for the whole network, page by page, none of which may take longer than `at_most`.
   Result<Window> network(Wanted wanted, Duration at_most, const PageProgress& under_way = {});
 
   /// Uploads until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused:

@@ -12,7 +12,7 @@ using drawing::kQuiet;
 using drawing::kWhite;
 using drawing::Point;
 
-/// A rectangle of the sheet.
+/// Describes a rectangle of the sheet.
 struct Box {
   double left = 0.0;
   double top = 0.0;
@@ -25,8 +25,8 @@ inline Box around(const Point& at, double radius) {
 
 inline constexpr double kSheetMargin = 60.0;
 
-/// The sheet of a drawing: maps the drawing's metres to the sheet's units, y turned round. Title above, the network,
-/// the legend below it.
+/// Describes the sheet of a drawing: maps the drawing's metres to the sheet's units, y turned round. The title is
+/// above, the network below it, the legend last.
 struct Sheet {
   double scale = 1.0;       ///< units a metre
   double left = 0.0;        ///< the drawing's x at the margin
@@ -41,7 +41,7 @@ struct Sheet {
   void grow(const Box& taken, double legend_height);
 };
 
-/// A sheet on which all of them have room; the legend has no height yet.
+/// Returns a sheet on which all the poses have room; the legend has no height yet.
 Sheet fit(const std::vector<Pose2>& poses);
 
 /// Returns the longest round number of metres that takes at most `most` units of the sheet; at least a millimetre.

@@ -11,7 +11,7 @@
 namespace weft::cli {
 namespace {
 
-/// A condition under which places may have to be found, as robots name them.
+/// Describes a condition under which places may have to be found, as robots name them.
 struct Condition {
   const char* name;
   const char* words;
@@ -33,7 +33,7 @@ const Condition* known(const std::string& name) {
   return found == kConditions.end() ? nullptr : found;
 }
 
-/// The mildest condition under which the stretch will not be found; empty: none.
+/// Returns the mildest condition under which the stretch will not be found again; empty: there is none.
 std::string failing(const msg::TaughtStretch& stretch) {
   for (const Diagnostic& share : stretch.found)
     if (share.value < share.bound) return share.name;
@@ -46,7 +46,7 @@ std::string advice_on(const std::string& condition) {
   return "will not be found under \"" + condition + "\": teach them again when it has come";
 }
 
-/// 12 or 12.4.
+/// Returns metres to the tenth, without ".0": "12" or "12.4".
 std::string metre(double value) {
   const double tenths = std::round(10.0 * value);
   return fixed(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1);
@@ -60,14 +60,14 @@ std::string percent(double share) {
   return fixed(100.0 * share, 0) + " %";
 }
 
-/// "HALF LIGHT" of "half_light".
+/// Returns the heading of a column: "HALF LIGHT" of "half_light".
 std::string heading_of(std::string name) {
   for (char& letter : name)
     letter = letter == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   return name;
 }
 
-/// ", in half the light and on a worn floor too"; empty: places are tried as they are alone.
+/// Returns ", in half the light and on a worn floor too"; empty: places are tried as they are alone.
 std::string worse_conditions(const msg::TaughtStretch& stretch) {
   std::string words;
   for (std::size_t i = 1; i < stretch.found.size(); ++i) {

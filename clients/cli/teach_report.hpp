@@ -17,7 +17,7 @@ std::string words_for(const std::string& condition);
 /// metres, under the mildest condition under which that is so. Empty: nothing needs to be done.
 std::vector<std::string> advice_of(const std::vector<msg::TaughtStretch>& report);
 
-/// A row a stretch, and the advice.
+/// Prints a row for each stretch, and the advice.
 void print_report(const std::vector<msg::TaughtStretch>& report, std::ostream& out);
 nlohmann::json to_json(const msg::TaughtStretch& stretch);
 

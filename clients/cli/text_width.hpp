@@ -4,7 +4,7 @@
 
 namespace weft::cli {
 
-/// The widths of words at a size, in units of the sheet.
+/// Returns the width of words at a size, in units of the sheet.
 using WidthOf = std::function<double(const std::string& words, double size)>;
 
 /// Returns how wide words are on every canvas.

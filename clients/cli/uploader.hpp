@@ -14,13 +14,13 @@ namespace weft::cli {
 /// earlier ones. Pure: it is told the time and says what to send.
 class Uploader {
  public:
-  /// Batches in the order of their experiences, each experience's in order of sequence; chunks of contents up to
-  /// msg::kChunkBytes each.
+  /// Makes an uploader. Batches stand in the order of their experiences, each experience's in order of sequence;
+  /// chunks of contents have up to msg::kChunkBytes each.
   Uploader(const std::vector<Batch>& batches, const std::map<ContentHash, Bytes>& contents);
 
   /// Returns what is to be sent now; headers are the caller's.
   std::vector<msg::Message> due(SteadyTime now);
-  /// refused: the server will not have a batch; the message has its words.
+  /// Takes an acknowledgement. refused: the server will not have a batch; the message has its words.
   Result<void> hear(const msg::BatchAck& ack);
   bool done() const { return next_ == batches_.size(); }
   std::size_t acknowledged() const { return next_; }

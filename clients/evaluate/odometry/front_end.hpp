@@ -23,7 +23,7 @@ class FrontEnd {
   virtual std::optional<agents::PlanarFit> match(const agents::PlanarState& expected) = 0;
 };
 
-/// Names of all, and one by its name. They match with `prior`.
+/// Return the names of all front ends, and the one of a name. They match with `prior`.
 const std::vector<std::string>& front_ends();
 std::unique_ptr<FrontEnd> make_front_end(const std::string& name, const agents::CameraModel& camera,
                                          const agents::AttitudePrior& prior);
