@@ -52,7 +52,7 @@ class Times {
     wall_.push_back(took.wall_ms);
     processor_.push_back(took.processor_ms);
   }
-  /// `of`: what stands before the counters' names.
+  /// Reports the times. `of`: what stands before the counters' names.
   void report(benchmark::State& state, const std::string& of = "") {
     if (wall_.empty()) return;
     report(state, of, wall_);

@@ -14,7 +14,7 @@ constexpr std::array<double, 8> kStarts = {1.0, 9.0, 13.0, 33.0, 39.5, 58.0, 67.
 
 }  // namespace
 
-/// x is east along the aisle, which reaches from (0, 0) to (16, 0); the course begins at (2, 0).
+/// Lays the course out. x is east along the aisle, from (0, 0) to (16, 0); the course begins at (2, 0).
 AislesCourse::AislesCourse() : bends_({2.0, 0.0, 0.0}) {
   const auto go = [&](double metres) { bends_.go(metres); };
   const auto turn = [&](double degrees) { bends_.turn(degrees, kCurve); };
@@ -48,8 +48,8 @@ double AislesCourse::start_m(std::size_t robot, std::size_t robots) const {
   return kStarts.at(robot % robots * kStarts.size() / robots) + static_cast<double>(lap) * length_m();
 }
 
-/// Up to where the next one but one begins: every stretch is taught twice, once through its sidings and once past
-/// them, by different robots where there are enough.
+/// Returns a stretch up to where the next lesson but one begins: every stretch is taught twice, once through its
+/// sidings and once past them, by different robots where there are enough.
 Lesson AislesCourse::lesson(std::size_t robot, std::size_t robots) const {
   const std::size_t parts = robots > 2 ? 2 : robots;
   Lesson lesson{start_m(robot, robots), start_m(robot + parts, robots) + kOverlap, {}};

@@ -7,9 +7,9 @@
 
 namespace weft::simulation {
 
-/// One aisle that is driven both ways, turning round at both of its ends, and a lane that leaves it, crosses it at 90
-/// degrees and joins it again. Every robot is taught a part, so that no run holds all lanes. Two stations stand in
-/// the aisle at one spot, one for each direction; the others have sidings.
+/// Describes one aisle that is driven both ways, turning round at both of its ends, and a lane that leaves it, crosses
+/// it at 90 degrees and joins it again. Every robot is taught a part, so that no run holds all lanes. Two stations
+/// stand in the aisle at one spot, one for each direction; the others have sidings.
 class AislesCourse : public Course {
  public:
   AislesCourse();
@@ -22,7 +22,7 @@ class AislesCourse : public Course {
   Lesson lesson(std::size_t robot, std::size_t robots) const override;
 
  private:
-  /// `along_m` is of the way that has been laid out.
+  /// Adds a station; `along_m` is of the way that has been laid out.
   void station(double along_m, double right_m) { stations_.push_back({along_m, right_m}); }
 
   std::string name_ = "aisles";

@@ -13,7 +13,7 @@ class Chaos {
   /// Faults of the network only, and rarely anything worse.
   void mild();
   void full();
-  /// Everything heals and comes up again.
+  /// Ends all faults: everything heals and comes up again.
   void over();
   /// Plays what is due; to be called every few simulated seconds.
   void play();

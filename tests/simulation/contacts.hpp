@@ -9,7 +9,7 @@
 
 namespace weft::simulation {
 
-/// A body at a moment, by the truth.
+/// Describes a body at a moment, by the truth.
 struct Stance {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   double radius_m = 0.0;
@@ -27,9 +27,9 @@ class Contacts {
     double gap_m = 0.0;  ///< between the two circles; negative
   };
 
-  /// The body is there now. Returns those that it touches by a robot's own doing.
+  /// Notes that the body is there now. Returns those that it touches by a robot's own doing.
   std::vector<Touch> moved(const RobotId& robot, const Stance& now);
-  /// A hand has just let it go, on a way that `other` may drive.
+  /// Notes that a hand has just let the robot go, on a way that `other` may drive.
   void put_down_before(const RobotId& robot, const RobotId& other) { put_down_.emplace(robot, other); }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace weft::simulation {
 
-/// A spot that robots are sent to: so far along the course, and beside it where a siding leads past.
+/// Describes a spot that robots are sent to: so far along the course, and beside it where a siding leads past.
 struct Station {
   double at_m = 0.0;
   double right_m = 0.0;  ///< of the course, in its siding; negative: left; 0: on the course itself
@@ -20,14 +20,14 @@ struct Lesson {
   std::vector<std::size_t> through;
 };
 
-/// The one closed way of a site that holds all its lanes, in the order and direction in which they are driven. It may
-/// come by one spot several times. Metres along it; every distance is taken modulo the length.
+/// Describes the one closed way of a site that holds all its lanes, in the order and direction in which they are
+/// driven. It may come by one spot several times. Distances are metres along it, taken modulo its length.
 class Course {
  public:
   virtual ~Course() = default;
   virtual const std::string& name() const = 0;
   virtual double length_m() const = 0;
-  /// Point and direction.
+  /// Returns the point and the direction of the course there.
   virtual Pose2 at(double along_m) const = 0;
   virtual const std::vector<Station>& stations() const = 0;
   /// Returns where a robot of so many stands at first.

@@ -385,7 +385,7 @@ void Fleet::look_when_quiet() {
   if (server_.service) ledger_.look_when_quiet(*server_.service, *server_.disk);
 }
 
-/// FNV-1a over time, kind and sender's choice of bytes (Fowler, Noll & Vo).
+/// Mixes time, kind and some fields of the message into the run's hash: FNV-1a (Fowler, Noll & Vo).
 void Fleet::record(const msg::Message& message) {
   ++messages_;
   const auto mix = [this](std::uint64_t value) {

@@ -33,8 +33,8 @@ struct FleetConfig {
   bool checks_waits = false;  ///< whether the server has to say why each robot stands that has a goal
 };
 
-/// Server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at any
-/// moment and started again on what its disk holds; each has clocks of its own.
+/// Runs server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at
+/// any moment and started again on what its disk holds; each has clocks of its own.
 class Fleet {
  public:
   explicit Fleet(const FleetConfig& config);
@@ -51,17 +51,18 @@ class Fleet {
   bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
   std::size_t robots() const { return robots_.size(); }
   void partition(std::size_t robot, bool cut);
-  /// The process stands still and hears nothing until it goes on; what is sent to it waits.
+  /// Makes the server stand still, or go on. It hears nothing until it goes on; what is sent to it waits.
   void hang_server(bool hangs);
   void hang_robot(std::size_t robot, bool hangs);
-  /// Somebody says once that it is the server, in the highest epoch there is, and answers nothing.
+  /// Sends once, as a stranger, that it is the server, in the highest epoch there is, answers nothing; false: removes
+  /// it.
   void stray_server(bool speaks);
   void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
   storage::MemoryDisk& disk() { return *server_.disk; }
 
   void send(msg::OperatorRequest request);
   void send(msg::Query query);
-  /// The answers that the client has had since the last call.
+  /// Returns the answers that the client has had since the last call.
   std::vector<msg::OperatorReply> take_replies();
   std::vector<msg::QueryReply> take_answers();
 
@@ -77,12 +78,12 @@ class Fleet {
   const std::string& name(std::size_t robot) const { return robots_[robot].name; }
 
   Ledger& ledger() { return ledger_; }
-  /// A few places in a row of an experience that has ended, as the map has it; none while the server is down.
+  /// Returns a few places in a row of an experience that has ended, as the map has it; none while the server is down.
   Removal some_places(Random& random) const;
   void look_when_quiet();
   /// Returns how often robots were asked to make way, and standstills ended.
   std::uint64_t ways_made() const;
-  /// The server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
+  /// Returns the server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
   std::vector<std::string> diary() const;
   /// Returns a hash over every message of the run, in order: the same seed gives the same.
   std::string trace() const;

@@ -8,7 +8,7 @@
 
 namespace weft::simulation {
 
-/// Numbered marks all over a floor. Some carry a number that another one carries too.
+/// Holds numbered marks all over a floor. Some carry a number that another one carries too.
 class MarkedFloor {
  public:
   /// Lays marks from (x, y) on, in whole metres.

@@ -15,7 +15,7 @@
 
 namespace weft::simulation {
 
-/// A robot on a site that sees marks: noisy, sometimes nothing, sometimes the marks of quite another spot.
+/// Simulates a robot on a site that sees marks: noisy, sometimes nothing, sometimes the marks of quite another spot.
 class MarksBody : public agents::Body {
  public:
   MarksBody(std::shared_ptr<const Site> site, const Pose2& site_from_robot, Random random);

@@ -61,8 +61,8 @@ void Operator::stop_a_while(std::size_t robot) {
   }
 }
 
-/// A stretch of the map goes, with who drives there, and comes back. Whose server ended before it answered hears
-/// that nothing is left to take out, and finds the edit in the log.
+/// Takes a stretch of the map out, with who drives there, and puts it back. If the server ends before it answers, the
+/// request when repeated hears that nothing is left to take out; the edit is then found in the log.
 void Operator::edit_a_while() {
   msg::OperatorRequest request;
   request.kind = msg::OperatorRequest::Kind::quarantine;

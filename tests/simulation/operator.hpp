@@ -29,13 +29,13 @@ class Operator {
   /// Gives each robot its lesson, or tells it where it stands on a stored map; then sends each to a station. False
   /// when it could not be done in time.
   bool begin(MapFrom map);
-  /// One random errand. Never waits longer than a few minutes for it.
+  /// Lets time pass; faults play.
   void errand();
   /// Looks at the goals that have not ended, and helps.
   void help();
-  /// Time passes; faults play.
+  /// Returns the number of goals that this operator has not seen end, as of its last look.
   void pass(Duration time);
-  /// Goals that this operator has not seen end, as of its last look.
+  /// Returns why `begin` gave up.
   std::size_t open_goals() const { return open_.size(); }
   /// Returns why `begin` gave up.
   const std::string& trouble() const { return trouble_; }

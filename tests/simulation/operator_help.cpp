@@ -59,7 +59,7 @@ bool Operator::has_errand(std::size_t robot) const {
   });
 }
 
-/// Those that nobody is sent to, and where nobody stands, as one sees who walks there.
+/// Returns the stations that nobody is sent to, and where nobody stands, as one sees who walks there.
 std::vector<std::string> Operator::free_stations() const {
   std::vector<std::string> free;
   for (const auto& [label, station] : stations_) {
@@ -126,7 +126,7 @@ std::map<GoalId, std::vector<Goal>> Operator::look_at(std::vector<GoalId> goals)
   return found;
 }
 
-/// `weft map log`: the latest revision, when it took places out of the map; 0 when the latest edit was another one.
+/// Returns, from `weft map log`, the latest revision if it took places out of the map; 0 when the latest edit did not.
 Revision Operator::quarantined() {
   msg::Query query;
   query.kind = msg::Query::Kind::log;
@@ -140,7 +140,7 @@ Revision Operator::quarantined() {
   return {};
 }
 
-/// A robot that stands askew, where a hand has left it, cannot set off.
+/// Notes the goal's robot if it has failed off its route: left askew by a hand, it cannot set off.
 void Operator::note_stray(const Goal& goal) {
   const bool is_off = goal.state == GoalState::failed && goal.history.back().cause == "off_route";
   if (const auto robot = serving(goal); is_off && robot) strays_.insert(*robot);

@@ -120,8 +120,8 @@ void Operator::teach_stop(std::size_t robot) {
   ask(stop);
 }
 
-/// Nobody leads a robot into another one, nor nearer to one that is close already; into the way of another one,
-/// perhaps.
+/// Returns whether a hand may lead the robot along the line: never into another one, nor nearer to one that is close
+/// already; into the way of another one, perhaps.
 bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line, bool leaving) const {
   constexpr double room_m = 1.5;
   constexpr double leaving_m = 1.0;
@@ -138,7 +138,7 @@ bool Operator::is_clear(std::size_t robot, const std::vector<agents::SitePoint>&
   return true;
 }
 
-/// A hand takes an idle robot a few metres along the course, teaching.
+/// Leads an idle robot by hand a few metres along the course, teaching.
 bool Operator::teach_more(std::size_t robot) {
   if (fleet_.state(robot).mode != msg::RobotMode::idle || !fleet_.state(robot).localised) return false;
   const Site& site = fleet_.site();
@@ -150,7 +150,7 @@ bool Operator::teach_more(std::size_t robot) {
   return true;
 }
 
-/// A hand turns an idle robot and takes it to a free siding, around whoever stands near, and tells it where that is.
+/// Turns an idle robot by hand, takes it to a free siding, around whoever stands near, and tells it where that is.
 void Operator::take_away(std::size_t robot) {
   constexpr double before_m = 3.5;  // along the siding, so that it stands as it was taught there
   if (!is_idle(robot)) return;

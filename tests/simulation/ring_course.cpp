@@ -14,7 +14,7 @@ constexpr double kAside = 1.8;
 constexpr double kFirstStart = 9.0;
 constexpr double kOverlap = 1.5;  // a lesson goes on past its beginning
 
-/// Point and heading on one side of the ring and the corner that follows it.
+/// Returns point and heading on one side of the ring and the corner that follows it.
 Pose2 along_side(double at_m, double straight_m) {
   if (at_m <= straight_m) return {at_m, 0.0, 0.0};
   const double angle = (at_m - straight_m) / kRadius;

@@ -6,8 +6,8 @@
 
 namespace weft::simulation {
 
-/// A one-way ring of aisles with a siding at each station, driven counter-clockwise. Every robot is taught the whole
-/// ring, through sidings of its own.
+/// Describes a one-way ring of aisles with a siding at each station, driven counter-clockwise. Every robot is taught
+/// the whole ring, through sidings of its own.
 class RingCourse : public Course {
  public:
   RingCourse();

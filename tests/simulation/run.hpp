@@ -33,7 +33,7 @@ struct RunResult {
   std::vector<std::string> diary;  ///< what the server's store holds as events, and how each goal stands
 };
 
-/// One whole life of a fleet: taught, sent about under faults, left alone. Pure: the config decides everything.
+/// Runs one whole life of a fleet: taught, sent about under faults, left alone. Pure: the config decides everything.
 RunResult run(const RunConfig& config);
 
 }  // namespace weft::simulation

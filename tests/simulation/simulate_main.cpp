@@ -63,13 +63,13 @@ std::string settle(Options& options) {
   return {};
 }
 
-/// One fleet's life: a seed on a site.
+/// Names one fleet's life: a seed on a site.
 struct Life {
   std::string site;
   std::uint64_t seed = 0;
 };
 
-/// Every seed on every site, seed by seed.
+/// Returns the lives of every seed on every site, seed by seed.
 std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
   std::vector<Life> lives;
   for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
@@ -103,7 +103,7 @@ std::string one(const Options& options, const Life& life) {
   return line.str() + "\n";
 }
 
-/// Every jobs-th life, a line each into the pipe.
+/// Runs every jobs-th life and writes a line each into the pipe.
 void work(const Options& options, const std::vector<Life>& lives, std::size_t worker, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   // Windows come and go all the time: their memory is kept, not handed back and cleared again.
@@ -128,7 +128,7 @@ struct Totals {
   std::map<std::string, std::uint64_t> goals;
 };
 
-/// The totals of each site.
+/// Holds the totals of each site.
 using Tally = std::map<std::string, Totals>;
 
 void add(Tally& tally, const std::string& line) {

@@ -85,7 +85,7 @@ const std::vector<std::string>& site_names() {
   return names;
 }
 
-/// The marks reach some metres beyond the course.
+/// Makes the site. Its marks reach some metres beyond the course.
 Site make_site(std::string_view name, Random random) {
   if (name == "ring") return {std::make_unique<RingCourse>(), MarkedFloor(-6.0, -6.0, 46, 28, random)};
   if (name == "aisles") return {std::make_unique<AislesCourse>(), MarkedFloor(-10.0, -14.0, 38, 28, random)};

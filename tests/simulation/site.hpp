@@ -47,9 +47,9 @@ class Site {
 /// Returns what a robot's camera reads there, with its noise.
 agents::Marks read_marks(const Site& site, const Pose2& site_from_robot, Random& random);
 
-/// The names of all sites.
+/// Returns the names of all sites.
 const std::vector<std::string>& site_names();
-/// `name` is one of them.
+/// Makes the site of that name, which must be one of them.
 Site make_site(std::string_view name, Random random);
 /// Makes a site of aisles on a grid, large enough for so many robots.
 Site make_large_site(std::size_t robots, Random random);

@@ -6,7 +6,7 @@
 
 namespace weft::test {
 
-/// An aisle of 16 m between racks with stock, along x at y = 6, and a robot that looks ahead in it.
+/// Returns a site: an aisle of 16 m between racks with stock, along x at y = 6 m, and a robot that looks ahead in it.
 inline agents::sim::Site aisle_site() {
   using namespace agents::sim;
   Site site;

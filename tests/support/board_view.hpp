@@ -15,7 +15,7 @@
 
 namespace weft::agents::test {
 
-/// A print with a white margin; `pixels_per_m` of the paper, the board's first point at `origin_px`.
+/// Holds a print of a board with a white margin; `pixels_per_m` of the paper, the board's first point at `origin_px`.
 struct Print {
   cv::Mat grey;
   double pixels_per_m = 0.0;
@@ -36,7 +36,8 @@ inline Print print_of(const ChessBoard& board) {
   return print;
 }
 
-/// Rows counted from below, as Kalibr prints them, or from above; with Kalibr's squares between tags or without.
+/// Prints the board with its rows counted from below, and squares between the tags, as Kalibr prints it, or with the
+/// rows from above and no squares.
 inline Print print_of(const TagBoard& board, bool as_kalibr) {
   const int bits = as_kalibr ? 10 : 8;
   constexpr int bit = 12;
@@ -65,7 +66,7 @@ inline Print print_of(const TagBoard& board, bool as_kalibr) {
   return print;
 }
 
-/// Each pixel is the mean of 2 x 2 rays.
+/// Renders the print as the camera sees it; each pixel is the mean of 2 x 2 rays.
 inline Image view_of(const Print& print, const CameraModel& camera, const Pose3& camera_from_board, Random& random) {
   const Pose3 board_from_camera = camera_from_board.inverse();
   const Eigen::Vector3d& eye = board_from_camera.translation;
@@ -90,8 +91,8 @@ inline Image view_of(const Print& print, const CameraModel& camera, const Pose3&
   return {camera.width, camera.height, std::move(pixels)};
 }
 
-/// A board held `distance_m` away, its middle at that pixel, tilted about the image's x and y and turned about its
-/// axis.
+/// Returns camera_from_board of a board held `distance_m` away, its middle at that pixel, tilted about the image's x
+/// and y and turned about its axis.
 inline Pose3 held(const Print& print, const CameraModel& camera, const Eigen::Vector2d& pixel, double distance_m,
                   double tilt_x_rad, double tilt_y_rad, double turn_rad) {
   Pose3 camera_from_board;

@@ -26,7 +26,7 @@ struct Shot {
   std::uint64_t seed = 1;   ///< of the noise
 };
 
-/// Grey texture over metres. Coordinates beyond it are mirrored: keep away from the rim.
+/// Holds a grey texture over metres. Coordinates beyond it are mirrored: keep away from the rim.
 class FlatFloor {
  public:
   static constexpr double metres_per_texel = 0.00125;
@@ -59,7 +59,7 @@ class FlatFloor {
     return floor;
   }
 
-  /// Random crops, turned and feathered: a photograph made into a floor without repetition.
+  /// Makes a floor without repetition of a photograph: random crops of it, turned and feathered.
   static FlatFloor quilted(const cv::Mat& photograph, double metres_per_pixel, std::uint64_t seed, double length_m,
                            double width_m) {
     constexpr int patch = 360;
@@ -92,7 +92,7 @@ class FlatFloor {
     return floor;
   }
 
-  /// One square of a procedural floor again and again.
+  /// Makes a floor that repeats one square of a procedural floor.
   static FlatFloor tiled(std::uint64_t seed, double tile_m, double length_m, double width_m) {
     const FlatFloor one = procedural(seed, tile_m, tile_m);
     FlatFloor floor;
@@ -178,7 +178,8 @@ class FloorCamera {
     return image;
   }
 
-  /// A straight edge on the floor, at 45 degrees, wherever x + y passes a multiple of 1.6 m.
+  /// Darkens every second stripe of the floor: its straight edges, at 45 degrees, are where x + y passes a multiple of
+  /// 1.6 m.
   static void darken(const cv::Mat& texels, cv::Mat& fine) {
     for (int r = 0; r < fine.rows; ++r) {
       const auto* at = texels.ptr<cv::Vec2f>(r);
@@ -195,7 +196,7 @@ class FloorCamera {
   cv::Mat vignette_;
 };
 
-/// The paper's camera with a lens.
+/// Returns the paper's camera with a lens that distorts.
 inline agents::CameraModel paper_camera(std::string id = "true") {
   agents::CameraModel camera;
   camera.id = std::move(id);
@@ -204,7 +205,7 @@ inline agents::CameraModel paper_camera(std::string id = "true") {
   return camera;
 }
 
-/// The calibration that a robot is given: off by 0.3 % of focal length, 3 mm and 0.3 degrees of mount (1 sigma each).
+/// Returns a robot's calibration: off by 0.3 % of focal length, 3 mm and 0.3 degrees of mount (1 sigma each).
 inline agents::CameraModel miscalibrated(const agents::CameraModel& truth, std::uint64_t seed, double amount = 1.0) {
   Random random(seed);
   const double deg = M_PI / 180.0;
@@ -219,7 +220,7 @@ inline agents::CameraModel miscalibrated(const agents::CameraModel& truth, std::
   return given;
 }
 
-/// Vibration: three sines between 5 and 20 Hz for each of pitch, roll and height.
+/// Simulates vibration: three sines between 5 and 20 Hz for each of pitch, roll and height.
 class Vibration {
  public:
   Vibration(std::uint64_t seed, double tilt_rms_rad = 0.05 * M_PI / 180.0, double height_rms_m = 0.001)

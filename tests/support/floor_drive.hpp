@@ -34,7 +34,7 @@ struct Driven {
   std::map<std::string, int, std::less<>> reasons;
   agents::Floor::Odometry odometry;
 
-  /// Share of the distance, signed.
+  /// Returns the error of the distance seen as a share of the true distance, signed.
   double distance_error() const { return seen_motion.translation().norm() / true_motion.translation().norm() - 1.0; }
   double heading_error_deg_per_m() const {
     return std::abs(wrap_angle(seen_motion.heading - true_motion.heading)) * 180.0 / M_PI / length_m;
@@ -90,7 +90,7 @@ inline Driven drive(const agents::Floor& method, const FloorCamera& eye, const F
   return out;
 }
 
-/// A view of the floor from a pose, and the content that the method keeps of it.
+/// Renders a view of the floor from a pose, and returns the content that the method keeps of it.
 inline agents::OrRefusal<agents::FloorContent> look(const agents::Floor& method, const FloorCamera& eye,
                                                     const FlatFloor& floor, const Pose2& floor_from_robot,
                                                     const agents::Attitude& attitude, const Shot& shot) {

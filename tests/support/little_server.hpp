@@ -43,7 +43,7 @@ class LittleServer final : public agents::Contents {
   const Window& window() const { return window_; }
   const Snapshot& snapshot() const { return snapshot_; }
 
-  /// The shortest route, released to its end.
+  /// Returns the shortest route, released to its end.
   Route route(const PlaceId& from, const PlaceId& to, const std::string& method) const {
     return route(from, to, std::set<std::string>{method});
   }

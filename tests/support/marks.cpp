@@ -9,7 +9,7 @@ namespace weft::agents {
 
 namespace {
 
-/// One mark as seen from both views.
+/// Describes one mark as seen from both views.
 struct Common {
   Pose2 a_from_mark;
   Pose2 b_from_mark;
@@ -36,7 +36,7 @@ bool agrees(const MarksConfig& config, const Common& common, const Pose2& a_from
          std::abs(wrap_angle(predicted.heading - common.a_from_mark.heading)) <= config.agree_rad;
 }
 
-/// Least squares over positions and headings of the marks (Procrustes in the plane, closed form).
+/// Fits a_from_b by least squares over positions and headings of the marks (Procrustes in the plane, closed form).
 Metric2 fit(const MarksConfig& config, const std::vector<Common>& inliers) {
   Eigen::Vector2d mean_a = Eigen::Vector2d::Zero();
   Eigen::Vector2d mean_b = Eigen::Vector2d::Zero();

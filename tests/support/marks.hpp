@@ -9,7 +9,7 @@
 
 namespace weft::agents {
 
-/// Numbered marks as a noisy sensor saw them; in a view they are its payload.
+/// Holds numbered marks as a noisy sensor saw them; in a view they are its payload.
 struct Marks {
   struct Sighting {
     std::uint64_t mark = 0;
@@ -32,17 +32,18 @@ struct MarksConfig {
   DeadReckoningConfig blind;
   MotionGate gate;  ///< of one step of odometry
 };
-/// Every bound that does not hold.
+/// Returns every bound that the configuration does not keep.
 std::vector<Error> check(const MarksConfig& config);
 
-/// The test-only method: numbered marks at noisy poses. A content is the list of marks seen; two contents are related
-/// by the motion that most of their common marks agree on. Wrong sightings (one number in two places) are outvoted.
+/// Implements the test-only method: numbered marks at noisy poses. A content is the list of marks seen; two contents
+/// are related by the motion that most of their common marks agree on. Wrong sightings (one number in two places) are
+/// outvoted.
 class MarksMethod {
  public:
   static constexpr std::string_view name = "marks";
   static constexpr std::uint32_t content_format = 1;
   using Sighting = Marks::Sighting;
-  /// Sorted by mark, each once.
+  /// Holds the marks that were seen, sorted by mark, each once.
   struct Content {
     std::vector<Sighting> sightings;
   };
@@ -53,20 +54,20 @@ class MarksMethod {
 
   explicit MarksMethod(const MarksConfig& config = {}) : config_(config) {}
 
-  /// Seen: common marks of the last two views agree. Blind: "no_view", "disagrees_with_wheels",
-  /// "disagrees_with_command", or what relate refused for.
+  /// Infers the motion since the last view. Seen: common marks of the last two views agree. Blind: "no_view",
+  /// "disagrees_with_wheels", "disagrees_with_command", or what relate refused for.
   Step observe(Odometry& odometry, const View* view, const Motion& motion) const;
-  /// Refused: "no_marks", "not_marks" (another sensor's view).
+  /// Returns the marks of a view. Refused: "no_marks", "not_marks" (another sensor's view).
   OrRefusal<Content> extract(const Odometry& odometry, const View& view) const;
-  /// Little-endian, nothing may follow: count of sightings (u64, at most 10000), then of each its mark (u64,
-  /// increasing) and x, y (m) and heading (rad) of robot_from_mark (f64, finite).
+  /// Writes, little-endian: count of sightings (u64, at most 10000), then of each its mark (u64, increasing) and x, y
+  /// (m) and heading (rad) of robot_from_mark (f64, finite). Nothing may follow.
   Bytes encode(const Content& content) const;
   Result<Content> decode(ByteView bytes) const;
-  /// Refused: "few_marks", "inconsistent_marks", "too_far_apart".
+  /// Relates two contents by their common marks. Refused: "few_marks", "inconsistent_marks", "too_far_apart".
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
-  /// Histogram of mark numbers in 32 bins, of unit length; none without marks.
+  /// Returns a histogram of mark numbers in 32 bins, of unit length; none without marks.
   std::optional<Signature> sign(const Content& content) const;
-  /// The middle of the marks seen; ahead of the robot.
+  /// Returns the middle of the marks seen, in the robot's frame: it lies ahead of the robot.
   Eigen::Vector2d gaze(const Content& content) const;
 
  private:

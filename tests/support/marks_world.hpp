@@ -28,7 +28,8 @@ struct MarksWorldConfig {
   std::vector<Disc> blank;  ///< nothing can be seen here
 };
 
-/// A floor of numbered marks. Fixed after construction; the site frame has its origin in the lower left corner.
+/// Describes a floor of numbered marks. Fixed after construction; the site frame has its origin in the lower left
+/// corner.
 class MarksWorld {
  public:
   MarksWorld(const MarksWorldConfig& config, std::uint64_t seed) : config_(config) {
@@ -92,7 +93,7 @@ struct MarksRobotConfig {
   double dropped_share = 0.0;  ///< of views
 };
 
-/// A unicycle on a floor of marks: one view, one step of the wheels a sample.
+/// Simulates a unicycle on a floor of marks: one view and one step of the wheels a sample.
 class MarksRobot {
  public:
   MarksRobot(const MarksWorld& world, const MarksRobotConfig& config, const Pose2& start, std::uint64_t seed)

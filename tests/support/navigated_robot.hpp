@@ -17,7 +17,7 @@ namespace weft::test {
 /// Tells where places truly are: for judging only.
 using Truth = std::map<PlaceId, Pose2>;
 
-/// A robot on a floor of marks with a navigator, and a hand that can drive it along a path in the site frame.
+/// Simulates a robot on a floor of marks with a navigator, and a hand that drives it along a path in the site frame.
 class NavigatedRobot {
  public:
   NavigatedRobot(const MarksWorld& world, const MarksRobotConfig& config, const Pose2& start, std::uint64_t seed,
@@ -27,7 +27,7 @@ class NavigatedRobot {
   agents::Navigator& navigator() { return *navigator_; }
   const Pose2& world_from_robot() const { return body_.world_from_robot(); }
 
-  /// One sample: the body moves by the last command, then the navigator sees.
+  /// Takes one sample: the body moves by the last command, then the navigator sees.
   agents::Navigated step(const agents::MapView& map, bool hand = false) {
     agents::Sample sample = body_.step(command_);
     sample.hand = hand;
@@ -61,7 +61,7 @@ class NavigatedRobot {
     if (!live) server.take(experience, robot, navigator_->method(), all);
   }
 
-  /// A hand drives along the path and stops at its end.
+  /// Drives the robot by hand along the path and stops at its end.
   template <class Step>
   void hand(const std::vector<Pose2>& path, Step&& one_step) {
     agents::Tracker tracker;
@@ -109,14 +109,14 @@ class NavigatedRobot {
   agents::Twist command_;
 };
 
-/// Poses every 0.2 m (0.13 rad) along straights and arcs.
+/// Makes a path of poses every 0.2 m (0.13 rad) along straights and arcs.
 class Course {
  public:
   explicit Course(const Pose2& start) { poses.push_back(start); }
   Course& straight(double metres) { return arc(metres, 0.0); }
-  /// Left for positive turns.
+  /// Adds an arc, to the left for positive turns.
   Course& turn(double radius_m, double radians) { return arc(radius_m * std::abs(radians), radians); }
-  /// The same path `metres` to the left.
+  /// Returns the same path, moved by `metres` to the left.
   std::vector<Pose2> beside(double metres) const {
     std::vector<Pose2> moved;
     for (const Pose2& pose : poses) moved.push_back(pose * Pose2{0.0, metres, 0.0});
@@ -139,7 +139,7 @@ inline double distance(const Pose2& a, const Pose2& b) {
 inline double turned(const Pose2& a, const Pose2& b) {
   return std::abs(wrap_angle(a.heading - b.heading));
 }
-/// Distance of a point to a chain of poses, joined by straight lines.
+/// Returns the distance of a point to a chain of poses that are joined by straight lines.
 inline double distance_to(const std::vector<Pose2>& path, const Pose2& pose) {
   double best = 1e9;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {

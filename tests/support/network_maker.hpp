@@ -6,7 +6,7 @@
 #include "core/network/change.hpp"
 #include "core/random.hpp"
 
-/// Seeded networks for tests: valid, and with nothing regular about them.
+/// Makes networks for tests from a seed: valid, and with nothing regular about them.
 namespace weft::support {
 
 template <class Id>
@@ -49,7 +49,7 @@ inline Relation random_relation(Random& random) {
   }
 }
 
-/// One step of a planar teach: forward, turning a little.
+/// Returns one step of a planar teach: forward, turning a little.
 inline Relation random_step(Random& random) {
   return Metric2{{random.uniform(0.1, 0.5), random.normal(0.0, 0.02), random.normal(0.0, 0.2)},
                  random_covariance<3>(random)};
@@ -96,7 +96,7 @@ inline Edge make_stitch(Random& random, const PlaceId& a, const PlaceId& b, cons
   return edge;
 }
 
-/// Any place of the snapshot; it must have one.
+/// Returns any place of the snapshot, which must have one.
 inline PlaceId pick_place(Random& random, const Snapshot& snapshot) {
   std::uint64_t number = random.below(snapshot.place_count());
   for (const auto& [id, experience] : snapshot.experiences()) {
@@ -106,7 +106,7 @@ inline PlaceId pick_place(Random& random, const Snapshot& snapshot) {
   return {};
 }
 
-/// A batch that fits the snapshot.
+/// Makes a batch that fits the snapshot.
 inline Batch make_batch(Random& random, const Snapshot& snapshot, const BatchPlan& plan) {
   Batch batch;
   batch.experience = plan.experience;

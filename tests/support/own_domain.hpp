@@ -9,8 +9,8 @@
 
 namespace weft::test {
 
-/// A DDS domain in 100 to 149 that no other process of the tests has while this lives: tests run side by side, and a
-/// server's port is its domain's. The lock goes with the process, however it ends.
+/// Holds a DDS domain in 100 to 149 that no other process of the tests has while this lives: tests run side by side,
+/// and a server's port is its domain's. The lock goes with the process, however it ends.
 class OwnDomain {
  public:
   OwnDomain() {

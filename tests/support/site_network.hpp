@@ -6,7 +6,7 @@ namespace weft::support {
 
 using TruePoses = std::vector<std::pair<PlaceId, Pose2>>;  ///< site_from_place
 
-/// The generated site as a snapshot, at the revision that its batches would have led to. Linear time.
+/// Returns the generated site as a snapshot, at the revision that its batches would have led to. Takes linear time.
 inline Snapshot make_site(const SitePlan& plan, TruePoses* truth = nullptr) {
   SiteGenerator generator(plan);
   storage::NetworkBuilder builder;

@@ -8,7 +8,7 @@
 
 namespace weft::test {
 
-/// A differential-drive base as tests need it: first-order lag, transport delay, and drive that slips.
+/// Describes a differential-drive base as tests need it: first-order lag, transport delay, and drive that slips.
 struct UnicycleConfig {
   double lag_s = 0.12;
   int delay_samples = 1;
@@ -37,7 +37,7 @@ class Unicycle {
   }
 
   const Pose2& world_from_robot() const { return pose_; }
-  /// Moved by the last `drive`.
+  /// Returns the base's motion in the last `drive`.
   const Pose2& last_step() const { return step_; }
   /// Returns what the wheels turned, slip and all.
   const agents::Twist& wheels() const { return now_; }

@@ -10,7 +10,7 @@
 
 namespace weft::test {
 
-/// A wall of cards of all sizes and greys, wider than a view: what a camera that turns sees of far things.
+/// Holds a wall of cards of all sizes and greys, wider than a view: what a camera that turns sees of far things.
 class UprightScene {
  public:
   UprightScene(std::uint64_t seed, int width, int height) : width_(width), height_(height), grey_(width * height) {
@@ -18,7 +18,7 @@ class UprightScene {
     for (int card = 0; card < width * height / 300; ++card) paste(random);
   }
 
-  /// `share` of it is pasted over by other cards: stock that has changed.
+  /// Pastes other cards over `share` of the wall: stock that has changed.
   void change(double share, std::uint64_t seed) {
     Random random(seed);
     for (double area = 0.0; area < share * width_ * height_;) area += 0.6 * paste(random);

@@ -20,7 +20,7 @@ constexpr int kPlaces = 21;  // 0.2 m apart, the chart's centre in the middle
 constexpr int kMiddle = kPlaces / 2;
 constexpr double kFirstM = 5.0;
 
-/// An aisle that was taught, and views of a robot that drives through it 3 cm aside.
+/// Holds an aisle that was taught, and views of a robot that drives through it 3 cm aside.
 struct Aisle {
   test::Lookout lookout{test::aisle_site()};
   Bearing method = *Bearing::make({}, lookout.camera());

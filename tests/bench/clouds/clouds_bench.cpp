@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMetres = 1e-6;
 
-/// One way to encode, and how many points come out again.
+/// Describes one way to encode, and how many points come out again.
 struct Codec {
   std::string name;
   std::function<std::string(const Cloud&, std::uint32_t quantum_um)> encode;

@@ -53,8 +53,8 @@ Cloud from_ply(const std::string& text) {
   return cloud;
 }
 
-/// LZF: a byte below 32 announces that many literals and one; another one a copy, of its upper three bits and two (7:
-/// and a further byte), from its lower five bits and the next byte back.
+/// Unpacks LZF: a byte below 32 announces that many literals and one; another one a copy, of its upper three bits and
+/// two (7: and a further byte), from its lower five bits and the next byte back.
 std::string unpacked_lzf(const std::string& packed) {
   std::string out;
   std::size_t at = 0;

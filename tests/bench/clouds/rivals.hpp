@@ -7,12 +7,12 @@ namespace weft::clouds {
 
 /// Others' codecs with the same bound, `quantum_m` / 2 an axis. Empty or no points: it failed.
 
-/// PCL's octree coder: points relative to their voxel's corner, cut off at `quantum_m` / 2, so that is their error.
-/// `voxel_steps`: size of a voxel in those steps, at most 127, what its byte holds.
+/// Encodes with PCL's octree coder: points relative to their voxel's corner, cut off at `quantum_m` / 2, which is
+/// their error. `voxel_steps`: size of a voxel in those steps, at most 127, what its byte holds.
 std::string pcl_compressed(const Cloud& cloud, double quantum_m, int voxel_steps);
 std::size_t pcl_point_count(const std::string& compressed);
 
-/// Draco's kd-tree coder, rounding to `quantum_m`. `speed`: 0 smallest to 10 fastest.
+/// Encodes with Draco's kd-tree coder, rounding to `quantum_m`. `speed`: 0 smallest to 10 fastest.
 std::string draco_compressed(const Cloud& cloud, double quantum_m, int speed);
 std::size_t draco_point_count(const std::string& compressed);
 

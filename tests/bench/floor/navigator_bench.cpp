@@ -16,7 +16,7 @@ using namespace agents;
 constexpr double kViewsApartM = 1.0 / 30.0;
 constexpr int kDriveViews = 120;  // 4 m
 
-/// A straight drive; another pass shakes otherwise and runs 2 cm aside.
+/// Renders a straight drive; another pass shakes otherwise and runs 2 cm aside.
 std::vector<View> rendered(std::uint64_t pass) {
   const test::FlatFloor floor = test::FlatFloor::procedural(3, 6.0, 4.0);
   const test::FloorCamera eye(test::paper_camera());
@@ -49,7 +49,7 @@ NavigationConfig every_tenth_of_a_metre() {
   return config;
 }
 
-/// A map of the first pass, and a robot that drives the second one by it.
+/// Holds a map of the first pass, and a robot that drives the second one by it.
 class Repeating {
  public:
   Repeating() {
@@ -63,7 +63,7 @@ class Repeating {
     restart();
   }
 
-  /// -> whether it found where it is by this view.
+  /// Takes the next view; returns whether the robot found where it is by it.
   bool step() {
     const View& view = views_[at_++];
     return navigator_->step({view.frame, time_of(view), {view}, motion_, false, false}, map_.view()).fix.has_value();
@@ -115,7 +115,7 @@ void repeat_step_of_the_navigator(benchmark::State& state) {
 }
 BENCHMARK(repeat_step_of_the_navigator)->Unit(benchmark::kMillisecond);
 
-/// One stored image a place, every 0.2 m, as the map of the plain way.
+/// Holds the map of the plain way: one stored image a place, every 0.2 m.
 struct PlainMap {
   cv::Ptr<cv::ORB> orb = cv::ORB::create(600);
   std::vector<std::vector<cv::KeyPoint>> keypoints;

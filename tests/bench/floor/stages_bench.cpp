@@ -60,7 +60,7 @@ void stage_corners_plain_opencv_fast(benchmark::State& state) {
 }
 BENCHMARK(stage_corners_plain_opencv_fast)->Unit(benchmark::kMillisecond);
 
-/// Corners of each view and where they are expected in the next, as odometry expects them.
+/// Holds corners of each view and where they are expected in the next, as odometry expects them.
 struct Followed {
   std::vector<TrackingImage> images;
   std::vector<std::vector<Eigen::Vector2d>> from;

@@ -12,7 +12,7 @@
 /// Holds what the benches of the floor method look at, rendered once, and what they have in common.
 namespace weft::bench {
 
-/// 30 views at 0.6 m/s and 30 fps with vibration.
+/// Holds 30 views at 0.6 m/s and 30 fps with vibration.
 struct Views {
   agents::Floor method = *agents::Floor::make({}, test::paper_camera());
   std::vector<agents::View> views;
@@ -49,7 +49,8 @@ inline cv::Mat grey(const agents::View& view) {
 inline constexpr double kStepM = 0.02;
 inline const agents::FloorConfig kDefaults;
 
-/// RMS of the steps' lengths against the truth, beside their time: a faster stage that sees worse is no gain.
+/// Computes the RMS error of the steps' lengths, reported beside their time: a faster stage that sees worse is no
+/// gain.
 class LengthErrors {
  public:
   void add(double length_m) {

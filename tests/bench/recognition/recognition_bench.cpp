@@ -20,7 +20,7 @@ struct Seen {
   Pose2 at;
 };
 
-/// Places 0.2 m apart on several floors, their signatures, and what other robots see there later.
+/// Holds places 0.2 m apart on several floors, their signatures, and what other robots see there later.
 struct World {
   std::vector<Seen> places;
   std::vector<Signature> signatures;
@@ -127,7 +127,7 @@ void recall(std::uint64_t floors) {
   }
 }
 
-/// A site of long runs, whose signatures are random.
+/// Measures a site of long runs, a million places in all, whose signatures are random.
 void a_million() {
   constexpr std::uint32_t kRuns = 100;
   constexpr std::uint32_t kPlaces = 10'000;

@@ -31,7 +31,7 @@ struct Site {
   Preparation after_changes;
 };
 
-/// Someone drives behind an earlier run and stitches every second place to it.
+/// Makes the batch of a robot that drives behind an earlier run and stitches every second place to it.
 Batch follow(Random& random, const Snapshot& snapshot, std::uint64_t number) {
   const support::BatchPlan plan{{number}, support::random_id<RobotId>(random), 1, 20, 0, "floor"};
   Batch batch = support::make_batch(random, snapshot, plan);

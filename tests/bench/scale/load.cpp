@@ -104,7 +104,7 @@ void Load::ask(Agent& agent) {
   handle(request);
 }
 
-/// Every second place is stitched to one of the run before.
+/// Returns the teacher's next batch. Every second place is stitched to one of the run before.
 Batch Load::next_batch(Teacher& teacher, std::vector<Bytes>& contents) {
   if (!teacher.experience || teacher.places >= kLongestRun) {
     teacher.experience = {random_.next() | 1U};

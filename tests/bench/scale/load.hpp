@@ -10,9 +10,9 @@
 
 namespace weft::bench {
 
-/// A fleet at work on a large site, one message after the other as they would come in: robots teach, each batch with
-/// its contents, and agents drive along and ask for the window around them. The clock that the server sees goes on
-/// by what its answers truly take, and jumps when it has nothing to do.
+/// Simulates a fleet at work on a large site, one message after the other as they would come in: robots teach, each
+/// batch with its contents, and agents drive along and ask for the window around them. The clock that the server sees
+/// goes on by what its answers truly take, and jumps when it has nothing to do.
 class Load {
  public:
   struct Rates {
@@ -20,7 +20,7 @@ class Load {
     std::uint32_t agents = 20;
     double windows = 1.0;  ///< asked by each agent, a second
   };
-  /// `clock_s`: the server's clock, at which the last load ended.
+  /// Makes a load. `clock_s`: the server's clock, at which the last load ended.
   Load(server::Service& service, double& clock_s, const Rates& rates);
 
   void run(double seconds);
@@ -61,7 +61,7 @@ class Load {
   Batch next_batch(Teacher& teacher, std::vector<Bytes>& contents);
   Took handle(const msg::Message& message);
   void tick_if_due();
-  /// `took`: to answer one message; none: it was a tick, for several perhaps.
+  /// Takes the server's messages. `took`: the time to answer one message; none: it was a tick, for several perhaps.
   void take(const std::vector<msg::Message>& messages, const std::optional<Took>& took);
   server::Now now() const;
 

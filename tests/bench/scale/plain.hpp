@@ -11,7 +11,7 @@ namespace weft::bench {
 /// Steps through the stored rows of places and edges, and looks at none. Returns their bytes.
 std::uint64_t read_rows(const std::filesystem::path& store);
 
-/// The network as rows of numbers, and a breadth-first search that gives nothing but the numbers it finds.
+/// Holds the network as rows of numbers, and searches it breadth-first for nothing but the numbers that it finds.
 class PlainGraph {
  public:
   explicit PlainGraph(const Snapshot& snapshot);

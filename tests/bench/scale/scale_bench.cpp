@@ -1,4 +1,4 @@
-/// The server on a large site: its start, its windows while robots teach, each beside what would do least.
+/// Measures the server on a large site: its start, its windows while robots teach, each beside what would do least.
 /// build/release/bench/scale_bench STORE, a directory that `weft-evaluate generate-site` made; it is copied.
 #include <benchmark/benchmark.h>
 
@@ -122,7 +122,7 @@ void under_load(benchmark::State& state, Running& running, double seconds) {
   state.counters["resident_mb"] = resident_mb();
 }
 
-/// Two runs of so many places, the second one stitched to the first at every second place; 20 more are joined to it.
+/// Measures how 20 places join two runs of so many, the second one stitched to the first at every second place.
 void joining(benchmark::State& state, std::uint32_t places) {
   Random random(11);
   std::array<support::BatchPlan, 2> runs{{{{1}, support::random_id<RobotId>(random), 0, 500, 0, "floor"},

@@ -31,7 +31,7 @@ Site site_with(Scenery scenery) {
   return site;
 }
 
-/// There and back, so that the floor is sometimes new and sometimes known.
+/// Drives there and back, so that the floor is sometimes new and sometimes known.
 void drive(benchmark::State& state, const SimBodyConfig& config) {
   auto body = make_sim_body(config);
   if (!body) {
@@ -75,7 +75,7 @@ BENCHMARK(harder_camera)
     ->Unit(benchmark::kMillisecond)
     ->MinTime(2.0);
 
-/// Width; 60 images a second at 320 x 240 and 15 at 640 x 480 are asked for.
+/// Measures a width of image; 60 images a second at 320 x 240 and 15 at 640 x 480 are asked for.
 void forward_camera(benchmark::State& state) {
   SimBodyConfig config;
   config.site = site_with(Scenery::aisle);
@@ -104,7 +104,7 @@ void changed_camera(benchmark::State& state) {
 }
 BENCHMARK(changed_camera)->Unit(benchmark::kMillisecond)->MinTime(5.0);
 
-/// One tile of new floor, 0.64 m squared, white light and coloured.
+/// Measures one tile of new floor, 0.64 m squared, white light and coloured.
 void new_floor(benchmark::State& state) {
   FloorSetup setup;
   setup.material = floor_kinds()[static_cast<std::size_t>(state.range(0))];

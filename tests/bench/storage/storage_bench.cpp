@@ -1,4 +1,5 @@
-/// The map store beside plain SQLite: the same bytes in the same transactions. build/release/bench/storage_bench
+/// Measures the map store beside plain SQLite: the same bytes in the same transactions.
+/// build/release/bench/storage_bench
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -117,7 +118,7 @@ void hash_50(benchmark::State& state) {
   }
 }
 
-/// The same with bytes that do not shrink, as those of the floor method.
+/// Returns a neighbourhood whose bytes do not shrink when compressed, as those of the floor method.
 std::vector<Transaction> dense_neighbourhood() {
   Random random(2);
   std::vector<Transaction> transactions(kNeighbourhood);
@@ -129,7 +130,7 @@ std::vector<Transaction> dense_neighbourhood() {
   return transactions;
 }
 
-/// `read(store, hash)`: the content's own size, 0 when it cannot be read.
+/// Measures reading. `read(store, hash)` returns the content's own size, 0 when it cannot be read.
 template <class Read>
 void read_50(benchmark::State& state, const std::vector<Transaction>& transactions, Read read) {
   const TemporaryDirectory directory;
@@ -158,7 +159,7 @@ void read_50_store_dense(benchmark::State& state) {
   read_50(state, dense_neighbourhood(), stored_size);
 }
 
-/// The bytes themselves, checked by their SHA-256.
+/// Reads the bytes themselves, checked by their SHA-256.
 void read_50_store_expanded(benchmark::State& state) {
   read_50(state, neighbourhood(), [](const MapStore& store, const ContentHash& hash) {
     const auto bytes = store.content(hash);
@@ -186,7 +187,7 @@ void fill_100k_places(MapStore& store, benchmark::State& state) {
   }
 }
 
-/// Time in all, and the longest step: what others wait at most.
+/// Measures the time in all, and of the longest step: what others wait at most.
 template <class Begin>
 void upkeep_100k_places(benchmark::State& state, Begin begin) {
   const TemporaryDirectory directory;

@@ -6,9 +6,9 @@
 namespace weft::bench {
 namespace {
 
-/// Priority inheritance with backtracking (Okumura et al., AIJ 2022, algorithm 1): all robots move at once, into
-/// cells that others leave in the same step, and nobody is delayed. No fleet under leases can do that; what it gets
-/// done is what others are measured by.
+/// Moves robots by priority inheritance with backtracking (Okumura et al., AIJ 2022, algorithm 1): all move at once,
+/// into cells that others leave in the same step, and nobody is delayed. No fleet under leases can do that; what it
+/// gets done is what others are measured by.
 class Bound final : public Policy {
  public:
   explicit Bound(Fleet& fleet) : fleet_(fleet) {}

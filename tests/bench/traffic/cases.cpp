@@ -16,8 +16,8 @@ constexpr double kPatience_s = 150.0;
 
 using Corners = std::vector<Eigen::Vector2d>;
 
-/// An aisle of 12 m in which both ways lie 0.5 m apart, with a loop to turn on at each end; it goes on over its own
-/// beginning.
+/// Describes an aisle of 12 m in which both ways lie 0.5 m apart, with a loop to turn on at each end; it goes on over
+/// its own beginning.
 const Corners kAisle = {{0, 0},   {12, 0},   {14, -2},  {18, -2}, {18, 2.5}, {14, 2.5}, {12, 0.5},
                         {0, 0.5}, {-2, 2.5}, {-6, 2.5}, {-6, -2}, {-2, -2},  {0, 0},    {1.5, 0}};
 
@@ -52,7 +52,7 @@ void swap(Play& play) {
   play.send("r2", "west");
 }
 
-/// Places for one robot more than there are; each goes two of them on.
+/// Arranges a ring of places for one robot more than there are; each goes two of them on.
 void full_ring(Play& play, int robots) {
   constexpr double berth_m = 2.0;
   const int berths = robots + 1;

@@ -11,7 +11,7 @@
 
 namespace weft::bench {
 
-/// A cell has room for a robot of this size, also beside one that drives by: lanes lie up to 0.25 m beside the
+/// Sets a robot's radius: a cell has room for it, also beside one that drives by. Lanes lie up to 0.25 m beside the
 /// middles of cells, 1.2 m from a neighbour's; two robots need 1.16 m with slack and margin.
 inline constexpr double kRadius_m = 0.28;
 inline constexpr double kSpeed_m_s = 0.6;
@@ -19,7 +19,7 @@ inline constexpr double kStep_s = kCell_m / kSpeed_m_s;
 inline constexpr double kDelayed = 0.02;  ///< share of steps in which a robot does not get on
 inline constexpr int kHandling = 5;       ///< steps at a goal, about 12 s, in which a robot cannot be pushed
 
-/// A point that moves from cell to cell.
+/// Describes a robot as a point that moves from cell to cell.
 struct Robot {
   Cell at = 0;
   Cell goal = 0;
@@ -28,7 +28,7 @@ struct Robot {
   int stands_since = 0;
 };
 
-/// The robots that the policies drive: with goals without end, the same ones for all policies of a seed.
+/// Holds the robots that the policies drive: with goals without end, the same ones for all policies of a seed.
 class Fleet {
  public:
   Fleet(const Network& network, std::uint32_t robots, std::uint64_t seed);
@@ -65,7 +65,7 @@ struct Foreseen {
   bool is_in_band = false;
 };
 
-/// A way to decide who moves. Deterministic: the same fleet moves alike.
+/// Decides who moves. Deterministic: the same fleet moves alike.
 class Policy {
  public:
   virtual ~Policy() = default;

@@ -15,20 +15,21 @@ using Cell = std::uint32_t;
 inline constexpr Cell kNoCell = ~Cell{0};
 inline constexpr double kCell_m = 1.4;
 
-/// A floor of squares, as movingai writes it (octile) and the League of Robot Runners after it.
+/// Holds a floor of squares, as movingai writes it (octile) and the League of Robot Runners after it.
 struct Grid {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<bool> is_free;  ///< row by row
 };
 Result<Grid> read_grid(std::istream& text);
-/// Shelves of ten squares, two rows deep, in so many columns and rows, with a lane around each and room at both ends.
+/// Makes a floor of shelves, ten squares long and two rows deep, in so many columns and rows, with a lane around each
+/// and room at both ends.
 Grid warehouse(std::uint32_t columns, std::uint32_t rows);
 
 /// Tells in which directions a grid's lanes are driven: rows y / 3 and columns x / 11 alternate, or all both ways.
 enum class Lanes : std::uint8_t { one_way, two_way };
 
-/// Cells, and which of them can be driven to from each. Every cell can be reached from every other one.
+/// Holds cells, and which of them can be driven to from each. Every cell can be reached from every other one.
 struct Network {
   std::vector<Eigen::Vector2d> at;  ///< metres
   std::vector<std::vector<Cell>> next;
@@ -38,7 +39,7 @@ struct Network {
   bool leads(Cell from, Cell to) const;
 };
 Network network_of(const Grid& grid, Lanes lanes);
-/// A ring of so many cells driven one way, with dead ends of eight cells that are driven both ways.
+/// Makes a ring of so many cells driven one way, with dead ends of eight cells that are driven both ways.
 Network ring(std::uint32_t cells, std::uint32_t dead_ends);
 
 /// Returns how many cells lie on the way to `to`, from each.

@@ -25,11 +25,11 @@ struct Measured {
   std::uint64_t in_band = 0;       ///< arrivals of these within the band that was foretold
 };
 
-/// One seed after the other.
+/// Measures one seed after the other.
 Measured measure(const Network& network, std::uint32_t robots, double hours, std::uint64_t first_seed,
                  std::uint64_t last_seed, const MakePolicy& make);
 
-/// The value that the share of the sorted ones does not exceed; 0 of none.
+/// Returns the value that so large a share of the sorted values does not exceed; 0 when there are none.
 double quantile(const std::vector<double>& sorted, double share);
 
 }  // namespace weft::bench

@@ -10,7 +10,7 @@
 
 namespace weft::bench {
 
-/// A whole server and robots that are points: they drive what they are released, at 0.6 m/s, and say so.
+/// Runs a whole server and robots that are points: they drive what they are released, at 0.6 m/s, and say so.
 class Play {
  public:
   Play();
@@ -18,7 +18,7 @@ class Play {
   /// Teaches a way along the corners, a place each half metre; where it comes within 0.3 m of what was taught before
   /// in about the same direction the two are stitched. Returns the run.
   ExperienceId teach(const std::vector<Eigen::Vector2d>& corners);
-  /// The place of that run that is nearest.
+  /// Returns the place of that run that is nearest.
   PlaceId near(ExperienceId run, const Eigen::Vector2d& at) const;
   void label(const std::string& name, const PlaceId& place) { site_.label(name, place); }
 

@@ -20,7 +20,8 @@ class Reserved {
   void take(Cell cell, int step, std::size_t robot) {
     by_[cell * (kAhead + 1) + static_cast<std::size_t>(step)] = robot;
   }
-  /// Nobody follows: a cell is entered when it was empty the step before, and nobody enters what is left just then.
+  /// Returns whether the robot may be there at that step. Nobody follows: a cell is entered when it was empty the step
+  /// before, and nobody enters what is left just then.
   bool may_be(std::size_t robot, Cell cell, int step, bool enters) const {
     const auto is_free = [&](int when) {
       return when < 0 || when > kAhead || at(cell, when) == kNobody || at(cell, when) == robot;
@@ -125,7 +126,7 @@ class Prioritised final : public Policy {
     }
   }
 
-  /// The robot's cell at each step; where it finds no way it stays where it is.
+  /// Returns the robot's cell at each step; where it finds no way it stays where it is.
   std::vector<Cell> search(std::size_t robot, const Reserved& reserved) {
     const Robot& mine = fleet_.robots()[robot];
     const std::vector<std::uint32_t>& steps = fleet_.steps_to(mine.goal);

@@ -9,8 +9,8 @@
 
 namespace weft::bench {
 
-/// A network of cells as robots would have taught it: a place in the middle of each cell and three between two cells,
-/// 0.35 m apart. Where a lane is driven both ways, its two ways lie 0.5 m apart.
+/// Holds a network of cells as robots would have taught it: a place in the middle of each cell and three between two
+/// cells, 0.35 m apart. Where a lane is driven both ways, its two ways lie 0.5 m apart.
 class TaughtLanes {
  public:
   explicit TaughtLanes(const Network& network);
@@ -19,7 +19,7 @@ class TaughtLanes {
 
   const Snapshot& snapshot() const { return snapshot_; }
   PlaceId place(Cell cell) const { return {ExperienceId{1}, cell}; }
-  /// A route over those cells, each beside the one before.
+  /// Returns a route over those cells, each beside the one before.
   Route route(const std::vector<Cell>& cells) const;
   const Eigen::Vector2d& at(const PlaceId& place) const;
 

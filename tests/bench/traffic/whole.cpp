@@ -9,7 +9,8 @@ namespace {
 /// is driven, and asked for again when something is freed.
 class Whole final : public Policy {
  public:
-  /// `asks_all`: everybody who waits asks again after each report that frees something, as it was before watches.
+  /// Makes the policy. `asks_all`: everybody who waits asks again after each report that frees something, as it was
+  /// before watches.
   Whole(Fleet& fleet, bool asks_all) : fleet_(fleet), asks_all_(asks_all), leased_(fleet) {}
 
   void step() override {
