@@ -10,7 +10,7 @@
 #include "server/service.hpp"
 #include "storage/memory/memory_store.hpp"
 
-/// A server on a disk in memory, driven message by message, with both clocks in the test's hand.
+/// Holds a server on a disk in memory, driven message by message, with both clocks in the test's hand.
 namespace weft::server::test {
 
 using namespace std::chrono_literals;
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 RobotId robot_id(std::uint8_t number);
 GoalId goal_id(std::uint8_t number);
 
-/// One peer's voice: stamps its headers.
+/// Speaks for one peer: stamps its headers.
 struct Peer {
   PeerId id;
   std::uint64_t incarnation = 1;
@@ -29,18 +29,18 @@ struct Peer {
   msg::Header header() { return {id, incarnation, {}, ++sequence, {}}; }
 };
 
-/// A batch and the bytes of its places' contents.
+/// Holds a batch and the bytes of its places' contents.
 struct Handed {
   Batch batch;
   std::vector<Bytes> contents;
 };
 
-/// A straight run of places, `spacing_m` apart, handed in batch by batch.
+/// Makes a straight run of places, `spacing_m` apart, handed in batch by batch.
 class TaughtRun {
  public:
   TaughtRun(const Peer& robot, std::uint64_t experience, double spacing_m = 0.5)
       : robot_(robot.id), experience_{experience}, spacing_m_(spacing_m) {}
-  /// Each byte is one of `values`: with few of them the contents are stored compressed.
+  /// Returns the next batch. Each byte is one of `values`: with few of them the contents are stored compressed.
   Handed next(std::uint32_t places, std::size_t content_bytes = 100, std::uint64_t values = 256);
   Handed seal();
   PlaceId place(std::uint32_t index) const { return {experience_, index}; }
@@ -53,9 +53,9 @@ class TaughtRun {
   std::uint64_t sequence_ = 0;
   std::uint32_t places_ = 0;
 };
-/// older_from_newer: `newer` lies at (x, y) of `older`.
+/// Returns the edge older_from_newer: `newer` lies at (x, y) of `older`, in metres.
 Edge stitch(const PlaceId& older, const PlaceId& newer, double x = 0.0, double y = 0.0);
-/// The same with the newer place turned by so much.
+/// Returns the same with the newer place turned by so much.
 Edge turned(Edge stitch, double heading_rad);
 
 class Site {
@@ -63,7 +63,7 @@ class Site {
   explicit Site(std::shared_ptr<storage::MemoryDisk> disk = std::make_shared<storage::MemoryDisk>(),
                 Signers signers = {});
 
-  /// The server ends at once and is started again on the same disk.
+  /// Ends the server at once and starts it again on the same disk.
   void restart();
   void say(const msg::Message& message);
   /// Lets time pass, with every tick in its place.
@@ -71,7 +71,7 @@ class Site {
 
   // A robot's usual words.
   void hello(Peer& robot);
-  /// Hello, description, and a state when a place is given.
+  /// Says hello, the description, and a state when a place is given.
   void arrive(Peer& robot, const std::optional<PlaceId>& place);
   msg::RobotState state(Peer& robot, const std::optional<PlaceId>& place) const;
   /// Returns the state of a robot that drives a route and is at one of its places.
@@ -83,7 +83,7 @@ class Site {
   void power(Peer& robot, double share, bool is_charging = false);
   void progress(Peer& robot, const Route& route, msg::RoutePhase phase, std::uint32_t freed = 0,
                 std::optional<std::uint32_t> at = std::nullopt);
-  /// The batch and all its contents.
+  /// Hands in the batch and all its contents.
   void hand_in(Peer& robot, const Handed& handed);
   void send_batch(Peer& robot, const Batch& batch);
   void send_content(Peer& robot, const Bytes& bytes);

@@ -12,7 +12,7 @@ using testing::DoubleNear;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A road of twenty metres with a dock at its end, and a robot at its beginning.
+/// Arranges a road of twenty metres with a dock at its end, and a robot at its beginning.
 struct ArrivalsAtADock : testing::Test {
   ArrivalsAtADock() {
     site.arrive(r1, std::nullopt);
@@ -57,7 +57,7 @@ struct ArrivalsAtADock : testing::Test {
     say(40, msg::RoutePhase::arrived);
     ASSERT_EQ(site.goal(1).state, GoalState::succeeded) << site.goal(1).history.back().cause;
   }
-  /// Somebody carries it back to the beginning.
+  /// Reports the robot as somebody carries it back to the beginning.
   void carry_back() {
     for (const std::uint32_t at : {40U, 40U, 0U, 0U}) {
       site.say(site.state(r1, road.place(at)));

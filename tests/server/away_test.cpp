@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// A server whose process stood still: what its robots said meanwhile waits in its inbox.
+/// Tests a server whose process stood still: what its robots said meanwhile waits in its inbox.
 namespace weft::server::test {
 namespace {
 

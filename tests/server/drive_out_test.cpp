@@ -10,7 +10,7 @@
 namespace weft::server::test {
 namespace {
 
-/// A small block in the west, a lane, and a street that leads south from where they meet.
+/// Draws a small block in the west, a lane, and a street that leads south from where they meet.
 const std::vector<std::string> kBlockAndLane = {"..     ",  //
                                                 ".......",  //
                                                 ".      ",  //

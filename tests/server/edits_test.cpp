@@ -135,7 +135,7 @@ TEST_F(Edits, ALabelThatWasMovedGoesBack) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(39));
 }
 
-/// r2 has learned of these places of the run.
+/// Returns a batch by which the robot says what it has learned of these places of the run.
 Handed learned_by(Peer& robot, std::uint64_t experience, std::uint64_t sequence, const std::vector<Place>& known) {
   Handed handed;
   handed.batch.experience = {experience};
@@ -301,7 +301,7 @@ TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
-/// The whole run is taken out from under a robot with a goal, and comes back.
+/// Shows it when the whole run is taken out from under a robot with a goal, and comes back.
 TEST_F(Edits, ARobotWhoseGroundWasOutSaysSoMayBeToldToLocaliseAndGoesOn) {
   start();
   take_out(0, 39);

@@ -24,7 +24,7 @@ struct GoalLife : testing::Test {
     cancel.goal = goal_id(number);
     return site.ask(cancel);
   }
-  /// r1 has goal 1 and drives.
+  /// Gives r1 goal 1 and lets it accept its route, which is returned.
   Route start() {
     site.say(site.state(r1, run.place(0)));
     site.send_goal(1, "dock", "r1");
@@ -33,8 +33,8 @@ struct GoalLife : testing::Test {
     site.progress(r1, route, msg::RoutePhase::accepted);
     return route;
   }
-  /// r1 is sent from the end of a second run, which lies at (x, y) of the first one's sixth place and is joined to it
-  /// by what cannot be driven.
+  /// Sends r1 from the end of a second run, which lies at (x, y) of the first one's sixth place and is joined to it by
+  /// an edge that cannot be driven.
   void send_from_an_end_at(double x, double y) {
     TaughtRun second(r1, 11);
     Handed handed = second.next(3);
@@ -46,7 +46,7 @@ struct GoalLife : testing::Test {
     site.send_goal(1, "dock", "r1");
     site.pass(1s);
   }
-  /// r1 says that it follows nothing, and stands there.
+  /// Says as r1 that it follows nothing, and stands there.
   void stand(const PlaceId& place) { site.say(site.state(r1, place)); }
   /// Has r1 give its route up, and say why.
   void give_up(const Route& route, const std::string& reason) {

@@ -10,7 +10,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// r1 has goal 1 and drives when the test begins.
+/// Arranges that r1 has goal 1 and drives when the test begins.
 struct GoalRestart : testing::Test {
   GoalRestart() {
     site.arrive(r1, std::nullopt);

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 constexpr double kHeldReach_m = 0.5;
 
-/// A figure of eight, and a lane that leads along it and across it again.
+/// Arranges a figure of eight, and a lane that leads along it and across it again.
 SurveyedSite crossing_site(std::uint64_t seed) {
   SurveyedSite site(seed);
   constexpr double pi = std::numbers::pi;

@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// Long work on the map, piece by piece between messages.
+/// Tests long work on the map, done piece by piece between messages.
 namespace weft::server::test {
 namespace {
 
@@ -11,7 +11,7 @@ using Kind = msg::OperatorRequest::Kind;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A run, and a second one over the same floor.
+/// Arranges a run, and a second one over the same floor.
 struct MapWork : testing::Test {
   MapWork() {
     site.arrive(r1, std::nullopt);

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-/// A block on each side, and a lane between them.
+/// Draws a block on each side, and a lane between them.
 const std::vector<std::string> kTwoBlocks = {"...     ...",  //
                                              ". ....... .",  //
                                              "...     ..."};

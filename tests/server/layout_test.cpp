@@ -37,7 +37,7 @@ std::vector<PlaceId> places_of(const Snapshot& snapshot) {
   return places;
 }
 
-/// Positions and covariances agree to rounding.
+/// Expects that positions and covariances agree to rounding.
 void expect_alike(const Layout& one, const Layout& other, const Snapshot& snapshot) {
   EXPECT_EQ(one.laid(), snapshot.place_count());
   EXPECT_EQ(other.laid(), snapshot.place_count());

@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// A robot that does not know any more where it is calls for help.
+/// Tests how a robot that does not know any more where it is calls for help.
 namespace weft::server::test {
 namespace {
 

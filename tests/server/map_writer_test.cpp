@@ -51,7 +51,7 @@ struct MapWriting : testing::Test {
     EXPECT_FALSE(served);
     return served ? Error{} : served.error();
   }
-  /// Everything that is served is stored, and the other way round.
+  /// Expects that everything that is served is stored, and the other way round.
   void expect_agreement() {
     const Snapshot& served = writer.snapshots().current();
     EXPECT_EQ(served.revision(), disk->revision);

@@ -4,7 +4,7 @@
 #include "core/network/page.hpp"
 #include "tests/server/arranged_site.hpp"
 
-/// The network, whole and as it was, page by page, as clients read it.
+/// Tests the network, whole and as it was, page by page, as clients read it.
 namespace weft::server::test {
 namespace {
 

@@ -21,7 +21,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// The real program, its standard error in a file.
+/// Runs the real program, its standard error in a file.
 class Process {
  public:
   Process(const std::vector<std::string>& arguments, const std::filesystem::path& log) : log_(log) {
@@ -76,7 +76,7 @@ struct ServerProcess : testing::Test {
     directory = mkdtemp(name.data());
   }
   ~ServerProcess() override { std::filesystem::remove_all(directory); }
-  /// Runs it to its end.
+  /// Runs the program to its end; returns its exit code.
   int run(const std::vector<std::string>& arguments) {
     Process process(arguments, directory / "once.log");
     const int code = process.exit_code();
@@ -86,7 +86,7 @@ struct ServerProcess : testing::Test {
   std::vector<std::string> serve(const std::string& store, const std::string& vendor = "cyclonedds") const {
     return {"--store", (directory / store).string(), "--domain", std::to_string(domain.number()), "--dds", vendor};
   }
-  /// One line, so that people see what is wrong at once.
+  /// Expects one line, so that people see what is wrong at once.
   void expect_one_line() const {
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     EXPECT_THAT(said, EndsWith("\n"));

@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// Goals that wait for their turn: what they cost, and what they say.
+/// Tests goals that wait for their turn: what they cost, and what they say.
 namespace weft::server::test {
 namespace {
 
@@ -17,12 +17,12 @@ struct Queue : testing::Test {
     site.label("far", run.place(39));
     site.say(site.state(r1, run.place(0)));
   }
-  /// Asked for while the robot is somewhere on its way.
+  /// Asks for goals while the robot is somewhere on its way.
   void ask_for(std::uint8_t goals, const std::string& robot) {
     for (std::uint8_t number = 1; number <= goals; ++number) site.send_goal(number, "far", robot);
     site.pass(2s);
   }
-  /// r1 drives to the end of its route and stands at the run's beginning again.
+  /// Drives r1 to the end of its route, and puts it at the run's beginning again.
   void drive_once() {
     const Route route = site.last<msg::RouteOrder>().value().route;
     site.progress(r1, route, msg::RoutePhase::driving);
@@ -69,7 +69,7 @@ TEST_F(Queue, OfGoalsForAnyRobotCostsNoMore) {
   EXPECT_LE(cost.commits, 60U * 3 + 10 * 12);
 }
 
-/// One for whose label there is no way is tried again after each of the others, and says so once.
+/// Shows that a goal for whose label there is no way is tried again after each of the others, and says so once.
 TEST_F(Queue, OfGoalsWithoutAWayCostsNoMore) {
   TaughtRun island(r1, 11);
   site.hand_in(r1, island.next(3));

@@ -14,7 +14,7 @@ using testing::Not;
 
 constexpr std::size_t kNumbers = 64;
 
-/// The bytes themselves are the signature.
+/// Signs a content with its bytes themselves; none: there are too few.
 std::optional<agents::Signature> sign_bytes(ByteView content) {
   if (content.size() < kNumbers) return std::nullopt;
   return agents::Signature(content.begin(), content.begin() + kNumbers);

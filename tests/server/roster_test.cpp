@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A robot, and the one with another identity that took over its name.
+/// Arranges a robot, and the one with another identity that took over its name.
 struct Roster : testing::Test {
   Site site;
   Peer old{.id = robot_id(1), .name = "r1"};

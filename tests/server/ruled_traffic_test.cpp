@@ -3,7 +3,7 @@
 
 #include "tests/server/run_with_bypass.hpp"
 
-/// What rules do to routes and releases.
+/// Tests what rules do to routes and releases.
 namespace weft::server::test {
 namespace {
 

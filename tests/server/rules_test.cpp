@@ -3,7 +3,7 @@
 
 #include "tests/server/arranged_site.hpp"
 
-/// Rules as operators lay them down, and robots that they hold.
+/// Tests rules as operators lay them down, and robots that they hold.
 namespace weft::server::test {
 namespace {
 

@@ -17,7 +17,7 @@ using Phase = msg::RoutePhase;
 constexpr ExperienceId kRun{0x11};
 constexpr RunPiece kFirst{kRun, 0, true};
 
-/// A route over the places of a run, half a metre apart.
+/// Returns a route over the places of a run, half a metre apart.
 Route route_over(std::uint32_t places) {
   Route route;
   for (std::uint32_t i = 0; i < places; ++i) {
@@ -89,7 +89,7 @@ TEST(Speeds, AreStoredOnceEach) {
   EXPECT_FALSE(Speeds(stored).has_unsaved());
 }
 
-/// A robot that reports on a route of twenty metres.
+/// Arranges a robot that reports on a route of twenty metres.
 struct PassingOfARobot : testing::Test {
   void report(std::uint32_t at, Phase phase, Duration after) {
     now += after;

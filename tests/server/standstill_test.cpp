@@ -15,8 +15,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One aisle of 60 places, half a metre apart, taught in both directions: place k of the way back lies on place 40 -
-/// k of the way there.
+/// Arranges one aisle of 60 places, half a metre apart, taught in both directions: place k of the way back lies on
+/// place 40 - k of the way there.
 struct StandstillTest : testing::Test {
   StandstillTest() {
     for (Peer* robot : {&r1, &r2, &r3}) site.arrive(*robot, std::nullopt);
@@ -29,7 +29,8 @@ struct StandstillTest : testing::Test {
   }
   Route order_to(const Peer& robot) { return site.order_to(robot).value(); }
   msg::RobotRow row(const Peer& robot) { return site.row(robot.name); }
-  /// Each was in the aisle already, has driven as far as it was let, and stands before the other.
+  /// Lets two robots meet: each was in the aisle already, has driven as far as it was let, and stands before the
+  /// other.
   void meet_head_on() {
     site.say(site.state(r2, back.place(3)));
     site.say(site.state(r1, there.place(0)));

@@ -13,12 +13,12 @@ namespace weft::server::test {
 
 inline constexpr double kSpacing_m = 0.25;
 
-/// A path that is driven: straight on and round bends, a place each quarter of a metre.
+/// Makes a path that is driven: straight on and round bends, a place each quarter of a metre.
 class Lane {
  public:
   explicit Lane(Pose2 start) : poses_{start} {}
   Lane& ahead(double metres) { return drive(metres, 0.0); }
-  /// Left positive, over as many metres.
+  /// Adds a bend of so many radians, left positive, over as many metres.
   Lane& bend(double radians, double metres) { return drive(metres, radians); }
   const std::vector<Pose2>& poses() const { return poses_; }
 

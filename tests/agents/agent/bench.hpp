@@ -14,7 +14,7 @@
 
 namespace weft::agents::test {
 
-/// Everything that missions and parts use, with no agent around it.
+/// Holds everything that missions and parts use, with no agent around it.
 class Bench {
  public:
   Bench();
@@ -26,7 +26,7 @@ class Bench {
   /// Hands over what was put out since the last call.
   AgentOutput take() { return outbox.take(Twist{}); }
   std::vector<msg::AgentReply> replied();
-  /// The only reply since the last call; a failure when there is another number of them.
+  /// Returns the only reply since the last call; reports a failure when there is another number of them.
   msg::AgentReply only_reply();
 
   SteadyTime now = SteadyTime{} + std::chrono::hours(1);

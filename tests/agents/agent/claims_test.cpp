@@ -29,7 +29,7 @@ struct Claims : testing::Test {
     rig.log.clear();
     rig.seen.notes.clear();
   }
-  /// The server is obeyed, and spoken to in its epoch.
+  /// Expects that the server is obeyed, and spoken to in its epoch.
   void expect_the_server_is_obeyed(std::uint64_t command) {
     rig.tell(rig.command(msg::AgentCommand::Kind::stop, command));
     ASSERT_FALSE(rig.sent<msg::AgentReply>().empty());

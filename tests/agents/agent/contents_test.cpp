@@ -90,7 +90,7 @@ struct Lent {
   }
 };
 
-/// A cache that has asked for that content.
+/// Holds a cache that has asked for that content.
 struct Asking {
   SteadyTime now{};
   ContentCache cache{1 << 20, 1 << 20};

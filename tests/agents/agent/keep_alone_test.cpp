@@ -4,7 +4,7 @@
 
 #include "tests/agents/agent/rig.hpp"
 
-/// `map label here` of a robot that is not being taught.
+/// Tests `map label here` of a robot that is not being taught.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;

@@ -16,7 +16,7 @@ Relation metres_ahead(double x) {
   return relation;
 }
 
-/// A robot in a map of one run of ten places.
+/// Arranges a robot in a map of one run of ten places.
 class Looking : public testing::Test {
  protected:
   void stand(double ahead_m) { rig.script->estimate = Estimate{{laid, 0}, metres_ahead(ahead_m), 0.0}; }

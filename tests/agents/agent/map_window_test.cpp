@@ -5,7 +5,7 @@
 #include "core/network/change.hpp"
 #include "tests/agents/agent/bench.hpp"
 
-/// The window's parts put together, and the parts that need a window to be tested with: its focus and its anchor.
+/// Tests how the window's parts are put together, and the parts that need a window for that: its focus and its anchor.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;

@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
-/// A localised robot that has the whole map of a ten-place route.
+/// Arranges a localised robot that has the whole map of a ten-place route.
 struct Driving : Rig {
   Driving() : laid(lay_out(70, 10)) {
     script->estimate = Estimate{{laid, 0}, Relation{}, 0.0};

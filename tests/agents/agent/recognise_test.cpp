@@ -5,7 +5,7 @@
 
 #include "tests/agents/agent/rig.hpp"
 
-/// A robot that does not know where it is, in a network that is larger than its window.
+/// Tests a robot that does not know where it is, in a network that is larger than its window.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;

@@ -13,7 +13,7 @@
 
 namespace weft::agents::test {
 
-/// A navigator that does what the test says and remembers what it was told.
+/// Scripts a navigator that does what the test says and remembers what it was told.
 struct Script {
   std::optional<Estimate> estimate;
   Navigated answer;  ///< of every step; `kept` is added while teaching
@@ -41,7 +41,7 @@ struct Script {
 };
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script);
 
-/// The least server that an agent can work with. It takes what it is sent unless `keeps` says otherwise.
+/// Plays the least server that an agent can work with. It takes what it is sent unless `keeps` says otherwise.
 class FakeServer {
  public:
   explicit FakeServer(RobotId robot) : robot_(robot) {}
@@ -85,15 +85,15 @@ class FakeServer {
 /// Puts an experience of `places` places one metre apart into the server's network, with contents.
 ExperienceId lay_out(FakeServer& server, std::uint64_t experience, std::uint32_t places);
 
-/// One agent, one server, a virtual clock, and a wire that loses and doubles what the test wants.
+/// Holds one agent, one server, a virtual clock, and a wire that loses and doubles what the test wants.
 class Rig {
  public:
   Rig();
-  /// A new agent process on the same disk.
+  /// Starts a new agent process on the same disk.
   void restart_agent();
-  /// Runs both until then, stepping the body every `kFrame` when it is switched on.
+  /// Runs both for that long, stepping the body every `kFrame` when it is switched on.
   void run(Duration duration);
-  /// One message to the agent, now.
+  /// Tells the agent one message, now.
   void tell(const msg::Message& message);
   void take(AgentOutput output);
 

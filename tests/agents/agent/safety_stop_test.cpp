@@ -49,7 +49,7 @@ TEST(SafetyStop, ASlowerBaseDrives) {
   EXPECT_EQ(stop.shown(), Safety::speed_limited);
 }
 
-/// A localised robot that drives a route of ten places.
+/// Arranges a localised robot that drives a route of ten places.
 struct Stopped : Rig {
   Stopped() : laid(lay_out(70, 10)) {
     script->estimate = Estimate{{laid, 0}, Relation{}, 0.0};

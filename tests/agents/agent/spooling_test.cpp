@@ -18,7 +18,7 @@ void teach(Rig& rig, Duration duration) {
   rig.run(1s);
 }
 
-/// Every place once, in order, sealed at its end.
+/// Expects that the server has every place once, in order, and the run sealed at its end.
 void expect_whole(const Rig& rig, ExperienceId experience, std::uint32_t places) {
   const Experience* const found = rig.server.snapshot.experience(experience);
   ASSERT_NE(found, nullptr);
@@ -61,8 +61,8 @@ TEST(Spooling, SeveralMethodsHandInAnExperienceEach) {
   EXPECT_EQ(rig.server.snapshot.experience(taught.others.front())->method, "more");
 }
 
-/// A run by two methods, each place of the second joined to one of the first: all joins arrive, those of the last
-/// places too, whoever was heard first.
+/// Expects a run by two methods whole, each place of the second joined to one of the first: all joins arrive, those of
+/// the last places too, whoever was heard first.
 void expect_joined(const Rig& rig) {
   const TeachStart& taught = rig.script->taught.front();
   expect_whole(rig, taught.experience, rig.script->index);

@@ -7,7 +7,7 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
-/// A robot that was taught 3 m, the last of which has not been tried yet.
+/// Arranges a robot that was taught 3 m, the last of which has not been tried yet.
 class TeachReports : public testing::Test {
  protected:
   TeachReports() {

@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = msg::AgentCommand::Kind;
 
-/// Being taught by hand, with no place kept but those that are asked for.
+/// Begins to teach by hand, with no place kept but those that are asked for.
 void begin_sparingly(Rig& rig) {
   rig.script->keep_each_step = false;
   rig.run(4s);

@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct UploadBench : Bench {
-  /// A run of one place, whose content is three chunks long, in the spool.
+  /// Arranges a run of one place, whose content is three chunks long, in the spool.
   UploadBench() {
     Kept kept;
     kept.content = some_content(1, 3 * msg::kChunkBytes);

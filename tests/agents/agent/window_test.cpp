@@ -129,7 +129,7 @@ TEST(WindowOfAgent, HoldsItsRoute) {
   EXPECT_EQ(rig.agent->window().places.size(), 60U);
 }
 
-/// Its window had not followed it yet when the route, which was always in it, ended.
+/// Arranges that the window has not followed the robot yet when the route, which was always in it, ends.
 TEST(WindowOfAgent, APlaceThatIsOnlyOutOfTheWindowIsStoodOnAllTheSame) {
   Rig rig;
   const ExperienceId laid = rig.lay_out(70, 60);

@@ -56,7 +56,7 @@ std::vector<Pose2> straight_path(double length_m) {
   return path;
 }
 
-/// Straight, a quarter turn of 0.6 m radius, straight.
+/// Returns a path: straight, a quarter turn of 0.6 m radius, straight.
 std::vector<Pose2> corner() {
   std::vector<Pose2> path;
   for (double x = -2.0; x < -0.05; x += 0.2) path.push_back({x, 0, 0});
@@ -142,8 +142,8 @@ TEST(Tracker, ABadBoundIsNamed) {
   EXPECT_NE(issues[0].message.find("lag_s"), std::string::npos);
 }
 
-/// A robot that is only known to be turned, on a way whose bends were told wrong by so many radians a metre: the path
-/// is laid out through it. How it is turned in the end.
+/// Returns how a robot is turned in the end that is only known to be turned, on a way whose bends were told wrong by
+/// so many radians a metre: the path is laid out through it.
 double turned_at_last(bool knows_aside, double told_wrong_rad_m) {
   const TrackerConfig config;
   Tracker tracker;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kScale = 0.01;  // one sigma of all distances
 constexpr double kNoiseM = 0.002;
 
-/// That motion, with noise and an error of scale.
+/// Returns a step of that motion, with noise and an error of scale.
 Step step_of(const Pose2& moved) {
   Step step;
   step.seen = true;
@@ -48,7 +48,7 @@ TEST(Advance, ThereAndBackTheCommonErrorIsNone) {
   EXPECT_NEAR(sigma_ahead(start_from_robot), kNoiseM * std::sqrt(2.0), 1e-9);
 }
 
-/// Robots with a scale of their own each, which noise comes on top of: how far they are off is what is stated.
+/// Shows, for robots with a scale of their own each and noise on top, that they are off as far as is stated.
 TEST(Advance, StatesHowFarRobotsAreOffAfterACurve) {
   constexpr int kRobots = 2000;
   const Pose2 moved = se2_exp({0.1, 0.0, 0.05});
@@ -82,7 +82,7 @@ TEST(Advance, EveryKindOfRelationStaysValid) {
   }
 }
 
-/// Up a ramp a scale is wrong along the ramp, in z as well.
+/// Shows that up a ramp an error of scale lies along the ramp, in z as well.
 TEST(Advance, InSpaceWhatStepsHaveInCommonGrowsInAllSixDimensions) {
   constexpr double kSteep = 0.1;  // rad
   Step step;

@@ -25,7 +25,7 @@ Step told() {
   return step;
 }
 
-/// A robot that really drives further than its wheels say, and turns; fixes come every other step.
+/// Simulates a robot that really drives further than its wheels say, and turns; fixes come every other step.
 struct Drive {
   double scale = 1.1;
   double turn_rad_m = -0.1;

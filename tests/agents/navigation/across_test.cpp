@@ -80,7 +80,7 @@ TEST_F(MetAcross, ACrossingIsJoined) {
   expect_right_and_not_drivable(across);
 }
 
-/// Two stitches of one pair are refused by the server, and the run with them.
+/// Shows that a pair is joined once: two stitches of one pair are refused by the server, and the run with them.
 TEST_F(MetAcross, APairOfPlacesIsJoinedOnce) {
   navigation.stitch.across_every_m = 0.01;
   navigation.stitch.reach_m = 3.0;

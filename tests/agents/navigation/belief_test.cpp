@@ -27,7 +27,7 @@ Step seen_step(double metres) {
   return {metric({metres, 0, 0}, 0.002, 0.002), true, {}};
 }
 
-/// Two places 0.2 m apart.
+/// Returns a window of two places 0.2 m apart.
 Window two_places() {
   Window window;
   for (const PlaceId& id : {kHere, kThere}) {
@@ -43,7 +43,7 @@ Window two_places() {
   return window;
 }
 
-/// A calibration is wrong by the same all the way: 1 % of 10 m, not 1 % of each step and their root.
+/// Shows it for an error of calibration, the same all the way: 1 % of 10 m, not 1 % of each step and their root.
 TEST(Belief, AnErrorThatAllStepsHaveInCommonGrowsWithTheWayUntilAFix) {
   const auto driven = [](Belief& belief, int steps) {
     for (int i = 0; i < steps; ++i) {

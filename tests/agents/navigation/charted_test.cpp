@@ -45,7 +45,7 @@ PlaceId at(std::uint32_t index) {
   return {ExperienceId{1}, index};
 }
 
-/// A chain of three.
+/// Returns a window of a chain of three places.
 Window window_from(std::uint32_t first) {
   Window window;
   window.revision = Revision{5};

@@ -52,7 +52,7 @@ struct Asked<tiny::AlongThePath> {
   static Bounds bounds() { return {0.15, 0.2, 0.02, 0.12, 0.15, 0.12, 0.2}; }
 };
 
-/// Pixels of a small image, and the plan of a slope.
+/// Sets the bounds of the stereo method, which has the pixels of a small image, and the plan of a slope.
 template <>
 struct Asked<tiny::RampStereo> {
   static Bounds bounds() {

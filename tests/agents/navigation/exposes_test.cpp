@@ -9,7 +9,7 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-/// Marks that are seen best twice as bright.
+/// Sees marks best in images that are twice as bright.
 class Brighter : public MarksMethod {
  public:
   std::optional<Exposure> expose(const Odometry&, const View& view) const {

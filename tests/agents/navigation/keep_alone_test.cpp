@@ -1,6 +1,6 @@
 #include "tests/agents/navigation/marks_fleet.hpp"
 
-/// A place that is kept for its name alone, by a robot that is not being taught.
+/// Tests a place that is kept for its name alone, by a robot that is not being taught.
 namespace weft::agents {
 namespace {
 

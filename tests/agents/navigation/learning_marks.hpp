@@ -6,14 +6,14 @@
 
 namespace weft::agents {
 
-/// `marks` whose places count the passes by them, and share that after so many.
+/// Extends `marks` with places that count the passes by them, and share that after so many.
 class LearningMarks : public MarksMethod {
  public:
   static constexpr std::uint32_t learned_format = 2;
 
   explicit LearningMarks(std::size_t passes = 1) : passes_(passes) {}
 
-  /// A pass is a sighting more, of marks that there are none of.
+  /// Adds one sighting for the pass, with the number of a mark that the content does not have.
   std::optional<Content> learn(const Content& known, const Content& seen, const Relation& known_from_seen) const {
     constexpr double near_m = 0.12;
     if (std::abs(planar(known_from_seen).x) > near_m || seen.sightings.empty()) return std::nullopt;

@@ -1,7 +1,7 @@
 #include "core/network/removal.hpp"
 #include "tests/agents/navigation/marks_fleet.hpp"
 
-/// The map is edited under a robot that knows where it is.
+/// Tests edits of the map under a robot that knows where it is.
 namespace weft::agents {
 namespace {
 

@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// Robots with the method `marks` on one floor, one little server, and what is true.
+/// Arranges robots with the method `marks` on one floor, one little server, and what is true.
 class MarksFleet : public testing::Test {
  protected:
   static constexpr ExperienceId first{11};

@@ -8,7 +8,7 @@ namespace {
 constexpr ExperienceId kFloor{1};
 constexpr ExperienceId kAhead{2};
 
-/// Two runs beside each other, a place each 0.2 m, joined at their third places; x of a place is 0.2 times its index.
+/// Returns two runs beside each other, joined at their third places; place i lies at x = 0.2 i metres.
 Window two_runs() {
   Window window;
   const auto add = [&](ExperienceId run, const std::string& method, bool metric) {

@@ -16,13 +16,13 @@ using test::NavigatedRobot;
 
 constexpr ExperienceId kRun{1};
 
-/// Places half a metre apart, and a robot that passes them as it is told.
+/// Arranges places half a metre apart, and a robot that passes them as it is told.
 class LearnedPlacesOf : public testing::Test, protected Contents {
  protected:
   LearnedPlacesOf() {
     for (std::uint32_t i = 0; i < 40; ++i) put(i, 100 + i);
   }
-  /// The place's content, unlike that of the others.
+  /// Puts a place whose content is unlike that of the others.
   void put(std::uint32_t index, std::uint64_t what) {
     Marks::Sighting sighting;
     sighting.mark = what;

@@ -17,7 +17,7 @@ struct AskedOfMarks {
   int related = 0;
 };
 
-/// Marks that can be thought away: in half light every second one, and on a worn floor all.
+/// Thinks marks away: in half light every second one, and on a worn floor all.
 class RevisitedMarks : public MarksMethod {
  public:
   static constexpr std::array<std::string_view, 3> conditions = {"as_is", "half_light", "worn"};

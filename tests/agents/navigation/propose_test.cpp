@@ -2,7 +2,7 @@
 #include "core/network/search.hpp"
 #include "tests/agents/navigation/marks_fleet.hpp"
 
-/// A robot that does not know where it is asks which places look like what it sees, and looks there first.
+/// Tests a robot that does not know where it is: it asks which places look like what it sees, and looks there first.
 namespace weft::agents {
 namespace {
 
@@ -13,7 +13,7 @@ class Propose : public MarksFleet {
  protected:
   Propose() { navigation.locate.seek_tries = 1; }
 
-  /// An index of all that is taught, as whoever has the contents makes it.
+  /// Returns an index of all that is taught, as whoever has the contents makes it.
   RecognitionIndex index_of_all() const {
     RecognitionIndex index;
     const MarksMethod method;

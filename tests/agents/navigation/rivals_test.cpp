@@ -9,7 +9,7 @@
 namespace weft::agents {
 namespace {
 
-/// A place is the more like any view the more it shows.
+/// Takes a place to be the more like any view the more it shows.
 class Doubting : public MarksMethod {
  public:
   double likeness(const Content& place, const Content&) const { return static_cast<double>(place.sightings.size()); }
@@ -26,7 +26,7 @@ class RivalsTest : public testing::Test, public Contents {
 
   static PlaceId id(std::uint64_t run, std::uint32_t index) { return {ExperienceId{run}, index}; }
 
-  /// A run of places 0.2 m apart, with so many marks each.
+  /// Teaches a run of places 0.2 m apart, with so many marks each.
   void teach(std::uint64_t run, const std::vector<std::size_t>& marks, bool arrives = true) {
     for (std::uint32_t i = 0; i < marks.size(); ++i) {
       Doubting::Content content;

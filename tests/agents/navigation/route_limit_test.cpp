@@ -10,7 +10,7 @@ namespace {
 constexpr double kRadius_m = 0.4;
 constexpr double kBrake_m_s2 = 0.5;
 
-/// A straight route of places half a metre apart, of which those from 0 to 8 are laid out.
+/// Arranges a straight route of places half a metre apart, of which those from 0 to 8 are laid out.
 struct Straight {
   explicit Straight(std::uint32_t stands_on) {
     for (std::uint32_t index = 0; index < 30; ++index) route.places.push_back({ExperienceId{1}, index});

@@ -12,7 +12,7 @@ PlaceId place(std::uint32_t index) {
   return {kLoop, index};
 }
 
-/// A way of 8 m that no poses are known of, closed by a stitch.
+/// Returns a way of 8 m that no poses are known of, closed by a stitch.
 Window loop() {
   Window window;
   for (std::uint32_t i = 0; i < kPlaces; ++i) window.places.emplace(place(i), Place{});

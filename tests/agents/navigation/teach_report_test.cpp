@@ -20,7 +20,7 @@ std::vector<double> shares_of(const TaughtStretch& row) {
   return shares;
 }
 
-/// A place every quarter of a metre, found whatever comes.
+/// Returns a run with a place every quarter of a metre, each found whatever comes.
 TeachReport way_of(double metres) {
   TeachReport way;
   way.experience = kExperience;

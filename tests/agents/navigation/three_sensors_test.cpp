@@ -51,7 +51,7 @@ class ThreeSensors : public testing::Test {
   }
   static Course course() { return std::move(Course({5, 5, 0}).straight(4.0)); }
 
-  /// Each place to the experience of its method.
+  /// Hands each place to the experience of its method.
   void take(const std::vector<Kept>& kept, const Pose2& at) {
     std::map<ExperienceId, std::vector<Kept>> by_run;
     for (const Kept& one : kept) {

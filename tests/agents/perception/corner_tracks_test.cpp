@@ -55,7 +55,7 @@ TEST_F(CornerTracks, FollowTheFloorToAFractionOfAPixel) {
   EXPECT_LT(errors[errors.size() / 2], 0.15);
 }
 
-/// A pale floor whose grey values rise and fall gently, a few marks on it.
+/// Renders a pale floor whose grey values rise and fall gently, a few marks on it.
 Image soft_floor(double brightness_at_right) {
   constexpr int width = 320;
   constexpr int height = 240;

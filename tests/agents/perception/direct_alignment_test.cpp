@@ -19,7 +19,7 @@ AttitudePrior vibrating() {
 
 class DirectAlignment : public testing::Test {
  protected:
-  /// Two views of one floor, the second `moved` from the first.
+  /// Aligns two views of one floor, the second `moved` from the first.
   DirectFit aligned(const test::FlatFloor& floor, const Pose2& moved, const Attitude& attitude, const Pose2& start,
                     const test::Shot& shot) const {
     test::Shot second = shot;

@@ -49,7 +49,7 @@ class Scene {
     for (int i = 0; i < images; ++i) all.push_back(all.back() * exposure_factor(taken(all.back()), 1.0, {}));
     return all;
   }
-  /// Share of what shows: neither white nor lost in the noise.
+  /// Returns the share of the scene that shows: neither white nor lost in the noise.
   double shows(double exposure) const {
     return static_cast<double>(
                std::count_if(light_.begin(), light_.end(),
@@ -85,7 +85,7 @@ TEST(ExposureFactor, SettlesAtOneExposureFromBothSidesWithoutSwinging) {
     EXPECT_NEAR(from_dark[i + 1] / from_dark[i], 1.0, 0.03) << i;
 }
 
-/// A mean of grey levels would have everything else go dark.
+/// Shows that a lamp changes little; by a mean of grey levels everything else would go dark.
 TEST(ExposureFactor, ALampInThePictureChangesLittle) {
   Scene without(20.0, 200.0);
   Scene with(20.0, 200.0);
@@ -93,7 +93,7 @@ TEST(ExposureFactor, ALampInThePictureChangesLittle) {
   EXPECT_NEAR(std::log2(with.told(1.0, 16).back() / without.told(1.0, 16).back()), 0.0, 0.4);
 }
 
-/// And here it would have what is lit go white: most of the picture shows nothing, whatever the exposure.
+/// Shows that what is lit keeps showing; by a mean it would go white, as most of the picture shows nothing at all.
 TEST(ExposureFactor, WhatIsLitInTheDarkIsNotGivenUpForTheDark) {
   Scene scene(20.0, 200.0);
   scene.set(0, 110, 0.2);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kFocalPx = 386.0;
 constexpr double kSaidTo = 0.02;
 
-/// Places each 0.2 m, and a robot among them that is taken to be at 0.
+/// Describes places each 0.2 m, and a robot among them that is taken to be at 0.
 struct Passage {
   double truly_m = 0.0;
   double aside_m = 0.0;

@@ -22,7 +22,7 @@ struct Truth {
   Eigen::Matrix3d homography() const { return rotation + translation * normal.transpose(); }
 };
 
-/// A plane in front of the camera and a motion in it, of the size that a keyframe sees.
+/// Returns a plane in front of the camera and a motion in it, of the size that a keyframe sees.
 Truth random_truth(Random& random) {
   Truth t;
   do t.normal = random_unit(random);

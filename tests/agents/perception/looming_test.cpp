@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFocalPx = 386.0;
 
-/// Points on racks before a camera at the origin that looks along x, and the camera as it has moved on.
+/// Describes how the camera has moved from the origin, where it looks along x at points on racks before it.
 struct Moved {
   double ahead_m = 0.0;
   double left_m = 0.0;
@@ -35,7 +35,7 @@ UprightFeature seen(const Eigen::Vector3d& point, const Moved& from, double nois
   return feature;
 }
 
-/// Things about 4 m away; of the matches `wrong` are of something else.
+/// Returns two views of things about 4 m away; of the matches the share `wrong` are of something else.
 Views views(const Moved& moved, double wrong, std::uint64_t seed) {
   Random random(seed);
   Views views;

@@ -24,7 +24,7 @@ PlanarState random_state(Random& random) {
   return state;
 }
 
-/// Points that both see, exact up to `noise_px`.
+/// Returns points that both see, exact up to `noise_px`.
 std::vector<FloorPair> seen_by_both(const CameraModel& a, const CameraModel& b, const PlanarState& state, int count,
                                     double noise_px, Random& random) {
   std::vector<FloorPair> pairs;

@@ -19,7 +19,7 @@ class RevisitedView : public testing::Test {
     shot.gain = gain;
     return eye.render(floor, at, {}, shot);
   }
-  /// Mean difference of the grey levels, in the middle of the image: what both show.
+  /// Returns the mean difference of the grey levels in the middle of the image, which both show.
   static double apart(const Image& a, const Image& b) {
     const cv::Rect middle(a.width / 4, a.height / 4, a.width / 2, a.height / 2);
     cv::Mat difference;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSceneFocalPx = 386.0;
 constexpr std::uint32_t kPoints = 80;
 
-/// Optical frame: x right, y down, z ahead.
+/// Places the optical frame (x right, y down, z ahead) in the world.
 using Camera = Eigen::Isometry3d;
 
 Camera camera(double ahead_m, double turned, double pitched, double rolled) {

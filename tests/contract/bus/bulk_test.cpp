@@ -23,7 +23,7 @@ class Sender {
       : link_(link), from_(from), to_(to), content_(content) {}
   void start_at(std::size_t offset) { offset_ = offset; }
   bool done() const { return offset_ >= content_.size(); }
-  /// Up to `chunks` more.
+  /// Sends up to `chunks` more.
   void send(int chunks) {
     for (; chunks > 0 && !done(); --chunks) {
       const std::size_t size = std::min(msg::kChunkBytes, content_.size() - offset_);
@@ -80,7 +80,7 @@ class Receiver {
   std::map<std::size_t, Bytes> chunks_;
 };
 
-/// Position in `messages` of the last one that is an M.
+/// Returns the position in `messages` of the last one that is an M.
 template <class M>
 std::size_t last_of(const std::vector<msg::Message>& messages) {
   std::size_t last = 0;

@@ -6,7 +6,7 @@
 
 namespace weft::contract {
 
-/// Each test runs once for each pairing of buses.
+/// Runs each test once for each pairing of buses.
 struct BusContract : testing::TestWithParam<Pairing> {
   Fleet fleet{GetParam()};
 };

@@ -13,7 +13,7 @@
 
 namespace weft::contract {
 
-/// One of the buses, or a mix: who the server speaks through and who its peers.
+/// Names one of the buses, or a mix: who the server speaks through and who its peers.
 struct Pairing {
   std::string name;
   std::optional<bus::Vendor> server;  ///< none: in process, both
@@ -26,7 +26,7 @@ std::vector<Pairing> pairings();
 PeerId peer_id(std::uint8_t number);
 inline const PeerId kServerId = peer_id(1);
 
-/// A peer of the server: over DDS a process of its own.
+/// Holds a peer of the server: over DDS a process of its own.
 class Peer {
  public:
   Peer(PeerId self, std::unique_ptr<bus::Bus> bus) : id(self), link(std::move(bus)) {}
@@ -35,17 +35,17 @@ class Peer {
   std::vector<msg::Message> got;
 };
 
-/// A server in this process and its peers on a pairing's buses, in a DDS domain of its own.
+/// Holds a server in this process and its peers on a pairing's buses, in a DDS domain of its own.
 class Fleet {
  public:
   explicit Fleet(Pairing pairing);
 
   bus::Link& server() { return *server_; }
   Peer& start_peer(msg::Role role, PeerId id, bool lax = false);
-  /// kill -9, or what comes closest in process.
+  /// Kills the peer with kill -9, or what comes closest in process.
   void kill(Peer& peer);
   void stop_server() { server_.reset(); }
-  /// The server anew: same address, nothing remembered.
+  /// Starts the server anew: same address, nothing remembered.
   void start_server();
   /// Sets the loss, where messages can be lost at will; elsewhere returns false.
   bool set_loss(double share);
@@ -54,7 +54,7 @@ class Fleet {
   bool until(const std::function<bool()>& holds);
   /// Lets messages flow for a moment and collects them.
   void turn();
-  /// The same without collecting: for tests that take from the buses themselves.
+  /// Lets messages flow without collecting them: for tests that take from the buses themselves.
   void let_flow();
 
   std::vector<msg::Message> got;  ///< by the server

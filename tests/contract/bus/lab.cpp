@@ -13,7 +13,7 @@
 namespace weft::contract {
 namespace {
 
-/// A child in a network of its own that does nothing; 0 when the system refuses.
+/// Starts a child in a network of its own that does nothing; returns its pid, 0 when the system refuses.
 pid_t hold_namespace() {
   int told[2];
   if (pipe(told) != 0) return 0;
@@ -42,7 +42,7 @@ std::string process_file(pid_t process, const char* name) {
   return text.str();
 }
 
-/// The number in the given column after a line's heading.
+/// Returns the number in the given column after a line's heading.
 std::uint64_t number_after(const std::string& text, const std::string& heading, int column) {
   const std::size_t at = text.rfind(heading);
   if (at == std::string::npos) return 0;

@@ -10,27 +10,27 @@
 
 namespace weft::contract {
 
-/// Two machines that share a cable: network namespaces with a pair of virtual Ethernet devices, gone with this
-/// process however it ends. Needs root, iproute2 and nftables.
+/// Simulates two machines that share a cable: network namespaces with a pair of virtual Ethernet devices, gone with
+/// this process however it ends. Needs root, iproute2 and nftables.
 class Lab {
  public:
   enum class At : std::uint8_t { server, robot };
   static constexpr const char* kServer = "10.9.0.1";
   static constexpr const char* kRobot = "10.9.0.2";
 
-  /// unavailable: says what this machine lacks.
+  /// Makes a lab. unavailable: says what this machine lacks.
   static Result<std::unique_ptr<Lab>> make();
   ~Lab();
   Lab(const Lab&) = delete;
   Lab& operator=(const Lab&) = delete;
 
-  /// A process that stays in the machine's namespace.
+  /// Returns a process that stays in the machine's namespace.
   pid_t holder(At machine) const { return holders_[static_cast<std::size_t>(machine)]; }
-  /// A shell's line on one machine; its device is named `eth0`.
+  /// Runs a shell's line on one machine; its device is named `eth0`.
   Result<void> run(At machine, const std::string& line) const;
   /// Drops this share of the frames that come in, each by chance, at both ends.
   Result<void> lose(unsigned percent) const;
-  /// Bytes that the machine's device has sent, and the IP fragments that it had to make for them.
+  /// Return the bytes that the machine's device has sent, and the IP fragments that it had to make for them.
   std::uint64_t sent_bytes(At machine) const;
   std::uint64_t fragments(At machine) const;
 

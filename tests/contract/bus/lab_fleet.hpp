@@ -12,7 +12,7 @@ namespace weft::contract {
 
 inline const PeerId kRobotId = peer_id(2);
 
-/// A server and a robot on two machines of a lab, each test once for each pairing of vendors. Skipped, with the
+/// Holds a server and a robot on two machines of a lab, each test once for each pairing of vendors. Skips, with the
 /// reason, where the system has no network namespaces for us.
 class LabTest : public testing::TestWithParam<Pairing> {
  protected:
@@ -33,9 +33,9 @@ class LabTest : public testing::TestWithParam<Pairing> {
 
 /// Turns until it holds, or half a minute is over: false.
 bool until(const std::function<bool()>& holds);
-/// The link hears a hello of the peer.
+/// Returns whether the link hears a hello of the peer.
 bool hears(bus::Link& link, const PeerId& peer);
-/// The robot gets an order that the server repeats.
+/// Returns whether the robot gets an order that the server repeats.
 bool is_answered(bus::Link& server, bus::Link& robot);
 
 std::vector<Pairing> pairings_over_dds();

@@ -131,7 +131,7 @@ TEST_P(PeerContract, NothingIsKeptForClientsThatAreGone) {
   EXPECT_TRUE(fleet.until([&] { return fleet.server().bus().counters().peers == 0; }));
 }
 
-/// A vendor may have to say much of itself anew by then: that disturbs nobody.
+/// Shows that it disturbs nobody if a vendor has to say much of itself anew by then.
 TEST_P(PeerContract, AfterManyClientsThatAreGoneTheOthersAreServedAsBefore) {
   if (!GetParam().server) GTEST_SKIP() << "in process nothing is made for a peer";
   Peer& survivor = fleet.start_peer(Role::agent, peer_id(1));

@@ -7,9 +7,10 @@ namespace {
 
 struct LossyLink : LabTest {};
 
-/// A writer says nothing of readers that it does not know yet: a first chunk is sent until it is heard, and sent on
-/// until heartbeats have followed it. Cyclone DDS takes another vendor's data before a heartbeat, and what is
-/// incomplete when the first one comes it takes for sent before it began to listen: that is never asked for again.
+/// Returns whether chunks arrive. A writer says nothing of readers that it does not know yet: a first chunk is sent
+/// until it is heard, and sent on until heartbeats have followed it. Cyclone DDS takes another vendor's data before a
+/// heartbeat, and what is incomplete when the first one comes it takes for sent before it began to listen: that is
+/// never asked for again.
 bool chunks_arrive(bus::Link& from, bus::Link& to, msg::Chunk first) {
   constexpr int kHeard = 5;  // 100 ms apart or more, as heartbeats are
   first.offset = first.total;

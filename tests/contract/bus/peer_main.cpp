@@ -15,7 +15,7 @@
 #include "idl/bus/backends.hpp"
 #include "tests/contract/bus/frames.hpp"
 
-/// A bus in a process of its own, driven over stdin and stdout by the contract tests' RemoteBus:
+/// Runs a bus in a process of its own, driven over stdin and stdout by the contract tests' RemoteBus:
 /// weft-bus-peer VENDOR ROLE HEX_ID DOMAIN LISTEN SERVER strict|lax PROCESS HOSTS. `lax` sends what the topic table's
 /// bounds forbid. PROCESS: in whose network namespace it lives, 0 for the one that it is started in. HOSTS: its
 /// /etc/hosts, or nothing.

@@ -20,7 +20,7 @@ const char* name(msg::Role role) {
   return role == msg::Role::server ? "server" : role == msg::Role::client ? "client" : "agent";
 }
 
-/// The child's pid; 0 when it cannot be started.
+/// Starts a child; returns its pid, 0 when it cannot be started.
 pid_t spawn(std::vector<std::string> arguments, int in, int out) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());

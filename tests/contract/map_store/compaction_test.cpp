@@ -5,7 +5,7 @@
 #include "tests/storage/random_history.hpp"
 #include "tests/storage/sample_map.hpp"
 
-/// Deleting for good: what the kept revisions need stays, to the last row; what they do not need goes.
+/// Tests deleting for good: what the kept revisions need stays, to the last row; what they do not need goes.
 namespace weft::storage {
 namespace {
 
@@ -192,7 +192,7 @@ TEST_P(MapCompaction, AnEarlierRollbackBehindTheFloorKeepsWhatItNeeds) {
   expect_sound();
 }
 
-/// A history at random, compacted again and again while it goes on: no kept revision changes in anything.
+/// Shows it on a random history, compacted again and again while it goes on: no kept revision changes in anything.
 TEST_P(MapCompaction, KeptRevisionsStayAsTheyWere) {
   for (const std::uint64_t seed : {71U, 72U, 73U}) {
     medium_ = GetParam().make_medium();

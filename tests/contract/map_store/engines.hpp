@@ -7,13 +7,13 @@
 
 namespace weft::storage {
 
-/// One engine under the contract: a place that outlives the stores that are opened on it.
+/// Holds one engine under the contract: a medium that outlives the stores that are opened on it.
 class Medium {
  public:
   virtual ~Medium() = default;
-  /// A store on the medium, as a process that starts would get it. The earlier one has gone.
+  /// Starts a store on the medium, as a process that starts would get it. The earlier one has gone.
   virtual Result<std::unique_ptr<MapStore>> start() = 0;
-  /// The same while an earlier store is still alive: what keeps processes apart has failed.
+  /// Starts one while an earlier store is still alive: what keeps processes apart has failed.
   virtual Result<std::unique_ptr<MapStore>> start_beside() = 0;
 };
 

@@ -7,7 +7,7 @@
 #include "tests/storage/random_history.hpp"
 #include "tests/storage/sample_map.hpp"
 
-/// The map's past: every revision can be seen again, gone back to, and undone; nothing that was acknowledged is lost.
+/// Tests the map's past: every revision can be seen again, gone back to, and undone; no acknowledged change is lost.
 namespace weft::storage {
 namespace {
 
@@ -58,7 +58,7 @@ TEST_P(MapHistory, AStitchThatIsTakenOutCanBeMadeAnew) {
   EXPECT_EQ(stored_.snapshot.stitch_count(), 1U);
 }
 
-/// A run whose place 1 is learned twice, by another robot's batch and by an edit.
+/// Arranges a run whose place 1 is learned twice, by another robot's batch and by an edit.
 struct Learned {
   sample::Run run{0x11, 1};
   sample::Run lessons{0x22, 2};

@@ -7,7 +7,7 @@
 namespace weft::storage {
 namespace {
 
-/// A map of three runs, stitched to each other, that people edit at random.
+/// Arranges a map of three runs, stitched to each other, that people edit at random.
 class NearMaps : public StoreTest {
  protected:
   void play(int steps, std::uint64_t seed) {

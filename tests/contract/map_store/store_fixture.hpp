@@ -9,12 +9,12 @@
 
 namespace weft::storage {
 
-/// A store on an engine's medium, and what every test of the contract does with it.
+/// Holds a store on an engine's medium, and what every test of the contract does with it.
 class StoreTest : public testing::TestWithParam<Engine> {
  protected:
   void SetUp() override { restart(); }
 
-  /// The old process is gone, a new one opens.
+  /// Restarts: the old process is gone, a new one opens the store.
   void restart() {
     store_.reset();
     auto started = medium_->start();

@@ -3,7 +3,7 @@
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// Upkeep while the store is used: what is asked of every engine.
+/// Tests upkeep while the store is used: what is asked of every engine.
 namespace weft::storage {
 namespace {
 

@@ -11,7 +11,7 @@ using Took = FollowMission::Took;
 
 struct FollowBench : Bench {
   FollowBench() : laid(lay_out(server, 70, 20)) { script->estimate = Estimate{{laid, 0}, Relation{}, 0.0}; }
-  /// The mission with a route that is followed.
+  /// Arranges the mission with a route that is followed.
   void drive() {
     fetch_map();
     EXPECT_EQ(mission.take(a_route(laid, 10, 1), false, now), Took::route);
@@ -101,7 +101,7 @@ TEST(FollowMission, ReleaseIsFollowedAtOnceButNotByAStoppedRobot) {
   EXPECT_EQ(bench.script->followed.back().released, 3U);
 }
 
-/// Twice round the same ten places, as far along it as the robot says.
+/// Arranges a route twice round the same ten places, released to the 14th; the robot says how far along it is.
 struct RoundBench : FollowBench {
   RoundBench() : route(a_route(laid, 10, 1)) {
     const std::vector<PlaceId> round = route.places;

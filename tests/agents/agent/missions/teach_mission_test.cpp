@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct TeachBench : Bench {
-  /// The mission with a run that is on.
+  /// Arranges the mission with a run that is on.
   void begin(const std::string& name = "aisle") {
     msg::AgentCommand command;
     command.name = name;

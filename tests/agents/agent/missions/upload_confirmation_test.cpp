@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct ConfirmationBench : Bench {
-  /// A sealed run of one place of its second method, which the server does not have.
+  /// Arranges a sealed run of one place of its second method, which the server does not have.
   ConfirmationBench() {
     run.experience = ExperienceId{1};
     run.others = {ExperienceId{2}};

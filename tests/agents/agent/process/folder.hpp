@@ -9,7 +9,7 @@
 
 namespace weft::agents::test {
 
-/// A folder that is gone with the test.
+/// Holds a folder that is gone with the test.
 class Folder {
  public:
   Folder() {

@@ -13,7 +13,7 @@
 
 namespace weft::agents::test {
 
-/// A robot of a simulated site with what its agent navigates by, and the map that all of them share.
+/// Holds a robot of a simulated site with what its agent navigates by, and the map that all of them share.
 class SimulatedRobot {
  public:
   SimulatedRobot(const std::string& site, const std::string& name, const std::vector<std::string>& methods,

@@ -24,7 +24,7 @@ Options options_in(const Folder& folder) {
   return options;
 }
 
-/// Everything that an agent cannot start with is one line that names it.
+/// Expects that an agent cannot start with these options, and that the error names the word that is wrong.
 void expect_refused(const Options& options, const std::string& word) {
   const Result<void> ran = run(options);
   ASSERT_FALSE(ran.has_value()) << word;

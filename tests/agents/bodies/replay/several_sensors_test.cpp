@@ -29,7 +29,7 @@ class SeveralSensors : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// A camera whose images are of these milliseconds.
+  /// Records a camera whose images are of these milliseconds.
   void record(const std::string& name, double left_m, const std::vector<double>& times_ms) const {
     const fs::path camera = folder_ / "mav0" / name;
     fs::create_directories(camera / "data");
@@ -49,7 +49,7 @@ class SeveralSensors : public testing::Test {
     config.warn = [this](const std::string& text) { warnings_ += text + "\n"; };
     return make_replay_body(config);
   }
-  /// "time: sensors" of each sample, and how it ended.
+  /// Plays the recording; returns "time: sensors" of each sample, and how it ended.
   static std::vector<std::string> played(Body& body) {
     std::vector<std::string> all;
     for (;;) {

@@ -14,7 +14,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// A hall lit from everywhere, seen by a camera without any fault but what a test sets.
+/// Arranges a hall lit from everywhere, seen by a camera without any fault but what a test sets.
 class CameraSees : public testing::Test {
  protected:
   CameraSees() {
@@ -38,7 +38,7 @@ class CameraSees : public testing::Test {
     return shot;
   }
 
-  /// The same while driving: `moved_m` ahead and `turned_rad` from the exposure's begin to its end.
+  /// Returns the same while driving: `moved_m` ahead and `turned_rad` from the exposure's begin to its end.
   FloorShot moving(const Pose2& site_from_robot, double moved_m, double turned_rad) const {
     FloorShot shot = still(site_from_robot);
     for (std::size_t k = 0; k < kSubsamples; ++k) {
@@ -69,7 +69,7 @@ TEST_F(CameraSees, MarksWhereTheTrueModelProjectsThem) {
       }));
 }
 
-/// Spread (variance, px^2) of one mark's darkness along the columns and rows.
+/// Holds the spread (variance, px^2) of one mark's darkness along the columns and rows.
 struct Spread {
   double across = 0.0, down = 0.0;
 };

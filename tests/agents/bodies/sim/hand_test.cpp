@@ -24,7 +24,7 @@ double distance_to_line(const std::vector<SitePoint>& line, const Pose2& robot) 
   return best;
 }
 
-/// A stadium: two straights of 6 m and two half circles of 0.9 m radius.
+/// Returns a stadium: two straights of 6 m and two half circles of 0.9 m radius.
 std::vector<SitePoint> stadium() {
   std::vector<SitePoint> line = {{4.0, 6.0}, {10.0, 6.0}};
   for (int i = 0; i <= 16; ++i) {

@@ -9,7 +9,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Grey at a place of the tile that begins at the site's origin.
+/// Returns the grey value at (x, y), in metres, of the tile that begins at the site's origin.
 int grey_at(const Tile& tile, double x, double y) {
   return tile[static_cast<std::size_t>(y / kTexelM) * kTileTexels + static_cast<std::size_t>(x / kTexelM)];
 }

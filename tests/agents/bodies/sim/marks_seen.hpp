@@ -31,7 +31,7 @@ inline Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) 
   return polygon[0] + sum / area;
 }
 
-/// One mark of a DottedFloor in an image: where it is on the floor, and how far it is seen from where it belongs.
+/// Describes one mark of a DottedFloor in an image: where it is on the floor, and how far from there it is seen.
 struct MarkSeen {
   Eigen::Vector2d on_floor, off_px;
 };

@@ -113,7 +113,7 @@ TEST(RollingShutter, ShowsAPillarInTheTimeOfItsRows) {
   EXPECT_EQ(changed_outside, 0);
 }
 
-/// Middle of what is bright in some rows of a forward image.
+/// Returns the middle of what is bright in some rows of a forward image.
 Eigen::Vector2d brightest_in(const Image& image, int from_row, int to_row) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double weight = 0.0;
@@ -128,7 +128,7 @@ Eigen::Vector2d brightest_in(const Image& image, int from_row, int to_row) {
   return sum / weight;
 }
 
-/// Two lamps straight ahead, one above the other in the image of a camera that looks up a little.
+/// Arranges two lamps straight ahead, one above the other in the image of a camera that looks up a little.
 struct LampsAhead {
   explicit LampsAhead(double readout_s) : site(rolling_site(readout_s)) {
     site.lamps = {{14.0, 6.0, 5.0, 1.0}, {9.0, 6.0, 5.0, 1.0}};

@@ -28,7 +28,7 @@ double mean_of(const Bytes& pixels) {
   return sum / static_cast<double>(pixels.size());
 }
 
-/// A small camera: what a test says about time and numbers does not need many pixels.
+/// Returns a site with a small camera: what a test says about time and numbers does not need many pixels.
 Site quick_site() {
   Site site = empty_site();
   site.camera.width = 128;
@@ -212,7 +212,7 @@ double difference_of(const Bytes& a, const Bytes& b) {
   return sum / static_cast<double>(a.size());
 }
 
-/// Samples of a robot that rolls on at an even speed, an image every 10 ms.
+/// Returns samples of a robot that rolls on at an even speed, an image every 10 ms.
 std::vector<Sample> rolling_with_stamps_off_by(double offset_s) {
   Site site = empty_site();
   site.disturbances = no_disturbances();

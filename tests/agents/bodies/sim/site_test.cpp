@@ -56,7 +56,7 @@ double length_of(const std::vector<Eigen::Vector2d>& line) {
   return sum;
 }
 
-/// Points every 5 cm, each with its heading.
+/// Returns points every 5 cm along the line, each with its heading.
 std::vector<Pose2> walk(const std::vector<Eigen::Vector2d>& line) {
   std::vector<Pose2> poses;
   for (std::size_t i = 1; i < line.size(); ++i) {

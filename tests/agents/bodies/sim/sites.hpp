@@ -17,7 +17,7 @@ inline Disturbances no_disturbances() {
   return d;
 }
 
-/// An empty hall of 20 x 12 m with two robots.
+/// Returns an empty hall of 20 x 12 m with two robots.
 inline Site empty_site() {
   Site site;
   site.name = "hall";
@@ -42,7 +42,7 @@ inline std::unique_ptr<Body> body_of(const SimBodyConfig& config) {
   return body ? std::move(*body) : nullptr;
 }
 
-/// White, with black discs of a radius at the crossings of a grid.
+/// Paints a white floor, with black discs of a radius at the crossings of a grid.
 class DottedFloor final : public FloorSource {
  public:
   static constexpr double kSpacingM = 0.2;

@@ -18,7 +18,7 @@ inline cv::Mat picture_of(Tile& tile) {
   return cv::Mat(kTileTexels, kTileTexels, CV_8U, tile.data());
 }
 
-/// Best correlation of a patch of one tile anywhere in another.
+/// Returns the best correlation of a patch of one tile anywhere in another.
 inline double best_match(Tile& of, Tile& in) {
   cv::Mat scores;
   const cv::Mat patch = picture_of(of)(cv::Rect(400, 400, 160, 160));

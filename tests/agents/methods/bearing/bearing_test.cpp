@@ -193,7 +193,7 @@ TEST_F(BearingTest, SettingsOutOfBoundsAreNamedTogether) {
   EXPECT_THAT(made.error().message, HasSubstr("focal length"));
 }
 
-/// Taught every 0.2 m from x = 5 to 9; the chart's centre is at 7.
+/// Arranges an aisle taught every 0.2 m from x = 5 to 9; the chart's centre is at 7.
 class BearingLocateTest : public BearingTest {
  protected:
   void SetUp() override {
@@ -254,7 +254,7 @@ TEST_F(BearingLocateTest, AHeadingThatTheOthersDoNotTellIsNone) {
   EXPECT_NEAR(along(located.fix->place_from_robot).heading_shift_rad, 0.0, 0.03);
 }
 
-/// A bend to the left in a room of 7 x 6 m, taught every 0.15 m.
+/// Arranges a bend to the left in a room of 7 x 6 m, taught every 0.15 m.
 class BearingBendTest : public testing::Test {
  protected:
   static agents::sim::Site room() {
@@ -328,7 +328,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, BearingOtherLensTest,
                          testing::Values(std::pair{0.02, 0.0}, std::pair{0.03, 0.0}, std::pair{0.0, 0.04},
                                          std::pair{0.0, -0.04}));
 
-/// Around a place that is only supposed to be where it is, nothing is learned for good.
+/// Shows that around a place that is only supposed to be where it is, nothing is learned for good.
 TEST_F(BearingLocateTest, OfLensesOnlyViewsThatAreBelievedTell) {
   sim::Site site = test::aisle_site();
   site.forward_camera.focal_px *= 1.01;

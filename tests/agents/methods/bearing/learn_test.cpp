@@ -22,7 +22,7 @@ class BearingLearns : public testing::Test {
     site.change.seed = 5;
     return site;
   }
-  /// Rendered once for all tests.
+  /// Returns the content of a view, rendered once for all tests.
   static const BearingContent& seen(double stock = 0.0, std::uint64_t day = 0, const Pose2& from = {6.0, 6.0, 0.0}) {
     static std::map<std::array<double, 5>, BearingContent> all;
     const auto [at, is_new] =

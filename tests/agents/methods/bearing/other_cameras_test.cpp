@@ -39,7 +39,7 @@ TEST(OtherCameras, AreNeverKnownForSure) {
   EXPECT_GT(sigma_of(cameras.of(kRun, kDataSheet)), 0.001);
 }
 
-/// A view may show something else than what was taught.
+/// Shows that one view does not decide, as it may show something else than what was taught.
 TEST(OtherCameras, NoViewByItselfDecidesAndManyDo) {
   OtherCameras cameras;
   for (int view = 0; view < 10; ++view) cameras.told({kRun, {0.0, 1e-6}}, kDataSheet);

@@ -9,7 +9,7 @@
 namespace weft::agents {
 namespace {
 
-/// Settings of a camera of which nothing is off but what a test says.
+/// Returns settings of a camera of which nothing is off but what a test says.
 FloorConfig exact() {
   FloorConfig config;
   config.focal_share = config.centre_px = config.distortion_px = 1e-7;

@@ -17,7 +17,7 @@
 namespace weft::agents {
 namespace {
 
-/// A picture of a folder that says how large its pictures are (floors.toml).
+/// Names a picture of a folder that says how large its pictures are (floors.toml).
 struct Photograph {
   const char* folder;  ///< "textures": as tests/floor-textures makes one of them
   const char* name;

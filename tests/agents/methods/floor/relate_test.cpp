@@ -264,7 +264,8 @@ TEST_F(FloorRelate, DamagedContentsThatDecodeDoNoHarm) {
   EXPECT_GT(decoded, 5);
 }
 
-/// A worn stencil, a mended slab, a photograph's crop used twice: there the two floors are equal, and nowhere else.
+/// Arranges two floors that are equal in one patch and nowhere else: a worn stencil, a mended slab, a photograph's
+/// crop used twice.
 TEST_F(FloorRelate, APatchThatLooksTheSameElsewhereIsNoPlace) {
   const Floor method = make(test::paper_camera());
   const FloorContent a = content(method, {3.2, 4.0, 0.0}, {});

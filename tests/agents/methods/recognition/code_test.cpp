@@ -18,7 +18,7 @@ Signature random_signature(Random& random, std::size_t numbers) {
   return signature;
 }
 
-/// `signature` as another view shows it: as much noise as there is to see.
+/// Returns `signature` as another view shows it: with as much noise as there is to see.
 Signature seen_again(const Signature& signature, Random& random) {
   Signature again = signature;
   for (float& number : again) number += static_cast<float>(0.05 * random.normal());

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNumbers = 128;
 
-/// A site of straight runs whose views change slowly along them, so that neighbours look alike.
+/// Arranges a site of straight runs whose views change slowly along them, so that neighbours look alike.
 class Recognition : public testing::Test {
  protected:
   void run(std::uint64_t experience, std::uint32_t places) {

@@ -8,8 +8,8 @@
 
 namespace weft::agents::tiny {
 
-/// Distance and heading only: no pose is ever known. The heading shift is that of the bearings of marks ahead, so a
-/// robot beside the path sees itself turned, and steering by it brings it back.
+/// Knows distance and heading only: no pose is ever known. The heading shift is that of the bearings of marks ahead,
+/// so a robot beside the path sees itself turned, and steering by it brings it back.
 class AlongThePath {
  public:
   static constexpr std::string_view name = "along-the-path";

@@ -10,7 +10,7 @@
 
 namespace weft::agents::tiny {
 
-/// A particle filter on an occupancy grid: marks are mere points here, their numbers are not used for localising.
+/// Localises by a particle filter on an occupancy grid: marks are mere points here, their numbers are not used for it.
 class GridFilter {
  public:
   static constexpr std::string_view name = "grid-filter";
@@ -64,7 +64,7 @@ class GridFilter {
     return chart;
   }
 
-  /// `seed` is a place of the chart: its centre, as navigation makes it.
+  /// Returns the belief as it is. In `begin`, `seed` is a place of the chart: its centre, as navigation makes it.
   Belief believed(const Chart&, const Belief& belief, const Estimate&) const { return belief; }
   Belief begin(const Chart& chart, const Estimate& seed) const {
     Belief belief;
@@ -122,7 +122,7 @@ class GridFilter {
     return hits;
   }
 
-  /// Low-variance resampling; the weighted mean and covariance of what was there before.
+  /// Resamples with low variance; returns the weighted mean and covariance of the particles as they were before.
   static Metric2 resample(Belief& belief, double sum) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     const Pose2 first = belief.particles.front().centre_from_robot;

@@ -10,7 +10,7 @@
 
 namespace weft::agents::tiny {
 
-/// A floor that rises by 0.3 m between x = 6 and 9, and marks that hang above it.
+/// Describes a floor that rises by 0.3 m between x = 6 and 9 m, and marks that hang above it.
 struct Ramp {
   static constexpr double from_x = 6.0, to_x = 9.0, rise_m = 0.3;
 
@@ -31,12 +31,12 @@ struct Ramp {
   }
 };
 
-/// Two cameras that look up from the robot's origin, the right one 0.25 m further along y.
+/// Simulates two cameras that look up from the robot's origin, the right one 0.25 m further along y.
 struct StereoUp {
   static constexpr int side_px = 1024;
   static constexpr double focal_px = 380.0, baseline_m = 0.25;
 
-  /// A mark is four grey values in a row: its number, then how far within the first one's row and column it lies.
+  /// Draws each mark as four grey values in a row: two of its number, two of where in the first one's pixel it lies.
   static Image draw(const std::vector<std::pair<std::uint64_t, Eigen::Vector3d>>& marks, double aside_m) {
     Bytes pixels(static_cast<std::size_t>(side_px) * side_px, 0);
     for (const auto& [mark, at] : marks) {

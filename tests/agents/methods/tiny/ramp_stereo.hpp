@@ -9,7 +9,7 @@
 
 namespace weft::agents::tiny {
 
-/// Points of a stereo pair, related by the rigid motion between them. Relations are Metric3, with z and pitch.
+/// Relates points of a stereo pair by the rigid motion between them. Relations are Metric3, with z and pitch.
 class RampStereo {
  public:
   static constexpr std::string_view name = "ramp-stereo";
@@ -87,7 +87,7 @@ class RampStereo {
   }
   std::optional<Signature> sign(const Content&) const { return std::nullopt; }
 
-  /// Least squares over the common points (Arun et al. 1987), twice: all, then those that fit.
+  /// Fits by least squares over the common points (Arun et al. 1987), twice: to all, then to those that fit.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>&) const {
     constexpr std::size_t least = 6;
     constexpr double gate_m = 0.12;
@@ -121,7 +121,7 @@ class RampStereo {
  private:
   static Matrix6d covariance(double sigma) { return sigma * sigma * Matrix6d::Identity(); }
 
-  /// Row and column of each mark against the middle, pixels.
+  /// Returns row and column of each mark against the middle, in pixels.
   static std::map<std::uint64_t, Eigen::Vector2d> dots(const Image& image) {
     std::map<std::uint64_t, Eigen::Vector2d> found;
     const Bytes& pixels = *image.pixels;

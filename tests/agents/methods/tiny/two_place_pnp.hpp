@@ -10,9 +10,9 @@
 
 namespace weft::agents::tiny {
 
-/// PnP: marks hang from a ceiling at heights of their own, a camera in the robot's origin looks up. A content holds
-/// 3D points and their image; a robot is located by the points of the two nearest places together. Relations are
-/// Metric3.
+/// Locates by PnP: marks hang from a ceiling at heights of their own, a camera in the robot's origin looks up. A
+/// content holds 3D points and their image; a robot is located by the points of the two nearest places together.
+/// Relations are Metric3.
 class TwoPlacePnp {
  public:
   static constexpr std::string_view name = "two-place-pnp";

@@ -20,7 +20,7 @@ CameraModel camera() {
   return camera;
 }
 
-/// The largest distance between what was found and where the pose puts it.
+/// Returns the largest distance, in pixels, between what was found and where the pose puts it.
 double worst_px(const Sighting& found, const CameraModel& eye, const Pose3& camera_from_board) {
   double worst = 0.0;
   for (std::size_t i = 0; i < found.pixels.size(); ++i) {

@@ -43,7 +43,7 @@ BoardImage seen(const CameraModel& camera, const Pose3& camera_from_board, Rando
   return image;
 }
 
-/// The board in all parts of the image, tilted to all sides by up to `tilt_rad`.
+/// Renders the board in all parts of the image, tilted to all sides by up to `tilt_rad`.
 std::vector<BoardImage> taken(const CameraModel& camera, double tilt_rad, std::size_t count = 14,
                               double distance_m = 0.35) {
   const test::Print print = test::print_of(kBoard);

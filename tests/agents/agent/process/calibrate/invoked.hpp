@@ -7,7 +7,7 @@
 
 namespace weft::agents::test {
 
-/// The words after `weft-agent calibrate`, understood.
+/// Returns what is understood of the words after `weft-agent calibrate`.
 inline std::variant<CameraJob, MountJob, Leave> parsed(const std::vector<std::string>& words) {
   std::vector<const char*> argv = {"calibrate"};
   for (const std::string& word : words) argv.push_back(word.c_str());

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An empty hall, a camera that is exactly as the site says, wheels that are right.
+/// Describes an empty hall, a camera that is exactly as the site says, wheels that are right.
 constexpr const char* kSite = R"([floor]
 x_min = 0.0
 y_min = 0.0
@@ -43,7 +43,7 @@ MountJob drive_job_in(const Folder& folder) {
   return job;
 }
 
-/// The site's camera, as a file that has it 0.5 degrees and 8 mm off.
+/// Returns a calibration file of the site's camera that has it 0.5 degrees and 8 mm off.
 std::string camera_off_by_half_a_degree() {
   CameraModel camera;  // as [camera] has it by default
   camera.distortion = {-0.08, 0.01, 0.0004, -0.0003, 0.0};

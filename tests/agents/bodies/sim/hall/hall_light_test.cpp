@@ -18,7 +18,7 @@ Quad level(float x, float y, float z, float side, Stuff stuff = Stuff::floor) {
   return quad;
 }
 
-/// One lamp of the same light as from everywhere, at (10, 6, 6).
+/// Returns a site with one lamp, at (10, 6, 6), and as much light again from everywhere.
 Site lit_site() {
   Site site = empty_site();
   site.lamps = {{10.0, 6.0, 6.0, 1.0}};
@@ -56,7 +56,7 @@ TEST(HallLight, FailedLampsAreDarkAndStayTheSame) {
   EXPECT_NEAR(light_at(site, level(10, 6, 0, 0.1F)), 0.25F * open, 0.01F * open);
 }
 
-/// Its exposure is set for the hall as it is by day.
+/// Shows that a hall at night is dark: the camera's exposure is set for the hall as it is by day.
 TEST(HallLight, AHallAtNightIsDark) {
   Site site = lit_site();
   const float open = light_at(site, level(10, 6, 0, 0.1F));

@@ -11,7 +11,7 @@
 namespace weft::agents::sim {
 namespace {
 
-/// Eight rays straight ahead at a face that they meet at (u, v), `distance` away.
+/// Holds eight rays straight ahead at a face that they meet at (u, v), `distance` away.
 struct Rays {
   std::array<float, kShaded> x{}, y{}, z{}, u{}, v{}, distance{}, length{}, off_axis2{}, grey{};
 
