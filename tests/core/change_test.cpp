@@ -16,7 +16,7 @@ using support::BatchPlan;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// One experience of five places in the map, and a batch that begins a second one with stitches to it.
+/// Arranges one experience of five places in the map, and a batch that begins a second one with stitches to it.
 struct Fixture {
   Random random{21};
   BatchPlan old_plan{ExperienceId{100}, support::random_id<RobotId>(random), 1, 5, 0, "marks"};
@@ -145,7 +145,7 @@ TEST(Batch, EveryIssueIsNamedNotOnlyTheFirst) {
   EXPECT_EQ(check(f.snapshot, f.batch).size(), 3U);
 }
 
-/// Place `index` of the first experience as the batch's robot knows it better.
+/// Returns place `index` of the first experience as the batch's robot knows it better.
 Place learned_by(const Fixture& f, std::uint32_t index, std::uint32_t version = 2) {
   Place place = *f.snapshot.place({ExperienceId{100}, index});
   place.entity_version = version;

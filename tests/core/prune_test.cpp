@@ -16,8 +16,8 @@ PlaceId at(std::uint64_t experience, std::uint32_t index) {
   return {{experience}, index};
 }
 
-/// Two runs along one straight lane, half a metre a place; the newer one lies `aside_m` to the left, or comes the
-/// other way, and is stitched to the older one at every `every`-th place.
+/// Describes two runs along one straight lane, half a metre a place; the newer one lies `aside_m` to the left, or
+/// comes the other way, and is stitched to the older one at every `every`-th place.
 struct Lane {
   std::uint32_t places = 12;
   double aside_m = 0.1;

@@ -18,7 +18,7 @@ Tangent draw(Random& random, const Matrix& covariance) {
   return covariance.llt().matrixL() * standard;
 }
 
-/// Largest difference relative to the largest entry.
+/// Returns the largest difference relative to the largest entry.
 template <class Matrix>
 double difference(const Matrix& a, const Matrix& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();

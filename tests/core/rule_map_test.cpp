@@ -46,7 +46,7 @@ Batch run(ExperienceId id, std::uint32_t places, double step_m, Drivable drivabl
   return batch;
 }
 
-/// A lane of ten places that can be driven both ways, and a longer way round its middle, from place 2 to place 7.
+/// Returns a lane of ten places that can be driven both ways, and a longer way round its middle, from place 2 to 7.
 Snapshot site() {
   Batch round = run(bypass, 6, 2.0, Drivable::both);
   round.edges.push_back(edge({lane, 2}, {bypass, 0}, {0.0, 2.0, 0.0}, Drivable::both, Origin::stitch));

@@ -14,7 +14,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 const Pose2 kTruth{12.0, -3.5, 1.1};
 
-/// Places of a map of 40 m by 25 m, picked on the plan with noise.
+/// Returns places of a map of 40 m by 25 m, picked on the plan with noise.
 std::vector<SitePick> picked(std::size_t count, double noise_m, Random& random) {
   std::vector<SitePick> picks;
   for (std::size_t i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ std::uint64_t batches_of(const Promised& promised) {
   return std::accumulate(promised.durable_through.begin(), promised.durable_through.end(), std::uint64_t{0});
 }
 
-/// One line over the last on a terminal; now and then a line of its own elsewhere.
+/// Tells how far the rounds are: one line over the last on a terminal; now and then a line of its own elsewhere.
 class Progress {
  public:
   explicit Progress(std::uint64_t rounds) : rounds_(rounds) {}

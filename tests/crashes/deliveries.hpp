@@ -10,8 +10,8 @@ inline constexpr std::uint32_t kPlaces = 4;  ///< a batch
 
 ExperienceId experience_of(std::uint32_t producer);
 
-/// Batch number `sequence` of a producer; the same for the same seed. Its first content is one of a few that all
-/// producers send again and again.
+/// Returns batch number `sequence` of a producer; the same for the same seed. Its first content is one of a few that
+/// all producers send again and again.
 storage::sample::Delivery delivery_of(std::uint64_t seed, std::uint32_t producer, std::uint64_t sequence);
 
 }  // namespace weft::crashes

@@ -15,7 +15,7 @@ namespace {
 
 using namespace storage;
 
-/// A failure of the store that is none of this round's faults.
+/// Ends the process at a failure of the store that is none of this round's faults.
 [[noreturn]] void give_up(const Error& error) {
   std::cerr << "keeper: " << to_string(error.code) << ": " << error.message << '\n';
   ::_exit(3);
@@ -38,7 +38,7 @@ class Keeper {
   }
 
  private:
-  /// A full disk is waited for, as the server does.
+  /// Commits; waits for room on a full disk, as the server does.
   Result<Commit> commit(const Transaction& transaction) {
     for (;;) {
       Result<Commit> done = store_.commit(transaction);
@@ -132,7 +132,7 @@ class Keeper {
   bool is_snapshot_ = false;
 };
 
-/// The epoch needs a write, too.
+/// Opens the store; waits for room on a full disk, as the epoch needs a write, too.
 Stored open_patiently(MapStore& store) {
   for (;;) {
     auto stored = store.open();

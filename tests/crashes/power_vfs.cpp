@@ -53,7 +53,7 @@ void remember(sqlite3_file* file, sqlite3_int64 from, sqlite3_int64 to) {
   }
 }
 
-/// The power goes.
+/// Loses the power: what was not synced is kept, torn or lost, and the process ends.
 [[noreturn]] void lose_power() {
   Random random(layer.plan.seed);
   const std::uint64_t mode = random.below(3);
@@ -77,7 +77,7 @@ void remember(sqlite3_file* file, sqlite3_int64 from, sqlite3_int64 to) {
   ::_exit(0);
 }
 
-/// SQLITE_OK: go on.
+/// Counts an operation, at which the power may go; SQLITE_OK: go on.
 int count_operation() {
   ++layer.operations;
   if (layer.operations >= layer.plan.after) lose_power();

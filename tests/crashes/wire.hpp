@@ -21,7 +21,7 @@ struct Report {
 
 enum class Edit : std::uint64_t { out, back, rollback, label };
 
-/// Keeper to producer.
+/// Carries the keeper's answer to a producer.
 struct Answer {
   std::uint64_t sequence = 0;  ///< through which the experience is durable
   std::uint64_t revision = 0;
@@ -58,7 +58,7 @@ bool send(int to, const Message& message) {
   return write_whole(to, &message, sizeof message);
 }
 
-/// Producer to keeper: a batch with its contents.
+/// Carry a batch with its contents from a producer to the keeper.
 bool send_delivery(int to, const storage::sample::Delivery& delivery);
 bool receive_delivery(int from, storage::sample::Delivery& delivery);
 

@@ -9,7 +9,7 @@
 namespace weft::drawing {
 namespace {
 
-/// Red of a pixel of what is drawn by `draw` on a sheet of 40 x 20.
+/// Returns the red of a pixel of what is drawn by `draw` on a sheet of 40 x 20.
 template <class Draw>
 int red_at(int x, int y, const Draw& draw) {
   const storage::TemporaryDirectory folder;

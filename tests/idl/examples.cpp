@@ -5,7 +5,7 @@
 namespace weft::bus {
 namespace {
 
-/// Bytes that count up from `first`.
+/// Returns an id of bytes that count up from `first`.
 template <class Id>
 Id id_of(std::uint8_t first) {
   Id id;

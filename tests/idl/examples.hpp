@@ -6,7 +6,7 @@
 
 namespace weft::bus {
 
-/// One message of each type, every field filled with a value of its own, and who sends it.
+/// Holds one message of each type, every field filled with a value of its own, and who sends it.
 struct Example {
   std::string name;  ///< of its golden file
   msg::Role sender = msg::Role::server;
@@ -14,7 +14,7 @@ struct Example {
 };
 std::vector<Example> examples();
 
-/// The peer that addressed examples are for.
+/// Returns the peer that addressed examples are for.
 PeerId example_addressee();
 
 }  // namespace weft::bus

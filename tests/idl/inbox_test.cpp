@@ -10,7 +10,7 @@ namespace weft::bus {
 namespace {
 using namespace std::chrono_literals;
 
-/// A serialised message that says who put it and as which of his.
+/// Returns a serialised message that says who put it and as which of his.
 Bytes numbered(std::uint8_t writer, std::uint8_t number) {
   return {0, 1, 0, 0, writer, number, 0, 0};
 }

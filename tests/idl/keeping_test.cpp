@@ -14,7 +14,7 @@ const LocalLink kUp{"wlan0", "10.0.0.17", true};
 const LocalLink kNoCarrier{"wlan0", "10.0.0.17", false};
 const std::vector<ServerAddress> kServers{{"10.0.0.5", 7410}};
 
-/// A robot's bus on an interface's name, and the world that it sees.
+/// Arranges a robot's bus on an interface's name, and the world that it sees.
 struct Kept : testing::Test {
   Keeping keeping{"wlan0"};
   Sight sight{.now = SteadyTime{100s}, .received = 0, .link = kUp, .servers = kServers, .unseen = {}};

@@ -21,7 +21,7 @@ std::vector<sample::Delivery> deliveries(std::uint64_t count) {
   return all;
 }
 
-/// The child: continues the run where the store ends, reports each batch that was acknowledged.
+/// Does the child's work: continues the run where the store ends, reports each batch that was acknowledged.
 void commit_for_ever(const std::filesystem::path& directory, const std::function<void(std::uint64_t)>& report) {
   auto store = open_sqlite(directory);
   if (!store) return;
@@ -70,7 +70,7 @@ TEST(Crash, KilledServerHasEveryAcknowledgedBatchOnceAndNothingHalf) {
   }
 }
 
-/// The child: appends batch after batch, acknowledges the first two, reports each append.
+/// Does the child's work: appends batch after batch, acknowledges the first two, reports each append.
 void spool_for_ever(const std::filesystem::path& directory, const std::function<void(std::uint64_t)>& report) {
   auto spool = open_file_spool(directory);
   if (!spool) return;

@@ -3,7 +3,7 @@
 
 namespace weft::storage {
 
-/// SQLite's own file layer with faults in between, for one test at a time: SQLite keeps layers by name for the whole
+/// Puts faults into SQLite's own file layer, for one test at a time: SQLite keeps layers by name for the whole
 /// process.
 class FaultyVfs {
  public:

@@ -26,7 +26,7 @@ void write_plainly(const std::filesystem::path& file, ByteView bytes) {
   out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// A spool of two batches, the second of which a test damages.
+/// Arranges a spool of two batches, the second of which a test damages.
 class FileSpoolDamage : public testing::Test {
  protected:
   void SetUp() override {

@@ -7,13 +7,13 @@
 #include "core/random.hpp"
 #include "storage/map_store.hpp"
 
-/// Made-up maps for the tests of stores and spools: same seed, same bytes.
+/// Makes up maps for the tests of stores and spools: same seed, same bytes.
 namespace weft::storage::sample {
 
 RobotId robot(std::uint64_t number);
 GoalId goal_id(std::uint64_t number);
 
-/// Bytes that compress to about half.
+/// Returns bytes that compress to about half.
 Bytes content(Random& random, std::size_t size);
 
 struct Delivery {
@@ -23,7 +23,7 @@ struct Delivery {
 /// Contents and batch, as intake commits them.
 Transaction transaction(const Delivery& delivery);
 
-/// One robot's run: each call gives the next batch.
+/// Makes one robot's run: each call gives the next batch.
 class Run {
  public:
   Run(std::uint64_t experience, std::uint64_t seed);
@@ -38,12 +38,12 @@ class Run {
 };
 
 Edge stitch(const PlaceId& older, const PlaceId& newer);
-/// The place as a robot knows it better, with the content `better`.
+/// Returns the place as a robot knows it better, with the content `better`.
 Place known_anew(const Place& place, const Bytes& better, const RobotId& by);
 Goal goal(std::uint64_t number, const PlaceId& to);
 Route route(std::uint64_t number, const PlaceId& from, const PlaceId& to);
 
-/// Everything that a store gave back, except its epoch, one line an item: equal lists are equal stores.
+/// Return everything that a store gave back, except its epoch, one line an item: equal lists are equal stores.
 std::vector<std::string> describe(const Stored& stored);
 std::vector<std::string> describe(const Snapshot& snapshot);
 

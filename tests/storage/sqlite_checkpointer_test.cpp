@@ -9,7 +9,7 @@
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// The log of a store is emptied aside, while others commit and read.
+/// Tests that the log of a store is emptied aside, while others commit and read.
 namespace weft::storage {
 namespace {
 

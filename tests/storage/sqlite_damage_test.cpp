@@ -10,7 +10,7 @@
 namespace weft::storage {
 namespace {
 
-/// A small store on disk, stopped, damaged by SQL, and started again.
+/// Arranges a small store on disk, stopped, damaged by SQL, and started again.
 class SqliteDamage : public testing::Test {
  protected:
   void SetUp() override {

@@ -10,11 +10,11 @@
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// A snapshot restores, whatever was done to the map before it was taken.
+/// Tests that a snapshot restores, whatever was done to the map before it was taken.
 namespace weft::storage {
 namespace {
 
-/// Two runs that are stitched, a label, and an edit of some kind.
+/// Arranges two runs that are stitched, a label, and an edit of some kind.
 struct EditedStore {
   explicit EditedStore(const std::filesystem::path& directory) : store(open_sqlite(directory).value()) {
     EXPECT_TRUE(store->open());
@@ -115,7 +115,7 @@ const std::vector<EditKind>& edit_kinds() {
 
 class SqliteRestoreEdits : public testing::TestWithParam<EditKind> {
  protected:
-  /// The map that is there after the snapshot has been restored.
+  /// Returns the map that is there after the snapshot has been restored.
   static std::vector<std::string> restored(const std::filesystem::path& snapshot) {
     const TemporaryDirectory to;
     const auto done = restore(snapshot, to.path());
@@ -147,7 +147,7 @@ TEST_P(SqliteRestoreEdits, ASnapshotRestoresAfterTheEdit) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SqliteRestoreEdits, testing::ValuesIn(edit_kinds()),
                          [](const testing::TestParamInfo<EditKind>& kind) { return kind.param.name; });
 
-/// Many edits of every kind one after another; the map of each revision is restored with them.
+/// Shows it after many edits of every kind one after another; the map of each revision is restored with them.
 TEST_F(SqliteRestoreEdits, ASnapshotOfALongHistoryRestoresWithItsPast) {
   const auto file = elsewhere_.path() / "snapshot";
   const auto store = open_sqlite(directory_.path()).value();

@@ -13,7 +13,7 @@
 namespace weft::storage {
 namespace {
 
-/// A store with a snapshot of its first half.
+/// Arranges a store with a snapshot of its first ten batches, and five more.
 class SqliteRestore : public testing::Test {
  protected:
   void SetUp() override {
@@ -131,7 +131,7 @@ TEST_F(SqliteRestore, AMapThatCannotBeOpenedIsReplacedAndKept) {
   EXPECT_EQ(map_there(), old_half_);
 }
 
-/// A child is stopped dead at its first, second, ... sign of progress.
+/// Shows it by a child that is stopped dead at its first, second, ... sign of progress.
 TEST_F(SqliteRestore, ACrashAtAnyMomentLeavesTheOldMapOrTheNewOne) {
   int old_maps = 0;
   for (int at = 1;; ++at) {

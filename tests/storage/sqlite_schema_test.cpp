@@ -14,7 +14,7 @@ struct KeyColumn {
   std::uint64_t of_key = 0;
 };
 
-/// The columns of the keys of all tables WITHOUT ROWID, as positions from 0 in the table and in the key.
+/// Returns the columns of the keys of all tables WITHOUT ROWID, as positions from 0 in the table and in the key.
 std::vector<KeyColumn> key_columns(const Database& database) {
   std::vector<KeyColumn> columns;
   const auto done = for_each_row(database,

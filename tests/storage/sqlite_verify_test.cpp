@@ -9,7 +9,7 @@
 #include "tests/storage/sample_map.hpp"
 #include "tests/storage/temporary_directory.hpp"
 
-/// A snapshot is restored beside itself and compared with the map.
+/// Tests that a snapshot is restored beside itself and compared with the map.
 namespace weft::storage {
 namespace {
 

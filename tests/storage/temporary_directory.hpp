@@ -6,7 +6,7 @@
 
 namespace weft::storage {
 
-/// A directory of its own for one test, gone with it.
+/// Holds a directory of its own for one test, gone with it.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

@@ -99,7 +99,7 @@ TEST(Draw, WhatIsJoinedByOdometryAloneIsDashedAndExplained) {
   EXPECT_EQ(dashed_strokes(loops(true)), 0U);
 }
 
-/// A picture of one robot whose look is that; the network's own picture without one.
+/// Draws one robot whose look is that, or without one the network's own picture; returns the picture's text.
 std::string picture_with(std::optional<RobotMark::Look> look, std::vector<PlaceId> held = {}) {
   const std::filesystem::path file = folder() / "robots.svg";
   Subject subject = subject_of(loops(true));

@@ -21,7 +21,7 @@ PeerId peer(std::uint8_t number) {
   return id;
 }
 
-/// Poses along a closed polyline, so far apart.
+/// Returns poses along a closed polyline, so far apart.
 std::vector<Pose2> walk(const std::vector<Eigen::Vector2d>& corners, double spacing) {
   std::vector<Pose2> poses;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {

@@ -20,7 +20,7 @@ namespace weft::cli::test {
 /// Returns where these tests write.
 std::filesystem::path folder();
 
-/// A robot that says what the test wants and does everything it is told.
+/// Plays a robot that says what the test wants and does everything it is told.
 struct Puppet {
   RobotId id;
   std::string name;
@@ -44,7 +44,7 @@ struct Said {
   nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
-/// A real server with a map of two stitched loops, puppets for robots, and an operator, on one virtual clock.
+/// Holds a real server with a map of two stitched loops, puppets for robots, and an operator, on one virtual clock.
 class Fleet {
  public:
   Fleet();
@@ -77,7 +77,7 @@ class Fleet {
   std::uint8_t operators_ = 0;
 };
 
-/// The map that the fleet begins with: loops of 20 and 14 metres that share one side, and a label on each.
+/// Returns the map that the fleet begins with: loops of 20 and 14 metres that share one side, and a label on each.
 std::vector<Batch> two_loops(ExperienceId first, ExperienceId second, const RobotId& r1, const RobotId& r2);
 ContentHash content_hash();
 Bytes content_bytes();

@@ -113,7 +113,7 @@ TEST(GoalCommands, WhyAGoalThatIsOverSaysNothingOfWaiting) {
   EXPECT_EQ(why.out.find("waits: arrived"), std::string::npos) << why.out;
 }
 
-/// Its robot stands where it is, and another one in its way.
+/// Arranges a robot that stands where it is, and another one in its way.
 struct BlockedRobot : OneRobot {
   BlockedRobot() : r2(add_robot("r2")) {
     r1.state.place = {first, 0};

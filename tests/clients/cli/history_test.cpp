@@ -7,7 +7,7 @@
 #include "clients/cli/exit.hpp"
 #include "tests/clients/cli/fleet.hpp"
 
-/// The map's past, as an operator asks for it.
+/// Tests the map's past, as an operator asks for it.
 namespace weft::cli::test {
 namespace {
 using namespace std::chrono_literals;

@@ -16,7 +16,7 @@ std::string file_of(const std::string& name, const std::string& text) {
   return file;
 }
 
-/// A chain with one loop at its end.
+/// Returns a chain with one loop at its end, as a g2o file.
 std::string chain(int length) {
   std::string text;
   for (int i = 0; i + 1 < length; ++i) {

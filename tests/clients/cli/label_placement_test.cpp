@@ -10,7 +10,7 @@ namespace {
 
 constexpr Box kFrame = {8.0, 80.0, 1592.0, 900.0};
 
-/// Nothing covers anything, and all of it is in the frame.
+/// Expects that nothing covers anything, and that all of it is in the frame.
 void expect_apart(const std::vector<LabelWish>& wishes, const std::vector<Box>& marks, const LabelPlacement& placed) {
   ASSERT_EQ(placed.boxes.size(), wishes.size());
   for (std::size_t i = 0; i < wishes.size(); ++i) {

@@ -17,7 +17,7 @@ const nlohmann::json& one_of(const nlohmann::json& all, const std::string& id) {
   return *std::find_if(all.begin(), all.end(), [&](const auto& one) { return one["id"] == id; });
 }
 
-/// Two chains of ten places that nothing joins: two experiences of one import.
+/// Writes two chains of ten places that nothing joins: two experiences of one import. Returns the file.
 std::string two_chains() {
   std::string text;
   for (const int first : {0, 100}) {

@@ -5,7 +5,7 @@
 
 namespace weft::cli::test {
 
-/// A robot on the first loop that knows where it is.
+/// Arranges a robot on the first loop that knows where it is.
 struct OneRobot : Fleet {
   OneRobot() : r1(add_robot("r1")) {
     r1.state.localised = true;

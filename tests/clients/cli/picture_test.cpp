@@ -11,7 +11,7 @@
 namespace weft::cli::test {
 namespace {
 
-/// Nine units a byte at size 15.
+/// Returns a width of nine units a byte at size 15.
 double nine_a_byte(const std::string& words, double size) {
   return 0.6 * size * static_cast<double>(words.size());
 }

@@ -14,7 +14,7 @@ struct OkLab {
   double l, a, b;
 };
 
-/// Björn Ottosson, "A perceptual color space for image processing", 2020.
+/// Converts a colour to OKLab: Björn Ottosson, "A perceptual color space for image processing", 2020.
 OkLab ok_lab(const Colour& colour) {
   const auto linear = [](double share) {
     return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);

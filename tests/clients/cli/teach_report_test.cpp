@@ -25,7 +25,7 @@ msg::TaughtStretch stretch(double from_m, double as_is, double half_light, doubl
           reason};
 }
 
-/// Dim from metre 1 on, blank in the fourth metre; the last one is shorter.
+/// Returns a report: dim from metre 1 on, blank in the fourth metre; the last stretch is shorter.
 std::vector<msg::TaughtStretch> report() {
   std::vector<msg::TaughtStretch> rows = {
       stretch(0.0, 1.0, 0.8, 1.0, "half light: few_matches"), stretch(1.0, 1.0, 0.2, 0.8, "half light: few_matches"),

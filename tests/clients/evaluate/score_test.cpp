@@ -7,7 +7,7 @@
 namespace weft::evaluate {
 namespace {
 
-/// Straight ahead at half a metre a second, 30 frames a second; odometry says `scale` times as much.
+/// Returns a drive straight ahead at half a metre a second, 30 frames a second; odometry says `scale` times as much.
 std::vector<Frame> straight(double metres, double scale, double stamps = 1.0) {
   std::vector<Frame> run;
   for (int i = 0; 0.5 * i / 30.0 <= metres; ++i) {

@@ -49,7 +49,7 @@ TEST(ChangedRoutes, FollowRevisionsBackAndForth) {
   }
 }
 
-/// Some places in a row, and a stitch elsewhere.
+/// Picks some places in a row, and a stitch elsewhere.
 Removal something(Random& random, const Snapshot& snapshot) {
   const PlaceId first = support::pick_place(random, snapshot);
   Removal removal{{{first.experience, first.index, first.index + static_cast<std::uint32_t>(random.below(30))}}, {}};
@@ -58,7 +58,7 @@ Removal something(Random& random, const Snapshot& snapshot) {
   return removal;
 }
 
-/// Places and stitches that vanish, one removal after the other, and come back, all at once.
+/// Shows it for places and stitches that vanish, one removal after the other, and come back, all at once.
 TEST(ChangedRoutes, FollowRemovalsAndReturns) {
   const Snapshot whole = support::make_site({.places = 5'000, .seed = 12});
   const Preparation prepared = prepare(whole, {"floor"});
@@ -88,7 +88,7 @@ TEST(ChangedRoutes, FollowANetworkThatSharesNothing) {
   EXPECT_GT(expect_as_dijkstra(random, update(preparation, again), again, 30), 10U);
 }
 
-/// The same places; what was joined is joined otherwise.
+/// Shows it for the same places; what was joined is joined otherwise.
 TEST(ChangedRoutes, FollowAStitchThatChangesItsRelation) {
   Random random(8);
   Snapshot snapshot = support::make_site({.places = 4'000, .seed = 14});

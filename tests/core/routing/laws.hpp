@@ -12,7 +12,7 @@ inline double cost(const Path& path) {
   return sum;
 }
 
-/// The path can be driven, edge by edge.
+/// Expects that the path can be driven, edge by edge.
 inline void expect_drivable(const Snapshot& snapshot, const Path& path, const std::set<std::string>& methods) {
   ASSERT_EQ(path.relations.size() + 1, path.places.size());
   double length_m = 0.0;
@@ -30,7 +30,8 @@ inline void expect_drivable(const Snapshot& snapshot, const Path& path, const st
   EXPECT_NEAR(path.length_m, length_m, 1e-9);
 }
 
-/// The law of all this: whatever Dijkstra says, at the same cost or with the same words. Returns how many were found.
+/// Expects the law of all this: whatever Dijkstra says, at the same cost or with the same words. Returns how many
+/// paths were found.
 inline std::size_t expect_as_dijkstra(Random& random, const Preparation& preparation, const Snapshot& snapshot,
                                       std::size_t pairs) {
   const std::set<std::string>& methods = preparation.methods;

@@ -47,7 +47,7 @@ TEST(StoredRoutes, AreRefusedWhenShortOrLong) {
   EXPECT_EQ(decode(bytes, snapshot).error().code, ErrorCode::corrupt);
 }
 
-/// The store's checksum is what finds a wrong number; whatever is read must be safe to search all the same.
+/// Shows that whatever is read is safe to search, although it is the store's checksum that finds a wrong number.
 TEST(StoredRoutes, DoNoHarmWhenDamaged) {
   Random random(14);
   const Snapshot snapshot = support::make_network(random, 4, 6, 30, 5);

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// docs/formats/cloud.md: quantum / 2 + |x| 2^-24.
+/// Returns the bound on a coordinate's error that docs/formats/cloud.md states, in metres: quantum / 2 + |x| 2^-24.
 double bound(double x, std::uint32_t quantum_um) {
   return quantum_um * 0.5e-6 * (1.0 + 1e-9) + std::abs(x) * 0x1p-24;
 }
@@ -26,7 +26,7 @@ bool is_within(const Eigen::Vector3f& a, const Eigen::Vector3f& b, std::uint32_t
   return true;
 }
 
-/// Each value occurs once, so that points can be told apart whatever their order.
+/// Gives each point a value that occurs once, so that points can be told apart whatever their order.
 Cloud numbered(Cloud cloud) {
   for (std::size_t at = 0; at < cloud.points.size(); ++at) cloud.values.push_back(static_cast<std::uint16_t>(at));
   return cloud;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kChecksumAt = 8;
 constexpr std::size_t kPayloadAt = 40;
 
-/// Some bytes changed, a piece cut out or doubled, or the end cut off.
+/// Returns the bytes with some changed, a piece cut out or doubled, or the end cut off.
 Bytes damaged(Bytes bytes, std::size_t from, Random& random) {
   const auto at = [&] { return from + random.below(std::max<std::size_t>(1, bytes.size() - from)); };
   switch (random.below(4)) {
@@ -42,7 +42,7 @@ void vouch(Bytes& compressed) {
   std::copy(hash.bytes.begin(), hash.bytes.end(), compressed.begin() + kChecksumAt);
 }
 
-/// Half of the damage goes to the head and the lengths, where it hurts most.
+/// Picks where to damage the bytes: half of the damage goes to the head and the lengths, where it hurts most.
 std::size_t place_to_damage(std::size_t begin, const Bytes& bytes, Random& random) {
   if (random.chance(0.5)) return begin;
   return begin + random.below(std::max<std::size_t>(1, bytes.size() - begin));

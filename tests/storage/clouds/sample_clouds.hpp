@@ -6,7 +6,7 @@
 
 namespace weft::clouds::sample {
 
-/// `count` points of a room's floor, a wall and its air, with values below `values_below` (0: none).
+/// Returns `count` points of a room's floor, a wall and its air, with values below `values_below` (0: none).
 inline Cloud room(std::uint64_t seed, std::size_t count, std::uint64_t values_below) {
   Random random(seed);
   Cloud cloud;
@@ -24,7 +24,7 @@ inline Cloud room(std::uint64_t seed, std::size_t count, std::uint64_t values_be
   return cloud;
 }
 
-/// The same points in another order.
+/// Returns the same points in another order.
 inline Cloud shuffled(Cloud cloud, std::uint64_t seed) {
   Random random(seed);
   for (std::size_t left = cloud.points.size(); left > 1; --left) {

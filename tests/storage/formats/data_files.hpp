@@ -9,13 +9,13 @@
 
 namespace weft::formats::test {
 
-/// The folder of recordings: WEFT_DATA, or ../shared/data beside the repository. None: it is absent.
+/// Returns the folder of recordings: WEFT_DATA, or ../shared/data beside the repository. None: it is absent.
 std::optional<std::filesystem::path> data_folder();
 /// Returns what a skipped test says.
 std::string no_data(std::string_view what);
 /// Returns all files below `folder` whose names end so, sorted.
 std::vector<std::filesystem::path> files_that_end(const std::filesystem::path& folder, std::string_view ending);
-/// A file's bytes, unpacked if it is gzip.
+/// Return a file's bytes, unpacked if it is gzip.
 Bytes read(const std::filesystem::path& file);
 std::string read_text(const std::filesystem::path& file);
 /// Returns how many lines of a text begin with a word.

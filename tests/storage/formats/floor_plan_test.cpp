@@ -66,7 +66,7 @@ TEST(MapServer, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_EQ(broken.error().message.rfind("a.yaml:2: no YAML: ", 0), 0U) << broken.error().message;
 }
 
-/// Cells of one row of pixels with white 255.
+/// Returns the cells of one row of pixels with white 255.
 std::vector<std::int8_t> cells(const std::string& text, const std::vector<std::uint16_t>& pixels) {
   const GreyImage image{static_cast<std::uint32_t>(pixels.size()), 1, 255, pixels};
   return floor_plan_from(described(text), image).cells;

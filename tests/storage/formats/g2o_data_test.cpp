@@ -49,7 +49,7 @@ TEST_F(G2oFiles, WhatIsWrittenIsReadBackTheSame) {
   }
 }
 
-/// The network of an import, through the checks that a server's intake makes.
+/// Returns the network of an import, through the checks that a server's intake makes.
 Snapshot taken_in(const Import& import) {
   Snapshot network;
   for (const Batch& batch : import.batches) {

@@ -12,7 +12,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-/// The depot's graph, which comes twice, has six edges with ids of earlier ones; one line of AWS's is no line.
+/// Returns what is not understood of a file. The depot's graph, which comes twice, has six edges with ids of earlier
+/// ones; one line of AWS's is no line.
 std::vector<std::string> not_understood(const std::string& file) {
   if (file == "depot_graph.geojson" || file == "turtlebot4_graph.geojson") {
     return {file + ":47: an edge with the id of an earlier one, 6 times"};

@@ -9,7 +9,7 @@
 namespace weft::evaluate::bearing {
 namespace {
 
-/// The oval, taught once for all of this.
+/// Arranges the oval, taught once for all tests of the fixture.
 class BearingDrive : public testing::Test {
  protected:
   static void SetUpTestSuite() {

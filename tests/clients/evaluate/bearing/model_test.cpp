@@ -7,7 +7,7 @@
 namespace weft::evaluate::bearing {
 namespace {
 
-/// Straight on, or round a circle once.
+/// Returns a course that leads straight on, or round a circle once.
 Course course_of(double length_m, double turn_rad) {
   Course course;
   constexpr int kHops = 100;

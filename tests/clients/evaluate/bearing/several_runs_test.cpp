@@ -12,7 +12,7 @@ namespace {
 
 using namespace agents;
 
-/// A robot in the hall of the lemniscate, and the map that all of them share.
+/// Holds a robot in the hall of the lemniscate, and the map that all of them share.
 class Robot {
  public:
   Robot(const sim::Site& site, std::uint64_t seed, TaughtMap& map) : map_(map) {

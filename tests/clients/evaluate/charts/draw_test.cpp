@@ -26,7 +26,7 @@ class PicturesOfStudies : public testing::Test {
     const Surroundings around{out, progress, [] { return 0.0; }, [] { return false; }};
     return draw_pictures(study, folder.path(), around, drawer);
   }
-  /// An executable that is run in place of Python.
+  /// Writes an executable that is run in place of Python.
   std::filesystem::path program(const std::string& text) const {
     const std::filesystem::path file = folder.path() / "python";
     std::ofstream(file) << "#!/bin/sh\n" << text << '\n';

@@ -10,7 +10,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-/// A bend, and the same one as a tilted tracker sees it whose body is turned by 0.5 rad.
+/// Holds a bend, and the same one as a tilted tracker sees it whose body is turned by 0.5 rad.
 struct Bent {
   Trace trace = straight_trace(0.5, 4.0);
   formats::Trajectory trajectory;

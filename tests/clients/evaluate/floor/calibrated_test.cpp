@@ -8,7 +8,7 @@
 
 #include "clients/evaluate/floor/scenario.hpp"
 
-/// The camera that is driven with, found by the tool that deployers use.
+/// Tests the camera that is driven with, found by the tool that deployers use.
 namespace weft::evaluate::floor {
 namespace {
 

@@ -5,7 +5,7 @@
 
 namespace weft::evaluate::floor {
 
-/// Thirty samples a second straight along x at `speed`; odometry is right.
+/// Returns thirty samples a second straight along x at `speed_m_s`; odometry is right.
 inline Trace straight_trace(double speed_m_s, double metres) {
   Trace trace;
   const int count = static_cast<int>(std::lround(metres / speed_m_s * 30.0));

@@ -12,7 +12,7 @@ namespace {
 constexpr PlaceId kPlace{ExperienceId{1}, 0};
 const std::map<PlaceId, Pose2> kAtOrigin = {{kPlace, {}}};
 
-/// A fix every `every` samples, off by `off` in the robot's frame.
+/// Adds a fix every `every` samples, off by `off` in the robot's frame.
 void add_fixes(Trace& trace, std::size_t every, const Pose2& off) {
   for (std::size_t i = 0; i < trace.moments.size(); i += every) {
     const Pose2 measured = trace.moments[i].site_from_robot * off;

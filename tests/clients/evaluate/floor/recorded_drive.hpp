@@ -11,7 +11,7 @@
 
 namespace weft::evaluate::floor {
 
-/// A simulated robot led along a line, as a recording in EuRoC layout with groundtruth_tum.txt beside it.
+/// Records a simulated robot led along a line, in EuRoC layout with groundtruth_tum.txt beside it.
 inline Result<void> record_drive(const agents::sim::SimBodyConfig& given, const std::vector<agents::SitePoint>& line,
                                  const std::filesystem::path& folder) {
   agents::sim::SimBodyConfig config = given;

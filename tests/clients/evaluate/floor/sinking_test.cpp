@@ -26,7 +26,7 @@ class ABodyUnderLoad : public testing::Test {
     ASSERT_TRUE(done) << done.error().message;
   }
 
-  /// Another robot, sunk by so much, drives to the last place.
+  /// Drives another robot, sunk by so much, to the last place.
   void repeat_sunk(double sinks_m, agents::DiagnosticWatch& noticing) {
     Drive second = drive;
     second.body.site.change.sinks_m = sinks_m;

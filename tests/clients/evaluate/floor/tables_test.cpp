@@ -7,7 +7,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-/// The line of `text` that begins with this.
+/// Returns the line of `text` that begins with `beginning`.
 std::string line_of(const std::string& text, const std::string& beginning) {
   const auto at = text.find("\n" + beginning);
   EXPECT_NE(at, std::string::npos) << beginning << " is not in\n" << text;

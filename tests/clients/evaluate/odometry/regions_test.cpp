@@ -7,7 +7,7 @@
 namespace weft::evaluate::odometry {
 namespace {
 
-/// A robot whose region held so many of ten stretches.
+/// Returns the row of a robot whose region held so many of ten stretches.
 Row robot(std::uint64_t seed, int held, const char* observer = kCalibrated) {
   Row row;
   row.kind = "wood";

@@ -5,7 +5,7 @@
 namespace weft::evaluate::odometry {
 namespace {
 
-/// 1 cm a sample straight ahead for 12 m; this one says it is `share` of it.
+/// Returns an observer that says `share` of the true motion: 1 cm a sample straight ahead for 12 m.
 Observer who_says(const std::string& name, double share) {
   Observer observer(
       name, 1,
