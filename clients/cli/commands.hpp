@@ -18,7 +18,7 @@ struct Output {
 /// Connects and does what was asked. Files named in the invocation are read and written here.
 Exit run(Session& session, const Invocation& invocation, const Output& output);
 
-/// Whether a command talks to a server; the others are done by `run_offline`.
+/// Returns whether a command talks to a server; the others are done by `run_offline`.
 bool needs_server(Invocation::Command command);
 /// Returns the peer as whom a command speaks: an import as the robot whose runs it says they are, so that importing
 /// again is a repeat.

@@ -14,7 +14,7 @@ namespace weft::cli {
 Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names, const RunNames& runs,
                                 const std::string& file, const std::string& experience);
 
-/// Whether such a file has poses, so that anchors mean something.
+/// Returns whether such a file has poses, so that anchors mean something.
 bool has_poses(const std::string& file);
 
 }  // namespace weft::cli

@@ -115,7 +115,7 @@ struct NotRun {
   bool json = false;  ///< a mistake is wanted as a document
 };
 
-/// Defaults from the environment: WEFT_SERVER (comma-separated), WEFT_DDS.
+/// Holds defaults from the environment: WEFT_SERVER (comma-separated), WEFT_DDS.
 struct Environment {
   std::string server;
   std::string vendor;

@@ -17,7 +17,7 @@ std::string printed(const Json& document, int indent = 2) {
   return document.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Robots' names by id, for people.
+/// Holds robots' names by id, for people.
 using Names = std::map<RobotId, std::string>;
 std::string name_of(const Names& names, const RobotId& robot);
 

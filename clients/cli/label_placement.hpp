@@ -25,11 +25,11 @@ struct LabelPlacement {
 LabelPlacement place_labels(const std::vector<LabelWish>& wishes, const std::vector<Box>& marks,
                             const std::vector<Point>& points, const Box& frame);
 
-/// Whether the two share more than an edge.
+/// Returns whether the two boxes share more than an edge.
 bool overlap(const Box& a, const Box& b);
 /// Returns the point of the box that is nearest to `at`: where a leader line from an anchor ends.
 Point nearest_in(const Box& box, const Point& at);
-/// Whether the box lies so far from its anchor that a line must say what it belongs to.
+/// Returns whether the box lies so far from its anchor that a line must say what it belongs to.
 bool needs_leader(const LabelWish& wish, const Box& box);
 
 }  // namespace weft::cli

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSweeps = 300;
 constexpr double kBetweenIslands = 3.0;  // metres
 
-/// Experiences, the one with the most places first.
+/// Returns the first place of each experience, that with the most places first.
 std::vector<PlaceId> anchors(const Window& network) {
   std::map<ExperienceId, std::size_t> sizes;
   for (const auto& [id, place] : network.places) ++sizes[id.experience];
@@ -57,7 +57,7 @@ std::map<PlaceId, Pose2> compose_from(const Window& network, const PlaceId& anch
   return poses;
 }
 
-/// Gauss-Seidel: each place moves to the mean of where its neighbours see it. Spreads what does not close.
+/// Spreads what does not close, by Gauss-Seidel: each place moves to the mean of where its neighbours see it.
 void ease(const Window& network, const PlaceId& anchor, std::map<PlaceId, Pose2>& poses) {
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (auto& [id, pose] : poses) {

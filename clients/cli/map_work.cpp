@@ -9,7 +9,7 @@
 #include "clients/cli/progress.hpp"
 #include "clients/cli/table.hpp"
 
-/// Edits of the map, each one revision, and upkeep of the store.
+/// Holds the commands that edit the map, each edit one revision, and those for upkeep of the store.
 namespace weft::cli {
 namespace {
 

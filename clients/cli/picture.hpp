@@ -39,7 +39,7 @@ struct Subject {
   std::optional<RobotsOnMap> robots;  ///< none: robots are no part of the picture
 };
 
-/// Words of a picture with what they name, and where they stand.
+/// Holds words of a picture with what they name, and where they stand.
 struct Tag {
   std::string words;
   LabelWish wish;

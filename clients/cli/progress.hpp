@@ -15,7 +15,7 @@ class ProgressLine {
   ProgressLine(std::ostream& out, std::function<SteadyTime()> now);
 
   void show(const msg::OperatorReply& reply);
-  /// Findings of the last reply that were not shown on the way.
+  /// Shows the findings of the last reply that were not shown on the way.
   void rest(const msg::OperatorReply& reply);
 
  private:

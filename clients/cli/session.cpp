@@ -19,7 +19,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Pieces of one answer, by their number.
+/// Puts the pieces of one answer together, by their number.
 template <class T>
 class Pieces {
  public:

@@ -6,7 +6,7 @@
 
 namespace weft::cli {
 
-/// Columns as wide as what stands in them. The first row is the heading.
+/// Prints columns as wide as what stands in them. The first row is the heading.
 class Table {
  public:
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }

@@ -19,7 +19,7 @@ class TaughtMap final : public agents::Contents {
   Result<void> take(ExperienceId experience, RobotId robot, std::string_view method,
                     const std::vector<agents::Kept>& kept);
 
-  /// Whether the place still has the content that this was learned upon; then it has the new one.
+  /// Replaces the place's content if it is still the one that this was learned upon; returns whether it was.
   bool take(const agents::LearnedPlace& learned_place);
 
   std::shared_ptr<const Bytes> find(const ContentHash& hash) const override;

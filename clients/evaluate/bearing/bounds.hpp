@@ -39,7 +39,7 @@ struct Judged {
   bool met = false;
 };
 std::vector<Judged> judge(const Rows& rows, Seeds seeds);
-/// Whether one that was measured does not hold.
+/// Returns whether one that was measured does not hold.
 bool is_any_missed(const std::vector<Judged>& all);
 
 /// Returns the errors of all seeds after so many loops; NaN: not come so far.

@@ -76,7 +76,7 @@ std::string csv_of(const std::vector<RowOfDay>& rows) {
   return csv.text();
 }
 
-/// Means over the seeds, with learning beside without.
+/// Returns the table of means over the seeds, with learning beside without.
 std::string table_of(const std::vector<RowOfDay>& rows) {
   struct Sum {
     std::string about;

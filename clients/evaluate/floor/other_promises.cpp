@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kAttempts = 100'000;
 constexpr std::size_t kTrials = 1'000;
 
-/// Whether what was measured is the same thing but for the line, of which other commands drive their own.
+/// Returns whether both studies measured the same but for the line, of which other commands drive their own.
 bool is_of_same(const Study& theirs, const Study& ours) {
   return theirs.software == ours.software && theirs.site_sha256 == ours.site_sha256 &&
          theirs.floors_sha256 == ours.floors_sha256;

@@ -42,7 +42,7 @@ ShownJson fixed_path(const Trace& trace, const PlaceSet& places) {
   return points;
 }
 
-/// Means over whole seconds, views without a motion counted as 0.
+/// Returns means over whole seconds, views without a motion counted as 0.
 ShownJson matches_of(const Trace& trace) {
   std::map<int, std::pair<double, double>> by_second;  // sum and count
   for (const Moment& moment : trace.moments) {

@@ -45,7 +45,7 @@ std::string medians_table(const Groups& groups) {
   return markdown_table(cells, 2);
 }
 
-/// Means: a bound on how often a region holds is one on all robots together.
+/// Returns the table of means: a bound on how often a region holds is one on all robots together.
 std::string shares_table(const Groups& groups) {
   std::map<std::string, std::vector<const Score*>> mapping;
   std::map<std::string, std::vector<const Score*>> repeats;

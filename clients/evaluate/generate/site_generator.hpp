@@ -38,7 +38,7 @@ class SiteGenerator {
   const std::vector<Pose2>& poses() const { return poses_; }
   /// Returns bytes that compress to about half, a place's own.
   Bytes content(const PlaceId& place) const;
-  /// Labels of stations that lie in what was made so far; complete when done.
+  /// Returns the labels of stations that lie in what was made so far; complete when done.
   const std::map<std::string, PlaceId>& labels() const { return labels_; }
 
  private:

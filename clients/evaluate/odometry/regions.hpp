@@ -14,7 +14,7 @@ struct Region {
   double metres = 0.0;   ///< length of the stretches
   std::size_t robots = 0;
   double held_percent = 0.0;  ///< NaN: no stretch
-  /// Whether it is promised: of 40 robots or more.
+  /// Returns whether it is promised: of 40 robots or more.
   bool is_judged() const { return robots >= 40; }
   bool holds() const { return held_percent >= 90.0 && held_percent <= 98.0; }
 };

@@ -32,7 +32,7 @@ struct Led {
   std::string refused;      ///< most often, when it never did
 };
 
-/// Whether a robot that found itself is about where it believes to be.
+/// Returns whether a robot that found itself is about where it believes to be.
 bool is_right(const Led& led);
 inline constexpr double kRightAlongM = 0.3;
 inline constexpr double kRightAsideM = 1.5;  ///< from so far it comes back to the way

@@ -5,7 +5,7 @@
 
 namespace weft::evaluate::floor {
 
-/// Tables: floor by light with recall and what is wrong, sort of attempt by outcome, and each wrong one.
+/// Returns tables: floor by light with recall and what is wrong, sort of attempt by outcome, and each wrong one.
 std::string tables_of(const AttemptRows& rows);
 
 }  // namespace weft::evaluate::floor
