@@ -41,7 +41,7 @@ Took timed(Act&& act) {
   return {milliseconds(Clock::now() - begin), processor_ms() - begin_ms};
 }
 
-/// Times of single acts; reported as the median and what nine, or 99, of a hundred keep within.
+/// Collects times of single acts; reported as the median and what nine, or 99, of a hundred keep within.
 class Times {
  public:
   template <class Act>

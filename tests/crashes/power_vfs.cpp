@@ -53,7 +53,7 @@ void remember(sqlite3_file* file, sqlite3_int64 from, sqlite3_int64 to) {
   }
 }
 
-/// Loses the power: what was not synced is kept, torn or lost, and the process ends.
+/// Loses the power: of the sectors not synced all, some or one go back to what they held before; ends the process.
 [[noreturn]] void lose_power() {
   Random random(layer.plan.seed);
   const std::uint64_t mode = random.below(3);

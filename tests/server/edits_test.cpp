@@ -4,7 +4,7 @@
 #include "core/network/codec.hpp"
 #include "tests/server/run_with_bypass.hpp"
 
-/// Edits of the map, and what becomes of those who drive on what is edited.
+/// Tests edits of the map, and what becomes of those who drive on what is edited.
 namespace weft::server::test {
 namespace {
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::set<std::string> kFloor{"floor"};
 
-/// Routes over a network that the test changes, with both clocks in its hand.
+/// Serves routes over a network that the test changes, with both clocks in its hand.
 struct Rig {
   explicit Rig(Snapshot snapshot, std::shared_ptr<storage::MemoryDisk> on = std::make_shared<storage::MemoryDisk>())
       : disk(std::move(on)), store(storage::make_memory_store(disk)), snapshots(std::move(snapshot)) {

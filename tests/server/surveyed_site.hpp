@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "server/traffic/proximity.hpp"
 
-/// Lanes of a floor, taught with what odometry by the floor states of itself and errors that are drawn from it.
+/// Makes lanes of a floor, taught with what odometry by the floor states of itself and errors that are drawn from it.
 namespace weft::server::test {
 
 inline constexpr double kSpacing_m = 0.25;

@@ -10,7 +10,7 @@ class Chaos {
  public:
   Chaos(Fleet& fleet, Random random);
 
-  /// Faults of the network only, and rarely anything worse.
+  /// Plans faults of the network only, and rarely anything worse.
   void mild();
   void full();
   /// Ends all faults: everything heals and comes up again.

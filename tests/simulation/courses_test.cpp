@@ -54,7 +54,7 @@ TEST_P(Courses, RobotsStandApartAndOnTheCourseAtFirst) {
 
 INSTANTIATE_TEST_SUITE_P(All, Courses, testing::ValuesIn(site_names()));
 
-/// Whether some lane comes by a spot of another part of the course at about that angle.
+/// Returns whether some lane comes by a spot of another part of the course at about that angle.
 bool meets(const Course& course, double angle_rad) {
   constexpr double step_m = 0.1;
   for (double a = 0.0; a < course.length_m(); a += step_m) {

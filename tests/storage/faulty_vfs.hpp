@@ -18,7 +18,7 @@ class FaultyVfs {
   /// Lets `writes` more writes or syncs succeed, then fails all.
   void fail_after(int writes, Fault fault);
   void heal() { fail_after(0, Fault::none); }
-  /// Writes and syncs since the last call.
+  /// Returns the number of writes and syncs since the last call.
   int take_count();
 };
 

@@ -40,7 +40,7 @@ class FileSpoolDamage : public testing::Test {
     last_ = files_in(directory_.path()).back();
     bytes_ = read_whole(last_).value();
   }
-  /// Opens; the first batch must be there, the last one skipped and named.
+  /// Opens the spool; the first batch must be there, the last one skipped and named.
   void expect_last_is_skipped(const std::string& how) const {
     const auto spool = open_file_spool(directory_.path());
     ASSERT_TRUE(spool) << how << ": " << spool.error().message;
@@ -119,7 +119,7 @@ TEST_F(FileSpoolDamage, LeftoverOfAnInterruptedAppendIsRemoved) {
   EXPECT_EQ(files_in(directory_.path()).size(), 2U);
 }
 
-/// Files of this process may not grow beyond `bytes` while it lives: the disk seems full.
+/// Keeps files of this process from growing beyond `bytes` while it lives: the disk seems full.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {

@@ -6,7 +6,7 @@
 
 namespace weft::storage {
 
-/// Steps a job to its end, `between` two steps each; its last progress with all findings, or its error.
+/// Steps a job to its end, `between` two steps each; returns its last progress with all findings, or its error.
 inline Result<JobProgress> finish(
     StoreJob& job, const std::function<void()>& between = [] {}) {
   std::vector<std::string> findings;

@@ -48,7 +48,7 @@ RandomHistory::Step RandomHistory::draw_removal(const Snapshot& now, const Place
   return {{{TakeOut{removal}}, {}}, without(now, removal)};
 }
 
-/// Vouches that two places lie apart, or now and then that two do so no longer for which it was vouched already.
+/// Draws a step that records that two places are different floors, or now and then removes such a record.
 std::optional<RandomHistory::Step> RandomHistory::draw_apart(const Snapshot& now, const PlaceId& one) {
   const PlaceId other = pick(now);
   const Apart apart = ordered({{one.experience, one.index, one.index}, {other.experience, other.index, other.index}});

@@ -20,7 +20,7 @@ struct Delivery {
   Batch batch;
   std::vector<Bytes> contents;
 };
-/// Contents and batch, as intake commits them.
+/// Puts contents and batch together, as intake commits them.
 Transaction transaction(const Delivery& delivery);
 
 /// Makes one robot's run: each call gives the next batch.

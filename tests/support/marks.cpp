@@ -29,7 +29,7 @@ std::vector<Common> common_marks(const std::vector<Marks::Sighting>& a, const st
   return common;
 }
 
-/// Whether mark `common` stands where `a_from_b` says.
+/// Returns whether mark `common` stands where `a_from_b` says.
 bool agrees(const MarksConfig& config, const Common& common, const Pose2& a_from_b) {
   const Pose2 predicted = a_from_b * common.b_from_mark;
   return (predicted.translation() - common.a_from_mark.translation()).norm() <= config.agree_m &&

@@ -131,7 +131,7 @@ inline Batch make_batch(Random& random, const Snapshot& snapshot, const BatchPla
   return batch;
 }
 
-/// Experiences in turns, each in batches; labels on some places.
+/// Makes a network: experiences in turns, each in batches; labels on some places.
 inline Snapshot make_network(Random& random, std::uint32_t experiences = 3, std::uint32_t batches = 3,
                              std::uint32_t places = 5, std::uint32_t stitches = 3) {
   std::vector<BatchPlan> plans;

@@ -24,8 +24,8 @@ class UprightScene {
     for (double area = 0.0; area < share * width_ * height_;) area += 0.6 * paste(random);
   }
 
-  /// Columns from `left` on, rows from `top` on; grey values times `gain`, with noise of `noise` grey levels. Throws
-  /// std::out_of_range when the view reaches beyond the wall.
+  /// Returns the view of columns from `left` on, rows from `top` on; grey values times `gain`, with noise of `noise`
+  /// grey levels. Throws std::out_of_range when the view reaches beyond the wall.
   agents::Image view(int left, int top, int width, int height, double gain = 1.0, double noise = 2.0,
                      std::uint64_t seed = 1) const {
     if (left < 0 || top < 0 || left + width > width_ || top + height > height_)

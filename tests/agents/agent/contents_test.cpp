@@ -58,7 +58,7 @@ TEST(ContentsOfAgent, WithAnotherHashAreThrownAwayAndAskedForAgain) {
   EXPECT_EQ(*cache.find(chunk.hash), bytes);
 }
 
-/// Contents that shrink, as a server keeps and sends them.
+/// Holds contents that shrink, as a server keeps and sends them.
 struct Lent {
   Bytes content;
   storage::Coded coded;

@@ -7,7 +7,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct ReporterBench {
-  /// Whether the state goes out after that much time.
+  /// Returns whether the state goes out after that much time.
   bool due(Duration at) { return reporter.state_due(state, start + at); }
   SteadyTime start = SteadyTime{} + 1h;
   StateReporter reporter{start};

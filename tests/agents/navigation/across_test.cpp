@@ -16,7 +16,7 @@ Course& turn_round(Course& course) {
 
 class MetAcross : public MarksFleet {
  protected:
-  /// Stitches of a run between places whose headings differ by about that much, in the order of the run.
+  /// Returns stitches of a run between places whose headings differ by about that much, in the order of the run.
   std::vector<Edge> met(ExperienceId experience, double heading_rad) const {
     std::vector<Edge> found;
     for (const Edge& stitch : server.snapshot().experience(experience)->stitches) {

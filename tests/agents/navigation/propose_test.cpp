@@ -23,7 +23,7 @@ class Propose : public MarksFleet {
     }
     return index;
   }
-  /// Steps until it knows where it is; how many, at most 400.
+  /// Steps until the robot knows where it is; returns how many steps that took, at most 400.
   int until_found(NavigatedRobot& robot, const RecognitionIndex* index) {
     int samples = 0;
     for (; samples < 400 && !robot.navigator().estimate(); ++samples) {

@@ -131,7 +131,7 @@ TEST_F(CornerTracks, AWindowIsCentredOnWhatItShows) {
   EXPECT_LT(std::sqrt(squares / static_cast<double>(corners.size())), 0.09);
 }
 
-/// Stripes at `angle_rad`: grey values change across them alone.
+/// Renders stripes at `angle_rad`: grey values change across them alone.
 Image striped(double angle_rad, double noise) {
   constexpr int width = 64;
   Random random(2);

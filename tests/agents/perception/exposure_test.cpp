@@ -18,7 +18,7 @@ constexpr int kHeight = 120;
 /// Shows what a sensor at a given exposure makes of light, with its noise.
 class Scene {
  public:
-  /// Boards of all greys between `darkest` and `brightest`, some of the light that is white at exposure 1 = 255.
+  /// Makes boards of all greys between `darkest` and `brightest`, some of the light that is white at exposure 1 = 255.
   Scene(double darkest, double brightest) : light_(kWidth * kHeight) {
     constexpr int board = 8;
     Random random(7);
@@ -43,7 +43,7 @@ class Scene {
       (*pixels)[i] = static_cast<std::uint8_t>(std::clamp(exposure * light_[i] + random_.normal(), 0.0, 255.0));
     return {kWidth, kHeight, std::move(pixels)};
   }
-  /// Exposures of so many images, each as the one before it wishes.
+  /// Returns the exposures of so many images, each as the one before it wishes.
   std::vector<double> told(double first, int images) {
     std::vector<double> all{first};
     for (int i = 0; i < images; ++i) all.push_back(all.back() * exposure_factor(taken(all.back()), 1.0, {}));

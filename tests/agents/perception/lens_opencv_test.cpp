@@ -19,7 +19,7 @@ CameraModel camera_with(LensModel lens, const std::array<double, 5>& distortion,
   return camera;
 }
 
-/// Rays through the image and a little beyond, one metre ahead.
+/// Returns rays through the image and a little beyond, one metre ahead.
 std::vector<cv::Point3d> rays() {
   std::vector<cv::Point3d> points;
   for (double x = -1.0; x <= 1.0; x += 0.125)

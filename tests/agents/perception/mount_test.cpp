@@ -118,7 +118,7 @@ TEST(MountWatch, WithoutWheelsTheHeightIsNotObservable) {
   EXPECT_FALSE(watch.report()->height_by_wheels);
 }
 
-/// Motions of a robot as it appears through a mount that is off by yaw and ahead.
+/// Returns motions of a robot as it appears through a mount that is off by yaw and ahead.
 std::vector<Pose2> through(double yaw_rad, double ahead_m, double turn_rad, double noise_m, Random& random) {
   const Pose2 believed_from_true{-ahead_m, 0.0, -yaw_rad};
   std::vector<Pose2> motions;

@@ -31,7 +31,7 @@ UprightFeature seen_by(const Camera& world_from_camera, const Eigen::Vector3d& p
   return feature;
 }
 
-/// Pairs of points about 4 m away; those of another scene are up to 25 px too high or too low.
+/// Counts the inliers of pairs of points about 4 m away; those of another scene are up to 25 px too high or too low.
 std::uint32_t inliers(const Camera& first, const Camera& second, bool one_scene, std::uint64_t seed) {
   Random random(seed);
   std::vector<UprightFeature> a, b;

@@ -115,7 +115,7 @@ void stage_track_plain_opencv_klt(benchmark::State& state) {
 }
 BENCHMARK(stage_track_plain_opencv_klt)->Unit(benchmark::kMillisecond);
 
-/// Tracks of one pair of views, the best first.
+/// Returns the tracks of one pair of views, the best first.
 std::vector<FloorPair> pairs_of(std::size_t k) {
   const Followed& f = followed();
   const CameraModel& camera = views().method.camera();

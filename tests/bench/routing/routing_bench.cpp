@@ -1,4 +1,4 @@
-/// Routes on a large site, prepared, right after changes, and by others' means, all in one run.
+/// Measures routes on a large site, prepared, right after changes, and by others' means, all in one run.
 /// build/release/bench/routing_bench [PLACES, a million otherwise]
 #include <benchmark/benchmark.h>
 

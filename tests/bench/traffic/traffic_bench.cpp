@@ -15,8 +15,8 @@
 #include "tests/bench/traffic/cases.hpp"
 #include "tests/bench/traffic/measure.hpp"
 
-/// Fleets of points under several rules, on maps of squares, on a ring with dead ends, and in the cases in which
-/// robots come to stand: how many goals are reached, how long robots wait, and who waits for ever.
+/// Measures fleets of points under several rules, on maps of squares, on a ring with dead ends, and in the cases in
+/// which robots come to stand: how many goals are reached, how long robots wait, and who waits for ever.
 namespace weft::bench {
 namespace {
 

@@ -3,7 +3,7 @@
 #include "clients/cli/progress.hpp"
 #include "tests/clients/cli/fleet.hpp"
 
-/// Edits of the map and upkeep of the store, as an operator asks for them.
+/// Tests edits of the map and upkeep of the store, as an operator asks for them.
 namespace weft::cli::test {
 namespace {
 using namespace std::chrono_literals;

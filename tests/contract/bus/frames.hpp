@@ -22,7 +22,7 @@ inline constexpr std::uint8_t kNoError = 255;
 
 /// Writes a frame. Returns false when the other end is gone.
 bool write_frame(int fd, const Frame& frame);
-/// Blocks; none when the other end is gone.
+/// Reads a frame, blocking until it is there; none when the other end is gone.
 std::optional<Frame> read_frame(int fd);
 
 Bytes bytes_of(std::string_view text);

@@ -95,7 +95,7 @@ Frame answer(Bus& bus, const Frame& frame) {
   return {Op::result, static_cast<std::uint8_t>(done.error().code), {}, bytes_of(done.error().message)};
 }
 
-/// Orders come in on a thread of their own; the bus belongs to the main thread.
+/// Takes orders that come in on a thread of their own; the bus belongs to the main thread.
 class Orders {
  public:
   void put(Frame frame) {

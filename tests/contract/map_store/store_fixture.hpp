@@ -51,7 +51,7 @@ class StoreTest : public testing::TestWithParam<Engine> {
     return found.value_or(RevisionChanges{});
   }
 
-  /// Steps a job to its end; `between` runs between two steps. Its last progress, with all findings.
+  /// Steps a job to its end; `between` runs between two steps. Returns its last progress, with all findings.
   static JobProgress finish(
       Result<std::unique_ptr<StoreJob>> job, const std::function<void()>& between = [] {}) {
     EXPECT_TRUE(job) << job.error().message;

@@ -35,7 +35,7 @@ TEST(ChangedRoutes, GrowFromNothing) {
   EXPECT_GT(expect_as_dijkstra(random, preparation, snapshot, 40), 10U);
 }
 
-/// Experiences come and go, as with a rollback and back again.
+/// Shows it for experiences that come and go, as with a rollback and back again.
 TEST(ChangedRoutes, FollowRevisionsBackAndForth) {
   SiteGenerator generator({.places = 6'000, .seed = 9});
   std::vector<Snapshot> revisions{Snapshot{}};

@@ -15,7 +15,7 @@
 namespace weft::formats::test {
 namespace {
 
-/// Whether a reader took the bytes.
+/// Returns whether a reader took the bytes.
 using Reading = std::function<bool(ByteView)>;
 
 void damage(const Bytes& whole, const Reading& read) {

@@ -21,7 +21,7 @@ Window map_of_one_place(std::uint64_t revision) {
 }
 
 struct PolicyTest : testing::Test {
-  /// Whether a search is due when the last one was in revision 1, long ago.
+  /// Returns whether a search is due when the last one was in revision 1, long ago.
   bool is_due(const SearchPolicy::Situation& situation, std::uint64_t revision) {
     SearchPolicy policy(SteadyTime{});
     policy.begins(map_of_one_place(1), SteadyTime{});

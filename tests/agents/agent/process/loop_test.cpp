@@ -18,7 +18,7 @@ namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;
 
-/// Frames of 10 ms; breaks down after so many.
+/// Gives frames of 10 ms; breaks down after so many.
 class Clockwork final : public Body {
  public:
   explicit Clockwork(std::uint64_t frames) : frames_(frames) {}

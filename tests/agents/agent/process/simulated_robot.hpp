@@ -51,7 +51,7 @@ class SimulatedRobot {
     navigator_->seek(std::nullopt);
     for (int i = 0; i < 60 && !navigator_->estimate(); ++i) step();
   }
-  /// Experiences `run`, and one more for each further method; true poses of what was kept go to `truth`.
+  /// Adds experience `run`, and one more for each further method; true poses of what was kept go to `truth`.
   void be_taught(std::uint64_t run, const std::vector<SitePoint>& way, std::map<PlaceId, Pose2>& truth) {
     truth_->put({way[0].x, way[0].y, std::atan2(way[1].y - way[0].y, way[1].x - way[0].x)}, {});
     const auto led = body_->drive_by_hand(way);

@@ -9,7 +9,7 @@
 namespace weft::agents {
 namespace {
 
-/// Features as on a floor without order; some can be put down again elsewhere.
+/// Makes features as on a floor without order; some can be put down again elsewhere.
 struct Stretch {
   std::vector<FloorFeature> features;
   std::vector<Eigen::Vector2d> at;

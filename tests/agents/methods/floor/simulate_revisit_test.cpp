@@ -14,7 +14,7 @@ class FloorSimulatesRevisits : public testing::Test {
     seen.data = eye.render(test::FlatFloor::procedural(5, 6.0, 4.0, contrast), {2.0, 2.0, 0.0}, {}, {});
     return seen;
   }
-  /// Whether what the other robot sees under that condition is found in what this one has seen.
+  /// Relates what the other robot sees under that condition to what this one has seen; an error: it is not found.
   OrRefusal<Related> found(const View& seen, const Revisit& revisit) const {
     const OrRefusal<View> other = method.simulate_revisit(seen, revisit);
     if (!other) return tl::unexpected(other.error());

@@ -100,7 +100,7 @@ class TwoPlacePnp {
     }
   }
 
-  /// Gauss-Newton on the image error of b's marks, twice: all, then those that fit.
+  /// Solves by Gauss-Newton on the image error of b's marks, twice: of all, then of those that fit.
   OrRefusal<Related> solve(const Points& points, const Content& seen, Pose3 frame_from_robot) const {
     constexpr double sigma = 0.007;  // of an image coordinate in units of the focal length, points' noise included
     constexpr double gate = 0.06;

@@ -28,7 +28,7 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-/// Tiles from the first to the last that cover the middle of [low, high].
+/// Returns the first and the last of the tiles that cover the middle of [low, high].
 std::pair<std::int32_t, std::int32_t> tiles_of(double low, double high) {
   const double middle = (low + high) / 2;
   const double half = std::min(high - low, kMostM) / 2;

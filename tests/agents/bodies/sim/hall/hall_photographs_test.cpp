@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Stripes of one height: nobody draws loads like that.
+/// Writes a photograph of stripes of one height: nobody draws loads like that.
 void photograph(const std::filesystem::path& file, int stripe_px) {
   std::filesystem::create_directories(file.parent_path());
   cv::Mat picture(300, 400, CV_8U);
