@@ -48,8 +48,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-/// Returns one line on the mistake. CLI11 reports a missing subcommand before the word that stood in its place, though
-/// that word helps most.
+/// Returns one line. CLI11 reports a missing subcommand before what stood in its place; the latter helps most.
 std::string mistake(const CLI::App& app, const CLI::ParseError& problem) {
   const std::vector<std::string> strays = app.remaining(true);
   std::string what = problem.what();

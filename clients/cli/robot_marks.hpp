@@ -10,8 +10,7 @@ namespace weft::cli {
 
 /// Describes a robot as a picture of the network shows it.
 struct RobotMark {
-  /// Says what is known of the robot. lost: it does not know where it is, and is drawn where it last did; silent: it
-  /// is not heard.
+  /// Says what is known of it. lost: it does not know where it is, and stands where it last did; silent: unheard.
   enum class Look { heard, lost, silent };
   std::string name;
   std::string words;  ///< name and mode
