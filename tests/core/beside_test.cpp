@@ -16,8 +16,7 @@ using testing::IsEmpty;
 constexpr ExperienceId lane{1};
 constexpr ExperienceId stub{2};
 
-/// Returns a lane of places 0.25 m apart, and one place of another run that lies at `lane_from_stub` of its third
-/// place.
+/// Returns a lane of places 0.25 m apart, and a place of another run at `lane_from_stub` of its third place.
 Snapshot lane_and(const Pose2& lane_from_stub) {
   const auto edge = [](const PlaceId& a, const PlaceId& b, const Pose2& a_from_b, Drivable drivable) {
     Edge made;

@@ -301,7 +301,7 @@ TEST_F(Edits, WhatTheRobotDrivesOnIsRecalledAndPlannedFromWhereItStands) {
   EXPECT_EQ(site.goal(1).state, GoalState::succeeded);
 }
 
-/// Shows it when the whole run is taken out from under a robot with a goal, and comes back.
+/// Takes the whole run out from under a robot with a goal, and brings it back.
 TEST_F(Edits, ARobotWhoseGroundWasOutSaysSoMayBeToldToLocaliseAndGoesOn) {
   start();
   take_out(0, 39);

@@ -29,8 +29,7 @@ struct StandstillTest : testing::Test {
   }
   Route order_to(const Peer& robot) { return site.order_to(robot).value(); }
   msg::RobotRow row(const Peer& robot) { return site.row(robot.name); }
-  /// Lets two robots meet: each was in the aisle already, has driven as far as it was let, and stands before the
-  /// other.
+  /// Lets two robots meet head-on: both in the aisle already, each has driven as far as it was let.
   void meet_head_on() {
     site.say(site.state(r2, back.place(3)));
     site.say(site.state(r1, there.place(0)));

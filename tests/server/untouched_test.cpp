@@ -9,7 +9,7 @@
 namespace weft::server {
 namespace {
 
-/// Shows the law: what is said to be untouched looks the same. And it is said often enough to be of use.
+/// Shows that what is said to be untouched looks the same, and that it is said often enough to be of use.
 TEST(Untouched, WindowsLookTheSame) {
   Random random(1);
   int untouched = 0;

@@ -10,7 +10,7 @@ class Chaos {
  public:
   Chaos(Fleet& fleet, Random random);
 
-  /// Plans faults of the network only, and rarely anything worse.
+  /// Sets faults of the network only, all of them rare.
   void mild();
   void full();
   /// Ends all faults: everything heals and comes up again.

@@ -54,8 +54,7 @@ class Fleet {
   /// Makes the server stand still, or go on. It hears nothing until it goes on; what is sent to it waits.
   void hang_server(bool hangs);
   void hang_robot(std::size_t robot, bool hangs);
-  /// Sends once, as a stranger, that it is the server, in the highest epoch there is, answers nothing; false: removes
-  /// it.
+  /// Lets a stranger say once that it is the server, in the highest epoch, and answer nothing; false: takes it away.
   void stray_server(bool speaks);
   void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
   storage::MemoryDisk& disk() { return *server_.disk; }

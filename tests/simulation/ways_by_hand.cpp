@@ -27,8 +27,7 @@ double turned(double radians, double side) {
   return side * (rest < 0.0 ? rest + whole : rest);
 }
 
-/// Returns the way by a curve, a straight and a curve. `first` and `last` are 1 for a curve to the left, -1 to the
-/// right. None: the two circles are too close.
+/// Returns a way; `first`, `last`: 1 for a curve to the left, -1 to the right. None: the two circles are too close.
 std::optional<Way> way_by(const Pose2& from, const Pose2& to, double first, double last) {
   const Eigen::Vector2d apart =
       to * Eigen::Vector2d(0.0, last * kRadius_m) - from * Eigen::Vector2d(0.0, first * kRadius_m);

@@ -147,7 +147,7 @@ TEST_P(SqliteRestoreEdits, ASnapshotRestoresAfterTheEdit) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SqliteRestoreEdits, testing::ValuesIn(edit_kinds()),
                          [](const testing::TestParamInfo<EditKind>& kind) { return kind.param.name; });
 
-/// Shows it after many edits of every kind one after another; the map of each revision is restored with them.
+/// Makes many edits of every kind one after another; the map of each revision is restored with them.
 TEST_F(SqliteRestoreEdits, ASnapshotOfALongHistoryRestoresWithItsPast) {
   const auto file = elsewhere_.path() / "snapshot";
   const auto store = open_sqlite(directory_.path()).value();

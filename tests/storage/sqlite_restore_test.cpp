@@ -131,7 +131,7 @@ TEST_F(SqliteRestore, AMapThatCannotBeOpenedIsReplacedAndKept) {
   EXPECT_EQ(map_there(), old_half_);
 }
 
-/// Shows it by a child that is stopped dead at its first, second, ... sign of progress.
+/// Stops a child dead at its first, second, ... sign of progress.
 TEST_F(SqliteRestore, ACrashAtAnyMomentLeavesTheOldMapOrTheNewOne) {
   int old_maps = 0;
   for (int at = 1;; ++at) {

@@ -36,8 +36,7 @@ inline Print print_of(const ChessBoard& board) {
   return print;
 }
 
-/// Prints the board with its rows counted from below, and squares between the tags, as Kalibr prints it, or with the
-/// rows from above and no squares.
+/// Prints the board as Kalibr does, rows counted from below and squares between tags, or from above and without.
 inline Print print_of(const TagBoard& board, bool as_kalibr) {
   const int bits = as_kalibr ? 10 : 8;
   constexpr int bit = 12;

@@ -178,8 +178,7 @@ class FloorCamera {
     return image;
   }
 
-  /// Darkens every second stripe of the floor: its straight edges, at 45 degrees, are where x + y passes a multiple of
-  /// 1.6 m.
+  /// Darkens every second stripe: straight edges at 45 degrees, wherever x + y passes a multiple of 1.6 m.
   static void darken(const cv::Mat& texels, cv::Mat& fine) {
     for (int r = 0; r < fine.rows; ++r) {
       const auto* at = texels.ptr<cv::Vec2f>(r);

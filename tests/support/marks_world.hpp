@@ -28,8 +28,7 @@ struct MarksWorldConfig {
   std::vector<Disc> blank;  ///< nothing can be seen here
 };
 
-/// Describes a floor of numbered marks. Fixed after construction; the site frame has its origin in the lower left
-/// corner.
+/// Holds a floor of numbered marks, fixed after construction; the site frame's origin is the lower left corner.
 class MarksWorld {
  public:
   MarksWorld(const MarksWorldConfig& config, std::uint64_t seed) : config_(config) {

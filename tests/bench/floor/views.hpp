@@ -49,8 +49,7 @@ inline cv::Mat grey(const agents::View& view) {
 inline constexpr double kStepM = 0.02;
 inline const agents::FloorConfig kDefaults;
 
-/// Computes the RMS error of the steps' lengths, reported beside their time: a faster stage that sees worse is no
-/// gain.
+/// Computes the RMS error of the steps' lengths, beside their time: a faster stage that sees worse is no gain.
 class LengthErrors {
  public:
   void add(double length_m) {

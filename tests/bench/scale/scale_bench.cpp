@@ -122,7 +122,7 @@ void under_load(benchmark::State& state, Running& running, double seconds) {
   state.counters["resident_mb"] = resident_mb();
 }
 
-/// Measures how 20 places join two runs of so many, the second one stitched to the first at every second place.
+/// Measures how 20 more places are joined to a run of so many, stitched to another one at every second place.
 void joining(benchmark::State& state, std::uint32_t places) {
   Random random(11);
   std::array<support::BatchPlan, 2> runs{{{{1}, support::random_id<RobotId>(random), 0, 500, 0, "floor"},

@@ -1,5 +1,4 @@
-/// Measures the map store beside plain SQLite: the same bytes in the same transactions.
-/// build/release/bench/storage_bench
+/// Measures the map store and plain SQLite: same bytes, same transactions. build/release/bench/storage_bench
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

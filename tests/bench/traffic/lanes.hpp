@@ -22,8 +22,7 @@ struct Grid {
   std::vector<bool> is_free;  ///< row by row
 };
 Result<Grid> read_grid(std::istream& text);
-/// Makes a floor of shelves, ten squares long and two rows deep, in so many columns and rows, with a lane around each
-/// and room at both ends.
+/// Makes shelves of ten squares, two rows deep, in so many columns and rows; lanes lead around each, at both ends too.
 Grid warehouse(std::uint32_t columns, std::uint32_t rows);
 
 /// Tells in which directions a grid's lanes are driven: rows y / 3 and columns x / 11 alternate, or all both ways.

@@ -9,8 +9,7 @@ namespace {
 /// is driven, and asked for again when something is freed.
 class Whole final : public Policy {
  public:
-  /// Makes the policy. `asks_all`: everybody who waits asks again after each report that frees something, as it was
-  /// before watches.
+  /// Lets, with `asks_all`, everybody who waits ask again after each report that frees something, as before watches.
   Whole(Fleet& fleet, bool asks_all) : fleet_(fleet), asks_all_(asks_all), leased_(fleet) {}
 
   void step() override {

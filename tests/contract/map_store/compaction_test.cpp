@@ -192,7 +192,7 @@ TEST_P(MapCompaction, AnEarlierRollbackBehindTheFloorKeepsWhatItNeeds) {
   expect_sound();
 }
 
-/// Shows it on a random history, compacted again and again while it goes on: no kept revision changes in anything.
+/// Compacts a random history again and again while it goes on: no kept revision changes in anything.
 TEST_P(MapCompaction, KeptRevisionsStayAsTheyWere) {
   for (const std::uint64_t seed : {71U, 72U, 73U}) {
     medium_ = GetParam().make_medium();

@@ -35,7 +35,7 @@ TEST(ChangedRoutes, GrowFromNothing) {
   EXPECT_GT(expect_as_dijkstra(random, preparation, snapshot, 40), 10U);
 }
 
-/// Shows it for experiences that come and go, as with a rollback and back again.
+/// Lets experiences come and go, as with a rollback and back again.
 TEST(ChangedRoutes, FollowRevisionsBackAndForth) {
   SiteGenerator generator({.places = 6'000, .seed = 9});
   std::vector<Snapshot> revisions{Snapshot{}};
@@ -58,7 +58,7 @@ Removal something(Random& random, const Snapshot& snapshot) {
   return removal;
 }
 
-/// Shows it for places and stitches that vanish, one removal after the other, and come back, all at once.
+/// Lets places and stitches vanish, one removal after the other, and come back, all at once.
 TEST(ChangedRoutes, FollowRemovalsAndReturns) {
   const Snapshot whole = support::make_site({.places = 5'000, .seed = 12});
   const Preparation prepared = prepare(whole, {"floor"});
@@ -88,7 +88,7 @@ TEST(ChangedRoutes, FollowANetworkThatSharesNothing) {
   EXPECT_GT(expect_as_dijkstra(random, update(preparation, again), again, 30), 10U);
 }
 
-/// Shows it for the same places; what was joined is joined otherwise.
+/// Keeps the places; what was joined is joined otherwise.
 TEST(ChangedRoutes, FollowAStitchThatChangesItsRelation) {
   Random random(8);
   Snapshot snapshot = support::make_site({.places = 4'000, .seed = 14});

@@ -30,8 +30,7 @@ inline void expect_drivable(const Snapshot& snapshot, const Path& path, const st
   EXPECT_NEAR(path.length_m, length_m, 1e-9);
 }
 
-/// Expects the law of all this: whatever Dijkstra says, at the same cost or with the same words. Returns how many
-/// paths were found.
+/// Expects what Dijkstra says, at the same cost or in the same words: the law of all this. Returns how many it found.
 inline std::size_t expect_as_dijkstra(Random& random, const Preparation& preparation, const Snapshot& snapshot,
                                       std::size_t pairs) {
   const std::set<std::string>& methods = preparation.methods;

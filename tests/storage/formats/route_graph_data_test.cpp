@@ -12,8 +12,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-/// Returns what is not understood of a file. The depot's graph, which comes twice, has six edges with ids of earlier
-/// ones; one line of AWS's is no line.
+/// Returns what a file has wrong: six edges of the depot's, which comes twice, repeat ids; one line of AWS's is no
+/// line.
 std::vector<std::string> not_understood(const std::string& file) {
   if (file == "depot_graph.geojson" || file == "turtlebot4_graph.geojson") {
     return {file + ":47: an edge with the id of an earlier one, 6 times"};

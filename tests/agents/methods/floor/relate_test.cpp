@@ -264,8 +264,7 @@ TEST_F(FloorRelate, DamagedContentsThatDecodeDoNoHarm) {
   EXPECT_GT(decoded, 5);
 }
 
-/// Arranges two floors that are equal in one patch and nowhere else: a worn stencil, a mended slab, a photograph's
-/// crop used twice.
+/// Arranges two floors equal in one patch alone: a worn stencil, a mended slab, a photograph's crop used twice.
 TEST_F(FloorRelate, APatchThatLooksTheSameElsewhereIsNoPlace) {
   const Floor method = make(test::paper_camera());
   const FloorContent a = content(method, {3.2, 4.0, 0.0}, {});

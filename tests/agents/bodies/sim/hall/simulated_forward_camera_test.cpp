@@ -133,7 +133,7 @@ TEST(SimulatedForwardCamera, SeesWhoWalksBefore) {
   EXPECT_LT(changed, 20000);
 }
 
-/// Shows it for a lamp, which is the brightest there is: its middle is to be where the camera model puts it.
+/// Shows that the middle of a lamp, which is the brightest there is, is where the camera model puts it.
 TEST(HallCamera, DrawsThingsWhereTheCameraModelPutsThem) {
   Site site = empty_site();
   site.lamps = {{14.0, 5.0, 5.0, 1.0}};
