@@ -104,7 +104,7 @@ void print(const NetworkDifference& found, const Output& output) {
   if (found.empty()) output.out << "the same map\n";
 }
 
-/// Returns whether there is room in a picture for what two revisions share.
+/// Returns whether a picture is wanted, and has room for what two revisions share (judged by the map as it is).
 Result<bool> is_drawn_whole(Session& session, const Invocation& invocation) {
   if (invocation.file.empty()) return false;
   msg::Query query;
