@@ -59,7 +59,7 @@ class FlatFloor {
     return floor;
   }
 
-  /// Makes a floor without repetition of a photograph: random crops of it, turned and feathered.
+  /// Makes a photograph into a floor without repetition: random crops of it, turned and feathered.
   static FlatFloor quilted(const cv::Mat& photograph, double metres_per_pixel, std::uint64_t seed, double length_m,
                            double width_m) {
     constexpr int patch = 360;

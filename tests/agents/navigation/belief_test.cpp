@@ -43,7 +43,7 @@ Window two_places() {
   return window;
 }
 
-/// Shows that an error of calibration is the same all the way: 1 % of 10 m, not 1 % of each step and their root.
+/// Shows that a calibration's error, the same all the way, adds up: 1 % of 10 m, not 1 % of each step and their root.
 TEST(Belief, AnErrorThatAllStepsHaveInCommonGrowsWithTheWayUntilAFix) {
   const auto driven = [](Belief& belief, int steps) {
     for (int i = 0; i < steps; ++i) {
