@@ -29,7 +29,7 @@ class ByteReader {
   float f32(const char* field) { return std::bit_cast<float>(number<std::uint32_t>(field)); }
   double f64(const char* field) { return std::bit_cast<double>(number<std::uint64_t>(field)); }
   bool flag(const char* field) { return ranged<std::uint8_t>(field, 0, 1) == 1; }
-  /// A number in [low, high].
+  /// Reads a number that must lie in [low, high].
   template <std::unsigned_integral U>
   U ranged(const char* field, U low, U high) {
     const std::size_t at = offset_;
@@ -72,7 +72,7 @@ class ByteReader {
   bool ok() const { return error_.empty(); }
   std::size_t offset() const { return offset_; }
 
-  /// `what` names the record. corrupt: the first thing wrong, or bytes that are left over.
+  /// Ends the reading of the record that `what` names. corrupt: the first thing wrong, or bytes that are left over.
   Result<void> finish(const char* what) {
     if (ok() && offset_ != bytes_.size()) {
       error_ = std::to_string(bytes_.size() - offset_) + " bytes are left over at byte " + std::to_string(offset_);

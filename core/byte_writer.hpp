@@ -34,7 +34,7 @@ class ByteWriter {
     bytes_.resize(end + bytes.size());
     std::copy(bytes.begin(), bytes.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(end));
   }
-  /// Length in four bytes, then the bytes.
+  /// Appends the length in four bytes, then the bytes.
   void text(std::string_view value) {
     count(value.size());
     raw({reinterpret_cast<const std::uint8_t*>(value.data()), value.size()});

@@ -3,8 +3,8 @@
 
 namespace weft {
 
-/// A quantity that somebody measured beside what it works for: what driving shows of a camera's mount, how many
-/// places will be found again in half the light.
+/// Holds a quantity that was measured as a by-product: what driving shows of a camera's mount, how many places will
+/// be found again in half the light.
 struct Diagnostic {
   std::string name;    ///< ends with its unit, if it has one: "mount_pitch_rad"
   double value = 0.0;  ///< in that unit

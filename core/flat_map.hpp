@@ -7,8 +7,8 @@
 
 namespace weft {
 
-/// A sorted map in two rows, keys and values: quick to search, to walk and to copy; slow to change in the middle.
-/// What we use of std::flat_map (C++23). Any change moves values: pointers to them hold until then.
+/// Keeps a sorted map in two rows, keys and values: quick to search, to walk and to copy; slow to change in the
+/// middle. Has what we use of std::flat_map (C++23). Any change moves values: pointers to them hold until then.
 template <class Key, class Value>
 class FlatMap {
   template <class Map, class Held>
@@ -52,7 +52,7 @@ class FlatMap {
 
   const_iterator find(const Key& key) const { return {this, position(key)}; }
   bool contains(const Key& key) const { return position(key) != size(); }
-  /// Null when there is none.
+  /// Returns the key's value; null when there is none.
   const Value* value(const Key& key) const {
     const std::size_t at = position(key);
     return at == size() ? nullptr : &values_[at];
@@ -62,7 +62,7 @@ class FlatMap {
     const std::size_t at = lower_bound(key);
     return at < size() && keys_[at] == key ? at : size();
   }
-  /// `at` < size().
+  /// Return the key and the value at a position in the order of keys; `at` < size().
   const Key& key_at(std::size_t at) const { return keys_[at]; }
   const Value& value_at(std::size_t at) const { return values_[at]; }
   bool operator==(const FlatMap&) const = default;

@@ -8,19 +8,19 @@
 
 namespace weft {
 
-/// Eight bytes as a number that sorts as they do.
+/// Reads eight bytes as a number that sorts as they do.
 inline std::uint64_t big_endian(const std::uint8_t* bytes) {
   std::uint64_t number = 0;
   for (int i = 0; i < 8; ++i) number = (number << 8U) | bytes[i];
   return number;
 }
 
-/// N opaque bytes with a type of their own. All zero means "none".
+/// Holds N opaque bytes with a type of their own. All zero means "none".
 template <class Tag, std::size_t N>
 struct ByteId {
   std::array<std::uint8_t, N> bytes{};
   bool operator==(const ByteId&) const = default;
-  /// Byte by byte; eight at once, as maps of these are searched a lot.
+  /// Compares byte by byte; eight at once, as maps of these are searched a lot.
   friend std::strong_ordering operator<=>(const ByteId& a, const ByteId& b) {
     static_assert(N % sizeof(std::uint64_t) == 0);
     for (std::size_t at = 0; at < N; at += sizeof(std::uint64_t)) {
@@ -33,7 +33,7 @@ struct ByteId {
   explicit operator bool() const { return *this != ByteId{}; }
 };
 
-/// A counter with a type of its own.
+/// Holds a counter with a type of its own.
 template <class Tag>
 struct Counter {
   std::uint64_t value = 0;
@@ -50,14 +50,14 @@ using Digest = ByteId<struct DigestTag, 32>;        ///< SHA-256 over a window's
 using Epoch = Counter<struct EpochTag>;        ///< one more at every server start
 using Revision = Counter<struct RevisionTag>;  ///< one more at every committed group of changes; 0: the empty network
 
-/// Random 64 bits, drawn by the robot whose run it is. 0 means "none".
+/// Holds random 64 bits, drawn by the robot whose run it is. 0 means "none".
 struct ExperienceId {
   std::uint64_t value = 0;
   auto operator<=>(const ExperienceId&) const = default;
   explicit operator bool() const { return value != 0; }
 };
 
-/// The index-th place of an experience, counted from 0 without gaps.
+/// Identifies the index-th place of an experience, counted from 0 without gaps.
 struct PlaceId {
   ExperienceId experience;
   std::uint32_t index = 0;
@@ -65,7 +65,7 @@ struct PlaceId {
   explicit operator bool() const { return bool(experience); }
 };
 
-/// Lower-case hex; places are "<16 hex>:<index>".
+/// Return the id as lower-case hex; places are "<16 hex>:<index>".
 template <class Tag, std::size_t N>
 std::string to_string(const ByteId<Tag, N>& id) {
   constexpr std::string_view digits = "0123456789abcdef";

@@ -7,7 +7,7 @@ namespace weft {
 
 inline constexpr std::size_t kLongestName = 64;  ///< bytes of a name, a label or a method
 
-/// The rule for labels and for the names of robots and of what is taught, in words for help and errors.
+/// States the rule for labels and for the names of robots and of what is taught, in words for help and errors.
 inline constexpr std::string_view kNameRule =
     "1 to 64 bytes of letters and digits of any script, '_', '.' and '-', beginning with a letter or a digit";
 

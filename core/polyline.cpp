@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFarthestPoint = 1e5;
 
-/// invalid: what is wrong with the row.
+/// Reads the point of a row. invalid: what is wrong with the row.
 Result<PolylinePoint> parse_point(const std::string& row) {
   std::istringstream fields(row);
   PolylinePoint point;

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// A point of a line that a robot is to drive along; metres in the site's frame.
+/// Describes a point of a line that a robot is to drive along; metres in the site's frame.
 struct PolylinePoint {
   double x = 0.0;
   double y = 0.0;

@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-/// SplitMix64 (Steele, Lea & Flood 2014): spreads any seed, zero included, over the generator's state.
+/// Spreads any seed, zero included, over the generator's state (SplitMix64; Steele, Lea & Flood 2014).
 std::uint64_t split_mix(std::uint64_t& counter) {
   counter += 0x9e3779b97f4a7c15ULL;
   std::uint64_t mixed = counter;

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// The kind of a failure, for code that decides; the message is for people.
+/// Tells the kind of a failure, for code that decides; the message is for people.
 enum class ErrorCode : std::uint8_t {
   invalid,      ///< input breaks a stated bound
   not_found,    ///< named thing does not exist
@@ -22,13 +22,13 @@ enum class ErrorCode : std::uint8_t {
 };
 const char* to_string(ErrorCode code);
 
-/// `message` names what, where, which bound, and what to do.
+/// Describes a failure: `message` names what, where, which bound, and what to do.
 struct Error {
   ErrorCode code = ErrorCode::internal;
   std::string message;
 };
 
-/// Value or Error. Expected failure is in the signature; a caller's bug is an assert.
+/// Holds a value or an Error. Expected failure is in the signature; a caller's bug is an assert.
 template <class T>
 class [[nodiscard]] Result : public tl::expected<T, Error> {
  public:

@@ -10,8 +10,8 @@
 
 namespace weft {
 
-/// A row of values in chunks that its copies share: cheap to copy and to add to at the end, quick to read anywhere.
-/// Values are never changed in place. T can be default-constructed.
+/// Keeps a row of values in chunks that its copies share: cheap to copy and to add to at the end, quick to read
+/// anywhere. Values are never changed in place. T can be default-constructed.
 template <class T>
 class SharedRow {
  public:
@@ -54,7 +54,7 @@ class SharedRow {
     one.push_back(std::move(value));
     append(std::move(one));
   }
-  /// `values` by where they go, all of them within the row. Chunks without any stay shared.
+  /// Puts new `values` at the positions that are their keys, all within the row. Chunks without any stay shared.
   void replace(const std::map<std::size_t, T>& values) {
     for (auto at = values.begin(); at != values.end();) {
       const std::size_t chunk = at->first / kChunk;
@@ -65,7 +65,7 @@ class SharedRow {
       chunks_[chunk] = std::move(copy);
     }
   }
-  /// Chunks before the first one that goes stay shared.
+  /// Erases the values that `goes` holds for. Chunks before the first one that goes stay shared.
   template <class Goes>
   void erase_if(Goes&& goes) {
     const auto first = static_cast<std::size_t>(std::find_if(begin(), end(), goes) - begin());
@@ -85,7 +85,7 @@ class SharedRow {
   std::size_t size_ = 0;
 };
 
-/// A row of values each of which copies share: cheap to put in another order, to thin, and to have in two rows.
+/// Keeps a row of values each of which copies share: cheap to put in another order, to thin, and to have in two rows.
 template <class T>
 class SharedItems {
  public:

@@ -10,7 +10,7 @@ std::string one_line(std::string text);
 /// Writes a number as people do: 5, not 5.000000; six digits at most.
 std::string short_number(double number);
 
-/// The text without the UTF-8 byte order mark that some editors put before it. Every reader of text begins with this.
+/// Returns the text without the UTF-8 byte order mark that some editors put first. Every reader of text begins so.
 std::string_view without_byte_order_mark(std::string_view text);
 
 }  // namespace weft

@@ -7,7 +7,7 @@ namespace weft {
 using Duration = std::chrono::nanoseconds;
 
 namespace detail {
-/// Clocks without now(): deciding code is told the time, it never asks.
+/// Stands for a clock without now(): deciding code is told the time, it never asks.
 struct SteadyTag {
   using duration = Duration;
   using rep = duration::rep;
@@ -20,11 +20,11 @@ struct WallTag : SteadyTag {
 };
 }  // namespace detail
 
-/// This process's monotonic clock: intervals, timers, silence. Never sent, never compared across machines.
+/// Tells this process's monotonic time: intervals, timers, silence. Never sent, never compared across machines.
 using SteadyTime = std::chrono::time_point<detail::SteadyTag, Duration>;
-/// A body's own clock: stamps views and odometry.
+/// Tells the time of a body's own clock, which stamps views and odometry.
 using SensorTime = std::chrono::time_point<detail::SensorTag, Duration>;
-/// UTC since 1970: for records that people read, and for measuring skew. Never decides.
+/// Tells UTC since 1970: for records that people read, and for measuring skew. Nothing is decided by it.
 using WallTime = std::chrono::time_point<detail::WallTag, Duration>;
 
 inline double seconds(Duration d) {

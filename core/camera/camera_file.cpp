@@ -77,7 +77,7 @@ CameraCalibration read_euroc(CameraKeys& keys, const char* coefficients_key) {
   return camera;
 }
 
-/// One camera of Kalibr's chain. Its T_cam_imu is of an IMU, not of the robot: it is left over.
+/// Reads one camera of Kalibr's chain. Leaves its T_cam_imu over: that is the pose of an IMU, not of the robot.
 Result<CameraFile> read_chain(CameraKeys& keys, const std::string& which) {
   const std::optional<YAML::Node> node = keys.take(which);
   CameraKeys camera_keys(*node, keys.file());

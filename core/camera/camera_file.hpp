@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// The uncertainty of a calibration, one standard deviation each; none: nobody has stated it.
+/// Holds the uncertainty of a calibration, one standard deviation each; none: nobody has stated it.
 struct CalibrationSigma {
   std::optional<double> focal_share;    ///< of the focal length
   std::optional<double> centre_px;      ///< of the optical centre, across and down each
@@ -23,7 +23,7 @@ struct CalibrationSigma {
   std::optional<double> scale_share;    ///< of distances driven straight on, all of the above together
 };
 
-/// Names the above as a camera's file has it (`weft_sigma`), and the largest value that is taken.
+/// Says how a camera's file names a member of the above (`weft_sigma`), and the largest value that is taken.
 struct SigmaKey {
   const char* name;
   std::optional<double> CalibrationSigma::*member;
@@ -38,7 +38,7 @@ inline constexpr std::array<SigmaKey, 8> kSigmaKeys = {{{"focal_share", &Calibra
                                                         {"height_m", &CalibrationSigma::height_m, 1.0},
                                                         {"scale_share", &CalibrationSigma::scale_share, 1.0}}};
 
-/// A camera as a file describes it; pixels, the centre of the first one at (0, 0).
+/// Describes a camera as its file does; in pixels, with the centre of the first one at (0, 0).
 struct CameraCalibration {
   int width = 0, height = 0;
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
@@ -46,7 +46,7 @@ struct CameraCalibration {
   std::array<double, 5> distortion{};     ///< in the lens model's order; what it does not have is 0
   std::array<double, 3> divisor{};        ///< k4 k5 k6 of a rational lens
   std::optional<Pose3> body_from_camera;  ///< none: the file does not say how the camera is mounted
-  /// Pose beside the camera before it in a Kalibr chain; none: it is the first, or the file does not say.
+  /// Is the pose in the frame of the camera before it in a Kalibr chain; none: it is the first, or not stated.
   std::optional<Pose3> previous_from_camera = {};
   CalibrationSigma sigma;
 };
@@ -56,13 +56,13 @@ struct CameraFile {
   std::vector<std::string> not_understood;  ///< "file:line: key", of what was passed over
 };
 
-/// A camera's YAML file: EuRoC's or Kalibr's sensor.yaml, Kalibr's camera chain (`camera` says which of it), or ROS's
-/// camera_info, a file or a printed message (docs/formats/camera.md). invalid: file, line, key and bound of what is
-/// wrong or unknown to us; a lens that is not monotone over the image.
+/// Reads a camera's YAML file: EuRoC's or Kalibr's sensor.yaml, Kalibr's camera chain (`camera` says which of it), or
+/// ROS's camera_info, a file or a printed message (docs/formats/camera.md). invalid: file, line, key and bound of
+/// what is wrong or unknown to us; a lens that is not monotone over the image.
 Result<CameraFile> parse_camera_file(std::string_view text, std::string_view file, std::string_view camera);
 
-/// The same as a sensor.yaml that EuRoC's and Kalibr's readers take (a rational lens they do not know), `remarks`
-/// above it as comments.
+/// Writes the camera as a sensor.yaml that EuRoC's and Kalibr's readers take (a rational lens they do not know), with
+/// `remarks` above it as comments.
 std::string camera_file_text(const CameraCalibration& camera, const std::vector<std::string>& remarks);
 
 }  // namespace weft

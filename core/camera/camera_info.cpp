@@ -7,7 +7,7 @@ namespace {
 
 using Names = std::initializer_list<const char*>;
 
-/// The first of these keys that is there, with its value: one thing has other names in a message than in a file.
+/// Takes the first of these keys that is there, with its value: a message names some things otherwise than a file.
 std::pair<std::string, std::optional<YAML::Node>> take_one(CameraKeys& keys, Names names) {
   for (const char* const name : names) {
     if (keys.has(name)) return {name, keys.take(name)};

@@ -13,20 +13,20 @@
 
 namespace weft {
 
-/// The first thing that is wrong sticks; whoever reads on gets values that mean nothing, and asks `ok` at the end.
+/// Takes the keys of a YAML map. Keeps the first error; values read after it mean nothing, so ask `ok` at the end.
 class CameraKeys {
  public:
   CameraKeys(const YAML::Node& map, std::string_view file);
 
   bool has(std::string_view key) const;
-  /// The value of a key, which is then no longer left over.
+  /// Takes the value of a key, which is then no longer left over.
   std::optional<YAML::Node> take(std::string_view key);
   std::optional<YAML::Node> need(std::string_view key);
   /// Marks these keys as known; whatever they hold needs no reading.
   void pass_over(std::initializer_list<std::string_view> keys);
   std::string word(std::string_view key);
   double number(const YAML::Node& node, std::string_view key, double low, double high);
-  /// A list of between `fewest` and `most` numbers within the bounds.
+  /// Reads a list of between `fewest` and `most` numbers within the bounds.
   std::vector<double> numbers(const YAML::Node& node, std::string_view key, std::size_t fewest, std::size_t most,
                               double low, double high);
 
@@ -36,7 +36,7 @@ class CameraKeys {
   void adopt(const CameraKeys& part);
   bool ok() const { return error_.message.empty(); }
   const Error& error() const { return error_; }
-  /// "file:line: key" of each that nobody took.
+  /// Returns "file:line: key" of each key that nobody took.
   std::vector<std::string> left_over() const;
   std::string_view file() const { return file_; }
   static std::size_t line_of(const YAML::Node& node);

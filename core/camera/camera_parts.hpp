@@ -29,8 +29,8 @@ void read_lens(CameraKeys& keys, const std::string& model, const YAML::Node& coe
 std::vector<double> read_matrix(CameraKeys& keys, const YAML::Node& node, std::string_view key, std::size_t rows,
                                 std::size_t columns, double most);
 
-/// sensor_msgs/CameraInfo: as ROS's camera_calibration writes it (camera_matrix), or as a message is printed (K or
-/// k).
+/// Tell whether a document is a sensor_msgs/CameraInfo, and read it: as ROS's camera_calibration writes it
+/// (camera_matrix), or as a message is printed (K or k).
 bool is_ros(const CameraKeys& keys);
 CameraCalibration read_ros(CameraKeys& keys);
 

@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-/// A factor on a ray's distance from the axis, and its derivative by the squared distance.
+/// Holds a value and its derivative: of `radial_at`, the factor on a ray's distance from the axis, by the squared
+/// distance; of `radius_at`, the distance itself, by the ray's angle.
 struct Radial {
   double value;
   double slope;
@@ -24,7 +25,7 @@ Radial radial_at(const Lens& lens, double r2) {
   return {value, (above.slope - value * below.slope) / below.value};
 }
 
-/// Brown's model, and the rational one.
+/// Returns where a normalised point lands by Brown's model, or by the rational one.
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& n) {
   const double p1 = lens.distortion[2];
   const double p2 = lens.distortion[3];
@@ -35,7 +36,7 @@ Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& n) {
           n.y() * radial + p1 * (r2 + 2.0 * n.y() * n.y()) + 2.0 * p2 * xy};
 }
 
-/// The derivative of `distort`.
+/// Returns the derivative of `distort`.
 Eigen::Matrix2d slope_of(const Lens& lens, const Eigen::Vector2d& n) {
   const double p1 = lens.distortion[2];
   const double p2 = lens.distortion[3];
@@ -88,8 +89,8 @@ Eigen::Vector2d undistort(const Lens& lens, const Eigen::Vector2d& target) {
   return n;
 }
 
-/// Kannala & Brandt 2006, eq. 6 with k1 = 1: how far from the axis a ray at this angle lands, in focal lengths; and
-/// its derivative.
+/// Returns how far from the axis a ray at this angle lands, in focal lengths, and its derivative by the angle
+/// (Kannala & Brandt 2006, eq. 6 with k1 = 1).
 Radial radius_at(const Lens& lens, double angle) {
   const auto& [k1, k2, k3, k4, none] = lens.distortion;
   const double a2 = angle * angle;
@@ -97,7 +98,8 @@ Radial radius_at(const Lens& lens, double angle) {
           1.0 + a2 * (3.0 * k1 + a2 * (5.0 * k2 + a2 * (7.0 * k3 + a2 * 9.0 * k4)))};
 }
 
-/// The least angle that lands at this radius: bracketed from the axis outwards, then Newton within the bracket.
+/// Returns the least angle that lands at this radius: brackets it from the axis outwards, then takes Newton's steps
+/// within the bracket. Returns `kWidestRay` where no angle up to it lands that far out.
 double angle_at(const Lens& lens, double radius) {
   constexpr double kStride = kWidestRay / 24.0;
   double high = kStride;

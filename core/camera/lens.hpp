@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// The model by which a lens bends rays. Stored in contents: values are frozen.
+/// Tells by which model a lens bends rays. Stored in contents, so values are frozen.
 enum class LensModel : std::uint8_t {
   radtan = 0,       ///< radial-tangential (Brown), OpenCV's order k1 k2 p1 p2 k3
   equidistant = 1,  ///< Kannala & Brandt 2006 with four coefficients, OpenCV's fisheye: k1 k2 k3 k4
@@ -13,21 +13,21 @@ enum class LensModel : std::uint8_t {
 };
 const char* to_string(LensModel lens);
 
-/// A lens as a camera has it; refers to the camera's own coefficients.
+/// Describes a camera's lens; refers to the camera's own coefficients.
 struct Lens {
   LensModel model;
   const std::array<double, 5>& distortion;  ///< in the model's order; what it does not have is 0
   const std::array<double, 3>& divisor;     ///< k4 k5 k6 of a rational lens
 };
 
-/// Further from the axis, in radians, nothing is seen: at a right angle to it there is no normalised point.
+/// Bounds how far from the axis, in radians, a ray is seen: at a right angle to it there is no normalised point.
 inline constexpr double kWidestRay = 1.5;
 
 /// Returns where a ray through `normalised` (x / z, y / z) lands, in focal lengths from the optical centre.
 Eigen::Vector2d bend(const Lens& lens, const Eigen::Vector2d& normalised);
 
-/// The inverse of `bend` by Newton's method, below 1e-10 wherever the lens bends one way
-/// (core/camera/lens_check.hpp); rays beyond `kWidestRay` of an equidistant lens are put there.
+/// Inverts `bend` by Newton's method, with an error below 1e-10 wherever the lens bends one way
+/// (core/camera/lens_check.hpp); puts rays beyond `kWidestRay` of an equidistant lens there.
 Eigen::Vector2d unbend(const Lens& lens, const Eigen::Vector2d& bent);
 
 }  // namespace weft

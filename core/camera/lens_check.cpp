@@ -19,7 +19,7 @@ std::string too_large(double coefficient) {
   return "distortion coefficient " + number_text(coefficient) + " is no number in [-1e+06, 1e+06]";
 }
 
-/// The furthest corner from the optical centre, in focal lengths.
+/// Returns how far the furthest corner lies from the optical centre, in focal lengths.
 double reach_of(const CameraCalibration& camera) {
   return std::hypot(std::max(camera.cx, camera.width - camera.cx) / camera.fx,
                     std::max(camera.cy, camera.height - camera.cy) / camera.fy);

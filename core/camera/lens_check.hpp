@@ -4,8 +4,9 @@
 
 namespace weft {
 
-/// invalid: a coefficient is no number within +-1e6, or the lens is not monotone over its image, so that two rays
-/// share a pixel: names how far from the optical centre, in pixels, rays begin to land nearer again.
+/// Checks a camera's lens. invalid: a coefficient is no number within +-1e6, or the lens is not monotone over its
+/// image, so that two rays share a pixel: names how far from the optical centre, in pixels, rays begin to land nearer
+/// again.
 Result<void> check_lens(const CameraCalibration& camera);
 
 }  // namespace weft

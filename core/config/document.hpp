@@ -6,7 +6,7 @@
 
 #include "core/config/config.hpp"
 
-/// The implementation of `Table`; private to this folder, so that toml++ stays out of everyone's compile.
+/// Implements `Table`; private to this folder, so that toml++ stays out of everyone's compile.
 namespace weft::config {
 
 struct Issue {
@@ -27,7 +27,7 @@ struct Table::Document {
   /// Notes that the key is known; a setting is listed once.
   void ask(const std::string& path) { asked.insert(path); }
   void set(const std::string& path, std::string value, bool is_default);
-  /// Keys of `table` and below that nobody asked for.
+  /// Finds the keys of `table` and below that nobody asked for.
   void find_unknown(const toml::table& table, const std::string& path, std::vector<Issue>& found) const;
 };
 
@@ -37,7 +37,7 @@ struct Table::Node {
   std::size_t line = 1;                ///< of the table, or of the one that should hold it
 };
 
-/// "path.key", the key quoted where TOML would quote it.
+/// Returns "path.key", the key quoted where TOML would quote it.
 std::string join_path(const std::string& path, std::string_view key);
 std::size_t line_of(const toml::node& node);
 std::string show(bool value);

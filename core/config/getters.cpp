@@ -16,7 +16,7 @@ std::optional<double> read_number(const toml::node& node) {
   return std::nullopt;
 }
 
-/// The result of a getter: a value, or what is wrong with it.
+/// Holds the result of a getter: a value, or what is wrong with it.
 template <class T>
 struct Found {
   std::optional<T> value;
@@ -59,7 +59,7 @@ Found<std::string> bounded_text(const toml::node& node, std::size_t longest) {
   return {text->get(), {}};
 }
 
-/// The common way of all getters: find, read, complain, list.
+/// Does what all getters have in common: finds the key, reads it, notes what is wrong, lists the setting.
 template <class Document, class Node, class T, class Read>
 T get(Document& document, const Node& table, std::string_view key, const std::optional<T>& fallback, T if_missing,
       Read&& read) {

@@ -9,7 +9,7 @@ namespace weft {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// SE(3): takes points of frame b to frame a. The quaternion is unit.
+/// Describes a pose of SE(3): takes points of frame b to frame a. The quaternion is unit.
 struct Pose3 {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
@@ -20,7 +20,7 @@ Pose3 operator*(const Pose3& a_from_b, const Pose3& b_from_c);
 Eigen::Vector3d operator*(const Pose3& a_from_b, const Eigen::Vector3d& point_in_b);
 bool is_finite(const Pose3& pose);
 
-/// Order (translation, rotation).
+/// Return the exponential map, its inverse and the adjoint; order (translation, rotation).
 Pose3 se3_exp(const Vector6d& twist);
 Vector6d se3_log(const Pose3& pose);
 Matrix6d adjoint(const Pose3& a_from_b);

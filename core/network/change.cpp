@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-/// Experiences of a snapshot under change: copies one when it is touched, shares the others.
+/// Changes experiences of a snapshot: copies one when it is touched, shares the others.
 class Draft {
  public:
   explicit Draft(const Snapshot& snapshot) : experiences_(snapshot.experiences()) {}
@@ -22,7 +22,7 @@ class Draft {
     return *copy;
   }
 
-  /// Left out when one of its ends has been taken out of the map: it comes with that end when it comes back.
+  /// Adds a stitch, unless one of its ends was taken out of the map: it comes with that end when that comes back.
   void stitch(const Edge& edge) {
     if (!has(edge.id.a) || !has(edge.id.b)) return;
     const auto shared = std::make_shared<const Edge>(edge);

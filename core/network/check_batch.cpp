@@ -81,7 +81,7 @@ class Checker {
     check_content(place, name);
   }
 
-  /// Whether it comes in time shows when the batch joins.
+  /// Checks a place known anew. Whether it comes in time shows when the batch joins.
   void check_learned(const Place& place) {
     const std::string name = "learned place " + to_string(place.id);
     if (place.id.experience == batch_.experience) {
@@ -109,8 +109,8 @@ class Checker {
     }
   }
 
-  /// Places that were taken out count too: a robot may not have heard yet, and what it has seen beside them is not to
-  /// be lost for it.
+  /// Returns whether the map or the batch has a place, or had it: a robot may not have heard yet that it was taken
+  /// out, and what the robot has seen beside it is not to be lost for that.
   bool exists(const PlaceId& id) const {
     const Experience* const known = snapshot_.experience(id.experience);
     if (known != nullptr && id.index < known->extent) return true;
@@ -173,7 +173,7 @@ class Checker {
     if (there) wrong(ErrorCode::conflict, name + ": both places are joined already");
   }
 
-  /// Every new place but the experience's first hangs on the one before it.
+  /// Checks that every new place but the experience's first hangs on the one before it.
   void check_chain() {
     for (std::size_t i = 0; i < batch_.places.size(); ++i) {
       const std::uint32_t index = first_new_ + static_cast<std::uint32_t>(i);

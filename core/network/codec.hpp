@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Canonical bytes: little-endian, fixed order, described in docs/formats/canonical.md. What is hashed and stored.
+/// Return the canonical bytes, which are hashed and stored: little-endian, fixed order (docs/formats/canonical.md).
 Bytes encode(const Place& place);
 Bytes encode(const Edge& edge);
 Bytes encode(const Relation& relation);
@@ -18,7 +18,7 @@ Bytes encode(const Route& route);
 Bytes encode(const Rule& rule);
 Bytes encode(const std::vector<Pass>& passes);
 
-/// corrupt: short, trailing, or impossible values; the message names the field and the offset.
+/// Read canonical bytes. corrupt: short, trailing, or impossible values; the message names the field and the offset.
 Result<Place> decode_place(ByteView bytes);
 Result<Edge> decode_edge(ByteView bytes);
 Result<Relation> decode_relation(ByteView bytes);
@@ -28,7 +28,7 @@ Result<Route> decode_route(ByteView bytes);
 Result<Rule> decode_rule(ByteView bytes);
 Result<std::vector<Pass>> decode_passes(ByteView bytes);
 
-/// SHA-256.
+/// Returns the SHA-256 of the bytes.
 ContentHash hash_bytes(ByteView bytes);
 
 }  // namespace weft

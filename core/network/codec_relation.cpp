@@ -8,7 +8,7 @@ constexpr std::uint8_t kMetric2 = 1;
 constexpr std::uint8_t kMetric3 = 2;
 constexpr std::uint8_t kAlongPath = 3;
 
-/// Lower triangle, row by row: the half that `check` looks at.
+/// Writes the lower triangle, row by row: the half that `check` looks at.
 template <class Matrix>
 void write_symmetric(ByteWriter& out, const Matrix& matrix) {
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {

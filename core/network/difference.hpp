@@ -3,7 +3,7 @@
 
 namespace weft {
 
-/// The distance and angle by which two relations between the same frames differ, or by which one may be off.
+/// Holds the distance and angle by which two relations between the same frames differ, or by which one may be off.
 struct Difference {
   double metres = 0.0;
   double radians = 0.0;

@@ -4,7 +4,8 @@
 #include "core/network/change.hpp"
 #include "core/network/network.hpp"
 
-/// The fields of records as they stand inside other records, without the leading format byte. Private to the codec.
+/// Writes and reads fields of records as they stand inside other records, without the leading format byte. Private to
+/// the codec.
 namespace weft::fields {
 
 inline constexpr std::uint8_t kFormat = 1;  ///< first byte of every record
@@ -23,7 +24,7 @@ inline constexpr std::size_t kPlaceLeast = 12 + 4 + 4 + 4 + 32 + 8 + 16 + 8 + 8;
 inline constexpr std::size_t kEdgeLeast = 24 + 4 + kRelationLeast + 1 + 4 + 1 + 4 + 4;
 inline constexpr std::size_t kPlaceIdBytes = 12;
 
-/// A whole record: format byte, fields, nothing after them.
+/// Write and read a whole record: format byte, fields, nothing after them.
 template <class Fields>
 Bytes record(Fields&& write_fields) {
   ByteWriter out;

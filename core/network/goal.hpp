@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// A goal's life (docs/path-of-a-goal.md): pending -> assigned -> executing (<-> paused) -> succeeded | failed |
-/// cancelled; or rejected at once.
+/// Tells where a goal is in its life (docs/path-of-a-goal.md): pending -> assigned -> executing (<-> paused) ->
+/// succeeded | failed | cancelled; or rejected at once.
 enum class GoalState : std::uint8_t {
   pending = 1,
   assigned = 2,
@@ -32,7 +32,7 @@ enum class GoalKind : std::uint8_t {
 };
 const char* to_string(GoalKind kind);
 
-/// One step of a goal's life, kept for "why".
+/// Records one step of a goal's life, kept for "why".
 struct GoalEvent {
   WallTime at{};
   GoalState state = GoalState::pending;
@@ -40,7 +40,7 @@ struct GoalEvent {
   std::string who;  ///< the client's or robot's name
 };
 
-/// An operator's request and its life. Accepted means stored.
+/// Holds a request of an operator, or of the server, that a robot go to a place, and its life. Accepted means stored.
 struct Goal {
   GoalId id;
   std::string label;              ///< the station asked for
@@ -66,7 +66,7 @@ struct SpeedLimit {
 };
 inline constexpr std::size_t kRouteLimits = 1000;  ///< most speed limits of one route
 
-/// Places in order with their relations, released up to an index that the robot never passes.
+/// Lists places in order with their relations, released up to an index that the robot never passes.
 struct Route {
   GoalId goal;
   RouteId id;

@@ -3,7 +3,7 @@
 
 namespace weft {
 
-/// A place's own index in its experience; an odometry edge's is that of the place it starts from.
+/// Return a place's own index in its experience; of an odometry edge, that of the place it starts from.
 inline std::uint32_t index_of(const Place& place) {
   return place.id.index;
 }
@@ -11,7 +11,7 @@ inline std::uint32_t index_of(const Edge& edge) {
   return edge.id.a.index;
 }
 
-/// Whether an edge leads to the next place of its run, as odometry does.
+/// Returns whether an edge leads to the next place of its run, as odometry does.
 inline bool is_hop(const EdgeId& id) {
   return id.a.experience == id.b.experience && id.b.index == id.a.index + 1;
 }

@@ -14,14 +14,14 @@
 
 namespace weft {
 
-/// A reference to a content's bytes by their hash; `size` is of the canonical uncompressed bytes.
+/// Refers to a content's bytes by their hash; `size` is of the canonical uncompressed bytes.
 struct ContentRef {
   ContentHash hash;
   std::uint64_t size = 0;
   auto operator<=>(const ContentRef&) const = default;
 };
 
-/// A node of the network. Never edited: superseded or retired by a later revision.
+/// Describes a node of the network. Never edited: superseded or retired by a later revision.
 struct Place {
   PlaceId id;
   std::uint32_t entity_version = 1;  ///< one more each time the place is known better
@@ -34,7 +34,7 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// The way in which a relation came about.
+/// Tells in which way a relation came about.
 enum class Origin : std::uint8_t {
   odometry = 1,  ///< seen: between consecutive places of one experience
   blind = 2,     ///< between consecutive places, vision was blind on the way: integrated commands or wheels
@@ -42,17 +42,17 @@ enum class Origin : std::uint8_t {
 };
 const char* to_string(Origin origin);
 
-/// The directions in which an edge's method can drive it. Localising works both ways, driving need not.
+/// Tells in which directions an edge's method can drive it. Localising works both ways, driving need not.
 enum class Drivable : std::uint8_t { none = 0, a_to_b = 1, b_to_a = 2, both = 3 };
 
-/// The pair is ordered as written; one edge a pair. Odometry: b.index == a.index + 1.
+/// Identifies an edge by its ends, in the order written; one edge a pair. Odometry: b.index == a.index + 1.
 struct EdgeId {
   PlaceId a;
   PlaceId b;
   auto operator<=>(const EdgeId&) const = default;
 };
 
-/// An edge of the network. Its members are ordered to leave little room between them: a map has millions of edges.
+/// Describes an edge of the network. Its members are ordered to leave little room between them: a map has millions.
 struct Edge {
   EdgeId id;
   std::uint32_t entity_version = 1;
@@ -64,7 +64,7 @@ struct Edge {
   std::string method;  ///< what a robot needs to drive it
 };
 
-/// One run of one robot. What was taken out of the map, or is damaged, is missing from `places` and `chain`.
+/// Holds one run of one robot. What was taken out of the map, or is damaged, is missing from `places` and `chain`.
 struct Experience {
   ExperienceId id;
   RobotId robot;
@@ -75,21 +75,21 @@ struct Experience {
   std::uint32_t extent = 0;  ///< indices given so far, those of missing places too: the run goes on here
   SharedRow<Place> places;   ///< sorted by index
   SharedRow<Edge> chain;     ///< sorted; each joins a place and the one after it, both there
-  /// Every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
+  /// Holds every stitch that touches a place of this experience (so each stands in up to two), sorted by id.
   SharedItems<Edge> stitches;
 
-  /// An end of a stitch that lies in this experience.
+  /// Describes an end of a stitch that lies in this experience.
   struct StitchEnd {
     std::uint32_t place = 0;   ///< index into places
     std::uint32_t stitch = 0;  ///< index into stitches
     auto operator<=>(const StitchEnd&) const = default;
   };
-  /// Sorted; made by `index_stitches` so that the stitches of a place are found from either end.
+  /// Lists the ends, sorted; made by `index_stitches` so that the stitches of a place are found from either end.
   std::vector<StitchEnd> stitch_ends;
 
-  /// Null when there is none.
+  /// Returns the place with that index; null when there is none.
   const Place* place(std::uint32_t index) const;
-  /// The odometry edge from that place to the one after it; null when there is none.
+  /// Returns the odometry edge from that place to the one after it; null when there is none.
   const Edge* hop(std::uint32_t index) const;
 };
 
@@ -98,7 +98,7 @@ void index_stitches(Experience& experience);
 
 struct Apart;  // core/network/apart.hpp
 
-/// The network at one revision. Immutable; revisions share what did not change. Cheap to copy.
+/// Holds the network at one revision. Immutable; revisions share what did not change. Cheap to copy.
 class Snapshot {
  public:
   using Experiences = std::map<ExperienceId, std::shared_ptr<const Experience>>;
@@ -107,7 +107,7 @@ class Snapshot {
   using Rules = std::map<std::string, Rule>;
 
   Snapshot();
-  /// `aparts` is sorted, each `ordered`; null: none, as of rules.
+  /// Takes `aparts` sorted, each `ordered`; null: none, as of rules.
   Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
            std::shared_ptr<const Aparts> aparts = nullptr, std::shared_ptr<const Rules> rules = nullptr);
 
@@ -130,7 +130,7 @@ class Snapshot {
   template <class Visit>
   void for_each_edge(const PlaceId& id, Visit&& visit) const;
 
-  /// Experiences with at least one place.
+  /// Counts the experiences with at least one place.
   std::uint64_t experience_count() const;
   std::uint64_t place_count() const;
   std::uint64_t stitch_count() const;

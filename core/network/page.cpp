@@ -22,7 +22,7 @@ bool differ(const Shared& first, const Shared& second) {
          !same_ids(first->stitches, second->stitches);
 }
 
-/// The experiences that pages are made of.
+/// Tells which experiences pages are made of: all, or with `other` those that differ in the two.
 class Pick {
  public:
   explicit Pick(const Snapshot* other) : other_(other) {}

@@ -11,8 +11,8 @@
 
 namespace weft {
 
-/// A piece of the network at one revision, for whoever wants all of it: neither side has to send, or wait for, more
-/// than this at once.
+/// Holds a piece of the network at one revision, for whoever wants all of it: neither side has to send, or wait for,
+/// more than this at once.
 struct NetworkPage {
   Revision revision;
   std::vector<Place> places;              ///< in the order of their ids
@@ -26,19 +26,20 @@ struct NetworkPage {
 
 inline constexpr PlaceId kBehindAll{{~std::uint64_t{0}}, ~std::uint32_t{0}};
 
-/// The page that follows `after` (the first one: no place), with as many whole places and their edges as make up to
-/// `entities`, and at least one place. With `other`, only experiences whose places or edges differ in the two:
+/// Returns the page that follows `after` (the first one: no place), with as many whole places and their edges as make
+/// up to `entities`, and at least one place. With `other`, only experiences whose places or edges differ in the two:
 /// that is the same set from either side. Behind the last place of all (`kBehindAll`) there is only what comes with
 /// the last page.
 NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities);
 
-/// Cut so that each piece has at most `entities` places, edges, labels, aparts and rules; at least one piece.
+/// Cuts a page into pieces of at most `entities` places, edges, labels, aparts and rules each; at least one piece.
 std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities);
 
-/// Pages put together again, in their order.
+/// Puts pages together again, in their order.
 class PagedNetwork {
  public:
-  /// stale: of another revision than the first one; invalid: no place, or one not after the last, and pages to come.
+  /// Adds the next page. stale: of another revision than the first one; invalid: without a place although pages are
+  /// to come, or with a place that is not after the last one.
   Result<void> add(NetworkPage page);
   bool is_whole() const { return is_whole_; }
   /// Returns the place after which the next page begins.

@@ -37,7 +37,7 @@ void compare(const Map& base, const Map& target, Added&& added, Changed&& change
   }
 }
 
-/// Indexes the window as well.
+/// Checks that edges and labels stay within the window. Indexes the window as well.
 Result<void> check_ends(Window& window) {
   if (const std::optional<PlaceId> outside = index_edges(window)) {
     return fail(ErrorCode::corrupt, "patch: an edge ends at " + to_string(*outside) + ", which is not in the window");

@@ -20,8 +20,8 @@ constexpr double kLonger_m = 2.0;
 
 using Ways = std::map<PlaceId, double>;
 
-/// Lengths of the shortest ways from `from` over edges of the method, no longer than `most_m`. A way enters only
-/// places that `passes` lets through; others that it comes to are in the result, and are its ends.
+/// Returns the lengths of the shortest ways from `from` over edges of the method, no longer than `most_m`. A way
+/// enters only places that `passes` lets through; others that it comes to are in the result, and are its ends.
 template <class Passes>
 Ways ways(const Snapshot& snapshot, const PlaceId& from, const std::string& method, double most_m, Passes&& passes) {
   using Open = std::pair<double, PlaceId>;
@@ -162,7 +162,7 @@ Pruner::Cover Pruner::cover_of(const Place& place) const {
   return best;
 }
 
-/// Whether somebody could drive through the run from one place around it to another and could not do so without it.
+/// Returns whether somebody could drive through the run from one place around it to another, but not without it.
 bool Pruner::is_missed(const Stretch& run) const {
   const Experience& experience = *snapshot_.experience(run.experience);
   const std::string& method = experience.method;

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// The rule by which a place counts as redundant: others cover it.
+/// Says by which rule a place counts as redundant: others cover it.
 struct PruneRule {
   double within_m = 0.5;           ///< a place of another experience covers one that lies no farther from it
   double within_rad = 0.35;        ///< and looks no more than this another way
@@ -25,7 +25,7 @@ class Pruner {
  public:
   Pruner(Snapshot snapshot, PruneRule rule);
 
-  /// A bounded piece of work; false once there is none left.
+  /// Does a bounded piece of work; returns false once there is none left.
   bool step();
   std::uint64_t done() const { return done_; }  ///< places looked at
   std::uint64_t total() const { return total_; }
@@ -63,7 +63,7 @@ class Pruner {
 /// have changed since, that has a label by now, or that is in `keep`.
 Removal still_unneeded(const Pruner& pruner, const Snapshot& now, const std::set<PlaceId>& keep);
 
-/// Whether nothing of `before` has left.
+/// Returns whether nothing of `before` has left.
 bool only_grew(const Snapshot& before, const Snapshot& now);
 
 /// Returns the uncompressed size, in bytes, of the contents of those places.

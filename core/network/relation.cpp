@@ -34,7 +34,7 @@ Metric inverse_metric(const Metric& ab) {
   return {ab.a_from_b.inverse(), symmetric((transport * full(ab.covariance) * transport.transpose()).eval())};
 }
 
-/// A planar relation says that z, roll and pitch are 0 for certain.
+/// Returns the relation in space: a planar one says that z, roll and pitch are 0 for certain.
 Metric3 raise(const Metric2& flat) {
   constexpr std::array<Eigen::Index, 3> axes{0, 1, 5};
   Matrix6d covariance = Matrix6d::Zero();
@@ -46,7 +46,8 @@ Metric3 raise(const Metric2& flat) {
   return {lift(flat.a_from_b), covariance};
 }
 
-/// Straight-line distance, signed by the direction half way between both headings: the sign turns with the inverse.
+/// Reads a pose along a path: by the straight-line distance, whose sign is that of the component in the direction
+/// half way between both headings, so that it turns with the inverse.
 AlongPath along(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   const double straight = pose.translation().norm();
   const double ahead = pose.x * std::cos(0.5 * pose.heading) + pose.y * std::sin(0.5 * pose.heading);

@@ -8,14 +8,15 @@
 
 namespace weft {
 
-/// Planar metric relation. Covariance of xi in a_from_b * se2_exp(xi), order (x, y, heading), m and rad.
+/// Relates two places metrically in the plane. Covariance of xi in a_from_b * se2_exp(xi), order (x, y, heading), m
+/// and rad.
 struct Metric2 {
   Pose2 a_from_b;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// A covariance of six dimensions that stands apart and is shared by copies: a relation of the plane, of which a map
-/// has millions, would be three times as large with room for it. Zero when nothing is said.
+/// Keeps a covariance of six dimensions apart, shared by copies: a relation of the plane, of which a map has
+/// millions, would be three times as large with room for it. Zero when nothing is said.
 class Covariance6 {
  public:
   Covariance6() = default;
@@ -29,13 +30,13 @@ class Covariance6 {
   std::shared_ptr<const Matrix6d> matrix_;
 };
 
-/// Spatial metric relation. Covariance of xi in a_from_b * se3_exp(xi), order (translation, rotation).
+/// Relates two places metrically in space. Covariance of xi in a_from_b * se3_exp(xi), order (translation, rotation).
 struct Metric3 {
   Pose3 a_from_b;
   Covariance6 covariance;
 };
 
-/// A relation along a path, for methods that know no pose: b lies `distance_m` further along the path than a
+/// Relates two places along a path, for methods that know no pose: b lies `distance_m` further along the path than a
 /// (negative: before it), and b's heading is turned by `heading_shift_rad` (left positive) against a's.
 struct AlongPath {
   double distance_m = 0.0;
@@ -44,24 +45,25 @@ struct AlongPath {
   double heading_variance_rad2 = 0.0;
 };
 
-/// A directed, invertible operator between two places, `a_from_b` (Gadd & Newman, III-A).
+/// Relates two places by a directed, invertible operator, `a_from_b` (Gadd & Newman, III-A).
 using Relation = std::variant<Metric2, Metric3, AlongPath>;
 
-/// a_from_c. Kinds mix downwards: Metric2 with Metric3 gives Metric3, anything with AlongPath gives AlongPath.
+/// Returns a_from_c. Kinds mix downwards: Metric2 with Metric3 is Metric3, anything with AlongPath is AlongPath.
 Relation compose(const Relation& a_from_b, const Relation& b_from_c);
 Relation inverse(const Relation& a_from_b);
-/// Closeness of two places, >= 0, equal for a relation and its inverse: metres, with one radian counted as
-/// `lever_m` metres.
+/// Returns how far two places are apart, >= 0, equal for a relation and its inverse: metres, with one radian counted
+/// as `lever_m` metres.
 double norm(const Relation& relation, double lever_m = 0.5);
 double distance_m(const Relation& relation);   ///< straight line, or |along the path|
 double heading_rad(const Relation& relation);  ///< b's heading seen from a, (-pi, pi]
-/// The planar reading of a relation; AlongPath is laid out straight ahead. For drawing and steering.
+/// Returns the planar reading of a relation; AlongPath is laid out straight ahead. For drawing and steering.
 Pose2 planar(const Relation& relation);
-/// Planar covariance in the same convention as Metric2.
+/// Returns the covariance of the planar reading in the same convention as Metric2.
 Eigen::Matrix3d planar_covariance(const Relation& relation);
-/// The same kind and bit for bit the same numbers: their canonical bytes are equal.
+/// Returns whether both are of the same kind and bit for bit the same numbers: their canonical bytes are equal.
 bool identical(const Relation& first, const Relation& second);
-/// invalid: a number is not finite, a quaternion is not unit, a covariance is not symmetric positive semi-definite.
+/// Checks a relation. invalid: a number is not finite, a quaternion is not unit, a covariance is not symmetric
+/// positive semi-definite.
 Result<void> check(const Relation& relation);
 
 }  // namespace weft

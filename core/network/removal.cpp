@@ -29,7 +29,7 @@ bool has_stitch(const Snapshot& snapshot, const EdgeId& id) {
   return experience != nullptr && std::ranges::binary_search(experience->stitches, id, {}, &Edge::id);
 }
 
-/// Experiences under change; each is copied when it is touched.
+/// Takes places and stitches out of experiences; copies each when it is touched.
 class Thinning {
  public:
   explicit Thinning(const Snapshot& snapshot) : experiences_(snapshot.experiences()) {}
@@ -109,7 +109,7 @@ Result<void> check(const Snapshot& snapshot, const Removal& removal) {
 
 namespace {
 
-/// Stretches of those indices whose being in the snapshot is as wanted.
+/// Returns the stretches of those indices whose places are in the snapshot (`is_in`), or of those that are not.
 std::vector<Stretch> runs(const Snapshot& snapshot, const std::vector<Stretch>& stretches, bool is_in) {
   std::set<Stretch> found;
   for (const Stretch& stretch : stretches) {

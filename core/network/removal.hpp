@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// Consecutive places of one experience, `first` to `last`, both included.
+/// Denotes consecutive places of one experience, `first` to `last`, both included.
 struct Stretch {
   ExperienceId experience;
   std::uint32_t first = 0;
@@ -14,10 +14,10 @@ struct Stretch {
   auto operator<=>(const Stretch&) const = default;
 };
 
-/// "E:I..J", as operators write it.
+/// Returns "E:I..J", as operators write it.
 std::string to_string(const Stretch& stretch);
 
-/// The places and stitches that leave the network or come back to it. Places take their edges and labels along.
+/// Lists the places and stitches that leave the network or come back to it. Places take their edges and labels along.
 struct Removal {
   std::vector<Stretch> places;
   std::vector<EdgeId> stitches;
@@ -25,8 +25,8 @@ struct Removal {
   bool operator==(const Removal&) const = default;
 };
 
-/// not_found: nothing of a stretch, or no such stitch, is in the snapshot. invalid: a stretch whose first is after
-/// its last, a removal of nothing.
+/// Checks a removal. not_found: nothing of a stretch, or no such stitch, is in the snapshot. invalid: a stretch whose
+/// first is after its last, a removal of nothing.
 Result<void> check(const Snapshot& snapshot, const Removal& removal);
 
 /// Returns the part of it that is in the snapshot, as the longest stretches, sorted; each once.
@@ -35,7 +35,7 @@ Removal present(const Snapshot& snapshot, const Removal& removal);
 Removal absent(const Snapshot& snapshot, const Removal& removal);
 std::uint64_t place_count(const Removal& removal);
 
-/// The snapshot without them, one revision on. Experiences stay known, so that nothing of them is handed in again.
+/// Returns the snapshot without them, one revision on. Experiences stay known: nothing of them is handed in again.
 Snapshot without(const Snapshot& snapshot, const Removal& removal);
 
 }  // namespace weft

@@ -29,7 +29,7 @@ struct Label {
 };
 using Labels = std::map<PlaceId, Label>;
 
-/// Dijkstra over places as they are met; stops when `to` is settled.
+/// Runs Dijkstra's algorithm over places as they are met; stops when `to` is settled.
 Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& from, const PlaceId& to,
               const std::set<std::string>& methods, const Passage& passage) {
   using Entry = std::pair<double, PlaceId>;

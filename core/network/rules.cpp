@@ -21,7 +21,7 @@ constexpr double kAround_m = 3.0;
 constexpr std::size_t kMostLookedAt = 1000;
 /// Is how many places a run goes on before it may come by the same floor again.
 constexpr std::uint32_t kNeighbours = 4;
-/// Two ways lead alike within 60 degrees: the cosine of that.
+/// Bounds from below the cosine of the angle between two ways that lead alike: within 60 degrees.
 constexpr double kAlike = 0.5;
 constexpr double kLeastStep_m = 0.02;
 

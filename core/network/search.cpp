@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-/// A window as the thing to search, place by place. Nodes sort as the ids of their places do: a window's are
-/// positions, as comparing ids is most of the work there.
+/// Lets a window be searched place by place. Nodes sort as the ids of their places do: a window's are positions, as
+/// comparing ids is most of the work there.
 struct InWindow {
   using Node = std::uint32_t;
   const Window& window;
@@ -39,7 +39,7 @@ struct InSnapshot {
   }
 };
 
-/// A way into a place of the next level.
+/// Describes a way into a place of the next level.
 template <class Node>
 struct Arrival {
   Node node{};
@@ -63,8 +63,8 @@ void keep_first_ways(std::vector<Arrival<Node>>& arrivals) {
       arrivals.end());
 }
 
-/// Level by level, each sorted by id. A neighbour of a level lies in that level, in the one before or in the next:
-/// no set of all visited places is needed. `reach(arrival, depth, first_of_parents)` is called in order.
+/// Goes outwards level by level, each sorted by id. A neighbour of a level lies in that level, in the one before or
+/// in the next: no set of all visited places is needed. `reach(arrival, depth, first_of_parents)` is called in order.
 template <class Graph, class Reach>
 void expand(const Graph& graph, const PlaceId& centre, std::uint32_t max_depth, std::uint32_t cap, Reach&& reach) {
   using Node = typename Graph::Node;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Places of a snapshot as numbers 0..n-1, in the order of their ids.
+/// Gives the places of a snapshot numbers 0..n-1, in the order of their ids.
 class Numbering {
  public:
   explicit Numbering(const Snapshot& snapshot) {
@@ -21,7 +21,7 @@ class Numbering {
   }
 
   std::uint32_t size() const { return size_; }
-  /// kNone for a place that is not there.
+  /// Returns the place's number; kNone for a place that its experience never had.
   std::uint32_t number(const PlaceId& id) const {
     const auto block = std::lower_bound(blocks_.begin(), blocks_.end(), id.experience,
                                         [](const Block& b, ExperienceId wanted) { return b.id < wanted; });
@@ -60,7 +60,7 @@ struct Label {
   const Edge* edge = nullptr;
 };
 
-/// Dijkstra with a binary heap and lazy deletion; stops when `to` is settled.
+/// Runs Dijkstra's algorithm with a binary heap and lazy deletion; stops when `to` is settled.
 std::vector<Label> settle(const Snapshot& snapshot, const Numbering& numbering, std::uint32_t from, std::uint32_t to,
                           const std::set<std::string>& methods) {
   std::vector<Label> labels(numbering.size());

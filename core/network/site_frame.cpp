@@ -18,7 +18,7 @@ double weight_of(const SitePick& pick) {
 
 using Chosen = std::vector<const SitePick*>;
 
-/// The picks' weighted middles, and what turns and stretches one cloud into the other about them.
+/// Holds the picks' weighted middles, and the sums that say how one cloud turns and stretches into the other.
 struct Moments {
   Eigen::Vector2d layout = Eigen::Vector2d::Zero();
   Eigen::Vector2d plan = Eigen::Vector2d::Zero();
@@ -75,7 +75,7 @@ bool lie_apart(const std::vector<SitePick>& picks) {
   return false;
 }
 
-/// Index into `chosen` of the pick that contradicts the others most; none: none does.
+/// Returns the index in `chosen` of the pick that contradicts the others most; none: none does.
 std::optional<std::size_t> contradicting(const Chosen& chosen) {
   std::optional<std::size_t> worst;
   double most = kContradicts;

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// A point that somebody has found on a floor plan. All of a plan's picks lie in one layout: a frame in which every
-/// place of a connected part of the network has a pose.
+/// Describes a point that somebody has found on a floor plan. All of a plan's picks lie in one layout: a frame in
+/// which every place of a connected part of the network has a pose.
 struct SitePick {
   std::string name;  ///< for people: "dock-2"
   Pose2 layout_from_place;
@@ -20,7 +20,7 @@ struct SitePick {
   double sigma_m = 0.05;                               ///< [0.001, 10] of the point on the plan, each way
 };
 
-/// The place of a layout on a floor plan.
+/// Tells where a layout lies on a floor plan.
 struct SiteFrame {
   Pose2 plan_from_layout;
   double scale = 1.0;                 ///< metres of the plan for one of the layout, which fit best; never applied

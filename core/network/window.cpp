@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-/// Sorted, each once.
+/// Chooses the places of a window: sorted, each once.
 std::vector<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& definition) {
   std::vector<PlaceId> chosen;
   for (const PlaceId& id : definition.route) {
@@ -38,14 +38,14 @@ std::vector<PlaceId> choose(const Snapshot& snapshot, const WindowDefinition& de
   return chosen;
 }
 
-/// An edge and the positions of its ends.
+/// Holds the positions of an edge and of its ends.
 struct BothEnds {
   std::uint32_t at = 0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
 
-/// Edges are sorted by their first ends, and most second ends are the next place.
+/// Finds both ends of each edge. Edges are sorted by their first ends, and most second ends are the next place.
 std::vector<BothEnds> both_ends(const Window& window, std::optional<PlaceId>& outside) {
   const std::size_t places = window.places.size();
   std::vector<BothEnds> edges;

@@ -10,8 +10,8 @@
 
 namespace weft {
 
-/// The definition of the part of the network that an agent wants. Together with a snapshot it fixes the window,
-/// nothing else does.
+/// Defines the part of the network that an agent wants. Together with a snapshot it fixes the window, nothing else
+/// does.
 struct WindowDefinition {
   std::optional<PlaceId> centre;  ///< none: the whole network, up to the cap
   std::uint32_t hops = 25;        ///< breadth-first depth around the centre
@@ -20,7 +20,7 @@ struct WindowDefinition {
   bool operator==(const WindowDefinition&) const = default;
 };
 
-/// The part of the network that one agent holds: places, the edges with both ends inside, labels of places inside.
+/// Holds the part of the network that one agent has: places, edges with both ends inside, labels of places inside.
 struct Window {
   Revision revision;
   FlatMap<PlaceId, Place> places;
@@ -28,7 +28,7 @@ struct Window {
   std::map<std::string, PlaceId> labels;
 
   const Place* place(const PlaceId& id) const { return places.value(id); }
-  /// Same contract as Snapshot::for_each_edge. Linear only in the edges at `id`.
+  /// Visits edges as Snapshot::for_each_edge does. Linear only in the edges at `id`.
   template <class Visit>
   void for_each_edge(const PlaceId& id, Visit&& visit) const;
 
@@ -41,8 +41,8 @@ struct Window {
     std::uint32_t other = 0;  ///< position in `places` of the edge's other end
     bool operator==(const EdgeEnd&) const = default;
   };
-  /// The ends at each place, one place's after the other's; kept by `make_window` and `apply` so that edges are found
-  /// from either end.
+  /// Lists the ends at each place, one place's after the other's; kept by `make_window` and `apply` so that edges are
+  /// found from either end.
   std::vector<EdgeEnd> ends;
   std::vector<std::uint32_t> first_end;  ///< of each place in `ends`, and the number of all
 };
@@ -53,11 +53,11 @@ std::optional<PlaceId> index_edges(Window& window);
 
 Window make_window(const Snapshot& snapshot, const WindowDefinition& definition);
 
-/// SHA-256 over sorted (id, entity version, content hash) of places, then edges, then labels
-/// (an edge's and a label's "content hash" is that of its canonical bytes).
+/// Returns the SHA-256 over sorted (id, entity version, content hash) of places, then edges, then labels (an edge's
+/// and a label's "content hash" is that of its canonical bytes).
 Digest digest(const Window& window);
 
-/// The difference of two windows; contents by hash only.
+/// Describes the difference of two windows; contents by hash only.
 struct Patch {
   Revision base;  ///< 0: from the empty window
   Revision target;
@@ -72,16 +72,16 @@ struct Patch {
 };
 
 Patch difference(const Window& base, const Window& target);
-/// The same for whoever has the digest of `target` already: it costs more than all the rest.
+/// Returns the same for whoever has the digest of `target` already: it costs more than all the rest.
 Patch difference(const Window& base, const Window& target, const Digest& target_digest);
-/// A patch from the empty window (base 0) replaces the window, whatever it was.
+/// Returns the window with the patch applied. A patch from the empty window (base 0) replaces the window, whatever it
+/// was.
 /// stale: the patch is not made from this window's revision. corrupt: the result's digest is not the patch's, or an
-/// edge or a label points out of the window.
-/// In both cases the window is unchanged and a fresh one is to be asked for.
+/// edge or a label points out of the window. In both cases the window stays unchanged, and a fresh one is to be got.
 Result<Window> apply(const Window& base, const Patch& patch);
 
-/// The patch in parts of at most `max_entities` (>= 1) places, edges, labels and removals; all parts share base,
-/// target and digest. At least one part.
+/// Splits the patch into parts of at most `max_entities` (>= 1) places, edges, labels and removals; all parts share
+/// base, target and digest. At least one part.
 std::vector<Patch> split(const Patch& patch, std::size_t max_entities);
 /// Joins all parts into one. corrupt: none, or parts of different patches.
 Result<Patch> join(const std::vector<Patch>& parts);

@@ -37,7 +37,7 @@ struct AgentCommand {
   RobotId to;
   std::uint64_t command = 0;
   Kind kind = Kind::stop;
-  /// teach: labels the experience; keep_place: the place; teach_report: names the experience, empty: the last
+  /// Labels the experience (teach) or the place (keep_place); teach_report: names the experience, empty: the last
   std::string name;
   std::optional<PlaceId> seed;  ///< localise, teach: where the robot stands, roughly
   std::vector<Point> along;     ///< teach on a simulated body: the hand's polyline, metres, site frame
@@ -100,7 +100,7 @@ struct OperatorRequest {
     stats = 19,         ///< what takes space
     teach_report = 20,  ///< how well a robot will find itself where it was taught
     robot_counts = 21,  ///< how often a robot found where it is, and what it refused, by reason
-    /// takes a snapshot that is then restored beside itself, checked, and compared with the map
+    /// Takes a snapshot that is then restored beside itself, checked, and compared with the map
     snapshot_verified = 22,
     apart = 23,   ///< the two stretches are different floors
     forget = 24,  ///< a robot that is gone: what it taught stays

@@ -6,10 +6,10 @@
 
 #include "core/network/network.hpp"
 
-/// Private to the routing folder.
+/// Cuts stretches of places in two. Private to the routing folder.
 namespace weft::routing {
 
-/// Places by number, in the order of the network, with who they are joined with and a picture of where they lie.
+/// Holds places by number, in the order of the network, with whom they are joined and roughly where they lie.
 struct Layout {
   std::vector<PlaceId> places;
   std::vector<std::uint32_t> first_arc;  ///< of each place in `arcs`, and their number
@@ -31,8 +31,8 @@ class Bisection {
   Bisection(const Layout& layout, std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t last,
             std::vector<std::uint32_t>& part_of);
 
-  /// One portion; false when nothing was left to be done. At the end [first, last) is reordered, and the places of
-  /// its second part have the number `second_part` in `part_of`.
+  /// Does one portion; returns false when nothing was left to be done. At the end [first, last) is reordered, and the
+  /// places of its second part have the number `second_part` in `part_of`.
   bool step(std::uint32_t second_part);
   /// Returns where the second part begins; both have at least one place.
   std::uint32_t middle() const { return middle_; }

@@ -45,7 +45,7 @@ void BlockSearch::start(Node from, double farthest) {
   relax(from, 0.0, kNone, 0);
 }
 
-/// The largest cell within the scope that is not opened.
+/// Finds the largest cell within the scope that holds the node and is not opened; else its base cell, as open.
 BlockSearch::Where BlockSearch::where(Node node) const {
   const auto& cells = preparation_.cells[cell_of(node)];
   for (std::size_t level = level_; level-- > 0;) {
@@ -171,7 +171,7 @@ double BlockSearch::cost(Node node) const {
   return found == nullptr ? kFar : *found;
 }
 
-/// Null while its block has not been reached, or when it has no label there.
+/// Returns the place's cost; null while its block has not been reached, or when it has no label there.
 const double* BlockSearch::cost_at(Node node) const {
   const std::uint32_t number = known_block(node);
   if (number == kNone) return nullptr;
@@ -211,8 +211,8 @@ std::vector<BlockSearch::Stretch> BlockSearch::way_to(Node node) const {
   return way;
 }
 
-/// A heap with four children a node: half as deep as one with two, and siblings lie side by side. What is in it
-/// already rises when it gets cheaper, so that nothing is in it twice.
+/// Puts an entry in its place in the heap, from `at` upwards. The heap has four children a node: half as deep as with
+/// two, and siblings lie side by side. What is in it rises when it gets cheaper, so that nothing is in it twice.
 void BlockSearch::rise(const Entry& entry, std::size_t at) {
   while (at > 0) {
     const std::size_t parent = (at - 1) / kChildren;

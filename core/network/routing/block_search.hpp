@@ -6,11 +6,11 @@
 
 namespace weft::routing {
 
-/// Dijkstra over cells: a cell is passed from entry to exit in one step, except those that are opened, which are gone
-/// through place by place. One object serves many searches one after the other.
+/// Searches by Dijkstra's algorithm over cells: a cell is passed from entry to exit in one step, except those that
+/// are opened, which are gone through place by place. One object serves many searches one after the other.
 class BlockSearch {
  public:
-  /// The preparation must outlive it.
+  /// Refers to the preparation, which must outlive it.
   explicit BlockSearch(const Preparation& preparation);
 
   /// Confines the following searches to this cell, each of whose child cells is crossed in one step.
@@ -27,7 +27,7 @@ class BlockSearch {
   /// Returns the least cost to a place that lies in an opened cell or is an exit of its block; infinity: not reached.
   double cost(Node node) const;
 
-  /// A stretch of the way: within a cell from entry to exit, or (open) one place.
+  /// Describes a stretch of the way: within a cell from entry to exit, or (open) one place.
   struct Stretch {
     std::size_t level = 0;
     std::uint32_t cell = 0;
@@ -36,7 +36,7 @@ class BlockSearch {
     double cost = 0.0;
     bool is_open = false;
   };
-  /// The way to a place that was reached, from the start on.
+  /// Returns the way to a place that was reached, from the start on.
   std::vector<Stretch> way_to(Node node) const;
 
  private:

@@ -26,7 +26,7 @@ class Preparing final : public Work {
   Preparation take() override { return draft_->take(); }
 
  private:
-  /// A stretch of the order that is still to be cut, and the cells it lies in already.
+  /// Describes a stretch of the order that is still to be cut, and the cells it lies in already.
   struct Task {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -55,7 +55,7 @@ class Preparing final : public Work {
   Phase phase_ = Phase::number;
   Preparation made_;
   Snapshot::Experiences::const_iterator next_experience_;
-  /// Numbers of an experience's places, by the place's index: in the layout at first, from the cuts on their nodes.
+  /// Holds the numbers of an experience's places, by index: in the layout at first, from the cuts on their nodes.
   FlatMap<ExperienceId, std::shared_ptr<std::vector<Node>>> numbers_;
   Layout layout_;
   std::uint32_t next_place_ = 0;
@@ -112,8 +112,8 @@ std::size_t Preparing::join_place() {
   return 1;
 }
 
-/// Breadth first over all edges; where loops do not close, the first way counts. Only how good the cells are depends
-/// on it.
+/// Lays out the neighbours of one place, breadth first over all edges; where loops do not close, the first way
+/// counts. Only how good the cells are depends on it.
 std::size_t Preparing::lay_out_place() {
   if (next_in_order_ == order_.size()) {
     while (next_place_ < layout_.places.size() && part_of_[next_place_] != 0) ++next_place_;
@@ -171,7 +171,7 @@ std::size_t Preparing::cut() {
   return 1;
 }
 
-/// The last task is cut in two; its first part comes first.
+/// Cuts the last task in two, where the bisection says; the first part comes first.
 void Preparing::finish_cut() {
   ++parts_;
   Task first = tasks_.back();
@@ -180,7 +180,7 @@ void Preparing::finish_cut() {
   bisection_.reset();
 }
 
-/// Base cells come in the order of their numbers.
+/// Makes the places of a task the next base cell: base cells come in the order of their numbers.
 void Preparing::close(const Task& task) {
   auto base = std::make_shared<BaseCell>();
   const auto begin = order_.begin() + task.first;

@@ -14,7 +14,7 @@ struct Joints {
   std::uint8_t left = 0;
 };
 
-/// Cells are nested: an arc that crosses a border of one level crosses those of all below.
+/// Counts the levels whose borders an arc crosses. Cells are nested: one that crosses a level's crosses all below.
 std::uint8_t levels_crossed(const Preparation& preparation, Node a, Node b) {
   std::uint8_t levels = 0;
   while (levels < kLevels && preparation.cell(a, levels) != preparation.cell(b, levels)) ++levels;

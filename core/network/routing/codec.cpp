@@ -59,7 +59,7 @@ Overlay read_overlay(ByteReader& in) {
   return overlay;
 }
 
-/// A preparation as the bytes state it, before it is held against the network.
+/// Holds a preparation as the bytes state it, before it is compared with the network.
 struct Written {
   Preparation made;
   std::vector<std::uint64_t> fingerprints;
@@ -96,7 +96,7 @@ void read_overlays(ByteReader& in, Preparation& made) {
   }
 }
 
-/// Each cell lies in one cell of the next level, and none is empty.
+/// Fills in each cell's children. corrupt: a cell that lies in none or in two of the next level, or that is empty.
 void nest(ByteReader& in, Preparation& made) {
   for (std::size_t level = 1; level < kLevels && in.ok(); ++level) {
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

@@ -41,7 +41,8 @@ void Draft::look_at(std::uint32_t cell, bool costs_too) {
   if (costs_too) changed_inside_[0].insert(cell);
 }
 
-/// Stitches tell better than the chain what lies beside a place: cells that follow a run would be long and thin.
+/// Finds a base cell for a place, beside its neighbour over the last edge. Stitches, which come last, tell better
+/// than the chain what lies beside a place: cells that follow a run would be long and thin.
 std::uint32_t Draft::room_near(const PlaceId& place) {
   std::uint32_t near = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t with_room = near;
@@ -59,7 +60,7 @@ std::uint32_t Draft::room_near(const PlaceId& place) {
   return newest_;
 }
 
-/// Beside a base cell, within the smallest cell over it that has room for one more.
+/// Adds a base cell beside another one, within the smallest cell over that one that has room for one more.
 std::uint32_t Draft::new_cell(std::uint32_t near) {
   const auto cell = static_cast<std::uint32_t>(made_.base.size());
   std::array<std::uint32_t, kLevels> cells{};
@@ -122,7 +123,8 @@ std::size_t Draft::remake_base(std::uint32_t cell) {
 
 namespace {
 
-/// Each entry's search looks at every arc of a base cell, or at every cost of the cells within.
+/// Estimates the work of `measure`: each entry's search looks at every arc of a base cell, or at every cost of the
+/// cells within.
 std::size_t work_of_measuring(const Preparation& preparation, std::size_t level, std::uint32_t cell,
                               const Overlay& overlay) {
   constexpr std::size_t kArcs = 16;    // gone along in a microsecond
@@ -135,9 +137,10 @@ std::size_t work_of_measuring(const Preparation& preparation, std::size_t level,
 
 }  // namespace
 
-/// A cell's costs change only when something within it does; its borders can also move because a place that could be
-/// left to the next cell can now be left to one farther off. An overlay of stored bytes has no crossings yet: then
-/// nobody can tell that nothing changed but by what it was made of.
+/// Makes an overlay anew and has the one above looked at; returns the work. Costs change only when something within
+/// the cell does; borders can also move because a place that could be left to the next cell can now be left to one
+/// farther off. An overlay of stored bytes has no crossings yet: then only what it was made of tells that nothing
+/// changed.
 std::size_t Draft::remake_overlay(std::size_t level, std::uint32_t cell) {
   const Overlay& old = *made_.overlays[level][cell];
   Overlay made = bordered(made_, level, cell, old.children);

@@ -6,22 +6,22 @@
 
 namespace weft::routing {
 
-/// A preparation under change: places get nodes and lose them, cells that are marked are made anew, and what lies
-/// over them as far as it changes. Private to the routing folder.
+/// Changes a preparation: places get nodes and lose them, cells that are marked are made anew, and what lies over
+/// them as far as it changes. Private to the routing folder.
 class Draft {
  public:
   explicit Draft(Preparation preparation) : made_(std::move(preparation)) {}
 
   const Preparation& preparation() const { return made_; }
 
-  /// A slot near the places that it is joined with; marked.
+  /// Gives the place a slot near the places that it is joined with, and marks that cell.
   void add(const PlaceId& place);
-  /// Marked. The place has a node.
+  /// Takes away the place's node, which it must have, and marks its cell.
   void remove(const PlaceId& place);
-  /// The base cell is joined anew.
+  /// Marks the base cell: it is to be joined anew.
   void mark(std::uint32_t cell) { marked_.insert(cell); }
-  /// The base cell is as it must be; whether its overlay is, is looked at (by its costs too, or by its borders
-  /// alone).
+  /// Notes that the base cell is as it must be, and its overlay is to be looked at (by its costs too, or by its
+  /// borders alone).
   void look_at(std::uint32_t cell, bool costs_too);
 
   /// Joins a base cell that is not so far; `is_known(joined)` says whether what lies over it was made of just that,

@@ -13,7 +13,7 @@
 
 namespace weft::routing {
 
-/// A place as a number: its base cell, and its slot there in the low bits.
+/// Stands for a place as a number: its base cell, and its slot there in the low bits.
 using Node = std::uint32_t;
 inline constexpr Node kNoNode = std::numeric_limits<Node>::max();
 inline constexpr std::uint32_t kSlotBits = 10;
@@ -27,35 +27,35 @@ inline constexpr Node node_at(std::uint32_t cell, std::uint32_t slot) {
   return (cell << kSlotBits) | slot;
 }
 
-/// Cells lie in one another; level 0 is the base. Most places of a cell when the preparation is made; one that grows
-/// by changes may come to hold more.
+/// Set how many levels of cells lie in one another, level 0 being the base, and the most places of a cell when the
+/// preparation is made; one that grows by changes may come to hold more.
 inline constexpr std::size_t kLevels = 4;
 inline constexpr std::array<std::uint32_t, kLevels> kCellPlaces{128, 1024, 8192, 65536};
 inline constexpr std::uint32_t kBaseRoom = 400;     ///< slots of a base cell that changes may fill
 inline constexpr std::uint32_t kMostChildren = 24;  ///< cells that changes may bring into a cell of the next level
 
-/// A drivable edge in the direction of travel; the cost is the norm of its relation.
+/// Describes a drivable edge in the direction of travel; the cost is the norm of its relation.
 struct Arc {
   Node to = kNoNode;
   double cost = 0.0;
   bool operator==(const Arc&) const = default;
 };
 
-/// Places near one another, with what leads out of each.
+/// Holds places near one another, with what leads out of each.
 struct BaseCell {
   std::vector<PlaceId> places;  ///< by slot; no experience: nothing is there (any more)
   std::vector<std::uint32_t> first_arc;
   std::vector<Arc> arcs;
-  /// Number of levels, 0 to kLevels, in which an arc that enters (or leaves) the slot's place crosses its cell's
+  /// Count the levels, 0 to kLevels, in which an arc that enters (or leaves) the slot's place crosses its cell's
   /// border.
   std::vector<std::uint8_t> entered;
   std::vector<std::uint8_t> left;
   bool operator==(const BaseCell&) const = default;
 };
 
-/// The costs of driving through a cell: from each place where one can come in to each where one can go out, on ways
-/// that stay within. The overlay of Delling, Goldberg, Pajor, Werneck, "Customizable Route Planning in Road Networks"
-/// (2017), section 3.
+/// Holds the costs of driving through a cell: from each place where one can come in to each where one can go out, on
+/// ways that stay within. It is the overlay of Delling, Goldberg, Pajor, Werneck, "Customizable Route Planning in
+/// Road Networks" (2017), section 3.
 struct Overlay {
   std::vector<std::uint32_t> children;        ///< cells one level below; none at level 0
   std::vector<Node> entries;                  ///< ascending
@@ -66,7 +66,7 @@ struct Overlay {
   bool operator==(const Overlay&) const = default;
 };
 
-/// A network made ready for the search of routes with one set of methods. An immutable value; preparations of
+/// Holds a network made ready for the search of routes with one set of methods. An immutable value; preparations of
 /// neighbouring revisions share what is the same.
 struct Preparation {
   Snapshot of;                    ///< the network that it answers for

@@ -25,10 +25,10 @@ class Builder {
   Builder(Builder&&) noexcept;
   Builder& operator=(Builder&&) noexcept;
 
-  /// About `budget` places' worth of work, a place being about a microsecond, or one indivisible piece of it (of a
-  /// million places the longest takes a fraction of a second: docs/decisions/042). False when it is done.
+  /// Does about `budget` places' worth of work, a place being about a microsecond, or one indivisible piece of it (of
+  /// a million places the longest takes a fraction of a second: docs/decisions/042). Returns false when it is done.
   bool step(std::size_t budget);
-  /// [0, 1]
+  /// Returns the share of the work that is done, [0, 1].
   double share_done() const;
   /// Gives the preparation away, once, when it is done.
   Preparation take();
@@ -41,9 +41,9 @@ class Builder {
 
 Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& methods);
 
-/// The preparation for another revision of the same network, sharing with the old one what did not change. Takes what
-/// changed, and lengths and neighbourhoods of it; many changes at once take less than one by one. What is answered is
-/// what `prepare` would answer; searches become slower when a network grows to a multiple of what it was.
+/// Returns the preparation for another revision of the same network, sharing with the old one what did not change.
+/// Its time grows with what changed, its length and neighbourhood; many changes at once take less than one by one. It
+/// answers as one by `prepare` would; searches become slower when a network grows to a multiple of what it was.
 Preparation update(const Preparation& preparation, const Snapshot& snapshot);
 
 /// Finds a least-cost way like `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of
@@ -52,15 +52,15 @@ Preparation update(const Preparation& preparation, const Snapshot& snapshot);
 Result<std::optional<Path>> find_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
                                       const PlaceId& to, const std::set<std::string>& methods);
 
-/// The same; where there is no way `weft::shortest_path` is asked for the words, which takes as long as it takes.
+/// Does the same; where there is no way, asks `weft::shortest_path` for the words, which takes as long as it takes.
 Result<Path> shortest_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
                            const PlaceId& to, const std::set<std::string>& methods);
 
-/// Canonical bytes for the store (docs/formats/routes.md): which cells there are, the costs through them, and what
-/// they were computed of.
+/// Returns canonical bytes for the store (docs/formats/routes.md): which cells there are, the costs through them, and
+/// what they were computed of.
 Bytes encode(const Preparation& preparation);
-/// The preparation for `snapshot`, whichever revision the bytes were made of: what they say is held against the
-/// network, and what differs is computed anew. corrupt: short, trailing, or impossible values, which are named.
+/// Returns the preparation for `snapshot`, whichever revision the bytes were made of: what they say is compared with
+/// the network, and what differs is computed anew. corrupt: short, trailing, or impossible values, which are named.
 Result<Preparation> decode(ByteView bytes, const Snapshot& snapshot);
 
 }  // namespace weft::routing

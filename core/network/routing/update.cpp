@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLookedAt = 64;  ///< places in one piece
 
-/// Experiences that one of the snapshots has and the other has not, or not as it is.
+/// Returns the experiences that one of the snapshots has and the other has not, or not as it is.
 std::vector<ExperienceId> differing(const Snapshot& a, const Snapshot& b) {
   std::vector<ExperienceId> ids;
   auto in_a = a.experiences().begin();
@@ -28,7 +28,7 @@ std::vector<ExperienceId> differing(const Snapshot& a, const Snapshot& b) {
   return ids;
 }
 
-/// Values of a row but for the chunks that another row shares.
+/// Visits the values of a row but for the chunks that another row shares.
 template <class T, class Visit>
 void for_each_unshared(const SharedRow<T>& row, const SharedRow<T>& other, Visit&& visit) {
   for (std::size_t first = 0; first < row.size(); first += SharedRow<T>::kChunk) {
@@ -38,7 +38,7 @@ void for_each_unshared(const SharedRow<T>& row, const SharedRow<T>& other, Visit
   }
 }
 
-/// Items that one of two rows, both sorted by id, has and the other has not, or not the same.
+/// Visits the items that one of two rows, both sorted by id, has and the other has not, or not the same.
 template <class Visit>
 void for_each_unshared(const SharedItems<Edge>& a, const SharedItems<Edge>& b, Visit&& visit) {
   std::size_t in_a = 0;
