@@ -28,7 +28,7 @@ struct BusConfig {
   msg::Role role = msg::Role::agent;  ///< which topics are written and which are read
   PeerId self;
   unsigned domain = 0;  ///< [0, 200]
-  /// Address or name of the interface to bind to; never all of them by accident. A name follows its address.
+  /// Names the interface to bind to, or its address; never all of them by accident. A name follows its address.
   std::string listen = "127.0.0.1";
   std::vector<std::string> servers;  ///< agents and clients: addresses of the server, HOST or HOST:INDEX
   unsigned server_index = 0;         ///< server: its fixed participant index; in use: `unavailable`

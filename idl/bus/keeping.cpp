@@ -14,7 +14,8 @@ constexpr Duration kDoubtful = 3s;  ///< of silence: asks the resolver whether t
 constexpr Duration kBetweenAsking = 2s;
 constexpr Duration kSilent = 8s;  ///< longer than a server is silent that has nothing to say
 constexpr Duration kMostPatience = 60s;
-/// Others forget a participant after kParticipantLease, counted from an announcement that may have been a second ago.
+/// Bounds how long this process may stand still and keep its link: others forget a participant after
+/// kParticipantLease, counted from an announcement that may have been a second ago.
 constexpr Duration kForgotten = 3500ms;
 
 std::string why_deaf(const LocalLink& link, const std::string& listen) {

@@ -2,7 +2,7 @@
 #include "idl/convert/session.hpp"
 #include "wire/operating.h"
 
-/// Answers to queries, and events.
+/// Converts answers to queries, and events.
 namespace weft::convert {
 
 template <class Io>
