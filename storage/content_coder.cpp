@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kLeastSaved = 8;  // an eighth: less is not worth decoding it at every reading
 constexpr int kLevel = 1;               // descriptors and patches: level 3 gains about a percent for twice the time
 
-/// Canonical clouds are on their lattice already, so nothing is lost; still no byte is given up on a codec's word.
-/// None: no cloud, or one that it does not bring back.
+/// Compresses a canonical cloud. It is on its lattice already, so nothing is lost; still what comes back is compared
+/// with it. None: no cloud, one that does not get smaller, or one that does not come back the same.
 std::optional<Bytes> compressed_cloud(ByteView content) {
   if (!clouds::is_cloud(content)) return std::nullopt;
   Result<Bytes> compressed = clouds::compress_cloud(content);

@@ -9,7 +9,7 @@
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
 
-/// The codings in which contents stand in a store, and travel from it: docs/formats/store.md, column `coding`.
+/// Codes contents as they stand in a store, and travel from it: docs/formats/store.md, column `coding`.
 namespace weft::storage {
 
 using msg::Coding;
@@ -23,10 +23,10 @@ struct Coded {
 class ContentCoder {
  public:
   ContentCoder();
-  /// Compressed, unless that saves less than an eighth. What comes back is the same to the byte, clouds included.
+  /// Compresses, unless that saves less than an eighth. What comes back is the same to the byte, clouds included.
   Coded encode(ByteView content);
-  /// The content of `size` bytes; nothing larger is made, whatever `coded` says. Its hash is for the caller to
-  /// verify. corrupt: the bytes do not decode to `size` bytes.
+  /// Returns the content of `size` bytes; nothing larger is made, whatever `coded` says. Its hash is for the caller
+  /// to verify. corrupt: the bytes do not decode to `size` bytes.
   Result<Bytes> decode(Coding coding, ByteView coded, std::uint64_t size);
 
  private:

@@ -7,23 +7,23 @@
 
 namespace weft::storage {
 
-/// The revisions that one revision is made of: all up to it, but for those that a rollback left behind.
+/// Lists the revisions that one revision is made of: all up to it, but for those that a rollback left behind.
 class Lineage {
  public:
-  /// The revisions from `first` to `last`, both included.
+  /// Spans the revisions from `first` to `last`, both included.
   struct Interval {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
     bool operator==(const Interval&) const = default;
   };
 
-  /// `bases`: what each rollback went back to, by its revision. Every other revision stands on the one before it.
+  /// Takes `bases`: what each rollback went back to, by its revision. All other revisions stand on the one before.
   Lineage(Revision top, const std::map<Revision, Revision>& bases);
 
   bool contains(std::uint64_t revision) const;
-  /// Newest first.
+  /// Returns the intervals, newest first.
   const std::vector<Interval>& intervals() const { return intervals_; }
-  /// The revisions that only one of the two is made of, oldest first.
+  /// Returns the revisions that only one of the two is made of, oldest first.
   std::vector<Interval> differing(const Lineage& other) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace weft::storage {
 
-/// The space that one kind of thing takes.
+/// Tells how much space one kind of thing takes.
 struct SpaceUse {
   std::string kind;  ///< "contents", "clouds", "places", "edges", "free pages", ...
   std::uint64_t count = 0;
@@ -15,7 +15,7 @@ struct SpaceUse {
   std::uint64_t uncompressed_bytes = 0;  ///< as it was handed in; what is not compressed: the same as on disk
 };
 
-/// The progress of a job. `total` is an estimate and may change while commits go on.
+/// Tells how far a job is. `total` is an estimate and may change while commits go on.
 struct JobProgress {
   std::uint64_t done = 0;
   std::uint64_t total = 0;
@@ -26,8 +26,8 @@ struct JobProgress {
   std::vector<SpaceUse> space;        ///< when a job of MapStore::stats has finished
 };
 
-/// Upkeep of a store that goes on while it is used: commits and reads may come between two steps. Its store outlives
-/// it. A job that is dropped before its end leaves nothing half done.
+/// Does upkeep of a store while it is used: commits and reads may come between two steps. Its store outlives it. A
+/// job that is dropped before its end leaves nothing half done.
 class StoreJob {
  public:
   virtual ~StoreJob() = default;

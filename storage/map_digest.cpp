@@ -13,7 +13,7 @@ std::string count_of(std::uint64_t count, const char* one) {
   return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-/// One experience's hash, so that the bytes of the whole map are never in memory at once.
+/// Returns one experience's hash, so that the bytes of the whole map are never in memory at once.
 ContentHash hash_of(const Experience& experience) {
   ByteWriter bytes;
   bytes.number(experience.id.value);

@@ -6,7 +6,7 @@
 
 namespace weft::storage {
 
-/// The digest by which two maps that should be one are compared: counts for people, and a hash over all of it.
+/// Holds the digest by which two maps that should be one are compared: counts for people, and a hash over all of it.
 struct MapDigest {
   Revision revision;
   std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0, rules = 0;
@@ -15,7 +15,7 @@ struct MapDigest {
 };
 MapDigest digest_of(const Snapshot& snapshot);
 
-/// "12 places, 11 edges, ...".
+/// Returns "12 places, 11 edges, ...".
 std::string to_text(const MapDigest& map);
 
 }  // namespace weft::storage

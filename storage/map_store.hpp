@@ -31,16 +31,16 @@ struct AppendBatch {
   Batch batch;
   ContentHash hash;
 };
-/// Places that the map has, as they are known from now on; each replaces what was known of it.
+/// Puts places that the map has, as they are known from now on; each replaces what was known of it.
 struct PutPlaces {
   std::vector<Place> places;
 };
-/// A place of no experience: the label goes.
+/// Puts a label on a place. A place of no experience: the label goes.
 struct PutLabel {
   std::string label;
   PlaceId place;
 };
-/// An operator vouches that two stretches are different floors, or no longer.
+/// Notes that an operator vouches that two stretches are different floors, or no longer.
 struct PutApart {
   Apart apart;
   bool holds = true;
@@ -54,7 +54,7 @@ struct SealExperience {
   ExperienceId experience;
   std::string reason;
 };
-/// Out of the map; nothing is deleted.
+/// Takes things out of the map; nothing is deleted.
 struct TakeOut {
   Removal what;
 };
@@ -62,7 +62,7 @@ struct TakeOut {
 struct BringBack {
   Removal what;
 };
-/// The map as it was at that revision. What was taken for durable since stays stored, and is no part of the map.
+/// Restores the map as it was at a revision. What was taken for durable since stays stored, outside the map.
 struct RollBack {
   Revision to;
 };
@@ -72,7 +72,7 @@ struct PutGoal {
 struct PutRoute {
   Route route;
 };  ///< the latest route of its goal
-/// A stretch that a robot holds; kept so that a restarted server does not give it away. Empty places: freed.
+/// Stores a stretch that a robot holds, so that a restarted server does not give it away. Empty places: freed.
 struct PutOccupancy {
   RobotId robot;
   Route held;
@@ -107,9 +107,9 @@ inline constexpr std::uint64_t kLargestPreparation = 512ULL << 20U;
 
 using RevisionNote = msg::RevisionNote;
 
-/// One atomic step. Batches, labels, aparts, rules, seals and what goes out and comes back change the network:
-/// together they make one revision, whose note is `note` or, when that has no kind, made from the changes. A rollback
-/// is alone in its step.
+/// Describes one atomic step. Batches, labels, aparts, rules, seals and what goes out and comes back change the
+/// network: together they make one revision, whose note is `note` or, when that has no kind, made from the changes. A
+/// rollback is alone in its step.
 struct Transaction {
   std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, SealExperience, TakeOut,
                            BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutHold, PutEvent,
@@ -118,7 +118,7 @@ struct Transaction {
   RevisionNote note{};  ///< the store sets revision and base
 };
 
-/// The changes of one revision, so that it can be undone.
+/// Lists the changes of one revision, so that it can be undone.
 struct RevisionChanges {
   RevisionNote note;
   Removal added;  ///< by batches
@@ -130,7 +130,7 @@ struct RevisionChanges {
   std::set<std::string> rules;    ///< by name, that it laid down, or took away
 };
 
-/// Everything a server needs to resume. Contents stay on disk.
+/// Holds everything a server needs to resume. Contents stay on disk.
 struct Stored {
   Epoch epoch;  ///< of this opening: one more than the last
   Snapshot snapshot;
@@ -144,7 +144,7 @@ struct Stored {
   std::vector<std::string> quarantined;  ///< what was damaged and is not served, each named
 };
 
-/// A content as an engine keeps it, which is how it travels.
+/// Holds a content as an engine keeps it, which is how it travels.
 struct StoredContent {
   msg::Coding coding = msg::Coding::raw;
   std::uint64_t size = 0;  ///< of the content itself
@@ -162,41 +162,41 @@ struct StoreSize {
   Revision floor;  ///< the oldest revision that is kept; 0: all are
 };
 
-/// The fleet's map on disk. One writer process; calls come from one thread.
+/// Keeps the fleet's map on disk. One writer process; calls come from one thread.
 /// Every engine passes tests/contract/map_store.
 class MapStore {
  public:
   virtual ~MapStore() = default;
   /// Takes the next epoch and loads. Called once, first.
   virtual Result<Stored> open() = 0;
-  /// Durable when it returns; on an error nothing of it is there.
-  /// stale: another server has opened the store since. exhausted: disk full. conflict: batch sequence or hash,
-  /// a content that is neither stored nor in the transaction, or what is known anew of a place that is not stored.
+  /// Commits a transaction: durable when it returns; on an error nothing of it is there.
+  /// stale: another server has opened the store since. exhausted: disk full. conflict: batch sequence or hash, a
+  /// content that is neither stored nor in the transaction, or what is known anew of a place that is not stored.
   virtual Result<Commit> commit(const Transaction& transaction) = 0;
   virtual bool has_content(const ContentHash& hash) const = 0;
-  /// Expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.
+  /// Returns a content expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
   /// Returns a content as it is kept. Damage on the disk is found by the engine's own checksum, much faster; who
   /// expands it verifies the SHA-256. Errors as `content`.
   virtual Result<StoredContent> stored_content(const ContentHash& hash) const = 0;
-  /// The hash with which that batch was committed; none if it was not.
+  /// Returns the hash with which that batch was committed; none if it was not.
   virtual std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const = 0;
-  /// Newest last, at most `limit`; filters that are none take everything.
+  /// Returns events, newest last, at most `limit`; filters that are none take everything.
   virtual Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot,
                                                  std::size_t limit) const = 0;
-  /// The map as it was then. `near` is the map at another revision: what is the same in both is shared with it and
-  /// not read, so that going a little back in a large map is cheap. An empty one: everything is read. not_found: no
-  /// such revision, or older than what is kept (StoreSize::floor).
+  /// Returns the map as it was then. `near` is the map at another revision: what is the same in both is shared with
+  /// it and not read, so that going a little back in a large map is cheap. An empty one: everything is read.
+  /// not_found: no such revision, or older than what is kept (StoreSize::floor).
   virtual Result<Snapshot> snapshot_at(Revision revision, const Snapshot& near) const = 0;
-  /// Newest first, from `newest` on (0: from the latest), at most `limit`, down to the oldest that is kept.
-  /// not_found: `newest` is older than that.
+  /// Returns the notes of revisions, newest first, from `newest` on (0: from the latest), at most `limit`, down to
+  /// the oldest that is kept. not_found: `newest` is older than that.
   virtual Result<std::vector<RevisionNote>> log(Revision newest, std::size_t limit) const = 0;
   /// Returns when the first batch of each experience was committed, as far as that revision is kept and its time is
   /// known.
   virtual Result<std::map<ExperienceId, WallTime>> begun() const = 0;
-  /// not_found: no such revision, or not later than the oldest that is kept.
+  /// Returns what a revision changed. not_found: no such revision, or not later than the oldest that is kept.
   virtual Result<RevisionChanges> changes_of(Revision revision) const = 0;
-  /// not_found: none was put for these methods. corrupt: damaged; it must be made anew.
+  /// Returns the preparation for these methods. not_found: none was put. corrupt: damaged; it must be made anew.
   virtual Result<Bytes> preparation(const std::string& methods) const = 0;
 
   /// Reads everything that is stored, checksums and references, and names each damaged row or content. Damaged

@@ -21,7 +21,7 @@ void sort_latest(std::vector<Row>& rows) {
   rows.erase(rows.begin(), kept.base());
 }
 
-/// Ranges of indices as text: "3, 7 to 9".
+/// Writes ranges of indices as text: "3, 7 to 9".
 std::string ranges(const std::vector<std::uint32_t>& sorted) {
   std::string text;
   for (std::size_t first = 0; first < sorted.size();) {
@@ -120,8 +120,8 @@ void NetworkBuilder::add_deleted(const Stretch& stretch) {
   rows_[stretch.experience].deleted.push_back(stretch);
 }
 
-/// One more than the highest index of a row. The number of places in the experience's own row has no checksum, so it
-/// alone makes nothing large.
+/// Returns one more than the highest index of a row, and names rows that are missing. The number of places in the
+/// experience's own row has no checksum, so it alone makes nothing large.
 std::uint32_t NetworkBuilder::measure(const Rows& rows) {
   const std::uint64_t counted = rows.head.places;
   std::uint64_t seen = rows.places.empty() ? 0 : std::uint64_t{rows.places.back().id.index} + 1;
@@ -228,7 +228,7 @@ bool NetworkBuilder::is_out(const EdgeId& stitch, Revision since) const {
   return (taken != stitches_out_.end() && since <= taken->second) || is_out(stitch.a) || is_out(stitch.b);
 }
 
-/// Those of the rest that have, or had, stitches to what was added: without these.
+/// Adds the experiences of `rest` that have, or had, stitches to those that were added; without these stitches.
 void NetworkBuilder::borrow_neighbours(const Snapshot& rest, std::map<ExperienceId, Experience>& experiences) const {
   std::set<ExperienceId> neighbours;
   const auto note = [&](const Edge& stitch) { neighbours.insert({stitch.id.a.experience, stitch.id.b.experience}); };

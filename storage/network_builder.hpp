@@ -17,7 +17,7 @@ namespace weft::storage {
 /// again). What is damaged or missing is left out and named, the rest is served.
 class NetworkBuilder {
  public:
-  /// An experience's row: everything but its places and edges.
+  /// Holds an experience's row: everything but its places and edges.
   struct Head {
     ExperienceId id;
     RobotId robot;
@@ -32,15 +32,15 @@ class NetworkBuilder {
   /// Adds places and edges in any order. One that is added again replaces the earlier one.
   void add(Place place);
   void add(Edge edge, Revision since = {});
-  /// A row that is there and cannot be read; named, and so is what hangs on it.
+  /// Adds a row that is there and cannot be read; named, and so is what hangs on it.
   void add_damaged(const PlaceId& place, const std::string& why);
-  /// A row that is none of this map: a rollback left it behind, or, of an edge, it is damaged and named so.
+  /// Add a row that is none of this map: a rollback left it behind, or, of an edge, it is damaged and named so.
   void add_absent(const PlaceId& place);
   void add_absent(const EdgeId& edge);
   /// Adds places that were deleted for good: they are in no map any more, which is no damage, and what their rows say
   /// does not count.
   void add_deleted(const Stretch& stretch);
-  /// Taken out, or brought back, at that revision; in the order of revisions. A stitch that was added later stays.
+  /// Takes out, or brings back, at that revision; in the order of revisions. A stitch that was added later stays.
   void move(const Removal& removal, bool is_back, Revision at);
   /// Sets a label, in the order of revisions. A place of no experience: the label goes.
   void add_label(const std::string& label, const PlaceId& place);
@@ -51,8 +51,9 @@ class NetworkBuilder {
   void add_rule(const Rule& rule, bool holds);
   void add_damage(std::string what);
 
-  /// Everything that is there and was not taken out; edges and labels of places that are not served are left out.
-  /// Experiences that were not added are as in `rest`; of those that were, every stitch has to be added, to wherever.
+  /// Returns the network: everything that is there and was not taken out, without edges and labels of places that are
+  /// not served. Experiences that were not added are as in `rest`; of those that were, every stitch has to be added,
+  /// to wherever.
   Snapshot build(Revision revision, const Snapshot& rest = {});
   /// Returns what was damaged or left out, each named; complete after `build`.
   std::vector<std::string> take_damage() { return std::move(damage_); }

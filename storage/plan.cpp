@@ -24,7 +24,7 @@ class Planner {
     }
   }
 
-  /// Whether the change is new.
+  /// Returns whether the change is new.
   Result<bool> operator()(const PutContent& put) {
     if (contents_.contains(put.hash)) return false;
     if (hash_bytes(put.bytes) != put.hash) {

@@ -7,13 +7,13 @@
 
 #include "storage/map_store.hpp"
 
-/// The decisions that every engine takes in the same way: whether a transaction fits what is stored, and which of its
+/// Decides what every engine decides in the same way: whether a transaction fits what is stored, and which of its
 /// changes are new. Pure: the engine looks up `Needs`, hands over `Facts`, and writes what the `Plan` calls fresh.
 namespace weft::storage {
 
 using BatchKey = std::pair<ExperienceId, std::uint64_t>;
 
-/// The keys that must be looked up in the store to judge a transaction, besides its revision.
+/// Lists the keys that must be looked up in the store to judge a transaction, besides its revision.
 struct Needs {
   std::set<ExperienceId> experiences;
   std::set<BatchKey> batches;
@@ -28,7 +28,7 @@ struct ExperienceFacts {
   std::uint64_t places = 0;
 };
 
-/// The facts that are stored of what was needed; absent means not stored.
+/// Holds the facts that are stored of what was needed; absent means not stored.
 struct Facts {
   Revision revision;
   std::map<ExperienceId, ExperienceFacts> experiences;
@@ -45,19 +45,21 @@ struct Plan {
   std::map<ExperienceId, ExperienceFacts> experiences;  ///< after the transaction
 };
 
-/// invalid: a content's bytes are not its hash's, a batch has sequence 0 or places that are not of its experience.
-/// conflict: a batch out of order or repeated with another hash, places that do not continue the experience, a
-/// content that is neither stored nor in the transaction, a label, apart, rule, seal, removal or new knowledge of
-/// something that is not stored, or was deleted for good. not_found: a rollback to an older revision than is kept.
+/// Returns the plan for a transaction. invalid: a content's bytes are not its hash's, a batch has sequence 0 or
+/// places that are not of its experience. conflict: a batch out of order or repeated with another hash, places that
+/// do not continue the experience, a content that is neither stored nor in the transaction, a label, apart, rule,
+/// seal, removal or new knowledge of something that is not stored, or was deleted for good. not_found: a rollback to
+/// an older revision than is kept.
 Result<Plan> make_plan(const Transaction& transaction, const Facts& facts);
 
-/// not_found: a map of that revision cannot be seen any more; `what` asks for it.
+/// Checks that a map is kept. not_found: one of that revision cannot be seen any more; `what` asks for it.
 Result<void> check_kept(const std::string& what, Revision revision, Revision floor);
 
-/// not_found: the map before that revision, and with it what the revision changed, is not known any more.
+/// Checks that a revision's changes are kept. not_found: the map before it, and so what it changed, is not known any
+/// more.
 Result<void> check_changes_kept(Revision revision, Revision floor);
 
-/// The note of the revision that the transaction makes after `newest`: its own, or one made from its changes.
+/// Returns the note of the revision that the transaction makes after `newest`: its own, or one made from its changes.
 RevisionNote note_of(const Transaction& transaction, Revision newest);
 
 }  // namespace weft::storage

@@ -6,15 +6,15 @@
 #include "core/network/removal.hpp"
 #include "storage/lineage.hpp"
 
-/// The rules by which rows may be deleted for good when all maps older than one revision, the floor, are given up.
-/// Pure, the same for every engine; docs/formats/store.md says why it is right.
+/// Decides which rows may be deleted for good when all maps older than one revision, the floor, are given up. Pure,
+/// the same for every engine; docs/formats/store.md says why it is right.
 namespace weft::storage {
 
-/// The kept maps that do not stand on another kept one: that of the floor, and of each later rollback to before it.
-/// Every map from the floor on is one of them with rows added.
+/// Finds the kept maps that do not stand on another kept one: that of the floor, and of each later rollback to before
+/// it. Every map from the floor on is one of them with rows added.
 class Retention {
  public:
-  /// `bases`: of every rollback, as for Lineage. From now on nothing goes back behind the floor.
+  /// Takes the `bases` of every rollback, as Lineage does. From now on nothing goes back behind the floor.
   Retention(Revision floor, const std::map<Revision, Revision>& bases);
 
   Revision floor() const { return floor_; }
@@ -25,7 +25,7 @@ class Retention {
   std::vector<Lineage> roots_;
 };
 
-/// The revision at which something left a map or came back.
+/// Tells at which revision something left a map or came back.
 struct Moved {
   std::uint64_t revision = 0;
   bool is_back = false;
@@ -35,16 +35,16 @@ struct MovedStretch : Moved {
   std::uint32_t last = 0;
 };
 
-/// The places of one experience.
+/// Decides which places of one experience are kept.
 class PlaceRetention {
  public:
-  /// `moves` in the order of (revision, is_back).
+  /// Takes `moves` in the order of (revision, is_back).
   PlaceRetention(const Retention& retention, const std::vector<MovedStretch>& moves);
-  /// Whether the place that a revision added is in a kept map, or can come back to one.
+  /// Returns whether the place that a revision added is in a kept map, or can come back to one.
   bool keeps(std::uint32_t index, std::uint64_t revision) const;
 
  private:
-  /// A truth value for every index, as the stretches over which it is the same.
+  /// Holds a truth value for every index, as the stretches over which it is the same.
   class Marks {
    public:
     void set(std::uint32_t first, std::uint32_t last, bool value);
@@ -59,13 +59,14 @@ class PlaceRetention {
   Marks touched_;           ///< by what a kept revision can undo
 };
 
-/// Rows of one key, of which the last in a lineage counts: the edges of a pair, the meanings of a label. Asked from
-/// the newest row to the oldest.
+/// Decides which rows of one key are kept, of which the last in a lineage counts: the edges of a pair, the meanings
+/// of a label. Asked from the newest row to the oldest.
 class LatestRetention {
  public:
   explicit LatestRetention(const Retention& retention)
       : retention_(&retention), is_superseded_(retention.roots().size()) {}
-  /// `moves` of a stitch, in the order of (revision, is_back); labels have none.
+  /// Returns whether the row of that revision is kept. `moves` of a stitch, in the order of (revision, is_back);
+  /// labels have none.
   bool keeps(std::uint64_t revision, const std::vector<Moved>& moves = {});
 
  private:
@@ -73,7 +74,7 @@ class LatestRetention {
   std::vector<bool> is_superseded_;  ///< a root each
 };
 
-/// Sorted, without overlaps, and joined where one goes on behind the other. All are of one experience.
+/// Returns them sorted, without overlaps, and joined where one goes on behind the other. All are of one experience.
 std::vector<Stretch> joined(std::vector<Stretch> stretches);
 
 }  // namespace weft::storage

@@ -9,17 +9,17 @@
 
 namespace weft::storage {
 
-/// A robot's own copy of what the server has not yet acknowledged; survives its crash.
+/// Keeps a robot's own copy of what the server has not yet acknowledged; survives its crash.
 class Spool {
  public:
   virtual ~Spool() = default;
-  /// Durable when it returns. `contents`: the bytes of the places' contents; those that the spool holds already may
-  /// be left out. The same batch again is harmless. exhausted: disk full; nothing of it is there. conflict: another
-  /// batch with this sequence is pending. invalid: a place's content is neither given nor held.
+  /// Appends a batch: durable when it returns. `contents`: the bytes of the places' contents; those that the spool
+  /// holds already may be left out. The same batch again is harmless. exhausted: disk full; nothing of it is there.
+  /// conflict: another batch with this sequence is pending. invalid: a place's content is neither given nor held.
   virtual Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) = 0;
   /// Returns the batches that are still to be acknowledged, oldest first; read at start.
   virtual Result<std::vector<Batch>> pending() const = 0;
-  /// not_found; corrupt: its bytes have changed on the disk.
+  /// Returns a content's bytes. not_found; corrupt: its bytes have changed on the disk.
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
   /// Forgets batches of the experience up to `through` and contents that no other batch needs.
   virtual Result<void> acknowledged(ExperienceId experience, std::uint64_t through) = 0;

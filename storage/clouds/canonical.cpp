@@ -64,7 +64,7 @@ bool is_on_lattice(double quanta) {
   return std::abs(quanta) <= kLatticeBound - 1;
 }
 
-/// The first coordinate that has no place on the lattice.
+/// Returns an error that names the first coordinate that has no place on the lattice.
 Error name_bad_coordinate(const Cloud& cloud, std::uint32_t quantum_um) {
   for (std::size_t at = 0; at < cloud.points.size(); ++at) {
     for (unsigned axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@
 
 namespace weft::clouds {
 
-/// Points in metres in the frame that their content says, and one number each or none (intensity, ring, class).
+/// Holds points in metres in the frame that their content says, and one number each or none (intensity, ring, class).
 struct Cloud {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint16_t> values;  ///< empty, or one a point
@@ -20,7 +20,7 @@ struct Cloud {
 inline constexpr std::uint32_t kFineQuantum_um = 1100;
 inline constexpr std::uint32_t kLargestQuantum_um = 1'000'000;
 
-/// A cloud as its canonical bytes say it: in the order of Morton codes, every coordinate on the lattice.
+/// Holds a cloud as its canonical bytes say it: in the order of Morton codes, every coordinate on the lattice.
 struct LatticeCloud {
   Cloud cloud;
   std::uint32_t quantum_um = 0;
@@ -33,10 +33,10 @@ struct LatticeCloud {
 /// bytes.
 Result<Bytes> canonical_bytes(const Cloud& cloud, std::uint32_t quantum_um);
 
-/// corrupt or newer: bytes that canonical_bytes does not write.
+/// Reads a cloud from its canonical bytes. corrupt or newer: bytes that canonical_bytes does not write.
 Result<LatticeCloud> decode_cloud(ByteView canonical);
 
-/// Whether a content is a cloud, which a store may keep compressed: by its first bytes alone.
+/// Returns whether a content is a cloud, which a store may keep compressed: by its first bytes alone.
 bool is_cloud(ByteView content);
 
 /// Returns the compressed form that a store keeps. corrupt or newer: its head or the order of its codes is none of
@@ -46,7 +46,8 @@ Result<Bytes> compress_cloud(ByteView canonical);
 /// Returns how many bytes expand_cloud would make of it, by its head alone. corrupt or newer.
 Result<std::uint64_t> expanded_size(ByteView compressed);
 
-/// The very bytes that were compressed. corrupt or newer; never takes more memory than a few times kLargestContent.
+/// Returns the very bytes that were compressed. corrupt or newer; takes at most a few times kLargestContent of
+/// memory.
 Result<Bytes> expand_cloud(ByteView compressed);
 
 }  // namespace weft::clouds

@@ -24,7 +24,7 @@ Result<Bytes> shrink(ByteView bytes) {
   return frame;
 }
 
-/// `size` bounds what a frame can make of itself.
+/// Decompresses a zstd frame into exactly `size` bytes, which bounds what it can become. corrupt: another size.
 Result<Bytes> grow(ByteView frame, std::size_t size, const char* what) {
   Bytes bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
@@ -52,7 +52,7 @@ void values_from_planes(ByteView planes, std::size_t value_bytes, std::uint8_t* 
   }
 }
 
-/// A part of the bytes, behind its length.
+/// Writes a part of the bytes, behind its length.
 void write_part(ByteWriter& out, ByteView part) {
   out.count(part.size());
   out.raw(part);
@@ -82,7 +82,7 @@ Result<ByteView> checked_payload(ByteView compressed) {
   return payload;
 }
 
-/// The payload's parts behind the head, as they stand.
+/// Holds the payload's head and the parts behind it, as they stand.
 struct Parts {
   Head head;
   std::string tokens;

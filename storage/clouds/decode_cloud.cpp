@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);  // codes are copied as they stand in memory
 
-/// The canonical bytes behind the head, of the size that the head asks for.
+/// Holds the canonical bytes: the head, and what stands behind it, of the size that the head asks for.
 struct Body {
   Head head;
   ByteView codes;
@@ -30,7 +30,7 @@ struct Body {
   }
 };
 
-/// The points, and the range of their distances from the origin.
+/// Holds the points, and the range of their distances from the origin on each axis, in quanta.
 struct Placed {
   std::vector<Eigen::Vector3f> points;
   std::array<std::uint32_t, 3> least{~0U, ~0U, ~0U};
@@ -52,7 +52,7 @@ Placed place_points(const Body& body) {
   return placed;
 }
 
-/// Codes never fall, nor do the values of equal codes.
+/// Checks that codes never fall, nor do the values of equal codes.
 Result<void> check_order(const Body& body) {
   std::uint64_t before = 0;
   for (std::size_t at = 0; at < body.head.count; ++at) {
@@ -67,7 +67,7 @@ Result<void> check_order(const Body& body) {
   return {};
 }
 
-/// The origin is the least coordinate on each axis, and no point lies off the lattice.
+/// Checks that the origin is the least coordinate on each axis, and that no point lies off the lattice.
 Result<void> check_bounds(const Head& head, const Placed& placed) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     const auto origin = static_cast<std::int64_t>(head.origin[axis]);
@@ -79,7 +79,7 @@ Result<void> check_bounds(const Head& head, const Placed& placed) {
   return {};
 }
 
-/// Values take no more bytes than the largest needs.
+/// Reads the values, which take no more bytes than the largest needs.
 Result<std::vector<std::uint16_t>> read_values(const Body& body) {
   std::vector<std::uint16_t> values(body.head.value_bytes == 0 ? 0 : body.head.count);
   std::uint16_t most = 0;

@@ -36,14 +36,14 @@ Split split_gap(std::uint64_t gap) {
   return {static_cast<std::uint8_t>(4 * (k - 1) + ((gap >> (k - 2)) & 3U)), k - 2};
 }
 
-/// The gap that a token stands for: `base` plus the next `tail_bits` bits of the tails.
+/// Says which gap a token stands for: `base` plus the next `tail_bits` bits of the tails.
 struct Meaning {
   std::uint64_t base = 0;
   std::uint64_t tail_mask = 0;
   std::uint8_t tail_bits = 0;
 };
 
-/// Entries from kTokens on mean nothing.
+/// Returns the meanings of all tokens. Entries from kTokens on mean nothing.
 constexpr std::array<Meaning, 256> meanings() {
   std::array<Meaning, 256> table{};
   for (unsigned token = 0; token < kTokens; ++token) {
@@ -63,7 +63,7 @@ constexpr std::array<Meaning, 256> kMeanings = meanings();
 class BitWriter {
  public:
   explicit BitWriter(std::uint8_t* out) : out_(out) {}
-  /// `bits` < 64; `value` has no others.
+  /// Appends the lowest `bits` (< 64) bits of `value`, which has no others.
   void write(std::uint64_t value, unsigned bits) {
     word_ |= value << used_;
     if (used_ + bits < 64) {
@@ -75,7 +75,7 @@ class BitWriter {
     word_ = value >> (64 - used_);  // used_ > 0 here
     used_ = used_ + bits - 64;
   }
-  /// The word begun, and one of zeros. Where the words end.
+  /// Stores the word begun, and one of zeros. Returns where the words end.
   std::uint8_t* finish() {
     store(out_, word_);
     store(out_ + kWord, 0);
@@ -88,8 +88,8 @@ class BitWriter {
   unsigned used_ = 0;
 };
 
-/// Words that the tails of these tokens take, so that reading two at any bit stays within them. corrupt: a token
-/// without meaning.
+/// Returns how many words the tails of these tokens take, so that reading two at any bit stays within them. corrupt:
+/// a token without meaning.
 Result<std::size_t> words_of(ByteView tokens) {
   std::uint64_t bits = 0;
   std::uint8_t most = 0;

@@ -20,7 +20,7 @@ inline constexpr Magic kCompressedMagic{'W', 'E', 'F', 'T', 'C', 'L', 'Z'};
 inline constexpr std::size_t kMagicBytes = 8;  ///< with the format's number
 inline constexpr std::size_t kHeadBytes = 21;
 
-/// The head that both forms have: what they say of the points before they list them.
+/// Holds the head that both forms have: what they say of the points before they list them.
 struct Head {
   std::uint32_t quantum_um = 1;
   std::array<std::int32_t, 3> origin{};  ///< quanta
@@ -32,18 +32,18 @@ struct Head {
   }
 };
 
-/// corrupt: `what` of the bytes of a cloud breaks docs/formats/cloud.md.
+/// Returns a failure. corrupt: `what` of the bytes of a cloud breaks docs/formats/cloud.md.
 tl::unexpected<Error> corrupt_cloud(const std::string& what);
 
 void write_magic(ByteWriter& out, const Magic& magic);
-/// corrupt, newer
+/// Checks what a cloud's bytes start with. corrupt: another magic, or a format that never was; newer: a later format.
 Result<void> check_magic(ByteView bytes, const Magic& magic);
 
 void write_head(ByteWriter& out, const Head& head);
 /// Reads a head; the reader keeps as wrong what is out of range.
 Head read_head(ByteReader& in);
 
-/// Canonical bytes up to the codes; the room of codes and values is there, zero.
+/// Returns canonical bytes up to the codes; the room of codes and values is there, zero.
 Bytes with_head(const Head& head);
 
 }  // namespace weft::clouds

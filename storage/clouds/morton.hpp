@@ -4,7 +4,7 @@
 
 namespace weft::clouds {
 
-/// Bit i of a 21-bit number goes to bit 3i; the rest is zero. In steps that halve the distance bits have to go.
+/// Moves bit i of a 21-bit number to bit 3i; the rest is zero. In steps that halve the distance bits have to go.
 constexpr std::uint64_t spread_bits(std::uint64_t value) {
   value = (value | value << 32U) & 0x001f00000000ffffU;
   value = (value | value << 16U) & 0x001f0000ff0000ffU;
@@ -23,7 +23,7 @@ constexpr std::uint32_t gather_bits(std::uint64_t value) {
   return static_cast<std::uint32_t>((value | value >> 32U) & 0x1fffffU);
 }
 
-/// Each coordinate is below 2^21.
+/// Returns a cell's Morton code. Each coordinate is below 2^21.
 constexpr std::uint64_t code_from_cell(const std::array<std::uint32_t, 3>& cell) {
   return spread_bits(cell[0]) | spread_bits(cell[1]) << 1U | spread_bits(cell[2]) << 2U;
 }

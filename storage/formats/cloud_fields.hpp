@@ -9,7 +9,7 @@
 
 namespace weft::formats {
 
-/// One column of a cloud file.
+/// Describes one column of a cloud file.
 struct CloudField {
   std::string name;
   char type = 'F';  ///< I, U: two's complement and unsigned; F: IEEE 754
@@ -19,7 +19,7 @@ struct CloudField {
   std::size_t bytes() const { return size * count; }
 };
 
-/// 1, 2, 4 or 8 bytes for whole numbers, 4 or 8 for others.
+/// Returns whether numbers can have that size: 1, 2, 4 or 8 bytes for whole numbers, 4 or 8 for others.
 bool is_number(char type, std::size_t size);
 
 /// Takes a file's columns into a cloud, by their names.
@@ -32,7 +32,7 @@ class CloudBuilder {
   bool takes(std::size_t field) const { return roles_[field] != Role::none; }
   /// Puts a number. False: it cannot be one of this field (an infinite coordinate).
   bool put(std::size_t field, std::size_t point, double number);
-  /// The same from a file's bytes.
+  /// Puts the same from a file's bytes.
   bool put(std::size_t field, std::size_t point, const std::uint8_t* bytes, bool big_endian);
   Cloud take() { return std::move(cloud_); }
 
@@ -47,7 +47,7 @@ class CloudBuilder {
   void drop(std::initializer_list<Role> group);
   bool put_colour(std::size_t field, std::size_t point, double number);
   bool put_packed(std::size_t field, std::size_t point, double number);
-  /// 0x00RRGGBB
+  /// Puts a colour from 0x00RRGGBB.
   void put_bits(std::size_t point, std::uint64_t bits);
 
   std::vector<CloudField> fields_;

@@ -14,7 +14,7 @@ void add(ByteWriter& out, const std::string& text) {
   out.raw({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-/// Floats of one point in the order of the header, without its colour.
+/// Returns the floats of one point in the order of the header, without its colour.
 std::vector<float> floats_of(const Cloud& cloud, std::size_t point) {
   std::vector<float> floats(cloud.points[point].begin(), cloud.points[point].end());
   if (!cloud.intensities.empty()) floats.push_back(cloud.intensities[point]);
@@ -24,7 +24,7 @@ std::vector<float> floats_of(const Cloud& cloud, std::size_t point) {
   return floats;
 }
 
-/// Points as rows of text; the colour last, as words of the format.
+/// Writes points as rows of text; the colour last, as words of the format.
 template <class Colour>
 void add_text(ByteWriter& out, const Cloud& cloud, Colour&& colour) {
   for (std::size_t point = 0; point < cloud.points.size(); ++point) {

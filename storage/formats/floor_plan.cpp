@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestYaml = 64U << 10U;
 
-/// The keys of one document, each taken once. The first thing wrong sticks.
+/// Takes the keys of one document, each once. Keeps the first error.
 class Keys {
  public:
   Keys(const YAML::Node& document, std::string_view file) : file_(file) {
@@ -108,7 +108,8 @@ Pose2 origin_of(Keys& keys) {
           keys.number(list[2], "origin's heading", -kFar, kFar)};
 }
 
-/// 0 black, 1 white. What is transparent is darker where a map has three values, as map_server has it.
+/// Returns a pixel's shade: 0 black, 1 white. What is transparent is darker where a map has three values, as
+/// map_server has it.
 double shade_of(const MapServerFile& file, const GreyImage& image, std::size_t pixel) {
   const auto value = static_cast<double>(image.pixels[pixel]);
   if (image.opacities.empty() || file.mode != MapServerFile::Mode::trinary) return value / image.white;

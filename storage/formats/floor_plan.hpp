@@ -10,7 +10,7 @@
 
 namespace weft::formats {
 
-/// A building from above: cells row by row, the bottom row first, as nav_msgs/OccupancyGrid has them.
+/// Describes a building from above: cells row by row, the bottom row first, as nav_msgs/OccupancyGrid has them.
 struct FloorPlan {
   static constexpr std::int8_t kUnknown = -1;
   std::uint32_t width = 0;
@@ -20,7 +20,7 @@ struct FloorPlan {
   std::vector<std::int8_t> cells;  ///< occupied in percent, 0 to 100, or kUnknown
 };
 
-/// The YAML file of ROS's map_server.
+/// Holds what the YAML file of ROS's map_server says.
 struct MapServerFile {
   enum class Mode : std::uint8_t { trinary, scale, raw };
   std::string image;  ///< beside the YAML file, unless absolute
@@ -32,8 +32,8 @@ struct MapServerFile {
   Mode mode = Mode::trinary;  ///< as map_server has it when the file names none
 };
 
-/// Keys that map_server does not have are listed. invalid, with file and line: no YAML, a missing key, a value out of
-/// bounds (resolution (0, 100] m, thresholds in [0, 1] with free below occupied).
+/// Reads a map_server file. Lists keys that map_server does not have. invalid, with file and line: no YAML, a missing
+/// key, a value out of bounds (resolution (0, 100] m, thresholds in [0, 1] with free below occupied).
 Result<Read<MapServerFile>> read_map_server(std::string_view text, std::string_view file);
 
 /// Gives each pixel its meaning, by the rules of the mode: with p = 1 - value / white (negate: value / white),

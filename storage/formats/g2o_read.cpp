@@ -42,7 +42,7 @@ class G2oReader {
     return {};
   }
 
-  /// Keys first, then `numbers` numbers.
+  /// Reads `keys` vertex ids, then `numbers` numbers, which are all that the line has.
   Result<void> numbers_of(const Words& words, std::size_t keys, std::size_t numbers) {
     if (words.size() != 1 + keys + numbers) {
       return wrong(std::string(words.front()) + " has " + std::to_string(words.size() - 1) + " numbers, it needs " +
@@ -140,7 +140,8 @@ class G2oReader {
     if (const std::optional<std::uint64_t> key = parse_unsigned(words[1])) passed_over_.insert(*key);
   }
 
-  /// Declared, or another robot's and so in another file.
+  /// Returns whether a vertex is declared, or another robot's and so in another file; where none is, whether an edge
+  /// names it.
   bool is_known(std::uint64_t key) const {
     if (passed_over_.contains(key) && !declared_.contains(key)) return false;
     if (declared_.empty()) return named_.contains(key);

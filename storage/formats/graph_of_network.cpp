@@ -44,7 +44,7 @@ Measurement measurement_of(const Relation& relation, bool is_spatial) {
   return PlanarMeasurement{planar(relation), information_of<3>(planar_covariance(relation))};
 }
 
-/// Keys of the places, and the notes that say so.
+/// Returns the keys of the places, and adds the notes that say so.
 std::map<PlaceId, std::uint64_t> keys_of(const Window& network, std::vector<std::string>& notes) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
   std::map<ExperienceId, std::size_t> experiences;

@@ -8,7 +8,7 @@
 
 namespace weft::formats {
 
-/// Grey values row by row, the top row first.
+/// Holds grey values row by row, the top row first.
 struct GreyImage {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -18,7 +18,7 @@ struct GreyImage {
   bool operator==(const GreyImage&) const = default;
 };
 
-/// A PNG or a PGM, by its first bytes. Errors as `read_png` and `read_pgm` have them.
+/// Reads a PNG or a PGM, by its first bytes. Errors as `read_png` and `read_pgm` have them.
 Result<Read<GreyImage>> read_grey_image(ByteView bytes, std::string_view file);
 
 }  // namespace weft::formats

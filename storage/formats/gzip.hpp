@@ -4,7 +4,7 @@
 
 namespace weft::formats {
 
-/// Whether the bytes are a gzip file's, by the first two of them.
+/// Returns whether the bytes are a gzip file's, by the first two of them.
 bool is_gzip(ByteView bytes);
 /// Expands all members of a gzip file. corrupt: damaged or short; exhausted: more than `at_most` bytes come out.
 Result<Bytes> gunzip(ByteView bytes, std::size_t at_most);

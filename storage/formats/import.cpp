@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPlacesInBatch = 100;  // their contents fit the queue of the bus
 using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
-/// The first bytes of the SHA-256 of the import's name and what is named.
+/// Returns the first bytes of the SHA-256 of the import's name and what is named.
 template <std::size_t N>
 std::array<std::uint8_t, N> derived(const std::string& name, const std::string& what) {
   const std::string text = "weft import\n" + name + "\n" + what;
@@ -44,7 +44,7 @@ Drivable turned(Drivable drivable) {
   return drivable == Drivable::b_to_a ? Drivable::a_to_b : drivable;
 }
 
-/// The contents of our own notes; notes that are none of ours are counted.
+/// Holds the contents of our own notes; notes that are none of ours are counted.
 struct Notes {
   struct Range {
     std::uint64_t first = 0;

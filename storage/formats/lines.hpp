@@ -10,7 +10,7 @@
 
 namespace weft::formats {
 
-/// The lines of a text one after the other, without its byte order mark; LF and CR LF both end one.
+/// Gives the lines of a text one after the other, without its byte order mark; LF and CR LF both end one.
 class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text), offset_(text.size() - without_byte_order_mark(text).size()) {}
@@ -27,19 +27,19 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// The words of a line: what blanks and tabs separate.
+/// Returns the words of a line: what blanks and tabs separate.
 std::vector<std::string_view> words_of(std::string_view line);
-/// The cells of a line: what `separator` separates, without blanks around them; empty ones count.
+/// Returns the cells of a line: what `separator` separates, without blanks around them; empty ones count.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 std::string_view trimmed(std::string_view text);
 
-/// The whole of `word` as a number; none if it is none, or does not fit. NaN and infinities are numbers here.
+/// Return the whole of `word` as a number; none if it is none, or does not fit. NaN and infinities are numbers here.
 std::optional<double> parse_double(std::string_view word);
 std::optional<std::uint64_t> parse_unsigned(std::string_view word);
-/// The same, and finite.
+/// Returns the same number; none unless it is finite.
 std::optional<double> parse_finite(std::string_view word);
 
-/// The shortest text that reads back as the same bits.
+/// Return the shortest text that reads back as the same bits.
 std::string text_of(double value);
 std::string text_of(float value);
 
@@ -47,7 +47,7 @@ inline std::string_view text_in(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The word in quotes, clipped to 40 bytes, for messages.
+/// Returns the word in quotes, clipped to 40 bytes, for messages.
 std::string cited(std::string_view word);
 
 }  // namespace weft::formats

@@ -9,7 +9,7 @@
 
 namespace weft::formats {
 
-/// Something of a file that a reader knows of and does not take: its first line, and how often it is there.
+/// Describes something of a file that a reader knows of and does not take: its first line, and how often it is there.
 struct NotUnderstood {
   std::string what;
   std::size_t line = 0;  ///< from 1
@@ -17,7 +17,7 @@ struct NotUnderstood {
   bool operator==(const NotUnderstood&) const = default;
 };
 
-/// "graph.g2o:12: VERTEX_XY, 37 times"
+/// Returns "graph.g2o:12: VERTEX_XY, 37 times".
 std::string to_string(const NotUnderstood& part, std::string_view file);
 
 /// Counts what is not understood by its name, in the order in which it was first noted.
@@ -30,14 +30,14 @@ class Leftovers {
   std::vector<NotUnderstood> parts_;
 };
 
-/// The value that a reader made of a file, and the parts of the file that are not in it.
+/// Holds the value that a reader made of a file, and the parts of the file that are not in it.
 template <class T>
 struct Read {
   T value;
   std::vector<NotUnderstood> not_understood;
 };
 
-/// invalid: "file:line: what".
+/// Returns a failure. invalid: "file:line: what".
 tl::unexpected<Error> fail_at(std::string_view file, std::size_t line, std::string_view what);
 
 }  // namespace weft::formats

@@ -10,7 +10,7 @@
 namespace weft::formats {
 namespace {
 
-/// HeaderWords of a PGM header, comments left out, with the line they stand in.
+/// Gives the words of a PGM header, comments left out, with the line they stand in.
 class HeaderWords {
  public:
   explicit HeaderWords(std::string_view text)

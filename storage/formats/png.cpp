@@ -21,7 +21,7 @@ tl::unexpected<Error> damaged(std::string_view file, const png_image& image) {
               std::string(file) + ": no PNG that can be read (" + image.message + "); write it anew");
 }
 
-/// Colours are summed rather than divided, so that no mean is rounded: white is then three times as high.
+/// Makes an image grey. Sums colours and does not divide, so no mean is rounded: white is three times as high.
 GreyImage grey_of(const Bytes& samples, const png_image& image) {
   constexpr std::uint16_t kFull = 255;
   const std::size_t channels = PNG_IMAGE_SAMPLE_CHANNELS(image.format);

@@ -32,7 +32,7 @@ bool same(const PoseGraph::Edge& first, const PoseGraph::Edge& second) {
       first.seen);
 }
 
-/// 0 planar, 1 spatial; none for a graph without anything.
+/// Returns 0 for a planar graph, 1 for a spatial one; none for a graph without anything.
 std::optional<std::size_t> kind_of(const PoseGraph& graph) {
   if (!graph.vertices.empty()) return graph.vertices.front().estimate.index();
   if (!graph.edges.empty()) return graph.edges.front().seen.index();

@@ -10,11 +10,11 @@
 
 namespace weft::formats {
 
-/// A pose that a graph gives a vertex to begin with: in the file's own frame, metres and radians.
+/// Holds the pose that a graph gives a vertex to begin with: in the file's own frame, metres and radians.
 using Estimate = std::variant<Pose2, Pose3>;
 
-/// The measurement of one edge. The information is the inverse covariance of xi in a_from_b * exp(xi), as in core's
-/// Metric2 and Metric3: order (x, y, heading), or (translation, rotation vector).
+/// Holds the measurement of one edge. The information is the inverse covariance of xi in a_from_b * exp(xi), as in
+/// core's Metric2 and Metric3: order (x, y, heading), or (translation, rotation vector).
 struct PlanarMeasurement {
   Pose2 a_from_b;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
@@ -25,7 +25,7 @@ struct SpatialMeasurement {
 };
 using Measurement = std::variant<PlanarMeasurement, SpatialMeasurement>;
 
-/// A pose graph as files hold it. All of it is planar, or all of it is spatial. Vertices may be missing: some files
+/// Holds a pose graph as files do. All of it is planar, or all of it is spatial. Vertices may be missing: some files
 /// have edges only, and those of one robot of several name vertices of the others.
 struct PoseGraph {
   struct Vertex {
@@ -43,14 +43,14 @@ struct PoseGraph {
   std::vector<std::string> notes;    ///< comments of ours, without "# weft "
 };
 
-/// The robot whose vertex it is, by the custom of GTSAM's symbols: a letter in the key's highest byte. 0: none.
+/// Returns the robot whose vertex it is, as in GTSAM's symbols: a letter in the key's highest byte. 0: none.
 char robot_of(std::uint64_t key);
 
-/// Several files of one graph as one: an edge that stands in two of them, with the same numbers, is there once.
+/// Joins several files of one graph: an edge that stands in two of them, with the same numbers, is there once.
 /// conflict: a vertex is declared twice with different estimates; planar and spatial graphs are mixed.
 Result<PoseGraph> join(const std::vector<PoseGraph>& graphs);
 
-/// Bit for bit the same numbers in the same order.
+/// Returns whether both have bit for bit the same numbers in the same order.
 bool identical(const PoseGraph& first, const PoseGraph& second);
 
 }  // namespace weft::formats

@@ -7,14 +7,14 @@
 
 namespace weft::formats {
 
-/// planar | spatial | along
+/// Returns planar | spatial | along.
 const char* kind_text(const Relation& relation);
-/// Its numbers with blanks between them: "x y heading"; "x y z qx qy qz qw"; "distance heading-shift".
+/// Returns its numbers with blanks between them: "x y heading"; "x y z qx qy qz qw"; "distance heading-shift".
 std::string numbers_text(const Relation& relation);
-/// none | a_to_b | b_to_a | both
+/// Returns none | a_to_b | b_to_a | both.
 const char* drivable_text(Drivable drivable);
 
-/// The labels of each place that has some, with blanks between them.
+/// Returns the labels of each place that has some, with blanks between them.
 std::map<PlaceId, std::string> labels_by_place(const Window& network);
 
 }  // namespace weft::formats

@@ -10,7 +10,7 @@
 
 namespace weft::formats {
 
-/// A route graph of Nav2's route server, as its GeoJSON file holds it. What the route server hands on unread
+/// Holds a route graph of Nav2's route server, as its GeoJSON file does. What the route server hands on unread
 /// (metadata, operations, the coordinate system) is kept as JSON text; empty: not there.
 struct RouteGraph {
   struct Node {
@@ -21,7 +21,7 @@ struct RouteGraph {
     std::string operations;
     bool operator==(const Node&) const = default;
   };
-  /// Directed.
+  /// Describes a directed edge.
   struct Edge {
     std::uint64_t id = 0;
     std::uint64_t start = 0;
@@ -42,13 +42,13 @@ struct RouteGraph {
   bool operator==(const RouteGraph&) const = default;
 };
 
-/// Members that Nav2's format does not have, heights, and edges with the id of an earlier one (they are kept) are
-/// listed.
+/// Reads a route graph. Lists members that Nav2's format does not have, heights, and edges with the id of an earlier
+/// one (they are kept).
 /// invalid, with file and line of the feature: no JSON, a member of the wrong type, a node that stands there twice,
 /// an edge to a node that does not exist, coordinates that are no finite numbers.
 Result<Read<RouteGraph>> read_route_graph(std::string_view text, std::string_view file);
 
-/// A feature a line. Reads back equal.
+/// Writes a feature a line. Reads back equal.
 std::string route_graph_text(const RouteGraph& graph);
 
 }  // namespace weft::formats

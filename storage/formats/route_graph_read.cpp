@@ -43,7 +43,7 @@ class Counting {
   std::size_t* line_;
 };
 
-/// `feature_lines`: in which line each feature begins.
+/// Parses the text and notes in `feature_lines` in which line each feature begins.
 Result<json> parse(std::string_view text, std::string_view file, std::vector<std::size_t>& feature_lines) {
   constexpr int kFeatureDepth = 2;  // the collection is at 0, its array of features at 1
   constexpr int kDeepest = 64;      // what writes it out again calls itself for each level

@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t kNumbers = 8;
 using Numbers = std::array<double, kNumbers>;
 
-/// The latest time in seconds that is believed, in the year 2286; counted in milliseconds or finer, every time since
-/// 1970 is above it.
+/// Bounds the times in seconds that are believed, by one in the year 2286; counted in milliseconds or finer, nearly
+/// every time since 1970 is above it.
 constexpr double kLatest_s = 1e10;
 
-/// The unit that a time above `kLatest_s` seems to be counted in.
+/// Returns the unit that a time above `kLatest_s` seems to be counted in, and what to do about it.
 const char* seeming_unit(double time) {
   constexpr double kMicroseconds = 1e14;
   constexpr double kNanoseconds = 1e17;

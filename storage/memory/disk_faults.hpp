@@ -7,7 +7,7 @@
 
 namespace weft::storage {
 
-/// Faults that a test or the simulation plays on a disk in memory. A write that a fault strikes leaves nothing.
+/// Describes faults that a test or the simulation plays on a disk in memory. A write that one strikes leaves nothing.
 struct DiskFaults {
   std::uint32_t fail_next = 0;                   ///< the next N commits or appends fail
   ErrorCode fail_with = ErrorCode::unavailable;  ///< with this code: exhausted | unavailable
@@ -15,7 +15,7 @@ struct DiskFaults {
   bool tear_next = false;    ///< the next write breaks off half way: unavailable, and recovery finds nothing of it
   std::uint64_t struck = 0;  ///< writes that failed so far
 
-  /// The failure of this write, if one is due; `what` names the disk for the message.
+  /// Returns the failure of this write, if one is due; `what` names the disk for the message.
   std::optional<Error> strike(const std::string& what);
 };
 

@@ -102,7 +102,7 @@ class MemoryCompaction {
     });
   }
 
-  /// Labels, rules, and what is apart.
+  /// Deletes labels, rules, and words on what is apart that no kept map needs.
   void thin_latest() {
     std::map<std::string, LatestRetention> labels;
     std::map<std::string, LatestRetention> rules;

@@ -170,7 +170,7 @@ Snapshot replay(const MemoryDisk& disk, Revision revision, std::vector<std::stri
   return snapshot;
 }
 
-/// The places and stitches of one revision's batches.
+/// Returns the places and stitches of one revision's batches.
 Removal added_at(const MemoryDisk& disk, Revision revision) {
   Removal added;
   for (const MemoryDisk::Step& step : disk.history) {

@@ -12,14 +12,14 @@
 
 namespace weft::storage {
 
-/// The stand-in for a disk, in memory; outlives the stores that are opened on it, so that a restarted server finds it
-/// again. A value: a copy is a backup.
+/// Stands in for a disk, in memory; outlives the stores that are opened on it, so that a restarted server finds it
+/// again. It is a value: a copy is a backup.
 struct MemoryDisk {
   struct Seal {
     ExperienceId experience;
     std::string reason;
   };
-  /// Coded as the engines on disk do it, so that the simulation's agents get what real ones get.
+  /// Holds a content coded as the engines on disk do it, so that the simulation's agents get what real ones get.
   struct Content {
     msg::ContentKind kind = msg::ContentKind::content;
     Coding coding = Coding::raw;
@@ -56,11 +56,11 @@ struct MemoryDisk {
   std::map<std::string, std::shared_ptr<const Bytes>> preparations;  ///< by methods
 };
 
-/// The places that the step knows anew; null: none.
+/// Returns the places that the step knows anew; null: none.
 const std::vector<Place>* known_anew(const MemoryDisk::Step& step);
 
-/// MapStore for tests and the simulation: as strict as the engines on disk, with faults on demand. A commit costs
-/// what it adds.
+/// Makes a MapStore for tests and the simulation: as strict as the engines on disk, with faults on demand. A commit
+/// costs what it adds.
 std::unique_ptr<MapStore> make_memory_store(std::shared_ptr<MemoryDisk> disk);
 
 }  // namespace weft::storage

@@ -7,7 +7,7 @@
 
 namespace weft::storage {
 
-/// A job that is done in its first step.
+/// Does all of a job in its first step.
 class OneStep final : public StoreJob {
  public:
   explicit OneStep(std::function<JobProgress()> work) : work_(std::move(work)) {}

@@ -12,7 +12,7 @@
 namespace weft::storage {
 namespace {
 
-/// The failure of a system call that has just set errno.
+/// Returns the failure of a system call that has just set errno.
 Error system_error(const std::filesystem::path& file, const char* what) {
   const int number = errno;
   const bool is_full = number == ENOSPC || number == EDQUOT || number == EFBIG;

@@ -10,7 +10,7 @@ namespace weft::storage {
 /// (`file` + ".tmp"), fsync, rename, fsync of the directory. exhausted: the disk is full. unavailable: other errors.
 Result<void> write_durably(const std::filesystem::path& file, ByteView bytes);
 
-/// The whole file. unavailable: it cannot be read.
+/// Reads the whole file. unavailable: it cannot be read.
 Result<Bytes> read_whole(const std::filesystem::path& file);
 
 /// Removes the file for good; a file that is not there is fine.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kEnding = ".batch";
 constexpr std::size_t kDigits = 16;
 
-/// "<16 hex digits of the order of appending>.batch"
+/// Returns "<16 hex digits of the order of appending>.batch".
 std::string file_name(std::uint64_t order) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string name(kDigits, '0');

@@ -8,13 +8,13 @@
 
 namespace weft::storage {
 
-/// The stand-in for a robot's disk, in memory; outlives the spools that are opened on it.
+/// Stands in for a robot's disk, in memory; outlives the spools that are opened on it.
 struct SpoolDisk {
   DiskFaults faults;
   std::vector<SpoolRecord> records;  ///< oldest first
 };
 
-/// Spool for tests and the simulation, with faults on demand.
+/// Makes a spool for tests and the simulation, with faults on demand.
 std::unique_ptr<Spool> make_memory_spool(std::shared_ptr<SpoolDisk> disk);
 
 }  // namespace weft::storage

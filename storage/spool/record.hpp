@@ -13,14 +13,14 @@ namespace weft::storage {
 
 using SharedBytes = std::shared_ptr<const Bytes>;
 
-/// A batch and every content that it cannot be delivered without.
+/// Holds a batch and every content that it cannot be delivered without.
 struct SpoolRecord {
   Batch batch;
   std::map<ContentHash, SharedBytes> contents;
 };
 
-/// The record of a batch: contents that are given, and those that an earlier record holds (`held` gives none when
-/// it has not). invalid: a place's content is in neither.
+/// Makes the record of a batch: contents that are given, and those that an earlier record holds (`held` gives none
+/// when it has not). invalid: a place's content is in neither.
 Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& contents,
                                 const std::function<SharedBytes(const ContentHash&)>& held);
 
@@ -28,9 +28,9 @@ Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& co
 /// a repeat, conflict when the same sequence holds something else.
 std::optional<Result<void>> compare(const Batch& pending, const Batch& batch);
 
-/// The record's bytes on disk, docs/formats/spool.md.
+/// Returns the record's bytes on disk, docs/formats/spool.md.
 Bytes encode(const SpoolRecord& record);
-/// newer: another format version. corrupt: torn, damaged or trailing; the message says at which offset.
+/// Reads a record's bytes. newer: another format version. corrupt: torn, damaged or trailing; says at which offset.
 Result<SpoolRecord> decode_record(ByteView bytes);
 
 }  // namespace weft::storage

@@ -35,7 +35,7 @@ class CheckJob final : public StoreJob {
   }
 
  private:
-  /// Places are counted twice: once for their own rows, once for the edges that start from them.
+  /// Estimates how many rows will be read. Places count twice: for their rows, and for the edges that start there.
   Result<std::uint64_t> estimate() const {
     return parts_.database.number(
         "SELECT (SELECT contents + revision - floor FROM store) +"

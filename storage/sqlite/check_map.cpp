@@ -15,7 +15,7 @@ std::string name_of(const EdgeId& id) {
   return to_string(id.a) + " - " + to_string(id.b);
 }
 
-/// The check that every table of the map undergoes: one `visit` a row, collected first, so that lookups may follow.
+/// Checks one table of the map: one `visit` a row, collected first, so that lookups may follow.
 template <class Row>
 class MapCheck : public CheckPart {
  public:
@@ -40,7 +40,7 @@ class MapCheck : public CheckPart {
   virtual Row read(const Query& row) = 0;
   virtual Result<void> look(const Row& row, Findings& findings) = 0;
 
-  /// Findings about `name`.
+  /// Adds a finding about `name` when its revision is none of the map's.
   void check_revision(std::uint64_t revision, const std::string& name, Findings& findings) const {
     if (revision >= 1 && revision <= parts_.row.revision.value) return;
     findings.push_back(name + ": it says revision " + std::to_string(revision) + ", the newest is " +
@@ -134,7 +134,7 @@ class PlaceCheck final : public MapCheck<PlaceRow> {
   std::optional<PlaceId> last_;
 };
 
-/// The check of later versions of places, as they have become known anew (place_anew).
+/// Checks later versions of places, as they have become known anew (place_anew).
 class PlaceAnewCheck final : public MapCheck<PlaceRow> {
  public:
   using MapCheck::MapCheck;

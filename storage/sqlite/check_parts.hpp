@@ -11,22 +11,22 @@ namespace weft::storage::sqlite {
 
 using Findings = std::vector<std::string>;
 
-/// One table's part of a check.
+/// Checks one table.
 class CheckPart {
  public:
   virtual ~CheckPart() = default;
-  /// A bounded piece. True: there may be more.
+  /// Does a bounded piece. Returns true when there may be more.
   virtual Result<bool> step(Findings& findings) = 0;
-  /// Rows so far; edges count by the places that they start from.
+  /// Returns the rows read so far; edges count by the places that they start from.
   virtual std::uint64_t done() const = 0;
 };
 using CheckParts = std::vector<std::unique_ptr<CheckPart>>;
 
-/// Contents: bytes decode to their hash. Damaged ones are quarantined.
+/// Adds the checks of contents: bytes decode to their hash. Damaged ones are quarantined.
 Result<void> add_content_checks(Parts& parts, CheckParts& to);
-/// Places, edges, labels, and what was moved: checksums, and that what they name exists.
+/// Adds the checks of places, edges, labels, and what was moved: checksums, and that what they name exists.
 Result<void> add_map_checks(const Parts& parts, CheckParts& to);
-/// Experiences, batches and revisions without a gap; goals, routes, occupancies, passes.
+/// Adds the checks of experiences, batches and revisions without a gap; of goals, routes, occupancies, passes.
 Result<void> add_record_checks(const Parts& parts, CheckParts& to);
 
 }  // namespace weft::storage::sqlite

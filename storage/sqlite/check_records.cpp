@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRecordPiece = 500;
 
-/// That each experience has as many places and batches as it says: the rows' own checks see gaps, not a missing end.
+/// Checks that each experience has as many places and batches as it says: checks by row see gaps, not a missing end.
 class ExperienceCheck final : public CheckPart {
  public:
   ExperienceCheck(Scan scan, Lookup lookup) : scan_(std::move(scan)), lookup_(std::move(lookup)) {}
@@ -96,7 +96,7 @@ class RowCheck final : public CheckPart {
   std::uint64_t done_ = 0;
 };
 
-/// Sequences from 1 without a gap within each experience.
+/// Returns a look at batches: sequences from 1 without a gap within each experience.
 RowCheck::Look look_at_batches(const Parts& parts) {
   return [&parts, last = std::pair<std::uint64_t, std::uint64_t>()](const Query& row, Findings& findings) mutable {
     const std::uint64_t experience = row.number(0);
@@ -133,7 +133,7 @@ RowCheck::Look look_at_revisions(const Parts& parts) {
   };
 }
 
-/// The last revisions; a gap at the end is not seen by a look at rows.
+/// Checks the last revisions; a gap at the end is not seen by a look at rows.
 class NewestCheck final : public CheckPart {
  public:
   explicit NewestCheck(const Parts& parts) : parts_(parts) {}

@@ -37,7 +37,7 @@ class CompactJob final : public StoreJob {
   }
 
  private:
-  /// Places are looked at twice, for themselves and for their contents; there are about as many edges.
+  /// Estimates the rows to be looked at: places twice, for themselves and their contents, and about as many edges.
   std::uint64_t estimate() const {
     return compaction_->parts()
         .database

@@ -73,7 +73,7 @@ class MarkPlaces final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Edges of marked places, and stitches that were taken out or replaced. From the newest row of a pair to the oldest.
+/// Deletes edges of marked places, and stitches taken out or replaced. From the newest row of a pair to the oldest.
 class DeleteEdges final : public CompactPart {
  public:
   DeleteEdges(Scan scan, Lookup lookup, Statement drop)
@@ -137,7 +137,7 @@ class DeleteEdges final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// The rows of marked places.
+/// Deletes the rows of marked places.
 class DeletePlaces final : public CompactPart {
  public:
   DeletePlaces(Scan scan, Statement drop) : scan_(std::move(scan)), drop_(std::move(drop)) {}

@@ -47,8 +47,9 @@ std::uint64_t prefix_of(const ContentHash& hash) {
   return prefix;
 }
 
-/// Contents that no place names, found in as many passes over the places as keep the memory bounded: each pass knows
-/// the first 8 bytes of the hashes that begin within its range. Two hashes that share them keep each other.
+/// Deletes contents that no place names, found in as many passes over the places as keep the memory bounded: each
+/// pass knows the first 8 bytes of the hashes that begin within its range. Two hashes that share them keep each
+/// other.
 class DeleteContents final : public CompactPart {
  public:
   DeleteContents(const Parts& parts, Statement drop) : parts_(parts), drop_(std::move(drop)) {}
@@ -173,7 +174,7 @@ class DeleteContents final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Passes of pieces of which no place is left.
+/// Deletes the passes of pieces of which no place is left.
 class DeletePasses final : public CompactPart {
  public:
   DeletePasses(Scan scan, Statement places, Statement drop)

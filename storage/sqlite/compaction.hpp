@@ -7,10 +7,10 @@
 #include "storage/retention.hpp"
 #include "storage/sqlite/parts.hpp"
 
-/// The pieces of a compaction; docs/formats/store.md says what goes and why nothing else is missed.
+/// Does a compaction in pieces; docs/formats/store.md says what goes and why nothing else is missed.
 namespace weft::storage::sqlite {
 
-/// The state that all pieces of a compaction share. Moves are read again when others were committed.
+/// Holds the state that all pieces of a compaction share. Moves are read again when others were committed.
 class Compaction {
  public:
   static Result<std::unique_ptr<Compaction>> make(Parts& parts, Revision floor);
@@ -21,9 +21,9 @@ class Compaction {
   Result<const PlaceRetention*> places_of(ExperienceId id);
   Result<const std::vector<Moved>*> moves_of(const EdgeId& stitch);
 
-  /// One write transaction: nothing of `work` is there unless all of it is. `work` may change the store's row.
+  /// Makes one write transaction: nothing of `work` is there unless all of it is. `work` may change the store's row.
   Result<void> write(const std::function<Result<void>(StoreRow&)>& work);
-  /// Contents that commits have named since the compaction began.
+  /// Returns the contents that commits have named since the compaction began.
   const std::set<ContentHash>& used_meanwhile() const { return *used_; }
 
   struct Deleted {
@@ -47,7 +47,7 @@ class Compaction {
 class CompactPart {
  public:
   virtual ~CompactPart() = default;
-  /// A bounded piece. True: there may be more.
+  /// Does a bounded piece. Returns true when there may be more.
   virtual Result<bool> step(Compaction& compaction) = 0;
   virtual std::uint64_t done() const = 0;  ///< rows looked at
 };
@@ -56,7 +56,7 @@ using CompactParts = std::vector<std::unique_ptr<CompactPart>>;
 /// Adds the pieces for the map in the order in which they must run: places are marked, then edges, places, labels and
 /// moves go.
 Result<void> add_map_compaction(const Parts& parts, CompactParts& to);
-/// Revisions, contents, and the file's free pages.
+/// Adds the pieces for revisions, contents, and the file's free pages.
 Result<void> add_rest_compaction(const Parts& parts, CompactParts& to);
 
 }  // namespace weft::storage::sqlite

@@ -17,11 +17,11 @@ struct sqlite3;
 struct sqlite3_backup;
 struct sqlite3_stmt;
 
-/// A thin owner of SQLite's C API. Errors: exhausted for a full disk, unavailable for I/O errors and locks, corrupt
-/// for a damaged file, conflict for a broken constraint.
+/// Wraps and owns what SQLite's C API gives. Errors: exhausted for a full disk, unavailable for I/O errors and locks,
+/// corrupt for a damaged file, conflict for a broken constraint.
 namespace weft::storage::sqlite {
 
-/// A statement, compiled once, run through `Query`.
+/// Holds a statement, compiled once, run through `Query`.
 class Statement {
  public:
   Statement() = default;
@@ -36,10 +36,10 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalise> statement_;
 };
 
-/// A column's value of any type, for keys that are read and bound again.
+/// Holds a column's value of any type, for keys that are read and bound again.
 using Value = std::variant<std::uint64_t, std::string, Bytes>;
 
-/// One run of a statement: bind in order, step, read columns. What is bound must outlive the query; what is read is
+/// Runs a statement once: bind in order, step, read columns. What is bound must outlive the query; what is read is
 /// valid until the next step. Resets the statement when it goes.
 class Query {
  public:
@@ -87,17 +87,17 @@ class Database {
   static Result<Database> open(const std::filesystem::path& file, const std::string& vfs);
 
   Result<Statement> prepare(std::string_view sql) const;
-  /// One or more statements without parameters or rows of interest.
+  /// Runs one or more statements without parameters or rows of interest.
   Result<void> run(const std::string& sql) const;
-  /// The single number of a one-row query, such as a pragma.
+  /// Returns the single number of a one-row query, such as a pragma.
   Result<std::uint64_t> number(std::string_view sql) const;
   bool in_transaction() const;
 
   /// Calls `watch` after each commit with how many pages the log has. From now on the log is emptied only when that
   /// returns true, and when somebody calls `empty_log`.
   void watch_log(std::function<bool(std::uint64_t pages)> watch);
-  /// Asked again and again while a statement runs, by the thread that runs it. True: the statement ends as
-  /// unavailable.
+  /// Asks `stops` again and again while a statement runs, on the thread that runs it. When it returns true, the
+  /// statement ends as unavailable.
   void stop_when(std::function<bool()> stops);
   /// Moves what the log has into the file, as far as nobody reads it; waits for nobody.
   Result<void> empty_log() const;
@@ -113,7 +113,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// SQLite's online backup. What the source's own connection commits between the steps is carried along.
+/// Makes SQLite's online backup. What the source's own connection commits between the steps is carried along.
 class Backup {
  public:
   /// Begins a backup. Both outlive it; nobody else uses `to` meanwhile.
@@ -132,8 +132,8 @@ class Backup {
   const Database* to_;
 };
 
-/// Many reads of one state: without it each takes and gives back the file's locks, which costs more than a lookup.
-/// Ends before anything is written.
+/// Makes many reads see one state: without it each takes and gives back the file's locks, which costs more than a
+/// lookup. Ends before anything is written.
 class ReadTransaction {
  public:
   static Result<ReadTransaction> begin(const Database& database);
@@ -146,7 +146,7 @@ class ReadTransaction {
   const Database* database_;
 };
 
-/// A write transaction: rolled back when it goes without `commit`.
+/// Makes a write transaction, which is rolled back when this goes without `commit`.
 class WriteTransaction {
  public:
   static Result<WriteTransaction> begin(const Database& database);

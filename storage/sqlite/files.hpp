@@ -6,14 +6,14 @@
 
 #include "core/result.hpp"
 
-/// Files as a whole, for snapshots and restoring. Errors begin with `what`: exhausted for a full disk, else
+/// Handles files as a whole, for snapshots and restoring. Errors begin with `what`: exhausted for a full disk, else
 /// unavailable.
 namespace weft::storage::sqlite {
 
 /// Returns the error of the system call that has just set errno.
 Error file_error(const std::string& what, const std::filesystem::path& file, const char* doing);
 
-/// A file's bytes, or a directory's names, are on the disk when it returns.
+/// Write a file's bytes, or a directory's names, through to the disk: they are there when it returns.
 Result<void> sync_file(const std::string& what, const std::filesystem::path& file);
 Result<void> sync_directory(const std::string& what, const std::filesystem::path& directory);
 
@@ -24,7 +24,7 @@ Result<void> make_file(const std::string& what, const std::filesystem::path& fil
 Result<void> copy_file(const std::string& what, const std::filesystem::path& from, const std::filesystem::path& to,
                        const std::function<bool(std::uint64_t, std::uint64_t)>& progress);
 
-/// A database with what SQLite keeps beside it; what is not there is fine.
+/// Removes a database with what SQLite keeps beside it; what is not there is fine.
 void remove_database(const std::filesystem::path& file);
 
 }  // namespace weft::storage::sqlite

@@ -6,7 +6,7 @@
 #include "storage/sqlite/loader.hpp"
 #include "storage/sqlite/row_reading.hpp"
 
-/// Readings of single revisions: the log of the map, and what one of them changed.
+/// Reads single revisions: the log of the map, and what one of them changed.
 namespace weft::storage::sqlite {
 namespace {
 
@@ -19,7 +19,7 @@ RevisionNote note_from(const Query& row) {
           .cause = row.text(5)};
 }
 
-/// Rows are found by their experience; those whose batches the revision took are few.
+/// Returns the experiences whose batches the revision took: they are few, and rows are found by their experience.
 Result<std::set<ExperienceId>> grown_at(const Database& database, std::uint64_t revision) {
   std::set<ExperienceId> grown;
   const auto done = for_each_row(

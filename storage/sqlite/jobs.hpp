@@ -5,7 +5,7 @@
 #include "storage/maintenance.hpp"
 #include "storage/sqlite/parts.hpp"
 
-/// The upkeep of storage/map_store.hpp, each in a file of its own. `parts` outlives the job.
+/// Makes the upkeep jobs of storage/map_store.hpp, each in a file of its own. `parts` outlives the job.
 namespace weft::storage::sqlite {
 
 Result<std::unique_ptr<StoreJob>> make_check(Parts& parts);

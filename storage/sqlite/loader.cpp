@@ -143,7 +143,7 @@ Result<void> load_moves(const Database& database, const Scope& scope, const Line
       });
 }
 
-/// One table of rows that are kept by an id: goals and routes.
+/// Loads one table of rows that are kept by an id: goals or routes.
 template <class Value, class Id, class Decode>
 Result<void> load_rows(const Database& database, const char* sql, const char* what, Decode&& decode,
                        NetworkBuilder& builder, std::map<Id, Value>& out) {

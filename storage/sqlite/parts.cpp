@@ -18,7 +18,7 @@ Result<StoreRow> current_row(const Parts& parts) {
 
 namespace {
 
-/// The row of read_content, if it is there and not quarantined.
+/// Returns the row of read_content, if it is there and not quarantined. not_found; corrupt: quarantined.
 Result<ContentRow> find_content_row(Query& query, const ContentHash& hash) {
   query << hash;
   const Result<bool> found = query.step();

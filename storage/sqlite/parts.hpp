@@ -11,8 +11,8 @@
 
 namespace weft::storage::sqlite {
 
-/// The parts that stand open while a store is used; its jobs work on the same. Members go in reverse: statements
-/// before the database before the lock.
+/// Holds the parts that stand open while a store is used; its jobs work on the same. Members go in reverse:
+/// statements before the database before the lock.
 struct Parts {
   std::filesystem::path directory;
   std::string vfs;
@@ -28,14 +28,14 @@ struct Parts {
       used_meanwhile{};  ///< a compaction that is under way notes here what commits name
 };
 
-/// The store's row, for a write transaction. stale: another server has opened the store since.
+/// Reads the store's row, for a write transaction. stale: another server has opened the store since.
 Result<StoreRow> current_row(const Parts& parts);
 
-/// corrupt: the bytes do not decode to what the row says, by the SHA-256 too.
+/// Decodes a content. corrupt: the bytes do not decode to what the row says, by the SHA-256 too.
 Result<Bytes> expand_content(ContentCoder& coder, const ContentRow& row, ByteView kept);
-/// not_found; corrupt: quarantined before, or its bytes do not decode to what the hash says.
+/// Reads a content. not_found; corrupt: quarantined before, or its bytes do not decode to what the hash says.
 Result<Bytes> read_content(const Parts& parts, const ContentHash& hash);
-/// The same, as it is kept. corrupt: quarantined before, or its sum differs; without a sum it is decoded.
+/// Reads it as it is kept. corrupt: quarantined before, or its sum differs; without a sum it is decoded.
 Result<StoredContent> read_stored(const Parts& parts, const ContentHash& hash);
 
 /// Marks the row, so that it stays named after a restart. When the disk takes no mark, this process remembers.

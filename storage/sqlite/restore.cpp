@@ -14,7 +14,7 @@ namespace {
 
 using namespace sqlite;
 
-/// Epoch that the replaced map is taken to have where its own cannot be read: more than any server has had.
+/// Is the epoch that the replaced map is taken to have where its own cannot be read: more than any server has had.
 constexpr std::uint64_t kEpochsUnknown = 1U << 20U;
 constexpr std::size_t kNamed = 10;
 
@@ -131,7 +131,7 @@ class Restoring {
                                         named);
   }
 
-  /// The epoch of the map that is there; none: there is no map.
+  /// Returns the epoch of the map that is there; none: there is no map.
   std::optional<std::uint64_t> epoch_there() {
     std::error_code ignored;
     if (!std::filesystem::exists(map_, ignored)) return std::nullopt;
@@ -158,7 +158,7 @@ class Restoring {
     return sync_directory(what_, directory_);
   }
 
-  /// The old map gets a second name before the new one takes its first.
+  /// Puts the new map in the old one's place. The old one gets a second name before the new one takes its first.
   Result<void> replace() {
     std::error_code ignored;
     tell("replace", 0, 3, "steps");

@@ -26,7 +26,7 @@ Result<void> for_each_row(const Database& database, std::string_view sql, Visit&
   }
 }
 
-/// The decoded row, or the reason why it is not one.
+/// Decodes a row, or says why it is not one. corrupt: its checksum differs, or as `decode` says.
 template <class Decode>
 auto decode_guarded(ByteView row, Decode&& decode) -> decltype(decode(row)) {
   const auto canonical = unguard_row(row);

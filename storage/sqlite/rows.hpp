@@ -7,25 +7,25 @@
 #include "core/result.hpp"
 #include "storage/content_coder.hpp"
 
-/// The forms that rows and contents have in the columns of the store; docs/formats/store.md.
+/// Defines the forms that rows and contents have in the columns of the store; docs/formats/store.md.
 namespace weft::storage::sqlite {
 
-/// Canonical bytes followed by the first 8 bytes of their SHA-256, so that a flipped bit is seen.
+/// Returns canonical bytes followed by the first 8 bytes of their SHA-256, so that a flipped bit is seen.
 Bytes guard_row(Bytes canonical);
-/// The canonical bytes; none when the row is damaged.
+/// Returns the canonical bytes; none when the row is damaged.
 std::optional<ByteView> unguard_row(ByteView row);
 
-/// corrupt: no coding has that number.
+/// Returns the coding with that number. corrupt: no coding has it.
 Result<Coding> coding_from(std::uint64_t number);
 
-/// A content's row but for its bytes, as numbers that may be damaged.
+/// Holds a content's row but for its bytes, as numbers that may be damaged.
 struct ContentRow {
   ContentHash hash;
   std::uint64_t size = 0;    ///< of the content itself
   std::uint64_t coding = 0;  ///< a number, which may be none of Coding
 };
-/// Column `sum`: tells a damaged row without expanding it, twenty times as fast as SHA-256. XXH3-64 of the bytes as
-/// kept; its seed is that of hash, size and coding.
+/// Returns the value of column `sum`: it tells a damaged row without expanding it, twenty times as fast as SHA-256.
+/// It is XXH3-64 of the bytes as kept; its seed is that of hash, size and coding.
 std::uint64_t content_sum(const ContentRow& row, ByteView kept);
 
 }  // namespace weft::storage::sqlite

@@ -12,7 +12,8 @@ class Scan {
  public:
   enum class Order { up, down };
 
-  /// `keys`: the columns of a unique index, in its order. `columns`: what else is read, "a, b"; may be empty.
+  /// Prepares a scan. `keys`: the columns of a unique index, in order. `columns`: what else is read, "a, b", or
+  /// empty.
   static Result<Scan> make(const Database& database, const std::string& table, const std::vector<std::string>& keys,
                            const std::string& columns, Order order = Order::up);
 

@@ -5,7 +5,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-/// Step n takes version n to n + 1. Steps that were released are never edited; docs/formats/store.md explains them.
+/// Lists the steps: n takes version n to n + 1. Released ones are never edited; docs/formats/store.md explains them.
 constexpr std::array kMigrations{
     R"sql(
 CREATE TABLE store (

@@ -6,10 +6,10 @@
 
 namespace weft::storage::sqlite {
 
-/// "Weft" in the file's header, so that a store is told from any other SQLite file.
+/// Marks the file's header with "Weft", so that a store is told from any other SQLite file.
 inline constexpr std::uint32_t kApplicationId = 0x57656674;
 
-/// The version that this software writes; it reads all from 1 on by migrating them.
+/// Returns the version that this software writes; it reads all from 1 on by migrating them.
 std::uint64_t schema_version();
 
 /// Makes an empty file a store, or brings an older store up to date, in one transaction; then sets WAL and full

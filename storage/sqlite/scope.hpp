@@ -9,16 +9,17 @@
 
 namespace weft::storage::sqlite {
 
-/// The experiences whose rows are read.
+/// Says of which experiences the rows are read.
 struct Scope {
   std::optional<std::set<ExperienceId>> only;  ///< none: every experience's
   bool has(ExperienceId id) const { return !only || only->contains(id); }
 };
 
-/// The experiences that are not the same in two revisions, which are made of these.
+/// Returns the experiences that are not the same in two revisions, which are made of these.
 Result<Scope> scope_between(const Database& database, const Lineage& one, const Lineage& other);
 
-/// `select` is "SELECT ... FROM ..." and `order` what follows the condition; `key` is the column of the experience.
+/// Visits the rows of a scope's experiences. `select` is "SELECT ... FROM ..." and `order` what follows the
+/// condition; `key` is the column of the experience.
 template <class Visit>
 Result<void> for_each_row_of(const Scope& scope, const Database& database, const std::string& select,
                              const std::string& key, const std::string& order, Visit&& visit) {

@@ -4,7 +4,7 @@
 
 namespace weft::storage::sqlite {
 
-/// The statements of commits and reads, compiled once.
+/// Holds the statements of commits and reads, compiled once.
 struct Statements {
   Statement read_store, write_store;
   Statement find_experience, find_batch, find_content, read_content;

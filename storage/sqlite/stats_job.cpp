@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kCountedAStep = 2000;
 
-/// A table that is counted, and what its rows take; SQL over the row's columns.
+/// Describes a table that is counted, and what its rows take; SQL over the row's columns.
 struct Table {
   const char* name;
   const char* kind;
@@ -70,7 +70,7 @@ class StatsJob final : public StoreJob {
   }
 
  private:
-  /// The contents come last: table number tables_.size().
+  /// Counts a piece of a table. The contents come last: table number tables_.size().
   Result<bool> advance() {
     const bool is_content = at_ == tables_.size();
     if (!scan_) {

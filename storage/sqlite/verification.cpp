@@ -16,7 +16,7 @@ std::string mebibytes(std::uint64_t bytes) {
   return std::to_string((bytes + (1U << 20U) - 1) >> 20U) + " MiB";
 }
 
-/// Whether a verification has made the folder: nobody else's is touched.
+/// Returns whether a verification has made the folder: nobody else's is touched.
 bool is_scratch(const std::filesystem::path& folder) {
   std::error_code failed;
   if (folder.extension() != kScratchEnding || !std::filesystem::is_directory(folder, failed)) return false;

@@ -6,7 +6,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-/// One call a change; `row` is the store's row of this transaction.
+/// Writes changes, one call each; `row` is the store's row of this transaction.
 class Writer {
  public:
   Writer(const Statements& statements, ContentCoder& coder, StoreRow& row)
@@ -71,7 +71,7 @@ class Writer {
 
   Result<void> operator()(const TakeOut& out) const { return move(out.what, false); }
   Result<void> operator()(const BringBack& back) const { return move(back.what, true); }
-  /// The revision's row says it all.
+  /// Writes nothing: the revision's row says it all.
   Result<void> operator()(const RollBack& /*back*/) const { return {}; }
 
   Result<void> operator()(const PutGoal& put) const {

@@ -6,7 +6,7 @@
 
 namespace weft::storage::sqlite {
 
-/// The one row of table `store`.
+/// Holds the one row of table `store`.
 struct StoreRow {
   Epoch epoch;
   Revision revision;
