@@ -24,8 +24,8 @@ struct Setting {
 };
 
 /// Reads a table of a parsed document. It is a handle: copies and sub-tables report into the same document. Every
-/// getter returns a value within its bounds: the file's, or else the default (or, where the key is required, the low
-/// bound, an empty text, the fewest entries) together with an issue.
+/// getter but `tables` returns a value within its bounds: the file's, or else the default (or, where the key is
+/// required, the low bound, an empty text, the fewest entries) together with an issue.
 class Table {
  public:
   /// Returns whether the key is written in the file; does not count as asking for it.
@@ -48,7 +48,7 @@ class Table {
                                  std::size_t fewest, std::size_t most, std::size_t longest = 256) const;
   /// Returns a sub-table; one that is not there is empty, so that its defaults hold and its required keys are missed.
   Table table(std::string_view key) const;
-  /// Returns an array of tables with between `fewest` and `most` entries; one that is not there has no entries.
+  /// Returns all entries of an array of tables, none when it is missing; not between `fewest` and `most` is an issue.
   std::vector<Table> tables(std::string_view key, std::size_t fewest, std::size_t most) const;
 
   /// Adds an issue of the caller's own about this key: what contradicts what, and what to do.
