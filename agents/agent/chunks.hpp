@@ -21,8 +21,8 @@ class ChunkQueue {
   void clear();
 
   using Read = std::function<Result<Bytes>(const ContentHash&)>;
-  /// Returns the next chunk, without its header and addressed to the server, if the budget has room for one. A content
-  /// that cannot be read is dropped (its batch will be asked for again) and its error passed on.
+  /// Returns the next chunk, without its header and addressed to the server, if the budget has room for one. A
+  /// content that cannot be read is dropped (its batch will be asked for again) and its error passed on.
   Result<std::optional<msg::Chunk>> next(Budget& budget, const Read& read, SteadyTime now);
 
  private:

@@ -37,8 +37,8 @@ class Spooler {
   /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
   /// experience ends before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
-  /// Hands in places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in the
-  /// spool when this returns. All of them until the agent ends are of one experience without places of its own;
+  /// Hands in places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in
+  /// the spool when this returns. All of them until the agent ends are of one experience without places of its own;
   /// `fresh` is its id when there is none yet. Errors of the spool: nothing of it is handed in.
   Result<void> learned(std::vector<Place> places, std::vector<Bytes> contents, ExperienceId fresh, SteadyTime now);
   /// Closes the batches under way, so that their places are in the spool when this returns.

@@ -12,7 +12,8 @@
 namespace weft::agents {
 
 /// Returns the window's contents in the order in which the robot needs them: its route from `route_at` on, then
-/// outwards from `focus` by hops, then the rest by id. No repeats, and none of places that none of `methods` can read.
+/// outwards from `focus` by hops, then the rest by id. No repeats, and none of places that none of `methods` can
+/// read.
 std::vector<ContentRef> nearest_first(const Window& window, const std::vector<std::string>& methods,
                                       const std::optional<PlaceId>& focus, const std::optional<Route>& route,
                                       std::uint32_t route_at);

@@ -17,8 +17,8 @@ struct SpeedConfig {
   double integral_limit_m_s = 0.1;         ///< most that the integral adds; [0, 0.5]
 };
 
-/// Returns the speed to have at `along_m`, m/s: at most `limit_m_s`, slow enough for the bends ahead, to reach the end
-/// at rest, and to work off lateral and heading errors before going on fast. 0 at and beyond the end.
+/// Returns the speed to have at `along_m`, m/s: at most `limit_m_s`, slow enough for the bends ahead, to reach the
+/// end at rest, and to work off lateral and heading errors before going on fast. 0 at and beyond the end.
 double speed_at(const SpeedConfig& config, const Spline& path, double along_m, const TrackError& error,
                 double limit_m_s);
 
@@ -27,7 +27,8 @@ double speed_at(const SpeedConfig& config, const Spline& path, double along_m, c
 /// begins; does not limit braking. Is a value: the state between samples.
 class SpeedControl {
  public:
-  /// Returns the command for the wanted and the measured speed; all m/s, elapsed in s. Never negative for wanted >= 0.
+  /// Returns the command for the wanted and the measured speed; all m/s, elapsed in s. Never negative for wanted >=
+  /// 0.
   double update(const SpeedConfig& config, double wanted_m_s, double measured_m_s, double elapsed_s);
   void reset() { *this = SpeedControl{}; }
 

@@ -15,7 +15,8 @@ struct PathPoint {
 
 /// Interpolates poses by cubic Hermite splines (Gadd & Newman III-D, after Mettke 1983): each pose is passed at its
 /// own heading, so neighbouring pieces meet without a jump of position or direction, and a piece depends on its two
-/// ends only (cutting a longer path elsewhere does not move it). Parametrised by arc length. Frame: that of the poses.
+/// ends only (cutting a longer path elsewhere does not move it). Parametrised by arc length. Frame: that of the
+/// poses.
 class Spline {
  public:
   /// Returns the spline through the poses; one pose is a path without length. invalid: no pose, a number that is not

@@ -3,9 +3,9 @@
 
 namespace weft::agents {
 
-/// Returns a_from_robot after one more step. Errors that all steps have in common add up with their sign, so they grow
-/// with the way; all others add up as variances, so they grow with its root. `common` is what the former have done to
-/// a_from_robot so far (part of its covariance): zero at first, and carried along from step to step.
+/// Returns a_from_robot after one more step. Errors that all steps have in common add up with their sign, so they
+/// grow with the way; all others add up as variances, so they grow with its root. `common` is what the former have
+/// done to a_from_robot so far (part of its covariance): zero at first, and carried along from step to step.
 Relation advanced(const Relation& a_from_robot, const Step& step, CommonErrors& common);
 
 /// Returns `common` of a_from_robot after a measurement has turned the relation `before` into `after`: as much of it

@@ -9,7 +9,8 @@ namespace weft::agents {
 /// error. A value.
 class AlongErrors {
  public:
-  /// Returns the step with the learnt errors taken off, and their part of its covariance reduced to what is not known.
+  /// Returns the step with the learnt errors taken off, and their part of its covariance reduced to what is not
+  /// known.
   Step improved(const Step& step) const;
 
   /// Learns from a fix: `measured` is of the same place as `predicted`, whose part of common errors is `common` (of

@@ -15,8 +15,8 @@ struct DeadReckoningConfig {
 /// in force, integrated as an arc (constant velocity, Gadd & Newman III-C). Always blind; `reason` is static text.
 Step dead_reckon(const DeadReckoningConfig& config, const Motion& motion, std::string_view reason);
 
-/// Bounds how far vision may differ from wheels or command before it is taken for wrong: this finds gross errors only,
-/// as wheels slip and are some per cent off.
+/// Bounds how far vision may differ from wheels or command before it is taken for wrong: this finds gross errors
+/// only, as wheels slip and are some per cent off.
 struct MotionGate {
   double share = 0.35;          ///< of the motion; (0, 2]
   double metres = 0.04;         ///< plus this; (0, 1]

@@ -27,8 +27,9 @@
 namespace weft::agents {
 
 /// Holds the effect on a relation of errors that all steps of a drive have in common (a calibration's), one column
-/// each: xi of (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are independent
-/// of one another; those that a method does not use are zero, and so are z, roll and pitch of methods of the plane.
+/// each: xi of (x, y, z, roll, pitch, yaw) in a_from_b * se3_exp(xi) for one sigma, m and rad. Columns are
+/// independent of one another; those that a method does not use are zero, and so are z, roll and pitch of methods of
+/// the plane.
 using CommonErrors = Eigen::Matrix<double, 6, 11>;
 /// Holds the same of x, y and heading alone.
 using PlanarErrors = Eigen::Matrix<double, 3, 11>;
@@ -183,8 +184,8 @@ concept ChartsItself = Method<M> &&
   { m.believed(chart, belief, seed) } -> std::same_as<typename M::Belief>;
 };
 
-/// Describes a method whose beliefs hold more than where the robot is: that outlives a lost way and goes into each new
-/// chart.
+/// Describes a method whose beliefs hold more than where the robot is: that outlives a lost way and goes into each
+/// new chart.
 template <class M>
 concept Remembers = ChartsItself<M> &&
     requires(const M& m, const typename M::Chart& chart, const typename M::Belief& before, const Estimate& seed) {
@@ -221,8 +222,8 @@ concept Replays = Method<M> && requires(const typename M::Content& content) {
   { M::driven(content) } -> std::same_as<Twist>;
 };
 
-/// Describes a method whose places become better known each time that a robot comes by. What it has learned of a place
-/// is a content like any other: every robot localises against it.
+/// Describes a method whose places become better known each time that a robot comes by. What it has learned of a
+/// place is a content like any other: every robot localises against it.
 template <class M>
 concept Learns = Method<M> && requires(const M& m, const typename M::Content& known, const typename M::Content& seen,
                                        const Relation& known_from_seen) {
@@ -244,8 +245,8 @@ constexpr std::uint32_t newest_format() {
   return M::content_format;
 }
 
-/// Describes a method that can say what another robot would have seen instead of a view, of the same camera and frame:
-/// with it teaching finds out whether a place will be found again before the robot leaves it.
+/// Describes a method that can say what another robot would have seen instead of a view, of the same camera and
+/// frame: with it teaching finds out whether a place will be found again before the robot leaves it.
 template <class M>
 concept SimulatesRevisits = Method<M> && requires(const M& m, const View& view, const Revisit& revisit) {
   /// Names what may have changed by then, the mildest first: "as_is", "half_light".

@@ -8,8 +8,8 @@
 
 namespace weft::agents {
 
-/// Describes a method whose contents show a piece of floor: `gaze` is its middle, in the robot's frame. Two places see
-/// the same floor where the middles meet, whichever way the robots looked.
+/// Describes a method whose contents show a piece of floor: `gaze` is its middle, in the robot's frame. Two places
+/// see the same floor where the middles meet, whichever way the robots looked.
 template <class M>
 concept Gazes = Method<M> && requires(const M& m, const typename M::Content& content) {
   { m.gaze(content) } -> std::same_as<Eigen::Vector2d>;

@@ -42,8 +42,8 @@ class Belief {
   /// Takes a fix of a robot that knows about where it is; `predicted` is of the same place. Returns the fix as
   /// believed (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.
   OrRefusal<Fix> correct(const Fix& fix, const Relation& predicted, const Window& window);
-  /// Takes a fix of a robot that knows nothing: it is believed once `needed` in a row agree with one another under the
-  /// odometry between them. Refused until then: "unconfirmed".
+  /// Takes a fix of a robot that knows nothing: it is believed once `needed` in a row agree with one another under
+  /// the odometry between them. Refused until then: "unconfirmed".
   OrRefusal<Fix> propose(const Fix& fix, const Window& window, std::uint32_t needed);
   /// Forgets what was proposed and is not believed.
   void withdraw();

@@ -8,8 +8,8 @@
 
 namespace weft::agents {
 
-/// Describes a place that the robot may see from where it is believed to be, with the weak estimate composed along the
-/// search.
+/// Describes a place that the robot may see from where it is believed to be, with the weak estimate composed along
+/// the search.
 struct Candidate {
   PlaceId place;
   std::uint32_t depth = 0;    ///< hops from the believed place

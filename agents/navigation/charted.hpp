@@ -70,8 +70,8 @@ class Charted<M> {
   }
 
  private:
-  /// Keeps the places that a chart is made of, to find whether they are still the same. The window's revision does not
-  /// tell: the window changes far from here, and moves within one revision.
+  /// Keeps the places that a chart is made of, to find whether they are still the same. The window's revision does
+  /// not tell: the window changes far from here, and moves within one revision.
   struct Made {
     std::vector<Reached> places;
     std::vector<ContentHash> missing;  ///< had not arrived

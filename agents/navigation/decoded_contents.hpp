@@ -11,8 +11,8 @@
 
 namespace weft::agents {
 
-/// Keeps contents in the method's own form, so many bytes of them at most as they are encoded, the least recently used
-/// forgotten first; the newest stays, however large. Signatures, which are small, are kept for longer.
+/// Keeps contents in the method's own form, so many bytes of them at most as they are encoded, the least recently
+/// used forgotten first; the newest stays, however large. Signatures, which are small, are kept for longer.
 template <Method M>
 class DecodedContents {
  public:

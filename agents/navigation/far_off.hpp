@@ -5,8 +5,8 @@
 
 namespace weft::agents {
 
-/// Returns whether a robot that believes this of the place nearest to it is so far beside it, or so askew, that it may
-/// be mistaken, or that what was taught since lies nearer: it looks again before it relies on that.
+/// Returns whether a robot that believes this of the place nearest to it is so far beside it, or so askew, that it
+/// may be mistaken, or that what was taught since lies nearer: it looks again before it relies on that.
 inline bool is_far_off(const Relation& place_from_robot) {
   constexpr double kFar_m = 0.5;
   constexpr double kAskew_rad = 0.785;  // 45 degrees

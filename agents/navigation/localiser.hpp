@@ -249,8 +249,8 @@ class Localiser {
   }
 
   /// Returns whether a suspected place waits for its neighbours: the window of a robot that looks at proposed places
-  /// has few others, and what lies around comes a little later. Until then the place itself would confirm what it said
-  /// before.
+  /// has few others, and what lies around comes a little later. Until then the place itself would confirm what it
+  /// said before.
   bool waits_for_neighbours(const Window& map, const Contents& bytes) const {
     constexpr std::uint32_t patience = 60;  // samples; some places have no neighbours
     if (query_.open() == nullptr && !query_.may_go_on()) return false;

@@ -61,9 +61,9 @@ struct TeachStart {
   std::vector<ExperienceId> others = {};  ///< of the methods that the navigator teaches beside the first
 };
 
-/// Holds a question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever has
-/// all contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or, in
-/// memory, `RecognitionIndex` (agents/methods/recognition):
+/// Holds a question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever
+/// has all contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or,
+/// in memory, `RecognitionIndex` (agents/methods/recognition):
 ///
 ///     navigator.step(...);
 ///     if (const Question* open = navigator.question())
@@ -103,15 +103,15 @@ class Navigator {
   /// Keeps a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
   /// Returns an experience of one place: where the robot stands, without being taught, joined to the map by stitches
-  /// of which at least one can be driven. Nothing but the newest view counts; what is believed stays as it is. Refused
-  /// while teaching, when it does not know where it is, and when what is seen joins nothing ("nothing_joined", or why
-  /// not).
+  /// of which at least one can be driven. Nothing but the newest view counts; what is believed stays as it is.
+  /// Refused while teaching, when it does not know where it is, and when what is seen joins nothing
+  /// ("nothing_joined", or why not).
   virtual OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) = 0;
 
   /// Takes note that the window `before` became `after`. What is believed on a place that is not there any more is
   /// believed on the nearest place that stayed, by the relations that led there. False: none of what was around has
-  /// stayed, and what is believed relates to nothing. Places that were taught and are on their way to the server count
-  /// as there.
+  /// stayed, and what is believed relates to nothing. Places that were taught and are on their way to the server
+  /// count as there.
   virtual bool map_changed(const Window& before, const Window& after) = 0;
   /// Forgets what was taught, as the server has refused it: those places will never be in the map.
   virtual void forget_taught(const Window& map) = 0;
@@ -121,8 +121,8 @@ class Navigator {
   /// `blind_m` allows.
   virtual void believe(const Estimate& told) = 0;
 
-  /// Looks for where the robot is: around a seed, or, without one, in the whole window. While teaching (or just before
-  /// it begins) this finds where the experience joins the map.
+  /// Looks for where the robot is: around a seed, or, without one, in the whole window. While teaching (or just
+  /// before it begins) this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
   /// Looks for where the robot is in the whole window, nearest to what is believed first, and believes that until it
   /// is seen otherwise. Who believes nothing seeks.
@@ -151,8 +151,8 @@ class Navigator {
   /// cannot say.
   virtual Result<TeachReport> teach_report() const = 0;
 
-  /// Follows a new route or a new version of it; the robot never passes `route.released`. `from`: the index of a place
-  /// that it is known to have passed.
+  /// Follows a new route or a new version of it; the robot never passes `route.released`. `from`: the index of a
+  /// place that it is known to have passed.
   virtual void follow(const Route& route, std::uint32_t from) = 0;
   void follow(const Route& route) { follow(route, 0); }
   /// Forgets the route and stands.

@@ -272,8 +272,8 @@ class NavigatorOf final : public Navigator {
   }
 
   /// Returns whether the newest view may become a place. One that vision could not join to the view before may show
-  /// something else than what lies here (somebody walks through it): the next ones tell. Where none is joined, as over
-  /// a blank floor, the run is taught as it is seen.
+  /// something else than what lies here (somebody walks through it): the next ones tell. Where none is joined, as
+  /// over a blank floor, the run is taught as it is seen.
   bool may_be_kept() const {
     constexpr std::uint32_t patience = 5;  // views
     return views_not_followed_ == 0 || views_not_followed_ > patience;

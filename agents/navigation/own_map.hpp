@@ -9,8 +9,9 @@
 
 namespace weft::agents {
 
-/// Holds the map of one method: the window without what others need to see, joined with the places that this robot has
-/// taught and that the window does not hold yet. Where nothing is to be left out or joined it is the window itself.
+/// Holds the map of one method: the window without what others need to see, joined with the places that this robot
+/// has taught and that the window does not hold yet. Where nothing is to be left out or joined it is the window
+/// itself.
 class OwnMap {
  public:
   explicit OwnMap(std::string_view method) : method_(method) {}

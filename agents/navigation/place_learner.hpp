@@ -32,8 +32,8 @@ class PlaceLearner {
     fixed_at_m_ = kNever;
   }
 
-  /// Takes note that `seen` has shown the robot at `fix`. Returns what it has learned of the place that it has thereby
-  /// passed, if it is worth sharing.
+  /// Takes note that `seen` has shown the robot at `fix`. Returns what it has learned of the place that it has
+  /// thereby passed, if it is worth sharing.
   std::optional<LearnedPlace> pass(const Fix& fix, const Pointer& seen, const MapView& map,
                                    DecodedContents<M>& decoded) {
     std::optional<LearnedPlace> learned_place;

@@ -20,9 +20,9 @@ bool is_whole(const Image& image) {
 
 namespace {
 
-/// Returns grey values less the mean of their surroundings. Vignetting, exposure, lamps and soft shadows make a window
-/// brighter or darker as it moves through the image, which a tracker takes for motion where the floor's grey values
-/// rise or fall: a third to a half of the error of speed (docs/decisions/024-odometry-candidates.md).
+/// Returns grey values less the mean of their surroundings. Vignetting, exposure, lamps and soft shadows make a
+/// window brighter or darker as it moves through the image, which a tracker takes for motion where the floor's grey
+/// values rise or fall: a third to a half of the error of speed (docs/decisions/024-odometry-candidates.md).
 cv::Mat flattened(const cv::Mat& grey, int window_px) {
   constexpr double middle = 128.0;
   const int around = (window_px / 4) * 2 + 1;  // in a quarter of the image: twice the window, at a third of the time

@@ -26,7 +26,8 @@ class TrackingImage {
   std::shared_ptr<const Levels> levels_;
 };
 
-/// Prepares an image for tracking with windows of `window_px` (odd), halved `levels` times (>= 1). The image is whole.
+/// Prepares an image for tracking with windows of `window_px` (odd), halved `levels` times (>= 1). The image is
+/// whole.
 TrackingImage prepare_tracking(const Image& image, int window_px, int levels);
 
 struct CornerConfig {

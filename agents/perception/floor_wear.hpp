@@ -9,7 +9,8 @@
 
 namespace weft::agents {
 
-/// Describes the traces that months of traffic leave on a floor: crumbs and shreds that lie about, and marks of tyres.
+/// Describes the traces that months of traffic leave on a floor: crumbs and shreds that lie about, and marks of
+/// tyres.
 struct FloorWear {
   double specks_per_m2 = 400.0;
   double marks_per_m2 = 1.0;

@@ -95,8 +95,8 @@ class Solver {
     return FocalShare{share, variance};
   }
 
-  /// Holds the residual of a thing's rise in a view, and its derivatives by the thing's nearness (1 / distance) and by
-  /// how much further the robot is.
+  /// Holds the residual of a thing's rise in a view, and its derivatives by the thing's nearness (1 / distance) and
+  /// by how much further the robot is.
   struct Expected {
     double left = 0.0;
     double by_near = 0.0;

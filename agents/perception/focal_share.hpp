@@ -21,8 +21,8 @@ struct OtherView {
 };
 
 /// Estimates the focal share from tangents of elevation: those of a thing grow as its distance shrinks, by more the
-/// nearer it stands; a larger focal length grows all of them alike. Least squares (Gauss-Newton, Tukey's biweight) for
-/// the share, how far along the robot is, the pitch against each view, and the distance of each thing, 1 to 10 m
+/// nearer it stands; a larger focal length grows all of them alike. Least squares (Gauss-Newton, Tukey's biweight)
+/// for the share, how far along the robot is, the pitch against each view, and the distance of each thing, 1 to 10 m
 /// unless views show otherwise. Pixels are from the image's middle, of cameras stated to have `focal_px`. The fit
 /// holds this as right to 2 %; the result is by the views alone, without that prior. None: fewer than 20 matches,
 /// views that tell hardly anything, a fit that does not settle, or a share above a tenth.

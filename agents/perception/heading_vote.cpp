@@ -82,7 +82,8 @@ void add(Histogram& bins, double moved_px, double weight) {
   bins[static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(bins.size() - 1)))] += weight;
 }
 
-/// Returns the histogram with each vote spread out as a Gaussian of height 1, whose standard deviation is `spread_px`.
+/// Returns the histogram with each vote spread out as a Gaussian of height 1, whose standard deviation is
+/// `spread_px`.
 Histogram spread_out(const Histogram& votes, double spread_px) {
   const auto reach = static_cast<std::ptrdiff_t>(3.0 * spread_px);
   std::vector<double> bell;

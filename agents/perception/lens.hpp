@@ -6,7 +6,8 @@
 
 namespace weft::agents {
 
-/// Rejects a size, focal length, centre, distortion or mount that is out of bounds (invalid, naming camera and field).
+/// Rejects a size, focal length, centre, distortion or mount that is out of bounds (invalid, naming camera and
+/// field).
 Result<void> check(const CameraModel& camera);
 
 /// Returns a pixel's undistorted normalised coordinates (x / z, y / z in the camera frame), by Newton's method; the

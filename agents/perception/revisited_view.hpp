@@ -23,8 +23,8 @@ struct OtherLook {
 double noise_of(const Image& image);
 
 /// Returns the image that a camera of that calibration would have taken: the floor warped as a plane, worn, in that
-/// light, with as much noise as the image has. Floor beyond the image's rim is filled by mirroring the image there: it
-/// is other floor, but not blank. The image is whole and of the camera's size. Pure.
+/// light, with as much noise as the image has. Floor beyond the image's rim is filled by mirroring the image there:
+/// it is other floor, but not blank. The image is whole and of the camera's size. Pure.
 Image revisited_view(const Image& image, const CameraModel& camera, const OtherLook& look);
 
 }  // namespace weft::agents

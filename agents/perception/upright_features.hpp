@@ -19,7 +19,8 @@ enum class Description : std::uint8_t {
   /// Compares smoothed grey values at 256 pairs of points (Calonder et al. 2010, BRIEF).
   brief,
   /// Measures the gradient's strength in 4 x 4 cells and 8 directions, each a bit for more than the mean of its
-  /// direction and one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256 bits.
+  /// direction and one for more than the mean of its cell: a histogram of gradients (Dalal & Triggs 2005) in 256
+  /// bits.
   gradients,
 };
 

@@ -21,7 +21,8 @@ std::string printed(const Json& document, int indent = 2) {
 using Names = std::map<RobotId, std::string>;
 std::string name_of(const Names& names, const RobotId& robot);
 
-/// Return JSON documents of what the server answers. A robot's `waits` is {robot, at, needs, held_by, since}, or null.
+/// Return JSON documents of what the server answers. A robot's `waits` is {robot, at, needs, held_by, since}, or
+/// null.
 nlohmann::json to_json(const msg::RobotRow& row, const Names& names);
 nlohmann::json to_json(const msg::RobotWait& wait, const std::string& robot, const Names& names);
 nlohmann::json to_json(const GoalEvent& event);

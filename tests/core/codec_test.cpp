@@ -60,8 +60,8 @@ Batch random_batch(Random& random) {
   return batch;
 }
 
-/// Expects that a value comes back as it went in; and whatever happens to the bytes, that they are either read as what
-/// encodes to just these bytes or refused as corrupt.
+/// Expects that a value comes back as it went in; and whatever happens to the bytes, that they are either read as
+/// what encodes to just these bytes or refused as corrupt.
 template <class T, class Decode>
 void expect_round_trip(const T& value, Decode&& decode) {
   const Bytes bytes = encode(value);

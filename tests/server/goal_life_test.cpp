@@ -33,8 +33,8 @@ struct GoalLife : testing::Test {
     site.progress(r1, route, msg::RoutePhase::accepted);
     return route;
   }
-  /// Sends r1 from the end of a second run, which lies at (x, y) of the first one's sixth place and is joined to it by
-  /// an edge that cannot be driven.
+  /// Sends r1 from the end of a second run, which lies at (x, y) of the first one's sixth place and is joined to it
+  /// by an edge that cannot be driven.
   void send_from_an_end_at(double x, double y) {
     TaughtRun second(r1, 11);
     Handed handed = second.next(3);

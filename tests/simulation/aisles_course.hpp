@@ -7,9 +7,9 @@
 
 namespace weft::simulation {
 
-/// Describes one aisle that is driven both ways, turning round at both of its ends, and a lane that leaves it, crosses
-/// it at 90 degrees and joins it again. Every robot is taught a part, so that no run holds all lanes. Two stations
-/// stand in the aisle at one spot, one for each direction; the others have sidings.
+/// Describes one aisle that is driven both ways, turning round at both of its ends, and a lane that leaves it,
+/// crosses it at 90 degrees and joins it again. Every robot is taught a part, so that no run holds all lanes. Two
+/// stations stand in the aisle at one spot, one for each direction; the others have sidings.
 class AislesCourse : public Course {
  public:
   AislesCourse();

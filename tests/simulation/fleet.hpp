@@ -82,7 +82,8 @@ class Fleet {
   void look_when_quiet();
   /// Returns how often robots were asked to make way, and standstills ended.
   std::uint64_t ways_made() const;
-  /// Returns the server's events, a line each, then how every goal and robot stands: for whoever looks into a failure.
+  /// Returns the server's events, a line each, then how every goal and robot stands: for whoever looks into a
+  /// failure.
   std::vector<std::string> diary() const;
   /// Returns a hash over every message of the run, in order: the same seed gives the same.
   std::string trace() const;

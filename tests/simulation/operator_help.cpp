@@ -126,7 +126,8 @@ std::map<GoalId, std::vector<Goal>> Operator::look_at(std::vector<GoalId> goals)
   return found;
 }
 
-/// Returns, from `weft map log`, the latest revision if it took places out of the map; 0 when the latest edit did not.
+/// Returns, from `weft map log`, the latest revision if it took places out of the map; 0 when the latest edit did
+/// not.
 Revision Operator::quarantined() {
   msg::Query query;
   query.kind = msg::Query::Kind::log;

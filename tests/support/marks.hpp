@@ -35,8 +35,8 @@ struct MarksConfig {
 /// Returns an error for every bound that the configuration does not keep.
 std::vector<Error> check(const MarksConfig& config);
 
-/// Is the test-only method: numbered marks at noisy poses. A content lists the marks seen; two contents are related by
-/// the motion that most of their common marks agree on. Wrong sightings (one number in two places) are outvoted.
+/// Is the test-only method: numbered marks at noisy poses. A content lists the marks seen; two contents are related
+/// by the motion that most of their common marks agree on. Wrong sightings (one number in two places) are outvoted.
 class MarksMethod {
  public:
   static constexpr std::string_view name = "marks";

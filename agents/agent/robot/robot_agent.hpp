@@ -26,9 +26,9 @@
 
 namespace weft::agents {
 
-/// Puts the agent together from its parts and missions. Decides nothing itself: what comes in goes to the part that it
-/// concerns, what one of them returns goes to the others, and after each call everything that is due goes out, small
-/// before big.
+/// Puts the agent together from its parts and missions. Decides nothing itself: what comes in goes to the part that
+/// it concerns, what one of them returns goes to the others, and after each call everything that is due goes out,
+/// small before big.
 class RobotAgent final : public Agent {
  public:
   RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, Spooler spooler, Random random,

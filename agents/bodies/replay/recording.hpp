@@ -25,7 +25,8 @@ struct RecordedWheels {
   double heading_rad = 0.0;  ///< not wrapped
 };
 
-/// Parses rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line, what is wrong.
+/// Parses rows "nanoseconds,metres,radians" under a # header; times must increase. invalid: file, line, what is
+/// wrong.
 Result<std::vector<RecordedWheels>> parse_wheels(const std::string& text, const std::string& file_name);
 
 /// Returns the wheels' motion, read between the rows around each of the two times; none outside of them.

@@ -16,7 +16,8 @@ struct WheelErrors {
 /// Draws scale error and asymmetry of at least the stated sizes, at most a fifth more, and signs, from `random`.
 WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random);
 
-/// Simulates a differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same motion.
+/// Simulates a differential drive: delayed commands, inertia, limits, slip. Pure: the same calls give the same
+/// motion.
 class Base {
  public:
   Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,

@@ -4,8 +4,8 @@
 
 #include "agents/bodies/sim/site.hpp"
 
-/// Puts the same site on another floor, under other light, and wears it: what a study teaches on and repeats on. Pure;
-/// each function says only what the keys of a site file can say too (docs/simulation.md: [floor] and [change]).
+/// Puts the same site on another floor, under other light, and wears it: what a study teaches on and repeats on.
+/// Pure; each function says only what the keys of a site file can say too (docs/simulation.md: [floor] and [change]).
 namespace weft::agents::sim {
 
 /// Returns floors that differ in kind, each a `floor.material`.

@@ -1,7 +1,8 @@
 #pragma once
 #include <cstdint>
 
-/// Describes the looks of boxes' faces. Plain types only, as in floor/kernels.hpp, where the loop over them is chosen.
+/// Describes the looks of boxes' faces. Plain types only, as in floor/kernels.hpp, where the loop over them is
+/// chosen.
 namespace weft::agents::sim {
 
 enum class FaceLook : std::uint8_t { rack, plain, wall, pillar };

@@ -24,8 +24,8 @@ struct SimBodyConfig {
 /// Is a body as whoever simulates has it in hand; what drives it knows a Body.
 class SimulatedBody : public Body {
  public:
-  /// Lifts the robot and puts it down there, rolling with `moving`; nobody leads it any more, and the light is another
-  /// one, as when a lead begins.
+  /// Lifts the robot and puts it down there, rolling with `moving`; nobody leads it any more, and the light is
+  /// another one, as when a lead begins.
   virtual void put(const Pose2& site_from_robot, const Twist& moving) = 0;
   /// Returns the true pose at the newest sample, for judges.
   virtual Pose2 site_from_robot() const = 0;

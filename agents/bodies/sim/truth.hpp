@@ -8,8 +8,8 @@
 
 namespace weft::agents::sim {
 
-/// Writes a file of where the robot really was, for a judge: one JSON line a frame. Each line goes to the system whole
-/// and at once, so that a killed process leaves whole lines.
+/// Writes a file of where the robot really was, for a judge: one JSON line a frame. Each line goes to the system
+/// whole and at once, so that a killed process leaves whole lines.
 class TruthFile {
  public:
   /// Opens a file to append to. unavailable: cannot be opened.

@@ -98,9 +98,9 @@ class Bearing {
   Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const;
 
   /// Returns the features of the place with one more pass counted, without those that are hardly ever seen and with
-  /// some of the view's that the place does not have, put where what both show places them (learn.cpp). None: the view
-  /// is described otherwise or of another focal length, was taken too far before, behind or beside the place, or its
-  /// heading is not sure.
+  /// some of the view's that the place does not have, put where what both show places them (learn.cpp). None: the
+  /// view is described otherwise or of another focal length, was taken too far before, behind or beside the place, or
+  /// its heading is not sure.
   std::optional<Content> learn(const Content& known, const Content& seen, const Relation& known_from_seen) const;
   /// Returns whether a robot that comes by sees so much more of `learned` (BearingLearnConfig::worth; worth.cpp).
   bool is_worth_sharing(const Content& shared, const Content& learned) const;

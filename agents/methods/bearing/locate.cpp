@@ -71,9 +71,9 @@ std::optional<Further> further_of(const std::vector<Told>& told) {
   return further;
 }
 
-/// Returns those that agree on how the robot is turned if they are most of them, else none: each alone finds a heading
-/// by chance now and then. In a bend places look in other directions, and each mistakes for a turn what of the robot's
-/// distance from the path lies across its own direction: so more is allowed there.
+/// Returns those that agree on how the robot is turned if they are most of them, else none: each alone finds a
+/// heading by chance now and then. In a bend places look in other directions, and each mistakes for a turn what of
+/// the robot's distance from the path lies across its own direction: so more is allowed there.
 std::vector<Told> agreeing(const std::vector<Told>& told) {
   constexpr double near_rad = 0.06;
   constexpr double aside = 0.35;  // distance from the way over that of things: 1 m of 3 m

@@ -9,8 +9,8 @@
 namespace weft::agents {
 
 /// Finds the errors that a calibration puts into every step that is seen
-/// (docs/decisions/060-what-a-calibration-leaves.md). To first order they grow with the motion: three rows for each of
-/// its parts (ahead, aside, turning: of a metre, a metre and a radian), which are the error's x, y and heading.
+/// (docs/decisions/060-what-a-calibration-leaves.md). To first order they grow with the motion: three rows for each
+/// of its parts (ahead, aside, turning: of a metre, a metre and a radian), which are the error's x, y and heading.
 class CalibrationErrors {
  public:
   /// Finds for each quantity of the calibration what one sigma of it does: the floor as a camera sees it that is off

@@ -8,8 +8,8 @@
 
 namespace weft::agents {
 
-/// Holds the settings of the method `floor`. Symbols are those of Gadd & Newman, Table I. Each bound stands beside its
-/// number; `check` enforces it.
+/// Holds the settings of the method `floor`. Symbols are those of Gadd & Newman, Table I. Each bound stands beside
+/// its number; `check` enforces it.
 struct FloorConfig {
   // Odometry
   int corners = 160;                  ///< [40, 1000] tracked from each keyframe

@@ -48,8 +48,8 @@ class Floor {
     std::size_t keyframe_tracks = 0;  ///< when the keyframe was made
     Pose2 keyframe_from_robot;        ///< at the newest sample, rocking about the floor
     Attitude keyframe_attitude;
-    /// Hold the information on the keyframe's attitude that earlier fits gave, beyond what is known of every view, and
-    /// its product with the mean.
+    /// Hold the information on the keyframe's attitude that earlier fits gave, beyond what is known of every view,
+    /// and its product with the mean.
     Eigen::Matrix3d keyframe_told = Eigen::Matrix3d::Zero();
     Eigen::Vector3d keyframe_pull = Eigen::Vector3d::Zero();
     Eigen::Matrix3d keyframe_covariance = Eigen::Matrix3d::Zero();  ///< of keyframe_from_robot, as steps have said

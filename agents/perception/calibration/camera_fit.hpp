@@ -44,10 +44,10 @@ struct CameraFit {
   std::vector<ImageFit> images;
 };
 
-/// Finds intrinsics from views of one flat board (Zhang 2000, as OpenCV's calib3d does it: k1 k2 p1 p2, or k1 k2 k3 k4
-/// of the equidistant model), without images that disagree. The focal length's sigma is from the residuals. refused:
-/// too few images, one attitude, too little of the image covered, a focal length that is not determined, a board that
-/// is not as stated; the message names what, the bound, and what to do.
+/// Finds intrinsics from views of one flat board (Zhang 2000, as OpenCV's calib3d does it: k1 k2 p1 p2, or k1 k2 k3
+/// k4 of the equidistant model), without images that disagree. The focal length's sigma is from the residuals.
+/// refused: too few images, one attitude, too little of the image covered, a focal length that is not determined, a
+/// board that is not as stated; the message names what, the bound, and what to do.
 Result<CameraFit> fit_camera(const std::vector<BoardImage>& images, int width, int height,
                              const CameraFitConfig& config);
 

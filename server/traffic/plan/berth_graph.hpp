@@ -16,8 +16,8 @@ struct BerthArc {
   /// Numbers its middle, where nobody stands: two drives that come by each other touch the one's or the other's.
   Berth middle = kNoBerth;
   /// Lists the berths that are touched on the way beyond those that a robot keeps free where it sets off: `to` and
-  /// those beside it among them, and not where it sets off; and the middles of other drives, as far as they are known.
-  /// Sorted.
+  /// those beside it among them, and not where it sets off; and the middles of other drives, as far as they are
+  /// known. Sorted.
   std::vector<Berth> touches;
 };
 

@@ -5,7 +5,8 @@
 #include "core/network/change.hpp"
 #include "tests/agents/agent/bench.hpp"
 
-/// Tests how the window's parts are put together, and the parts that need a window for that: its focus and its anchor.
+/// Tests how the window's parts are put together, and the parts that need a window for that: its focus and its
+/// anchor.
 namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;

@@ -61,8 +61,8 @@ TEST(Spooling, SeveralMethodsHandInAnExperienceEach) {
   EXPECT_EQ(rig.server.snapshot.experience(taught.others.front())->method, "more");
 }
 
-/// Expects a run by two methods whole, each place of the second joined to one of the first: all joins arrive, those of
-/// the last places too, whoever was heard first.
+/// Expects a run by two methods whole, each place of the second joined to one of the first: all joins arrive, those
+/// of the last places too, whoever was heard first.
 void expect_joined(const Rig& rig) {
   const TeachStart& taught = rig.script->taught.front();
   expect_whole(rig, taught.experience, rig.script->index);

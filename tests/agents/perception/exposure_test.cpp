@@ -18,7 +18,8 @@ constexpr int kHeight = 120;
 /// Shows what a sensor at a given exposure makes of light, with its noise.
 class Scene {
  public:
-  /// Makes boards of all greys between `darkest` and `brightest`, some of the light that is white at exposure 1 = 255.
+  /// Makes boards of all greys between `darkest` and `brightest`, some of the light that is white at exposure 1 =
+  /// 255.
   Scene(double darkest, double brightest) : light_(kWidth * kHeight) {
     constexpr int board = 8;
     Random random(7);

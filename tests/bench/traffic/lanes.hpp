@@ -22,7 +22,8 @@ struct Grid {
   std::vector<bool> is_free;  ///< row by row
 };
 Result<Grid> read_grid(std::istream& text);
-/// Makes shelves of ten squares, two rows deep, in so many columns and rows; lanes lead around each, at both ends too.
+/// Makes shelves of ten squares, two rows deep, in so many columns and rows; lanes lead around each, at both ends
+/// too.
 Grid warehouse(std::uint32_t columns, std::uint32_t rows);
 
 /// Tells in which directions a grid's lanes are driven: rows y / 3 and columns x / 11 alternate, or all both ways.

@@ -20,8 +20,8 @@ class Reserved {
   void take(Cell cell, int step, std::size_t robot) {
     by_[cell * (kAhead + 1) + static_cast<std::size_t>(step)] = robot;
   }
-  /// Returns whether the robot may be there at that step. Nobody follows: a cell is entered when it was empty the step
-  /// before, and nobody enters what is left just then.
+  /// Returns whether the robot may be there at that step. Nobody follows: a cell is entered when it was empty the
+  /// step before, and nobody enters what is left just then.
   bool may_be(std::size_t robot, Cell cell, int step, bool enters) const {
     const auto is_free = [&](int when) {
       return when < 0 || when > kAhead || at(cell, when) == kNobody || at(cell, when) == robot;

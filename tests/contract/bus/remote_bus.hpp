@@ -11,8 +11,8 @@
 
 namespace weft::contract {
 
-/// Speaks for a bus that lives in a process of its own (weft-bus-peer): to be killed for real, and because Cyclone DDS
-/// takes one bus a domain and process. Blocks on the pipe; killed, it fails and is silent.
+/// Speaks for a bus that lives in a process of its own (weft-bus-peer): to be killed for real, and because Cyclone
+/// DDS takes one bus a domain and process. Blocks on the pipe; killed, it fails and is silent.
 class RemoteBus final : public bus::Bus {
  public:
   struct Options {

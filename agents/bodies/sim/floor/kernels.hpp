@@ -15,7 +15,8 @@ inline constexpr int kStripTexels = 1 << kStripLog2;
 inline constexpr int kStripRowBytes = 2 * (kStripTexels + 1);
 
 /// Points to one level of the floor around the robot; addresses wrap at mask + 1. Rows of a strip follow each other
-/// closely: whole rows would lie a multiple of a page apart, and a walk down a column would miss every cache there is.
+/// closely: whole rows would lie a multiple of a page apart, and a walk down a column would miss every cache there
+/// is.
 struct LevelPixels {
   const std::uint8_t* pairs = nullptr;
   int strip_bytes = 0;  ///< of one strip, all its rows

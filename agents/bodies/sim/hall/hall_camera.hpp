@@ -35,8 +35,8 @@ struct HallCameraOptions {
   double headlight = 0.0;   ///< of a lamp beside the camera: light on what is 2 m before it, 1 being the floor's mean
 };
 
-/// Renders what a camera that looks around in a hall sees: each pixel is the mean of four rays, at four moments of the
-/// exposure and four places within it. Not for several threads.
+/// Renders what a camera that looks around in a hall sees: each pixel is the mean of four rays, at four moments of
+/// the exposure and four places within it. Not for several threads.
 class HallCamera {
  public:
   /// Takes the true camera; its width and height are multiples of 4.

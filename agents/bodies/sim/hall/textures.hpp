@@ -11,8 +11,8 @@
 
 namespace weft::agents::sim {
 
-/// Holds grey levels about a mean of 128, with their area-averaged halvings. Coordinates are mirrored beyond its rims,
-/// so that nothing has a seam.
+/// Holds grey levels about a mean of 128, with their area-averaged halvings. Coordinates are mirrored beyond its
+/// rims, so that nothing has a seam.
 class Texture {
  public:
   /// Takes side x side texels, `side` a power of two, and makes the halvings.

@@ -14,9 +14,9 @@ struct AttemptsOptions : FloorOptions {
 
 namespace floor {
 
-/// Makes attempts row by row (floor, light, seed) until there are as many as asked for; rows that the folder holds are
-/// kept. At the end prints the tables and writes attempts.csv, attempts.json and a picture. Errors as of study_floor;
-/// refused: some were wrong.
+/// Makes attempts row by row (floor, light, seed) until there are as many as asked for; rows that the folder holds
+/// are kept. At the end prints the tables and writes attempts.csv, attempts.json and a picture. Errors as of
+/// study_floor; refused: some were wrong.
 Result<Ended> study_attempts(const AttemptsOptions& options, const Surroundings& around);
 
 }  // namespace floor

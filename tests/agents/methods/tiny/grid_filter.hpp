@@ -10,7 +10,8 @@
 
 namespace weft::agents::tiny {
 
-/// Localises by a particle filter on an occupancy grid: marks are mere points here, their numbers are not used for it.
+/// Localises by a particle filter on an occupancy grid: marks are mere points here, their numbers are not used for
+/// it.
 class GridFilter {
  public:
   static constexpr std::string_view name = "grid-filter";
