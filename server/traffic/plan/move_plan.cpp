@@ -5,19 +5,15 @@
 #include <optional>
 #include <utility>
 
-#include "server/traffic/plan/by_berth.hpp"
 #include "server/traffic/plan/drive_out.hpp"
 #include "server/traffic/plan/meetings.hpp"
 #include "server/traffic/plan/occupied_berths.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
 #include "server/traffic/plan/safe_states.hpp"
+#include "server/traffic/plan/wished_berths.hpp"
 
 namespace weft::server {
 namespace {
-
-struct Nobody {
-  std::uint32_t robot = kNobody;
-};
 
 /// Steps through the plan.
 class Steps {
@@ -351,13 +347,11 @@ class Steps {
     const auto is_at_end = [&](Berth berth) {
       return berth == arc.to || std::binary_search(beside.begin(), beside.end(), berth);
     };
-    for (const Berth berth : {arc.to, arc.middle}) {
-      for (const std::uint32_t other : claims_.at(berth)) {
-        if (other != robot && care == Care::off_all_ways) return other;
-      }
+    if (care == Care::off_all_ways) {
+      if (const std::uint32_t other = wished_.who_touches(arc, robot); other != kNobody) return other;
     }
     for (const Berth berth : arc.touches) {
-      const std::uint32_t target = target_.at(berth).robot;
+      const std::uint32_t target = wished_.who_wishes(berth);
       const bool is_taken = target != kNobody && target != robot;
       const bool is_in_the_way = is_taken && states_[target].wish == nullptr;
       if (is_in_the_way || (is_taken && (care == Care::off_all_ways || is_at_end(berth)))) return target;
@@ -372,42 +366,30 @@ class Steps {
   void stay(std::uint32_t robot) {
     const Berth here = states_[robot].robot.at;
     states_[robot].wish = nullptr;
-    target_.at(here).robot = robot;
-    claims_.at(here).push_back(robot);
-    for (const Berth berth : graph_.beside(here)) claims_.at(berth).push_back(robot);
+    wished_.stay(here, graph_.beside(here), robot);
   }
 
   void put_wish(std::uint32_t robot, const BerthArc* arc) {
     states_[robot].wish = arc;
     meetings_.wishes(robot, arc->to);
     safe_.put(robot, arc->to);
-    target_.at(arc->to).robot = robot;
-    target_.at(arc->middle).robot = robot;
-    for (const Berth berth : arc->touches) claims_.at(berth).push_back(robot);
+    wished_.drive(*arc, robot);
   }
 
   void take_back_wish(std::uint32_t robot) {
     const BerthArc* const arc = std::exchange(states_[robot].wish, nullptr);
     meetings_.takes_back(robot, arc->to);
     safe_.put(robot, states_[robot].robot.at);
-    target_.at(arc->to).robot = kNobody;
-    target_.at(arc->middle).robot = kNobody;
-    for (const Berth berth : arc->touches) std::erase(claims_.at(berth), robot);
+    wished_.take_back(*arc, robot);
   }
 
   void forget_wish(std::uint32_t robot) {
     State& state = states_[robot];
     if (!std::exchange(state.has_wish, false)) return;
-    const Berth there = state.wish == nullptr ? state.robot.at : state.wish->to;
-    const std::vector<Berth>& touched = state.wish == nullptr ? graph_.beside(there) : state.wish->touches;
-    target_.at(there).robot = kNobody;
-    if (state.wish != nullptr) {
-      target_.at(state.wish->middle).robot = kNobody;
-      meetings_.takes_back(robot, there);
-      safe_.put(robot, state.robot.at);
-    }
-    claims_.at(there).clear();
-    for (const Berth berth : touched) claims_.at(berth).clear();
+    if (state.wish == nullptr) return wished_.forget_stay(state.robot.at, graph_.beside(state.robot.at));
+    wished_.forget_drive(*state.wish);
+    meetings_.takes_back(robot, state.wish->to);
+    safe_.put(robot, state.robot.at);
   }
 
   void move(std::uint32_t robot, std::uint32_t step) {
@@ -452,8 +434,7 @@ class Steps {
   std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
   std::vector<std::uint32_t> moving_;
   OccupiedBerths occupied_;
-  ByBerth<Nobody> target_;                      ///< who wishes to stand there when the step ends
-  ByBerth<std::vector<std::uint32_t>> claims_;  ///< whose wish touches it
+  WishedBerths wished_;
   MovePlan plan_;
 };
 

@@ -21,7 +21,7 @@ class SafeStates {
   /// Notes that the robot is there now.
   void put(std::uint32_t robot, Berth at);
   /// Returns who could not get away any more if the robot went there, and can where it is: in order of their numbers.
-  /// Those of `leaving` are not looked at.
+  /// Leaves out those of `leaving`.
   std::vector<std::uint32_t> stuck_by(std::uint32_t robot, Berth to, const std::vector<std::uint32_t>& leaving);
   /// Returns who keeps the robot from going there: would come face to face with it, or could not get away any more,
   /// and is in no such trouble as it is now. It may be the robot itself.
