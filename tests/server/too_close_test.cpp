@@ -60,33 +60,31 @@ TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongIt) {
   EXPECT_THAT(site.goal(2).history.back().cause, HasSubstr("r2 waits until r1 has left its way"));
 }
 
-TEST_F(TrafficTest, RobotWithinAnotherOnesWayDoesNotMoveAlongItOnALaneThatHardlyLeavesIt) {
-  TaughtRun aside(r2, 11);
-  Handed lane = aside.next(60);
-  lane.batch.edges.push_back(turned(stitch(run.place(10), aside.place(0)), 0.15));
-  site.hand_in(r2, lane);
-  site.label("aside", aside.place(59));
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(site.order_to(r1));
-  site.say(site.state(r2, aside.place(2)));
-  site.send_goal(2, "aside", "r2");
+/// Arranges a lane that leaves the run, on which r2 stands within what r1 was given.
+struct LeavingLane : TrafficTest {
+  /// Gives r2 a goal at the lane's end; the lane is turned so far from the run, in radians.
+  void send_out_of_r1s_way(double turn) {
+    Handed lane = aside.next(60);
+    lane.batch.edges.push_back(turned(stitch(run.place(10), aside.place(0)), turn));
+    site.hand_in(r2, lane);
+    site.label("aside", aside.place(59));
+    site.say(site.state(r1, run.place(0)));
+    site.send_goal(1, "end", "r1");
+    ASSERT_TRUE(site.order_to(r1));
+    site.say(site.state(r2, aside.place(2)));
+    site.send_goal(2, "aside", "r2");
+  }
+  TaughtRun aside{r2, 11};
+};
+
+TEST_F(LeavingLane, RobotDoesNotMoveAlongTheOtherOnesWayOnOneThatHardlyLeavesIt) {
+  send_out_of_r1s_way(0.15);
   site.pass(1s);
   EXPECT_FALSE(site.order_to(r2));
 }
 
-TEST_F(TrafficTest, RobotMovesAwayNoFartherThanAPieceWithinWhatAnotherOneHolds) {
-  // A lane that leaves the other one.
-  TaughtRun aside(r2, 11);
-  Handed lane = aside.next(60);
-  lane.batch.edges.push_back(turned(stitch(run.place(10), aside.place(0)), 0.5));
-  site.hand_in(r2, lane);
-  site.label("aside", aside.place(59));
-  site.say(site.state(r1, run.place(0)));
-  site.send_goal(1, "end", "r1");
-  ASSERT_TRUE(site.order_to(r1));
-  site.say(site.state(r2, aside.place(2)));
-  site.send_goal(2, "aside", "r2");
+TEST_F(LeavingLane, RobotMovesAwayNoFartherThanAPieceWithinWhatAnotherOneHolds) {
+  send_out_of_r1s_way(0.5);
   ASSERT_TRUE(site.order_to(r2));
   EXPECT_EQ(site.order_to(r2)->released, 3U);
   site.pass(1s);
