@@ -125,8 +125,11 @@ def faults(summary, wanted_goals=12):
     killed = summary['killed']
     if not killed or not killed.get('holds'):
         broken.append(f"{killed['robot'] if killed else 'nobody'} was killed and holds nothing at the end")
-    if killed and not (summary['beside_aisle_m'] or 0.0) <= IN_AISLE_M:
-        broken.append(f"{killed['robot']} was killed {summary['beside_aisle_m']:.1f} m from the aisle that it was to block")
+    beside_m = summary['beside_aisle_m']
+    if killed and beside_m is None:
+        broken.append(f"no truth says where {killed['robot']} was killed")
+    elif killed and beside_m > IN_AISLE_M:
+        broken.append(f"{killed['robot']} was killed {beside_m:.1f} m from the aisle that it was to block")
     return broken + verdict.shared(summary)
 
 

@@ -142,6 +142,8 @@ class Traffic(unittest.TestCase):
         self.assertIn('r3 was killed and holds nothing', self.broken(lambda c: c['traffic.json']['killed'].update(holds='')))
         self.assertIn('r3 was killed 4.0 m from the aisle', self.broken(
             lambda c: c['traffic.json']['killed'].update(aisle=[f'{A}:180', f'{A}:181'])))
+        self.assertIn('no truth says where r3 was killed', self.broken(
+            lambda c: c.update({'truth.jsonl': [row for row in c['truth.jsonl'] if row['robot'] != 'r3']})))
         self.assertIn('nobody was killed', self.broken(lambda c: c['traffic.json'].pop('killed')))
 
     def test_the_picture_is_drawn(self):
