@@ -7,7 +7,8 @@ namespace weft::server {
 std::uint32_t WishedBerths::who_touches(const BerthArc& arc, std::uint32_t robot) {
   for (const Berth berth : {arc.to, arc.middle}) {
     const std::vector<std::uint32_t>& robots = touched_by_.at(berth);
-    const auto other = std::find_if(robots.begin(), robots.end(), [robot](std::uint32_t one) { return one != robot; });
+    const auto other =
+        std::find_if(robots.begin(), robots.end(), [robot](std::uint32_t one) { return one != robot; });
     if (other != robots.end()) return *other;
   }
   return kNobody;
