@@ -114,6 +114,7 @@ class Dispatcher {
     std::optional<Now> waits_since;   ///< since when it was released no farther
     bool stands_at_end = false;       ///< the robot said that it stands at the end of its latest order
     bool is_hand_over_asked = false;  ///< people were told that another robot could have the goal
+    bool is_silence_told = false;     ///< and that its robot is not heard
   };
 
   // assign.cpp
@@ -154,6 +155,7 @@ class Dispatcher {
   std::string keeps_goal(const RobotId& robot, const RouteAssignment& assignment) const;
   Result<void> hand_over(const RobotId& robot, const std::string& cause, const std::string& who, Now now);
   void look_at_silent(Now now);
+  void tell_silence(const RobotId& robot, RouteAssignment& assignment, Now now);
   std::optional<SteadyTime> next_look_at_silent() const;
 
   // charging.cpp

@@ -293,6 +293,7 @@ void Dispatcher::tick(Now now) {
   }
   if (needs_plan() && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {
+    if (!assignment.ending) tell_silence(robot, assignment, now);
     if (assignment.look_at_release && !assignment.route_lost) release(robot, assignment, now);
     if (assignment.send_at <= now.steady && has_to_send(robot, assignment)) send_order(robot, assignment, now.steady);
   }

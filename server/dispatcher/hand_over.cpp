@@ -103,6 +103,23 @@ void Dispatcher::look_at_silent(Now now) {
   }
 }
 
+/// Notes in the goal's history that its robot is not heard, and later that it is: what it waited for before is not
+/// what it waits for then.
+void Dispatcher::tell_silence(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  const Robot* const known = fleet_.find(robot);
+  if (known == nullptr || known->silent == assignment.is_silence_told) return;
+  assignment.is_silence_told = known->silent;
+  const Goal& goal = *book_.find(assignment.goal);
+  if (known->silent) return wait_for(goal, known->name + " is not heard; what it was released stays held", now);
+  assignment.noted_way = {};
+  assignment.look_at_release = true;
+  // Lost only if the store takes nothing; what it waits for is noted all the same.
+  std::ignore = book_.write(
+      goal,
+      {.state = goal.state, .cause = known->name + " is heard again", .who = "dispatcher", .kind = "goal.goes_on"},
+      std::nullopt, {}, now);
+}
+
 /// Returns when a goal is next looked at whose robot is not heard; none: there is none.
 std::optional<SteadyTime> Dispatcher::next_look_at_silent() const {
   if (context_.config.silent_goal == SilentGoal::keep) return std::nullopt;

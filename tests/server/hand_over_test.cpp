@@ -52,6 +52,18 @@ struct HandOver : testing::Test {
   Route old_route;
 };
 
+TEST_F(HandOver, TheGoalsHistoryTellsThatItsRobotIsNotHeardAndThatItIsAgain) {
+  site.send_goal(1, "dock", "r1");
+  r1_falls_silent(10s);
+  EXPECT_EQ(site.goal(1).history.back().cause, "r1 is not heard; what it was released stays held");
+  const std::size_t told = site.goal(1).history.size();
+  only_r2_is_heard(20s);
+  EXPECT_EQ(site.goal(1).history.size(), told) << "once";
+  site.say(driving());
+  site.pass(1s);
+  EXPECT_EQ(site.goal(1).history.back().cause, "r1 is heard again");
+}
+
 TEST_F(HandOver, AnotherRobotGetsTheGoalAfterAMinute) {
   site.send_goal(1, "dock");
   ASSERT_EQ(site.goal(1).robot, r1.id) << "it has the shorter way";
