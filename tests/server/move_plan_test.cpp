@@ -115,6 +115,29 @@ TEST_F(MovePlanTest, WhoStaysIsDrivenRoundAndNotAsked) {
   EXPECT_EQ(end_of(0), graph->at(4, 0));
 }
 
+TEST_F(MovePlanTest, WhoStaysKeepsWhatItHolds) {
+  draw({"....."});
+  put(graph->at(0, 0), graph->at(2, 0));
+  PlanRobot& dead = put(graph->at(4, 0));
+  dead.behind = {graph->at(2, 0), graph->at(3, 0)};
+  dead.stays = true;
+  plan();
+  EXPECT_EQ(end_of(0), graph->at(1, 0));
+}
+
+TEST_F(MovePlanTest, AnIdleRobotDoesNotMakeWayIntoWhatOneThatStaysHolds) {
+  draw({"......",  //
+        "  .   "});
+  put(graph->at(0, 0), graph->at(2, 0));
+  put(graph->at(2, 0));
+  PlanRobot& dead = put(graph->at(5, 0));
+  dead.behind = {graph->at(3, 0), graph->at(4, 0)};
+  dead.stays = true;
+  plan();
+  EXPECT_EQ(end_of(1), graph->at(2, 1));
+  EXPECT_EQ(end_of(0), graph->at(2, 0));
+}
+
 TEST_F(MovePlanTest, ARingThatIsFullButOneGoesRound) {
   draw({"...",  //
         ". .",  //

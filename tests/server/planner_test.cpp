@@ -52,5 +52,30 @@ TEST_F(PlannerTest, WhileItIsLaidOutAnewTheEarlierMapIsPlannedOn) {
   EXPECT_TRUE(plan());
 }
 
+TEST_F(PlannerTest, NobodyIsLedUpToWhereADeadRobotHoldsAnything) {
+  lay_out();
+  PlanRequest dead = requests.front();
+  dead.robot = RobotId{2, 2};
+  dead.goal.reset();
+  dead.stays = dead.stands_for_long = true;
+  requests.push_back(dead);
+  const auto touched = [this](std::uint32_t index) {
+    return Touched{.place = SurveyedSite::place(run, index), .reach_m = 0.3 + kLeastSlack_m};
+  };
+  for (std::uint32_t first = 20; first < 28; ++first) {
+    requests.back().held.clear();
+    for (std::uint32_t index = first; index < first + 6; ++index) {
+      requests.back().held.push_back(SurveyedSite::place(run, index));
+    }
+    ASSERT_TRUE(plan());
+    const auto moves = static_cast<std::uint32_t>(planner.order().moves(0).size());
+    ASSERT_GT(moves, 0U);
+    const PlaceId end = planner.way(0, 0, moves).places.back();
+    EXPECT_FALSE(
+        proximity.overlap(TrafficMap(site.network()), std::vector{touched(end.index)}, std::vector{touched(first)}))
+        << to_string(end) << " and " << first;
+  }
+}
+
 }  // namespace
 }  // namespace weft::server::test

@@ -38,7 +38,10 @@ class Steps {
       if (robots[i].at == kNoBerth) continue;
       if (is_at_goal(i)) arrive(i, states_[i].drives + rules_.handling);
       occupied_.stand(robots[i].at, i);
-      for (const Berth berth : robots[i].behind) occupied_.drive_through(berth, i);
+      // One that stays may be anywhere in what it holds.
+      for (const Berth berth : robots[i].behind) {
+        robots[i].stays ? occupied_.stand(berth, i) : occupied_.drive_through(berth, i);
+      }
     }
     std::iota(order_.begin(), order_.end(), 0U);
   }
@@ -418,7 +421,7 @@ class Steps {
     State& state = states_[robot];
     state.wish = nullptr;
     if (state.handles > 0) --state.handles;
-    if (state.drives == 0) return;
+    if (state.drives == 0 || state.robot.stays) return;
     occupied_.have_driven_through(state.robot.behind[state.robot.behind.size() - state.drives], robot);
     --state.drives;
   }

@@ -92,9 +92,7 @@ void Planner::occupy(const std::vector<PlanRequest>& requests) {
   for (const PlanRequest& request : requests) {
     if (!request.stands_for_long || request.held.empty() || !berths_.has(request.held.back())) continue;
     // It may be anywhere in what it holds.
-    for (const PlaceId& place : request.held) {
-      if (place != request.held.back() && (!berths_.has(place) || !berths_.is_cut(place))) continue;
-      const Berth berth = berths_.at(place);
+    for (const Berth berth : held_by(request)) {
       occupied.insert(berth);
       occupied.insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
     }
@@ -104,13 +102,23 @@ void Planner::occupy(const std::vector<PlanRequest>& requests) {
   occupied_.assign(occupied.begin(), occupied.end());
 }
 
+/// Returns the berths in what the robot holds, in order, and where that ends. Of one that stays also where it begins,
+/// between two berths, as it may be there for good; who drives has left that in a moment.
+std::vector<Berth> Planner::held_by(const PlanRequest& request) {
+  std::vector<Berth> berths;
+  for (const PlaceId& place : request.held) {
+    const bool is_end = &place == &request.held.back() || (request.stays && &place == &request.held.front());
+    if (berths_.has(place) && (is_end || berths_.is_cut(place))) berths.push_back(berths_.at(place));
+  }
+  return berths;
+}
+
 PlanRobot Planner::robot_of(const PlanRequest& request) {
   PlanRobot robot;
   if (request.held.empty() || !berths_.has(request.held.back())) return robot;
   robot.at = berths_.at(request.held.back());
-  for (std::size_t i = 0; i + 1 < request.held.size(); ++i) {
-    if (berths_.is_cut(request.held[i])) robot.behind.push_back(berths_.at(request.held[i]));
-  }
+  robot.behind = held_by(request);
+  robot.behind.pop_back();
   robot.methods = berths_.methods(request.drives);
   robot.stays = request.stays;
   for (const PlaceId& place : request.avoids) {

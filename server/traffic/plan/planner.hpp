@@ -79,6 +79,7 @@ class Planner {
   bool is_laid(const Snapshot& network, const std::vector<PlanRequest>& requests) const;
   bool knows(const std::vector<PlanRequest>& requests) const;
   void occupy(const std::vector<PlanRequest>& requests);
+  std::vector<Berth> held_by(const PlanRequest& request);
   PlanRobot robot_of(const PlanRequest& request);
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
   Distances& distances(const PlaceId& to, std::uint32_t methods);
