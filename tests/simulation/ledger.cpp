@@ -236,21 +236,23 @@ void Ledger::agent_took(const RobotId& robot) {
   const bool same = route && mine.had && route->id == mine.had->id && route->version == mine.had->version;
   if (same && route->released == mine.had->released) return;
   const std::uint32_t first = same ? mine.had->released + 1 : 0;
-  const std::uint32_t kept =
-      route && mine.had && !same ? passed_of(*mine.had, *route, passed_by(mine, *mine.had)) : 0;
+  const std::uint32_t known = mine.had ? std::max(mine.passed, passed_by(mine, *mine.had)) : 0;
+  mine.passed = same ? known : route && mine.had ? passed_of(*mine.had, *route, known) : 0;
   mine.had = route;
   mine.stands_since = now_;
   if (!route) return;
-  const std::uint32_t begin = std::max(first, ahead_from(mine, *route, kept));
+  const std::uint32_t begin = std::max(first, ahead_from(mine, *route, mine.passed));
   for (const auto& [id, other] : robots) {
     if (id == robot || other.agent == nullptr) continue;
     const std::optional<Route> theirs = other.agent->route();
     if (!theirs) continue;
-    const std::uint32_t from = ahead_from(other, *theirs);
+    const std::uint32_t from = ahead_from(other, *theirs, other.passed);
     for (std::uint32_t i = begin; i <= route->released; ++i) {
       for (std::uint32_t k = from; k <= theirs->released; ++k) {
         if (!are_close(route->places[i], theirs->places[k])) continue;
-        if (moves_away(robot, route->places[i], *theirs, from)) continue;
+        // Who is let out of what the other one holds may have heard of it first.
+        if (moves_away(robot, route->places[i], *theirs, from) || moves_away(id, theirs->places[k], *route, begin))
+          continue;
         broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +
                                 " to " + to_string(theirs->places[k]));
         return;
@@ -290,7 +292,7 @@ void Ledger::note_put_down(const RobotId& robot) {
     const std::optional<Route> route = other.agent->route();
     if (!route) continue;
     const double reach_m = mine.footprint_m + other.footprint_m + aside_m;
-    for (std::uint32_t i = ahead_from(other, *route); i <= route->released; ++i) {
+    for (std::uint32_t i = ahead_from(other, *route, other.passed); i <= route->released; ++i) {
       const auto place = truth_of(route->places[i]);
       if (place && (place->translation() - here).norm() < reach_m) contacts_.put_down_before(robot, id);
     }

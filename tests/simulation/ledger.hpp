@@ -34,6 +34,7 @@ class Ledger {
     msg::RobotState state;        ///< last one said
     WindowDefinition wants;       ///< last one asked for
     std::optional<Route> had;     ///< its route when last looked at
+    std::uint32_t passed = 0;     ///< of `had`: freed in a version before it, which may come by the same place twice
     msg::RouteProgress progress;  ///< last one said
     double footprint_m = 0.0;     ///< as it describes itself
     bool led = false;             ///< when it last moved
@@ -97,7 +98,7 @@ class Ledger {
   std::optional<Pose2> said_to_stand(const RobotId& robot) const;
   bool moves_away(const RobotId& robot, const PlaceId& place, const Route& theirs, std::uint32_t from) const;
   std::uint32_t passed_by(const Robot& robot, const Route& route) const;
-  std::uint32_t ahead_from(const Robot& robot, const Route& route, std::uint32_t passed = 0) const;
+  std::uint32_t ahead_from(const Robot& robot, const Route& route, std::uint32_t passed) const;
   void check_release(const Route& route, const Snapshot& snapshot);
   void check_standing(const RobotId& id, const PlaceId& place, const Snapshot& snapshot);
   void note_put_down(const RobotId& robot);
