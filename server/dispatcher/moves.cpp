@@ -80,6 +80,8 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   }
   request.stays = !is_described || !not_ready(*known).empty();
   request.stands_for_long = request.stays && stays && stays != Stays::idle;
+  const bool is_helpless = stays == Stays::silent || stays == Stays::faulted || stays == Stays::lost;
+  request.needs_help = request.stands_for_long && is_helpless;
   const auto arrived = arrived_at_.find(robot);
   if (arrived == arrived_at_.end()) return request;
   const double left_s = context_.config.handling_s - seconds(now.steady - arrived->second);

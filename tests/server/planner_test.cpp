@@ -77,5 +77,54 @@ TEST_F(PlannerTest, NobodyIsLedUpToWhereADeadRobotHoldsAnything) {
   }
 }
 
+/// Arranges a dead robot in an aisle that branches off a lane, one before its mouth that would go by it, and one that
+/// comes behind that along the lane.
+struct CutOffTest : PlannerTest {
+  CutOffTest() {
+    aisle = site.teach(Lane(site.pose(SurveyedSite::place(run, 24)) * Pose2{0.0, 0.0, 1.57}).ahead(6.0));
+    site.stitch(SurveyedSite::place(run, 24), SurveyedSite::place(aisle, 0));
+    lay_out();
+    requests.resize(3, requests.front());
+    requests[0].held = {SurveyedSite::place(run, 15)};
+    PlanRequest& waits = requests[1];
+    waits.robot = RobotId{2, 2};
+    waits.held = {SurveyedSite::place(run, 20)};
+    waits.goal = SurveyedSite::place(aisle, 23);
+    for (std::uint32_t index = 0; index < 24; ++index) waits.ahead.push_back(SurveyedSite::place(aisle, index));
+    PlanRequest& dead = requests[2];
+    dead.robot = RobotId{3, 3};
+    dead.held = {SurveyedSite::place(aisle, 5)};
+    dead.goal.reset();
+    dead.stays = dead.stands_for_long = dead.needs_help = true;
+  }
+  std::size_t moves(std::uint32_t robot) const { return planner.order().moves(robot).size(); }
+
+  std::uint64_t aisle = 0;
+};
+
+TEST_F(CutOffTest, WhoKeepsOthersFromGoingOnMakesWay) {
+  ASSERT_TRUE(plan());
+  ASSERT_GT(moves(0), 0U);
+  EXPECT_EQ(planner.way(0, 0, static_cast<std::uint32_t>(moves(0))).places.back(), requests[0].goal);
+  EXPECT_GT(moves(1), 0U);
+}
+
+TEST_F(CutOffTest, WhoKeepsNobodyWaitsAsNearAsItComes) {
+  requests.erase(requests.begin());
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(moves(0), 0U);
+  requests.back().held = {SurveyedSite::place(aisle, 15)};
+  ASSERT_TRUE(plan());
+  ASSERT_GT(moves(0), 0U);
+  EXPECT_EQ(planner.way(0, 0, static_cast<std::uint32_t>(moves(0))).places.back().experience.value, aisle);
+}
+
+TEST_F(CutOffTest, WhoWaitsForOneThatNeedsNoHelpKeepsItsPlace) {
+  requests.back().needs_help = false;
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(moves(0), 0U);
+  EXPECT_EQ(moves(1), 0U);
+}
+
 }  // namespace
 }  // namespace weft::server::test

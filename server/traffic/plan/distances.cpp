@@ -47,4 +47,21 @@ double Distances::from_m(Berth berth) {
   return reached_m_[berth];
 }
 
+bool Distances::leads_over(const std::vector<Berth>& occupied, Berth from) {
+  if (from_m(from) < kOccupied_m) return false;
+  while (from != to_) {
+    const BerthArc* best = nullptr;
+    double best_m = from_m(from);
+    for (const BerthArc& arc : graph_.next(from, methods_)) {
+      const double rest_m = more_m(arc.to) + from_m(arc.to);
+      if (rest_m >= best_m || (arc.to != to_ && !graph_.is_cut(arc.to))) continue;
+      best = &arc;
+      best_m = rest_m;
+    }
+    if (best == nullptr || std::binary_search(occupied.begin(), occupied.end(), best->to)) return true;
+    from = best->to;
+  }
+  return false;
+}
+
 }  // namespace weft::server

@@ -17,6 +17,22 @@ constexpr std::size_t kDistancesKept = 512;
 constexpr std::uint32_t kBerthsAhead = 4;
 constexpr std::uint32_t kBerthsAheadAlone = 8;
 
+/// Returns whether a robot that is not cut off and has a goal stands because of one that is, or of whom that keeps.
+bool keep_others(const MovePlan& plan, const std::vector<PlanRobot>& robots, const std::vector<bool>& cut_off) {
+  std::vector<bool> keeps = cut_off;
+  bool has_changed = std::find(keeps.begin(), keeps.end(), true) != keeps.end();
+  const auto does_keep = [&](std::uint32_t other) { return keeps[other]; };
+  while (std::exchange(has_changed, false)) {
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+      const std::vector<std::uint32_t>& by = plan.kept_by[robot];
+      if (keeps[robot] || !plan.moves[robot].empty() || std::none_of(by.begin(), by.end(), does_keep)) continue;
+      if (robots[robot].goal != nullptr) return true;
+      keeps[robot] = has_changed = true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
@@ -46,7 +62,16 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   }
   moving_ = static_cast<std::uint32_t>(
       std::count_if(requests.begin(), requests.end(), [](const PlanRequest& request) { return request.goal; }));
+  const std::vector<bool> cut_off = this->cut_off(requests, robots);
   MovePlan plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
+  if (keep_others(plan, robots, cut_off)) {
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+      if (!cut_off[robot]) continue;
+      robots[robot].goal = nullptr;
+      robots[robot].pocket = Pockets::kNone;
+    }
+    plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
+  }
   pushes_ += plan.pushes;
   asked_several_ += plan.asked_several;
   order_ = PlanOrder(std::move(plan));
@@ -89,14 +114,19 @@ bool Planner::knows(const std::vector<PlanRequest>& requests) const {
 /// Notes which berths are occupied for long. Distances are searched anew when that changes.
 void Planner::occupy(const std::vector<PlanRequest>& requests) {
   std::set<Berth> occupied;
+  std::set<Berth> lost;
   for (const PlanRequest& request : requests) {
     if (!request.stands_for_long || request.held.empty() || !berths_.has(request.held.back())) continue;
     // It may be anywhere in what it holds.
     for (const Berth berth : held_by(request)) {
-      occupied.insert(berth);
-      occupied.insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
+      for (std::set<Berth>* const berths : {&occupied, &lost}) {
+        if (berths == &lost && !request.needs_help) continue;
+        berths->insert(berth);
+        berths->insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
+      }
     }
   }
+  lost_.assign(lost.begin(), lost.end());
   if (std::equal(occupied.begin(), occupied.end(), occupied_.begin(), occupied_.end())) return;
   distances_.clear();
   occupied_.assign(occupied.begin(), occupied.end());
@@ -134,6 +164,29 @@ PlanRobot Planner::robot_of(const PlanRequest& request) {
   robot.is_goal_at_hand = led_to == *request.goal;
   robot.pocket = pockets_.look(berths_.at(*request.goal), robot.methods);
   return robot;
+}
+
+/// Returns of each whether it is cut off from its goal.
+std::vector<bool> Planner::cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots) {
+  std::vector<bool> are(requests.size(), false);
+  for (std::size_t i = 0; i < requests.size() && !lost_.empty(); ++i) {
+    are[i] = robots[i].goal != nullptr && is_cut_off(requests[i], robots[i]);
+  }
+  return are;
+}
+
+/// Returns whether the robot comes to its goal only when a person has helped another one. It waits for that as near
+/// as it comes, so that it goes on at once; where it keeps others there it is planned as one without a goal.
+bool Planner::is_cut_off(const PlanRequest& request, const PlanRobot& robot) {
+  const auto is_lost = [&](const PlaceId& place) {
+    // To number a place that is no berth yet would change arcs.
+    const bool is_berth = berths_.has(place) && (berths_.is_cut(place) || place == *request.goal);
+    return is_berth && std::binary_search(lost_.begin(), lost_.end(), berths_.at(place));
+  };
+  // Its way leads round them where it can: only who has one of them ahead is worth a search from its goal.
+  const bool has_one_ahead =
+      is_lost(*request.goal) || std::any_of(request.ahead.begin(), request.ahead.end(), is_lost);
+  return has_one_ahead && distances(*request.goal, robot.methods).leads_over(lost_, robot.at);
 }
 
 /// Returns the place that leads the robot: its goal when that is near enough, else a berth on its way there. It stays

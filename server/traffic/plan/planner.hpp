@@ -27,6 +27,7 @@ struct PlanRequest {
   std::set<PlaceId> avoids;      ///< it could not drive there
   bool stays = false;            ///< it does not move, and cannot be asked to
   bool stands_for_long = false;  ///< others are led round it
+  bool needs_help = false;       ///< and it does so until a person helps
   std::uint32_t handles = 0;     ///< steps of a berth for which it cannot be asked to
   std::uint8_t priority = 0;
   double waits_s = 0.0;  ///< since its goal was asked for
@@ -81,6 +82,8 @@ class Planner {
   void occupy(const std::vector<PlanRequest>& requests);
   std::vector<Berth> held_by(const PlanRequest& request);
   PlanRobot robot_of(const PlanRequest& request);
+  std::vector<bool> cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots);
+  bool is_cut_off(const PlanRequest& request, const PlanRobot& robot);
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
   Distances& distances(const PlaceId& to, std::uint32_t methods);
   void forget_unused();
@@ -88,6 +91,7 @@ class Planner {
   Berths berths_;
   PlanRules rules_;
   std::vector<Berth> occupied_;  ///< for long
+  std::vector<Berth> lost_;      ///< of these: until a person helps
   std::map<Key, std::unique_ptr<Distances>> distances_;
   Pockets pockets_{berths_};
   Lanes lanes_{berths_};
