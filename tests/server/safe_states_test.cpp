@@ -86,6 +86,14 @@ TEST_F(SafeStatesTest, ThoseThatAreStuckAlreadyKeepNobody) {
   EXPECT_THAT(states.stuck_by(3, graph.at(9, 11, Heading::north), {}), IsEmpty());
 }
 
+TEST_F(SafeStatesTest, GridlockedRobotsMayBeStuckByOneOfThem) {
+  states.add({west(), 0}, true);
+  states.add({east(), 0});
+  states.add({north(), 0}, true);
+  states.add({southern_block(), 0}, true);
+  EXPECT_THAT(states.stuck_by(3, south(), {}), ElementsAre(1)) << "it is not gridlocked itself";
+}
+
 TEST_F(SafeStatesTest, WhoIsNowhereIsInNobodysWay) {
   states.add({west(), 0});
   states.add({east(), 0});

@@ -32,7 +32,7 @@ class Steps {
     for (std::uint32_t i = 0; i < robots.size(); ++i) {
       states_[i].robot = robots[i];
       meetings_.add(robots[i].at, robots[i].methods);
-      safe_.add({robots[i].at, robots[i].methods});
+      safe_.add({robots[i].at, robots[i].methods}, robots[i].is_gridlocked);
       states_[i].handles = robots[i].handles;
       states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
       if (robots[i].at == kNoBerth) continue;

@@ -26,6 +26,7 @@ struct PlanRobot {
   std::uint32_t handles = 0;              ///< steps for which it cannot be asked, as it is at work where it was going
   std::vector<Berth> avoids;              ///< it could not drive there
   bool stays = false;                     ///< it does not move by itself, and nobody can ask it to
+  bool is_gridlocked = false;             ///< as others are; it may move though some of these cannot get away then
   std::uint8_t priority = 0;              ///< the larger, the more urgent
   double waits_s = 0.0;                   ///< since its goal was asked for
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/traffic/plan/gridlock.hpp"
+
 namespace weft::server {
 namespace {
 
@@ -16,22 +18,6 @@ constexpr std::size_t kDistancesKept = 512;
 /// traffic_bench on its own map, seed 1001.
 constexpr std::uint32_t kBerthsAhead = 4;
 constexpr std::uint32_t kBerthsAheadAlone = 8;
-
-/// Returns whether a robot that is not cut off and has a goal stands because of one that is, or of whom that keeps.
-bool keep_others(const MovePlan& plan, const std::vector<PlanRobot>& robots, const std::vector<bool>& cut_off) {
-  std::vector<bool> keeps = cut_off;
-  bool has_changed = std::find(keeps.begin(), keeps.end(), true) != keeps.end();
-  const auto does_keep = [&](std::uint32_t other) { return keeps[other]; };
-  while (std::exchange(has_changed, false)) {
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      const std::vector<std::uint32_t>& by = plan.kept_by[robot];
-      if (keeps[robot] || !plan.moves[robot].empty() || std::none_of(by.begin(), by.end(), does_keep)) continue;
-      if (robots[robot].goal != nullptr) return true;
-      keeps[robot] = has_changed = true;
-    }
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -62,6 +48,18 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
   }
   moving_ = static_cast<std::uint32_t>(
       std::count_if(requests.begin(), requests.end(), [](const PlanRequest& request) { return request.goal; }));
+  MovePlan plan = plan_round(requests, robots);
+  pushes_ += plan.pushes;
+  asked_several_ += plan.asked_several;
+  order_ = PlanOrder(std::move(plan));
+  released_.emplace(berths_, lanes_);
+  for (const PlanRobot& robot : robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
+  forget_unused();
+  return !lags;
+}
+
+/// Plans the moves; anew where robots that are cut off keep others, and where some are gridlocked.
+MovePlan Planner::plan_round(const std::vector<PlanRequest>& requests, std::vector<PlanRobot>& robots) {
   const std::vector<bool> cut_off = this->cut_off(requests, robots);
   MovePlan plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
   if (keep_others(plan, robots, cut_off)) {
@@ -72,13 +70,10 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
     }
     plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
   }
-  pushes_ += plan.pushes;
-  asked_several_ += plan.asked_several;
-  order_ = PlanOrder(std::move(plan));
-  released_.emplace(berths_, lanes_);
-  for (const PlanRobot& robot : robots) released_->add({robot.at, robot.methods});
-  forget_unused();
-  return !lags;
+  const std::vector<bool> locked = gridlocked(plan, robots);
+  if (std::ranges::find(locked, true) == locked.end()) return plan;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) robots[robot].is_gridlocked = locked[robot];
+  return plan_moves(berths_, pockets_, lanes_, robots, rules_);
 }
 
 /// Leaves everybody where it is.

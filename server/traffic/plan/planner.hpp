@@ -76,6 +76,7 @@ class Planner {
  private:
   using Key = std::pair<PlaceId, std::uint32_t>;
 
+  MovePlan plan_round(const std::vector<PlanRequest>& requests, std::vector<PlanRobot>& robots);
   bool plan_nothing(std::size_t robots);
   bool is_laid(const Snapshot& network, const std::vector<PlanRequest>& requests) const;
   bool knows(const std::vector<PlanRequest>& requests) const;

@@ -6,9 +6,10 @@
 
 namespace weft::server {
 
-void SafeStates::add(const Lanes::Stand& at) {
+void SafeStates::add(const Lanes::Stand& at, bool is_gridlocked) {
   robots_.push_back(at);
   ways_out_.emplace_back();
+  is_gridlocked_.push_back(is_gridlocked);
   is_away_.push_back(false);
   occupy(at.berth);
 }
@@ -153,6 +154,7 @@ std::vector<std::uint32_t> SafeStates::stuck_by(std::uint32_t robot, Berth to,
   std::vector<std::uint32_t> newly;
   if (!is_first_away) newly = newly_stuck(robot, to);
   for (const std::uint32_t other : leaving) set_away(other, false);
+  if (is_gridlocked_[robot]) std::erase_if(newly, [&](std::uint32_t other) { return is_gridlocked_[other]; });
   return newly;
 }
 

@@ -16,8 +16,9 @@ class SafeStates {
  public:
   SafeStates(BerthGraph& graph, Lanes& lanes) : graph_(graph), lanes_(lanes) {}
 
-  /// Adds a robot, with the next number; one without a berth is nowhere.
-  void add(const Lanes::Stand& at);
+  /// Adds a robot, with the next number; one without a berth is nowhere. Those that are gridlocked are not asked
+  /// whether they get away when one of them moves: nobody would, ever.
+  void add(const Lanes::Stand& at, bool is_gridlocked = false);
   /// Notes that the robot is there now.
   void put(std::uint32_t robot, Berth at);
   /// Returns who could not get away any more if the robot went there, and can where it is: in order of their numbers.
@@ -51,10 +52,11 @@ class SafeStates {
   Lanes& lanes_;
   std::vector<Lanes::Stand> robots_;
   std::vector<WaysOut> ways_out_;  ///< of each robot, past all others where they are
-  std::vector<bool> is_away_;      ///< of each robot, while stuck ones are looked for
-  Berth taken_ = kNoBerth;         ///< where one is thought to go meanwhile
-  std::vector<Berth> occupied_;    ///< by those that are not away, sorted
-  ByBerth<std::uint32_t> seen_;    ///< in which search
+  std::vector<bool> is_gridlocked_;
+  std::vector<bool> is_away_;    ///< of each robot, while stuck ones are looked for
+  Berth taken_ = kNoBerth;       ///< where one is thought to go meanwhile
+  std::vector<Berth> occupied_;  ///< by those that are not away, sorted
+  ByBerth<std::uint32_t> seen_;  ///< in which search
   std::uint32_t searches_ = 0;
 };
 

@@ -1,0 +1,70 @@
+#include "server/traffic/plan/gridlock.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::server {
+namespace {
+
+/// Returns whether the robot stands where others could ask it to move.
+bool stands(const MovePlan& plan, const std::vector<PlanRobot>& robots, std::size_t robot) {
+  const PlanRobot& known = robots[robot];
+  return known.at != kNoBerth && !known.stays && known.handles == 0 && plan.moves[robot].empty();
+}
+
+/// Adds to those that are gridlocked who keeps them.
+void add_keepers(const MovePlan& plan, std::vector<bool>& locked) {
+  std::vector<std::size_t> robots;
+  for (std::size_t robot = 0; robot < locked.size(); ++robot) {
+    if (locked[robot]) robots.push_back(robot);
+  }
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const std::uint32_t other : plan.kept_by[robots[i]]) {
+      if (locked[other]) continue;
+      locked[other] = true;
+      robots.push_back(other);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<bool> gridlocked(const MovePlan& plan, const std::vector<PlanRobot>& robots) {
+  std::vector<bool> stand(robots.size());
+  std::vector<bool> locked(robots.size());
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    stand[robot] = stands(plan, robots, robot);
+    locked[robot] = stand[robot] && robots[robot].goal != nullptr && !plan.kept_by[robot].empty();
+  }
+  // Who waits for one that moves, or that cannot, is not locked; nor is who waits for that one.
+  bool has_changed = true;
+  while (std::exchange(has_changed, false)) {
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+      if (!locked[robot]) continue;
+      const bool is_locked = std::ranges::all_of(plan.kept_by[robot], [&](std::uint32_t other) {
+        return locked[other] || (stand[other] && robots[other].goal == nullptr);
+      });
+      has_changed = has_changed || !is_locked;
+      locked[robot] = is_locked;
+    }
+  }
+  add_keepers(plan, locked);
+  return locked;
+}
+
+bool keep_others(const MovePlan& plan, const std::vector<PlanRobot>& robots, const std::vector<bool>& some) {
+  std::vector<bool> keeps = some;
+  bool has_changed = std::find(keeps.begin(), keeps.end(), true) != keeps.end();
+  const auto does_keep = [&](std::uint32_t other) { return keeps[other]; };
+  while (std::exchange(has_changed, false)) {
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+      const std::vector<std::uint32_t>& by = plan.kept_by[robot];
+      if (keeps[robot] || !plan.moves[robot].empty() || std::none_of(by.begin(), by.end(), does_keep)) continue;
+      if (robots[robot].goal != nullptr) return true;
+      keeps[robot] = has_changed = true;
+    }
+  }
+  return false;
+}
+
+}  // namespace weft::server
