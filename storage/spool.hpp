@@ -9,7 +9,14 @@
 
 namespace weft::storage {
 
-/// Keeps a robot's own copy of what the server has not yet acknowledged; survives its crash.
+/// Tells why a robot must not go on by itself: a person has to say first that it may.
+struct Stops {
+  bool by_operator = false;
+  bool by_emergency_stop = false;
+  bool operator==(const Stops&) const = default;
+};
+
+/// Keeps a robot's own copy of what the server has not yet acknowledged, and why it stands; survives its crash.
 class Spool {
  public:
   virtual ~Spool() = default;
@@ -23,6 +30,11 @@ class Spool {
   virtual Result<Bytes> content(const ContentHash& hash) const = 0;
   /// Forgets batches of the experience up to `through` and contents that no other batch needs.
   virtual Result<void> acknowledged(ExperienceId experience, std::uint64_t through) = 0;
+  /// Keeps why the robot must not go on by itself: durable when it returns. exhausted, unavailable: what was kept
+  /// before is kept still.
+  virtual Result<void> keep(const Stops& stops) = 0;
+  /// Returns what was kept last; at first nothing. Damaged: both, so that a person looks.
+  virtual Stops stops() const = 0;
   /// Returns what was found torn or damaged at opening and is not among the pending, each named with its file.
   virtual std::vector<std::string> skipped() const { return {}; }
 };

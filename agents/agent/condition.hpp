@@ -5,6 +5,7 @@
 #include "agents/agent/blocked_watch.hpp"
 #include "agents/agent/safety_stop.hpp"
 #include "agents/perception/motion.hpp"
+#include "storage/spool.hpp"
 
 namespace weft::agents {
 
@@ -20,6 +21,8 @@ struct Condition {
   SafetyStop safety;     ///< of the base
   BlockedWatch blocked;  ///< by what is seen
 
+  /// Returns what a person has to end.
+  storage::Stops stops() const { return {.by_operator = stopped, .by_emergency_stop = safety.is_latched()}; }
   bool is_faulted() const { return !fault.empty(); }
   /// Returns the navigator's command, or none for a robot that has to stand.
   Twist allowed_command() const { return is_kept_standing() || lost || is_faulted() ? Twist{} : command; }

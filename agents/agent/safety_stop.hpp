@@ -16,11 +16,15 @@ class SafetyStop {
   void fixed() { awaits_fix_ = awaits_fix_ && holds(); }
   /// Takes a person's word that it may go on. False: the emergency stop is still pressed.
   bool resume();
+  /// Takes up an emergency stop of before the agent was started.
+  void restore() { is_latched_ = awaits_fix_ = true; }
 
   /// Returns whether the robot has to stand, whoever asks for what.
   bool holds() const { return is_stop(safety_) || is_latched_; }
   /// Returns whether it may not be driven yet: it stands, or has not seen since where it is.
   bool keeps_from_driving() const { return holds() || awaits_fix_; }
+  /// Returns whether it stands until a person resumes it.
+  bool is_latched() const { return is_latched_; }
   /// Returns what others are told: an emergency stop lasts until a person ends it.
   Safety shown() const { return is_latched_ ? Safety::emergency_stop : safety_; }
   /// Says why it does not drive, for people; empty: nothing here keeps it.

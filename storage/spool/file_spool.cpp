@@ -10,11 +10,13 @@
 #include "core/network/codec.hpp"
 #include "storage/spool/durable_file.hpp"
 #include "storage/spool/record.hpp"
+#include "storage/spool/stops_file.hpp"
 
 namespace weft::storage {
 namespace {
 
 constexpr std::string_view kEnding = ".batch";
+constexpr std::string_view kStops = "stops";
 constexpr std::size_t kDigits = 16;
 
 /// Returns "<16 hex digits of the order of appending>.batch".
@@ -58,7 +60,7 @@ class FileSpool final : public Spool {
       if (auto done = recover_file(order); !done) return done;
       next_ = order + 1;
     }
-    return {};
+    return recover_stops();
   }
 
   Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) override {
@@ -113,6 +115,17 @@ class FileSpool final : public Spool {
     return {};
   }
 
+  Result<void> keep(const Stops& stops) override {
+    if (stops == stops_ && !are_stops_damaged_) return {};
+    const std::filesystem::path path = directory_ / kStops;
+    if (auto done = stops == Stops{} ? remove_durably(path) : write_durably(path, encode(stops)); !done) return done;
+    stops_ = stops;
+    are_stops_damaged_ = false;
+    return {};
+  }
+
+  Stops stops() const override { return stops_; }
+
   std::vector<std::string> skipped() const override { return skipped_; }
 
  private:
@@ -146,7 +159,25 @@ class FileSpool final : public Spool {
     return {};
   }
 
+  Result<void> recover_stops() {
+    const std::filesystem::path path = directory_ / kStops;
+    if (std::error_code failed; !std::filesystem::exists(path, failed) && !failed) return {};
+    auto bytes = read_whole(path);
+    if (!bytes) return fail(bytes.error());
+    if (const auto stops = decode_stops(*bytes)) {
+      stops_ = *stops;
+      return {};
+    } else {
+      skipped_.push_back(path.string() + ": " + stops.error().message + "; the robot stands until it is resumed");
+    }
+    stops_ = {.by_operator = true, .by_emergency_stop = true};
+    are_stops_damaged_ = true;
+    return {};
+  }
+
   std::filesystem::path directory_;
+  Stops stops_;
+  bool are_stops_damaged_ = false;
   std::map<std::uint64_t, Kept> kept_;  ///< by order of appending
   std::uint64_t next_ = 1;
   std::vector<std::string> skipped_;

@@ -46,6 +46,13 @@ class MemorySpool final : public Spool {
     return {};
   }
 
+  Result<void> keep(const Stops& stops) override {
+    if (auto error = disk_->faults.strike("memory spool")) return fail(std::move(*error));
+    disk_->stops = stops;
+    return {};
+  }
+  Stops stops() const override { return disk_->stops; }
+
  private:
   std::shared_ptr<SpoolDisk> disk_;
 };

@@ -12,6 +12,7 @@ namespace weft::storage {
 struct SpoolDisk {
   DiskFaults faults;
   std::vector<SpoolRecord> records;  ///< oldest first
+  Stops stops;
 };
 
 /// Makes a spool for tests and the simulation, with faults on demand.

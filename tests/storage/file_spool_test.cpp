@@ -152,6 +152,27 @@ TEST_F(FileSpoolDamage, FullDiskIsExhaustedAndLeavesNothing) {
   EXPECT_EQ((*open_file_spool(directory_.path()))->pending()->size(), 3U);
 }
 
+TEST(FileSpool, WhereItIsNotKnownWhyTheRobotStandsAPersonHasToLook) {
+  const TemporaryDirectory directory;
+  const Stops both{.by_operator = true, .by_emergency_stop = true};
+  for (const std::string_view text : {"", "weft-stops 1\n", "weft-stops 1\noperator\n", "weft-stops 2\nend\n",
+                                      "weft-stops 1\nlightning\nend\n", "weft-stops 1\nend\nend\n", "\xff\xfe"}) {
+    std::ofstream(directory.path() / "stops", std::ios::binary) << text;
+    auto spool = open_file_spool(directory.path());
+    ASSERT_TRUE(spool) << spool.error().message;
+    EXPECT_EQ((*spool)->stops(), both) << text;
+    ASSERT_EQ((*spool)->skipped().size(), 1U);
+    EXPECT_NE((*spool)->skipped().front().find((directory.path() / "stops").string()), std::string::npos);
+    ASSERT_TRUE((*spool)->keep(both)) << "the same again mends the file";
+    spool = open_file_spool(directory.path());
+    ASSERT_TRUE(spool);
+    EXPECT_EQ((*spool)->stops(), both);
+    EXPECT_TRUE((*spool)->skipped().empty());
+    ASSERT_TRUE((*spool)->keep(Stops{}));
+    EXPECT_FALSE(std::filesystem::exists(directory.path() / "stops"));
+  }
+}
+
 TEST(FileSpool, UnusableDirectoryIsUnavailable) {
   const TemporaryDirectory directory;
   std::ofstream(directory.path() / "file") << "no directory";

@@ -125,6 +125,16 @@ TEST_P(SpoolContract, GoesOnAfterEverythingWasAcknowledgedAndReopened) {
   EXPECT_EQ(pending_hashes().size(), 1U);
 }
 
+TEST_P(SpoolContract, WhyTheRobotStandsComesBackUntilThatIsOver) {
+  EXPECT_EQ(spool_->stops(), Stops{});
+  for (const Stops& stops : {Stops{true, false}, Stops{true, true}, Stops{false, true}, Stops{}}) {
+    ASSERT_TRUE(spool_->keep(stops));
+    EXPECT_EQ(spool_->stops(), stops);
+    restart();
+    EXPECT_EQ(spool_->stops(), stops);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Spools, SpoolContract, testing::Values(Kind::memory, Kind::file),
                          [](const auto& instance) { return instance.param == Kind::memory ? "memory" : "file"; });
 

@@ -26,8 +26,8 @@ MapWindow::Limits map_limits(const AgentConfig& config) {
 
 }  // namespace
 
-RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, Spooler spooler,
-                       Random random, SteadyTime now)
+RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, storage::Spool& spool,
+                       Spooler spooler, Random random, SteadyTime now)
     : config_(config),
       navigator_(std::move(navigator)),
       session_(hello(config), random.fork(1), now),
@@ -38,12 +38,17 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       map_(map_limits(config), (random.next() >> 1U) | 1U, now),
       recogniser_(random.next() >> 1U),
       ids_(random),
-      reporter_(now),
+      stop_memory_(spool),
+      reports_{.state = StateReporter(now), .power = {}},
       diagnostics_(navigator_->watched()),
       teach_({config_, *navigator_, map_, spooler_, ids_, replies_, outbox_}),
       localise_({config_.name, *navigator_, map_, recogniser_, replies_}, now),
       follow_({*navigator_, map_, outbox_}),
-      keep_place_({config_, *navigator_, map_, spooler_, ids_, replies_}) {}
+      keep_place_({config_, *navigator_, map_, spooler_, ids_, replies_}) {
+  const storage::Stops stops = stop_memory_.kept();
+  condition_.stopped = stops.by_operator;
+  if (stops.by_emergency_stop) condition_.safety.restore();
+}
 
 AgentOutput RobotAgent::tick(SteadyTime now) {
   return finish(now);
@@ -110,9 +115,9 @@ void RobotAgent::send_due(SteadyTime now) {
   };
   for (std::string& dropped : session_.drop_claims(now)) outbox_.note(std::move(dropped));
   send(session_.due(now));
-  if (reporter_.description_due(now)) outbox_.send(description_of(config_, navigator_->drives()));
-  if (msg::RobotState present = state(); reporter_.state_due(present, now)) outbox_.send(std::move(present));
-  send(power_.due(now));
+  if (reports_.state.description_due(now)) outbox_.send(description_of(config_, navigator_->drives()));
+  if (msg::RobotState present = state(); reports_.state.state_due(present, now)) outbox_.send(std::move(present));
+  send(reports_.power.due(now));
   send(follow_.due(now));
   send(map_.window_due(now));
   send(recogniser_.due(now));
@@ -122,6 +127,7 @@ void RobotAgent::send_due(SteadyTime now) {
 }
 
 AgentOutput RobotAgent::finish(SteadyTime now) {
+  if (std::string note = stop_memory_.keep(condition_.stops(), now); !note.empty()) outbox_.note(std::move(note));
   work(now);
   send_due(now);
   condition_.command = condition_.allowed_command();
@@ -129,10 +135,10 @@ AgentOutput RobotAgent::finish(SteadyTime now) {
 }
 
 std::optional<SteadyTime> RobotAgent::next_tick() const {
-  SteadyTime next = std::min({session_.next(), reporter_.next(), map_.next()});
-  const std::optional<SteadyTime> others[] = {upload_.next(),   recogniser_.next(),        teach_.next(),
-                                              localise_.next(), follow_.next(may_drive()), keep_place_.next(),
-                                              power_.next()};
+  SteadyTime next = std::min({session_.next(), reports_.state.next(), map_.next()});
+  const std::optional<SteadyTime> others[] = {upload_.next(),       recogniser_.next(),        teach_.next(),
+                                              localise_.next(),     follow_.next(may_drive()), keep_place_.next(),
+                                              reports_.power.next()};
   for (const std::optional<SteadyTime>& at : others) next = std::min(next, at.value_or(next));
   return next;
 }

@@ -22,6 +22,7 @@
 #include "agents/agent/spooler.hpp"
 #include "agents/agent/standing.hpp"
 #include "agents/agent/state_reporter.hpp"
+#include "agents/agent/stop_memory.hpp"
 #include "agents/agent/upload.hpp"
 
 namespace weft::agents {
@@ -31,8 +32,8 @@ namespace weft::agents {
 /// small before big.
 class RobotAgent final : public Agent {
  public:
-  RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, Spooler spooler, Random random,
-             SteadyTime now);
+  RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, storage::Spool& spool, Spooler spooler,
+             Random random, SteadyTime now);
 
   AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) override;
   AgentOutput tick(SteadyTime now) override;
@@ -90,6 +91,12 @@ class RobotAgent final : public Agent {
   Standing standing() const;
   msg::RobotState state() const;
 
+  /// Says at which times what is said of the robot.
+  struct Reports {
+    StateReporter state;
+    PowerReporter power;
+  };
+
   AgentConfig config_;
   std::unique_ptr<Navigator> navigator_;
   Session session_;
@@ -102,8 +109,8 @@ class RobotAgent final : public Agent {
   ExperienceIds ids_;
   Condition condition_;
   PlaceLearning learning_;
-  StateReporter reporter_;
-  PowerReporter power_;
+  StopMemory stop_memory_;
+  Reports reports_;
   DiagnosticWatches diagnostics_;
   Counters seen_;  ///< fixes, and refusals of the navigator by their reason
 

@@ -43,8 +43,8 @@ void RobotAgent::heard(Session::Heard heard, SteadyTime now) {
   map_.server_restarted(now);
   recogniser_.server_restarted(now);
   follow_.server_restarted(now);
-  reporter_.server_restarted(now);
-  power_.server_restarted(now);
+  reports_.state.server_restarted(now);
+  reports_.power.server_restarted(now);
 }
 
 void RobotAgent::on(const msg::Hello& hello, SteadyTime now) {
@@ -90,7 +90,7 @@ void RobotAgent::on(const msg::RouteOrder& order, SteadyTime now) {
       return;
     case FollowMission::Took::end:
       condition_.command = Twist{};
-      reporter_.hurry(now);
+      reports_.state.hurry(now);
       break;
     case FollowMission::Took::route:
       break;

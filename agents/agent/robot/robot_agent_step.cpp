@@ -21,7 +21,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.lost = navigated.lost;
   condition_.stands_for = navigated.reason;
   condition_.command = navigated.command;
-  power_.take(sample.charge, now);
+  reports_.power.take(sample.charge, now);
   obey(sample.safety, navigated.fix.has_value(), now);
   outbox_.expose(navigated.exposes);
   teach_.step(navigated.kept, sample.hand_done, now);
@@ -66,7 +66,7 @@ void RobotAgent::take_fix(const Fix& fix, SteadyTime now) {
   const bool is_for_teaching = teach_.on_fix();
   if (!is_for_teaching && localise_.on_fix(fix) && follow_.give_back_if_astray()) {
     condition_.command = Twist{};
-    reporter_.hurry(now);
+    reports_.state.hurry(now);
   }
   if (std::string note = diagnostics_.add(fix); !note.empty()) outbox_.note(std::move(note));
 }

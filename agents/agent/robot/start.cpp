@@ -30,7 +30,7 @@ Result<std::unique_ptr<Agent>> start(const AgentConfig& config, std::unique_ptr<
   if (Result<void> bounds = check_bounds(config); !bounds) return fail(bounds.error());
   Result<Spooler> spooler = Spooler::open(spool, SpoolerConfig{}, config.self, now);
   if (!spooler) return fail(spooler.error());
-  return std::make_unique<RobotAgent>(config, std::move(navigator), std::move(*spooler), random, now);
+  return std::make_unique<RobotAgent>(config, std::move(navigator), spool, std::move(*spooler), random, now);
 }
 
 }  // namespace weft::agents

@@ -113,5 +113,28 @@ TEST(AgentSafety, AfterAnEmergencyStopAPersonLetsItGoOn) {
   EXPECT_EQ(rig.state().safety, Safety::ok);
 }
 
+TEST(AgentSafety, ARestartedAgentStandsUntilAPersonLetsItGoOn) {
+  for (const bool by_operator : {true, false}) {
+    Stopped rig;
+    if (by_operator) rig.tell(rig.command(Kind::stop, 5));
+    rig.sample.safety = by_operator ? Safety::ok : Safety::emergency_stop;
+    rig.run(1s);
+    rig.restart_agent();
+    rig.sample.safety = Safety::ok;
+    rig.script->answer.command = {0.5, 0.0};
+    rig.see();
+    rig.run(1s);
+    EXPECT_EQ(rig.seen.command, Twist{});
+    EXPECT_EQ(rig.state().mode, msg::RobotMode::stopped);
+    EXPECT_EQ(rig.state().safety, by_operator ? Safety::ok : Safety::emergency_stop);
+    rig.tell(rig.command(Kind::resume, 6));
+    rig.run(1s);
+    EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
+    rig.restart_agent();
+    rig.run(1s);
+    EXPECT_NE(rig.state().mode, msg::RobotMode::stopped);
+  }
+}
+
 }  // namespace
 }  // namespace weft::agents::test
