@@ -268,7 +268,7 @@ void Fleet::sample(RobotProcess& robot) {
   if (robot.next && robot.agent) {
     agents::AgentOutput output = robot.agent->step(*robot.next, clock(robot));
     robot.command = output.command;
-    ledger_.agent_stepped(robot.id, output);
+    ledger_.agent_stepped(robot.id, *robot.next, output);
     carry_out(robot, std::move(output));
     note_wake(robot);
   }

@@ -69,6 +69,8 @@ class Fleet {
   /// Leads the robot along a line without teaching it; how far it is, `body` tells. False: too far from the line.
   bool take_by_hand(std::size_t robot, const std::vector<agents::SitePoint>& along);
   void let_go(std::size_t robot) { robots_[robot].body->stop_hand(); }
+  /// Has the robot's base stop it by its own safety, or let it go on.
+  void press(std::size_t robot, Safety safety) { robots_[robot].body->press(safety); }
   /// Gives the robot a battery; without one it says nothing of its charge.
   void equip(std::size_t robot, agents::Battery battery) { robots_[robot].body->equip(std::move(battery)); }
   const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }

@@ -51,6 +51,7 @@ void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
   if (const auto* is = std::get_if<msg::RobotDescription>(&message)) by.footprint_m = is->footprint_radius_m;
   if (const auto* request = std::get_if<msg::WindowRequest>(&message)) by.wants = request->definition;
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) by.progress = *progress;
+  note_stops(by, message);
   if (const auto* sent = std::get_if<msg::ExperienceBatch>(&message)) {
     const auto [known, first] = sent_[sent->batch.experience].emplace(sent->batch.sequence, sent->batch);
     if (!first && hash(known->second) != hash(sent->batch)) {
@@ -64,6 +65,8 @@ void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
 }
 
 void Ledger::agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk) {
+  const auto* command = std::get_if<msg::AgentCommand>(&message);
+  if (command != nullptr && command->to == robot) robots.at(robot).commands[command->command] = command->kind;
   const auto* ack = std::get_if<msg::BatchAck>(&message);
   if (ack == nullptr || ack->to != robot) return;
   std::uint64_t& through = acknowledged_[ack->experience];
@@ -261,8 +264,9 @@ void Ledger::agent_took(const RobotId& robot) {
   }
 }
 
-void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& output) {
-  const Robot& by = robots.at(robot);
+void Ledger::agent_stepped(const RobotId& robot, const agents::Sample& sample, const agents::AgentOutput& output) {
+  Robot& by = robots.at(robot);
+  check_stops(by, sample, output.command);
   const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
   // What it said last may be older than the view that has just shown it where it is.
   const bool found = estimate && estimate->blind_m <= agents::FollowConfig{}.blind_limit_m;
@@ -279,6 +283,7 @@ void Ledger::agent_stepped(const RobotId& robot, const agents::AgentOutput& outp
   if (!by.body->by_hand()) {
     check_released_point(by);
     check_belief(by);
+    check_limits(by);
   }
 }
 

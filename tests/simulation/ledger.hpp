@@ -10,10 +10,10 @@
 #include "core/protocol/messages.hpp"
 #include "server/service.hpp"
 #include "storage/memory/memory_store.hpp"
-#include "tests/simulation/closed_floor.hpp"
 #include "tests/simulation/contacts.hpp"
 #include "tests/simulation/marks_body.hpp"
 #include "tests/simulation/progress.hpp"
+#include "tests/simulation/ruled_floor.hpp"
 
 namespace weft::simulation {
 
@@ -41,7 +41,10 @@ class Ledger {
     bool unheard = false;         ///< since a hand has put it down
     bool is_hung = false;         ///< its process stands still
     bool is_cut_off = false;      ///< nobody hears it
-    SteadyTime stands_since{};    ///< it has not moved, was told nothing new, and was at work
+    std::map<std::uint64_t, msg::AgentCommand::Kind> commands;  ///< that it has heard, by number
+    bool is_stopped = false;                                    ///< an operator has stopped it, and not resumed it
+    bool had_emergency = false;  ///< it knows of an emergency stop after which nobody has resumed it
+    SteadyTime stands_since{};   ///< it has not moved, was told nothing new, and was at work
   };
   explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
 
@@ -61,7 +64,7 @@ class Ledger {
   /// The first that a server says of itself after it has stood still, and has taken in what came meanwhile.
   void server_woke(const std::vector<msg::Message>& said);
   void client_heard(const msg::Message& message);
-  void agent_stepped(const RobotId& robot, const agents::AgentOutput& output);
+  void agent_stepped(const RobotId& robot, const agents::Sample& sample, const agents::AgentOutput& output);
   /// The body has taken a step: how that stands to all others, by the truth.
   void body_moved(const RobotId& robot);
   /// Looks at goals every few seconds, also while no server is up: they do not count then.
@@ -109,6 +112,9 @@ class Ledger {
   void check_stitches(const Snapshot& snapshot);
   bool is_at_work(const Robot& robot) const;
   bool counts(const Goal& goal, const std::set<RobotId>& busy) const;
+  void note_stops(Robot& by, const msg::Message& sent);
+  void check_stops(Robot& by, const agents::Sample& sample, const agents::Twist& command);
+  void check_limits(const Robot& by);
   void check_driver(const RobotId& id, const Robot& robot);
   void check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot);
   const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;

@@ -81,11 +81,17 @@ void Ledger::check_driver(const RobotId& id, const Robot& robot) {
 /// Checks that a route is not released into what was closed already when that was released.
 void Ledger::check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot) {
   for (const auto& [name, rule] : snapshot.rules()) {
-    if (rule.kind != RuleKind::closed || rule.one_direction) continue;
-    const auto place = enters_closed(rule, route, first, [this](const PlaceId& id) { return truth_of(id); });
-    if (!place) continue;
-    broken("rules",
-           robots.at(route.robot).name + " was released to " + to_string(*place) + " which rule " + name + " closes");
+    const auto truth = [this](const PlaceId& id) { return truth_of(id); };
+    const bool is_closed = rule.kind == RuleKind::closed && !rule.one_direction;
+    if (const auto place = is_closed ? enters_closed(rule, route, first, truth) : std::nullopt) {
+      broken("rules", robots.at(route.robot).name + " was released to " + to_string(*place) + " which rule " + name +
+                          " closes");
+    }
+    const bool is_slow = rule.kind == RuleKind::speed;
+    if (const auto place = is_slow ? lacks_limit(rule, route, first, truth) : std::nullopt) {
+      broken("limits", robots.at(route.robot).name + " was released to " + to_string(*place) + " which rule " + name +
+                           " slows, without its limit");
+    }
   }
 }
 

@@ -9,6 +9,22 @@ namespace {
 constexpr Duration kStands = std::chrono::seconds(10);
 constexpr int kLooks = 3;  ///< in a row at which the same is wrong: what is told may be half a second old
 
+/// Returns whether the robot waits for itself, by what is told of all robots.
+bool waits_for_itself(const RobotId& robot, const std::map<RobotId, const msg::RobotRow*>& rows) {
+  std::set<RobotId> seen;
+  std::vector<RobotId> open = {robot};
+  while (!open.empty()) {
+    const auto row = rows.find(open.back());
+    open.pop_back();
+    if (row == rows.end() || !row->second->wait.at) continue;
+    for (const RobotId& holder : row->second->wait.held_by) {
+      if (holder == robot) return true;
+      if (seen.insert(holder).second) open.push_back(holder);
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 /// Returns the route at whose released end the robot has stood for long, though more of it is to come; null: it does
@@ -109,13 +125,17 @@ void Ledger::look_at_waits(const std::vector<msg::RobotRow>& rows, const storage
     for (auto& [id, robot] : robots) robot.stands_since = now_;
     return;
   }
+  std::map<RobotId, const msg::RobotRow*> by_robot;
+  for (const msg::RobotRow& row : rows) by_robot[row.description.header.sender] = &row;
   for (const msg::RobotRow& row : rows) {
     const RobotId& id = row.description.header.sender;
     const Robot& robot = robots.at(id);
     const Route* const route = stands_with(id, robot, disk);
     if (route == nullptr) continue;
     ++stood_;
-    const std::string wrong = wrong_wait(id, row.wait, *route, disk);
+    std::string wrong = wrong_wait(id, row.wait, *route, disk);
+    if (wrong.empty() && row.standstill.empty() && waits_for_itself(id, by_robot))
+      wrong = "it waits for robots that wait for it, and no standstill is named";
     if (wrong.empty()) continue;
     const int looks = before[id] + 1;
     wrong_[id] = looks;

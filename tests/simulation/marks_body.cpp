@@ -38,7 +38,8 @@ MarksBody::MarksBody(std::shared_ptr<const Site> site, const Pose2& site_from_ro
 Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   const bool hand = by_hand() || hand_done_;
   const bool is_empty = battery_ && battery_->is_empty();
-  const agents::Twist drive = by_hand() ? hand_twist() : hand || is_empty ? agents::Twist{} : command;
+  const bool is_driven = !hand && !is_empty && !is_stop(safety_);
+  const agents::Twist drive = by_hand() ? hand_twist() : is_driven ? command : agents::Twist{};
   // A base that still turns, or has a command under way, does not rest.
   const agents::Twist turning = base_.wheels();
   const bool still = std::abs(turning.linear_m_s) < 1e-3 && std::abs(turning.angular_rad_s) < 1e-3;
@@ -50,6 +51,7 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   agents::Sample sample;
   sample.frame = ++frame_;
   sample.time = (time_ += from_seconds(period));
+  sample.safety = safety_;
   sample.hand = hand;
   sample.hand_done = hand_done_;
   sample.motion.elapsed = from_seconds(period);

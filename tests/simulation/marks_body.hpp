@@ -33,6 +33,8 @@ class MarksBody : public agents::Body {
   /// Returns the true pose, for the invariants alone.
   const Pose2& site_from_robot() const { return base_.world_from_robot(); }
   double true_speed_m_s() const { return base_.wheels().linear_m_s; }
+  /// Has its base stop by itself, or go on.
+  void press(Safety safety) { safety_ = safety; }
   /// Gives it a battery; without one it says nothing of its charge.
   void equip(agents::Battery battery) { battery_ = std::move(battery); }
   bool by_hand() const { return !hand_.empty(); }
@@ -59,6 +61,7 @@ class MarksBody : public agents::Body {
   double wander_ = 0.0;
   agents::Twist driven_;  ///< the last command
   std::optional<agents::Battery> battery_;
+  Safety safety_ = Safety::ok;
   std::map<std::uint64_t, Pose2> truth_;
 };
 

@@ -46,21 +46,6 @@ void Operator::send_goal(const std::string& label, const std::string& robot) {
   if (reply && reply->goal && reply->outcome != msg::Outcome::refused) ++goals_accepted_;
 }
 
-/// Stops a robot for a while; whatever happens meanwhile, it is told to go on.
-void Operator::stop_a_while(std::size_t robot) {
-  msg::OperatorRequest request;
-  request.kind = msg::OperatorRequest::Kind::stop;
-  request.robot = fleet_.name(robot);
-  ask(request);
-  pass(from_seconds(random_.uniform(1.0, 60.0)));
-  request.kind = msg::OperatorRequest::Kind::resume;
-  while (true) {
-    const auto reply = ask(request, 600.0);
-    if (reply && reply->outcome == msg::Outcome::done) return;
-    pass(std::chrono::seconds(5));
-  }
-}
-
 /// Takes a stretch of the map out, with who drives there, and puts it back. If the server ends before it answers, the
 /// request when repeated hears that nothing is left to take out; the edit is then found in the log.
 void Operator::edit_a_while() {
@@ -86,27 +71,6 @@ void Operator::edit_a_while() {
   fleet_.ledger().map_edited(false);
 }
 
-/// Closes a stretch of the map by a rule, and opens it again.
-void Operator::close_a_while() {
-  const Removal places = fleet_.some_places(random_);
-  if (places.empty() || places.places.front().first == places.places.front().last) return;
-  const Stretch& stretch = places.places.front();
-  msg::OperatorRequest request;
-  request.kind = msg::OperatorRequest::Kind::rule_put;
-  request.rule.name = "closed";
-  request.rule.spans = {{{stretch.experience, stretch.first}, {stretch.experience, stretch.last}}};
-  fleet_.ledger().ruled(true);
-  ask(request);
-  pass(from_seconds(random_.uniform(10.0, 120.0)));
-  request.kind = msg::OperatorRequest::Kind::rule_remove;
-  while (true) {
-    const auto removed = ask(request, 600.0);
-    if (removed && removed->outcome != msg::Outcome::failed) break;
-    pass(std::chrono::seconds(5));
-  }
-  fleet_.ledger().ruled(false);
-}
-
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
@@ -123,12 +87,14 @@ void Operator::errand() {
     request.kind = msg::OperatorRequest::Kind::goal_cancel;
     request.goal = open->first;
     ask(request);
-  } else if (what < 0.88) {
+  } else if (what < 0.85) {
     stop_a_while(robot);
+  } else if (what < 0.88) {
+    press_a_while(robot);
   } else if (what < 0.92) {
     edit_a_while();
   } else if (what < 0.94) {
-    close_a_while();
+    rule_a_while();
   } else if (what < 0.97) {
     teach_more(robot);
   } else if (!fleet_.state(robot).localised) {

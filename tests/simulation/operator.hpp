@@ -65,9 +65,13 @@ class Operator {
   void find_at(std::size_t robot, const std::string& label);
   bool is_clear(std::size_t robot, const std::vector<agents::SitePoint>& line, bool leaving) const;
   void send_goal(const std::string& label, const std::string& robot);
+  template <class IsEnough>
+  void insist(const msg::OperatorRequest& request, IsEnough&& is_enough);
+  void resume(std::size_t robot);
   void stop_a_while(std::size_t robot);
+  void press_a_while(std::size_t robot);
   void edit_a_while();
-  void close_a_while();
+  void rule_a_while();
   void note_stray(const Goal& goal);
   void look_around();
   void help_all_waiting();

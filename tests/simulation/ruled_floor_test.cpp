@@ -1,4 +1,4 @@
-#include "tests/simulation/closed_floor.hpp"
+#include "tests/simulation/ruled_floor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +54,34 @@ TEST(ClosedFloor, MayBeLeftAndIsNotEnteredAgain) {
 
 TEST(ClosedFloor, WhatWasReleasedBeforeItWasClosedIsNotAsked) {
   EXPECT_EQ(enters_closed(closed(), along(kThere, 10, 22), 12, lies), std::nullopt);
+}
+
+/// Slows the same floor.
+Rule slow() {
+  Rule rule = closed();
+  rule.kind = RuleKind::speed;
+  rule.value = 0.3;
+  return rule;
+}
+
+TEST(SlowFloor, IsDrivenWithALimitAsLowWhicheverRunLeadsThere) {
+  Route route = along(kBack, 0, 30);
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), (PlaceId{kBack, 16}));
+  route.limits = {{.from = 10, .to = 17, .limit_m_s = 0.3}};
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), (PlaceId{kBack, 18}));
+  route.limits.push_back({.from = 18, .to = 20, .limit_m_s = 0.4});
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), (PlaceId{kBack, 18}));
+  route.limits.push_back({.from = 0, .to = 20, .limit_m_s = 0.2});
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), std::nullopt);
+}
+
+TEST(SlowFloor, NeedsNoLimitWhereNothingIsReleased) {
+  Route route = along(kThere, 10, 30);
+  route.released = 8;
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), std::nullopt);
+  route.released = 12;
+  EXPECT_EQ(lacks_limit(slow(), route, 0, lies), (PlaceId{kThere, 20}));
+  EXPECT_EQ(lacks_limit(slow(), route, 15, lies), std::nullopt);
 }
 
 }  // namespace
