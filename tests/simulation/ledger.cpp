@@ -218,16 +218,22 @@ std::uint32_t Ledger::passed_by(const Robot& robot, const Route& route) const {
 }
 
 /// Returns the first of a route's places that the robot may still drive to, not before what is known to be passed. A
-/// robot that was restarted takes its route up from where it stands, and has not said yet what it freed.
+/// robot that was restarted takes its route up from where it stands, and has not said yet what it freed; one that was
+/// put down beside its route drives on from where that is nearest.
 std::uint32_t Ledger::ahead_from(const Robot& robot, const Route& route, std::uint32_t passed) const {
   constexpr double here_m = 0.6;
   const bool said = robot.progress.route == route.id && robot.progress.version == route.version;
   if (said && robot.progress.phase == msg::RoutePhase::arrived) return route.released;
   const std::uint32_t from = said ? std::max(passed, freed_by(robot.progress)) : passed;
   const Eigen::Vector2d at = robot.body->site_from_robot().translation();
+  const auto away_m = [&](std::uint32_t index) {
+    const auto place = truth_of(route.places[index]);
+    return place ? (place->translation() - at).norm() : here_m;
+  };
   for (std::uint32_t i = from; i <= route.released; ++i) {
-    const auto place = truth_of(route.places[i]);
-    if (place && (place->translation() - at).norm() < here_m) return i;
+    if (away_m(i) >= here_m) continue;
+    while (i < route.released && away_m(i + 1) < away_m(i)) ++i;
+    return i;
   }
   return from;
 }
