@@ -76,6 +76,7 @@ class Steps {
       const PlanRobot& first = states_[a].robot;
       const PlanRobot& second = states_[b].robot;
       if (states_[a].leaves != states_[b].leaves) return states_[a].leaves;
+      if (is_sent_first(a) != is_sent_first(b)) return is_sent_first(a);
       if ((first.goal == nullptr) != (second.goal == nullptr)) return first.goal != nullptr;
       if (first.priority != second.priority) return first.priority > second.priority;
       return first.waits_s != second.waits_s ? first.waits_s > second.waits_s : a < b;
@@ -102,6 +103,13 @@ class Steps {
     for (const std::uint32_t robot : moving_) states_[robot].first = meetings_.first(robot, states_[robot].wish->to);
     for (const std::uint32_t robot : moving_) move(robot, step);
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) get_on(robot);
+  }
+
+  /// Returns whether the robot goes before those that have goals: it is to make way, they are gridlocked with it, and
+  /// so may have to make way for it first.
+  bool is_sent_first(std::uint32_t robot) const {
+    const State& state = states_[robot];
+    return state.robot.is_gridlocked && state.robot.goal == nullptr && state.sent_on;
   }
 
   /// Returns whether nobody is stuck when the robot moves as it wishes; it is there then.

@@ -56,21 +56,22 @@ void SafeStates::set_away(std::uint32_t robot, bool is_away) {
   }
 }
 
-/// Returns whether somebody stands on that drive who is not away yet, besides the one that stands at `own`.
-bool SafeStates::is_occupied(const BerthArc& arc, Berth own) const {
-  if (arc.touches.empty()) return false;
+/// Returns a berth on that drive at which somebody stands who is not away yet, besides the one that stands at `own`;
+/// kNoBerth: there is none.
+Berth SafeStates::occupied_on(const BerthArc& arc, Berth own) const {
+  if (arc.touches.empty()) return kNoBerth;
   bool is_own_past = false;
   auto other = std::lower_bound(occupied_.begin(), occupied_.end(), arc.touches.front());
   for (; other != occupied_.end() && *other <= arc.touches.back(); ++other) {
     if (*other == own && !std::exchange(is_own_past, true)) continue;
-    if (std::binary_search(arc.touches.begin(), arc.touches.end(), *other)) return true;
+    if (std::binary_search(arc.touches.begin(), arc.touches.end(), *other)) return *other;
   }
-  return false;
+  return kNoBerth;
 }
 
 /// Returns whether the robot gets away past those that are not away yet. In a small network nobody does, and it is
 /// looked at pairs only: see `Meetings`.
-bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched) {
+bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at) {
   const Lanes::Stand stand = robots_[robot];
   const Lanes::Ahead& ahead = lanes_.ahead(stand);
   if (ahead.is_small) return true;
@@ -79,7 +80,11 @@ bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched) {
   seen_.at(stand.berth) = searches_;
   for (std::size_t i = 0; i < reached.size() && reached.size() < ahead.enough; ++i) {
     for (const BerthArc& arc : graph_.next(reached[i], stand.methods)) {
-      if (seen_.at(arc.to) == searches_ || !graph_.is_cut(arc.to) || is_occupied(arc, stand.berth)) continue;
+      if (seen_.at(arc.to) == searches_ || !graph_.is_cut(arc.to)) continue;
+      if (const Berth berth = occupied_on(arc, stand.berth); berth != kNoBerth) {
+        if (blocked_at != nullptr) blocked_at->push_back(berth);
+        continue;
+      }
       seen_.at(arc.to) = searches_;
       reached.push_back(arc.to);
       if (touched == nullptr) continue;
@@ -119,6 +124,28 @@ bool SafeStates::leaves(std::uint32_t robot, std::vector<std::uint32_t>& away) {
   return true;
 }
 
+/// Returns whether the robot gets away once some of those have that block its ways, and those that block theirs.
+/// False: that is not known. Has those away that do.
+bool SafeStates::leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away,
+                                     std::vector<bool>& is_tried) {
+  is_tried[robot] = true;
+  std::vector<Berth> blocked_at;
+  for (bool has_changed = true; std::exchange(has_changed, false);) {
+    blocked_at.clear();
+    if (gets_away(robot, nullptr, &blocked_at)) {
+      away.push_back(robot);
+      set_away(robot, true);
+      return true;
+    }
+    for (std::uint32_t other = 0; other < robots_.size() && !has_changed; ++other) {
+      const bool blocks = !is_tried[other] && !is_away_[other] &&
+                          std::find(blocked_at.begin(), blocked_at.end(), robots_[other].berth) != blocked_at.end();
+      has_changed = blocks && leaves_after_others(other, away, is_tried);
+    }
+  }
+  return false;
+}
+
 /// Returns which of the robots, and of those in their way, cannot get away, sorted.
 std::vector<std::uint32_t> SafeStates::stuck_around(std::vector<std::uint32_t> robots) {
   std::vector<bool> is_known(robots_.size(), false);
@@ -145,17 +172,41 @@ std::vector<std::uint32_t> SafeStates::stuck_around(std::vector<std::uint32_t> r
 
 std::vector<std::uint32_t> SafeStates::stuck_by(std::uint32_t robot, Berth to,
                                                 const std::vector<std::uint32_t>& leaving) {
-  const Berth from = robots_[robot].berth;
   for (const std::uint32_t other : leaving) set_away(other, true);
-  place(robot, to);
-  // Once it is away there are only the others, as if it had not come.
-  const bool is_first_away = gets_away(robot, nullptr);
-  place(robot, from);
   std::vector<std::uint32_t> newly;
-  if (!is_first_away) newly = newly_stuck(robot, to);
+  if (!would_get_away(robot, to)) newly = newly_stuck(robot, to);
   for (const std::uint32_t other : leaving) set_away(other, false);
+  if (newly.size() == 1 && newly.front() == robot) newly = with_blockers(robot, to);
   if (is_gridlocked_[robot]) std::erase_if(newly, [&](std::uint32_t other) { return is_gridlocked_[other]; });
   return newly;
+}
+
+/// Returns whether the robot would get away from there, others first. Then nobody else is stuck by that: once it is
+/// away there are only the others, as if it had not come.
+bool SafeStates::would_get_away(std::uint32_t robot, Berth to) {
+  const Berth from = robots_[robot].berth;
+  std::vector<std::uint32_t> away;
+  std::vector<bool> is_tried(robots_.size(), false);
+  place(robot, to);
+  const bool leaves = leaves_after_others(robot, away, is_tried);
+  for (const std::uint32_t other : away) set_away(other, false);
+  place(robot, from);
+  return leaves;
+}
+
+/// Returns the robot and those that block its ways from there, sorted.
+std::vector<std::uint32_t> SafeStates::with_blockers(std::uint32_t robot, Berth to) {
+  const Berth from = robots_[robot].berth;
+  std::vector<Berth> blocked_at;
+  place(robot, to);
+  gets_away(robot, nullptr, &blocked_at);
+  place(robot, from);
+  std::vector<std::uint32_t> robots;
+  for (std::uint32_t other = 0; other < robots_.size(); ++other) {
+    const auto at = std::find(blocked_at.begin(), blocked_at.end(), robots_[other].berth);
+    if (other == robot || at != blocked_at.end()) robots.push_back(other);
+  }
+  return robots;
 }
 
 std::vector<std::uint32_t> SafeStates::newly_stuck(std::uint32_t robot, Berth to) {
@@ -184,7 +235,8 @@ std::vector<std::uint32_t> SafeStates::kept_by(std::uint32_t robot, Berth to) {
   std::vector<std::uint32_t> met;
   for (std::uint32_t other = 0; other < robots_.size(); ++other) {
     const Lanes::Stand& stand = robots_[other];
-    if (other == robot || stand.berth == kNoBerth) continue;
+    const bool are_gridlocked = is_gridlocked_[robot] && is_gridlocked_[other];
+    if (other == robot || stand.berth == kNoBerth || are_gridlocked) continue;
     if (lanes_.meet(there, stand) && !lanes_.meet(here, stand)) met.push_back(other);
   }
   return met.empty() ? stuck_by(robot, to, {}) : met;

@@ -22,10 +22,11 @@ class SafeStates {
   /// Notes that the robot is there now.
   void put(std::uint32_t robot, Berth at);
   /// Returns who could not get away any more if the robot went there, and can where it is: in order of their numbers.
-  /// Leaves out those of `leaving`.
+  /// Leaves out those of `leaving`. If it would be stuck alone, also those that block its ways.
   std::vector<std::uint32_t> stuck_by(std::uint32_t robot, Berth to, const std::vector<std::uint32_t>& leaving);
   /// Returns who keeps the robot from going there: would come face to face with it, or could not get away any more,
-  /// and is in no such trouble as it is now. It may be the robot itself.
+  /// and is in no such trouble as it is now. It may be the robot itself. Of two that are gridlocked neither keeps the
+  /// other: the plan that they are to follow knows of both.
   std::vector<std::uint32_t> kept_by(std::uint32_t robot, Berth to);
   Berth at(std::uint32_t robot) const { return robots_[robot].berth; }
 
@@ -36,6 +37,7 @@ class SafeStates {
     std::vector<bool> touched;  ///< by berth
   };
 
+  std::vector<std::uint32_t> with_blockers(std::uint32_t robot, Berth to);
   std::vector<std::uint32_t> newly_stuck(std::uint32_t robot, Berth to);
   std::vector<std::uint32_t> stuck_around(std::vector<std::uint32_t> robots);
   void place(std::uint32_t robot, Berth at);
@@ -43,8 +45,10 @@ class SafeStates {
   void look(std::uint32_t robot);
   bool leaves(std::uint32_t robot, std::vector<std::uint32_t>& away);
   std::vector<std::uint32_t> concerned(std::uint32_t by, Berth berth) const;
-  bool gets_away(std::uint32_t robot, std::vector<bool>* touched);
-  bool is_occupied(const BerthArc& arc, Berth own) const;
+  bool gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at = nullptr);
+  bool leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away, std::vector<bool>& is_tried);
+  bool would_get_away(std::uint32_t robot, Berth to);
+  Berth occupied_on(const BerthArc& arc, Berth own) const;
   void occupy(Berth berth);
   void vacate(Berth berth);
 
