@@ -38,7 +38,7 @@ Fleet::Fleet(const FleetConfig& config)
       now_(std::chrono::hours(1)),
       site_(std::make_shared<const Site>(site_of(config, random_.fork(1)))),
       net_(random_.fork(2)),
-      ledger_(kFootprint_m),
+      ledger_(kFootprint_m, config.told),
       checks_waits_(config.checks_waits) {
   net_.set_now(now_);
   server_.id = draw_id();

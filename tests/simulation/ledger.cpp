@@ -37,7 +37,8 @@ std::uint32_t first_new(const Route& before, const Route& next) {
 void Ledger::broken(const std::string& invariant, const std::string& what) {
   constexpr int most_of_a_kind = 3;
   if (++said_[invariant] > most_of_a_kind) return;
-  violations_.push_back({invariant, what + ", at " + std::to_string(seconds(now_.time_since_epoch())) + " s"});
+  std::vector<Violation>& noted = told_only_.contains(invariant) ? told_ : violations_;
+  noted.push_back({invariant, what + ", at " + std::to_string(seconds(now_.time_since_epoch())) + " s"});
 }
 
 std::optional<Pose2> Ledger::truth_of(const PlaceId& place) const {

@@ -46,7 +46,8 @@ class Ledger {
     bool had_emergency = false;  ///< it knows of an emergency stop after which nobody has resumed it
     SteadyTime stands_since{};   ///< it has not moved, was told nothing new, and was at work
   };
-  explicit Ledger(double footprint_m) : footprint_m_(footprint_m) {}
+  /// What breaks of the invariants `told` is no violation, and told apart.
+  Ledger(double footprint_m, std::set<std::string> told) : footprint_m_(footprint_m), told_only_(std::move(told)) {}
 
   std::map<RobotId, Robot> robots;
 
@@ -86,6 +87,7 @@ class Ledger {
   /// Returns how often a robot was found to stand for long, and what was told of it was looked at.
   std::uint64_t stood() const { return stood_; }
   const std::vector<Violation>& violations() const { return violations_; }
+  const std::vector<Violation>& told() const { return told_; }
   std::uint64_t acknowledged() const { return acknowledged_count_; }
   std::map<std::string, std::uint64_t> goals_by_state() const;
 
@@ -128,9 +130,11 @@ class Ledger {
   bool waits_for_the_lost(const Goal& goal) const;
 
   double footprint_m_;
+  std::set<std::string> told_only_;  ///< invariants
   SteadyTime now_{};
   std::map<std::string, int> said_;
   std::vector<Violation> violations_;
+  std::vector<Violation> told_;
   std::map<PlaceId, Pose2> truth_;  ///< of every place that was ever sent
   std::map<ExperienceId, std::map<std::uint64_t, Batch>> sent_;
   std::map<ExperienceId, std::uint64_t> acknowledged_;

@@ -51,6 +51,7 @@ RunResult run(const RunConfig& config) {
   if (fleet.ledger().violations().empty()) fleet.look_when_quiet();
 
   for (const Violation& violation : fleet.ledger().violations()) result.violations.push_back(violation);
+  result.told = fleet.ledger().told();
   result.trace = fleet.trace();
   result.messages = fleet.messages();
   result.faults = chaos.played();

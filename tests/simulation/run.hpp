@@ -18,6 +18,7 @@ struct RunConfig {
 
 struct RunResult {
   std::vector<Violation> violations;
+  std::vector<Violation> told;  ///< of the invariants that are only to be told
   std::string trace;
   std::uint64_t messages = 0;
   std::uint64_t faults = 0;
