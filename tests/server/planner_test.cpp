@@ -109,6 +109,15 @@ TEST_F(CutOffTest, WhoKeepsOthersFromGoingOnMakesWay) {
   EXPECT_GT(moves(1), 0U);
 }
 
+TEST_F(CutOffTest, WhoMakesWayMeanwhileWaitsForTheDeadOne) {
+  requests.push_back(requests[1]);
+  requests.back().robot = RobotId{4, 4};
+  requests.back().held = {SurveyedSite::place(run, 4)};
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(moves(3), 0U);
+  EXPECT_EQ(planner.waits_for(3), std::vector<std::uint32_t>{2});
+}
+
 TEST_F(CutOffTest, WhoKeepsNobodyWaitsAsNearAsItComes) {
   requests.erase(requests.begin());
   ASSERT_TRUE(plan());

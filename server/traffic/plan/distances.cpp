@@ -47,8 +47,8 @@ double Distances::from_m(Berth berth) {
   return reached_m_[berth];
 }
 
-bool Distances::leads_over(const std::vector<Berth>& occupied, Berth from) {
-  if (from_m(from) < kOccupied_m) return false;
+Berth Distances::leads_over(const std::function<bool(Berth)>& is_one, Berth from) {
+  if (from_m(from) < kOccupied_m) return kNoBerth;
   while (from != to_) {
     const BerthArc* best = nullptr;
     double best_m = from_m(from);
@@ -58,10 +58,11 @@ bool Distances::leads_over(const std::vector<Berth>& occupied, Berth from) {
       best = &arc;
       best_m = rest_m;
     }
-    if (best == nullptr || std::binary_search(occupied.begin(), occupied.end(), best->to)) return true;
+    if (best == nullptr) return kNoBerth;
+    if (is_one(best->to)) return best->to;
     from = best->to;
   }
-  return false;
+  return kNoBerth;
 }
 
 }  // namespace weft::server

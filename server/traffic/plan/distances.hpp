@@ -30,8 +30,9 @@ class Distances {
   double over_m(const BerthArc& arc) { return arc.length_m + more_m(arc.to) + from_m(arc.to); }
   /// Returns what driving to that berth counts beyond its length.
   double more_m(Berth berth) const;
-  /// Returns whether the best way from there leads over one of these, some of the occupied ones, or there is none.
-  bool leads_over(const std::vector<Berth>& occupied, Berth from);
+  /// Returns the first of those berths, some of the occupied ones, that the best way from there leads over; kNoBerth:
+  /// it does over none, or there is no way.
+  Berth leads_over(const std::function<bool(Berth)>& is_one, Berth from);
 
  private:
   using Entry = std::pair<double, Berth>;

@@ -60,11 +60,13 @@ bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::v
 
 /// Plans the moves; anew where robots that are cut off keep others, and where some are gridlocked.
 MovePlan Planner::plan_round(const std::vector<PlanRequest>& requests, std::vector<PlanRobot>& robots) {
-  const std::vector<bool> cut_off = this->cut_off(requests, robots);
+  cut_off_by_ = cut_off(requests, robots);
+  std::vector<bool> are_cut_off;
+  for (const std::uint32_t by : cut_off_by_) are_cut_off.push_back(by != kNobody);
   MovePlan plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
-  if (keep_others(plan, robots, cut_off)) {
+  if (keep_others(plan, robots, are_cut_off)) {
     for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      if (!cut_off[robot]) continue;
+      if (!are_cut_off[robot]) continue;
       robots[robot].goal = nullptr;
       robots[robot].pocket = Pockets::kNone;
     }
@@ -85,6 +87,7 @@ bool Planner::plan_nothing(std::size_t robots) {
   released_.emplace(berths_, lanes_);
   for (std::size_t robot = 0; robot < robots; ++robot) released_->add({});
   methods_.assign(robots, 0);
+  cut_off_by_.assign(robots, kNobody);
   moving_ = 0;
   return false;
 }
@@ -109,19 +112,20 @@ bool Planner::knows(const std::vector<PlanRequest>& requests) const {
 /// Notes which berths are occupied for long. Distances are searched anew when that changes.
 void Planner::occupy(const std::vector<PlanRequest>& requests) {
   std::set<Berth> occupied;
-  std::set<Berth> lost;
-  for (const PlanRequest& request : requests) {
+  lost_.clear();
+  for (std::uint32_t robot = 0; robot < requests.size(); ++robot) {
+    const PlanRequest& request = requests[robot];
     if (!request.stands_for_long || request.held.empty() || !berths_.has(request.held.back())) continue;
+    const auto occupy = [&](Berth berth) {
+      occupied.insert(berth);
+      if (request.needs_help) lost_.emplace(berth, robot);
+    };
     // It may be anywhere in what it holds.
     for (const Berth berth : held_by(request)) {
-      for (std::set<Berth>* const berths : {&occupied, &lost}) {
-        if (berths == &lost && !request.needs_help) continue;
-        berths->insert(berth);
-        berths->insert(berths_.beside(berth).begin(), berths_.beside(berth).end());
-      }
+      occupy(berth);
+      for (const Berth beside : berths_.beside(berth)) occupy(beside);
     }
   }
-  lost_.assign(lost.begin(), lost.end());
   if (std::equal(occupied.begin(), occupied.end(), occupied_.begin(), occupied_.end())) return;
   distances_.clear();
   occupied_.assign(occupied.begin(), occupied.end());
@@ -161,27 +165,29 @@ PlanRobot Planner::robot_of(const PlanRequest& request) {
   return robot;
 }
 
-/// Returns of each whether it is cut off from its goal.
-std::vector<bool> Planner::cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots) {
-  std::vector<bool> are(requests.size(), false);
+/// Returns of each who cuts it off from its goal, that is, it comes there only when a person has helped that one;
+/// kNobody: nobody does. It waits for that as near as it comes, so that it goes on at once; where it keeps others
+/// there it is planned as one without a goal.
+std::vector<std::uint32_t> Planner::cut_off(const std::vector<PlanRequest>& requests,
+                                            const std::vector<PlanRobot>& robots) {
+  std::vector<std::uint32_t> by(requests.size(), kNobody);
   for (std::size_t i = 0; i < requests.size() && !lost_.empty(); ++i) {
-    are[i] = robots[i].goal != nullptr && is_cut_off(requests[i], robots[i]);
+    if (robots[i].goal != nullptr) by[i] = cut_off_by(requests[i], robots[i]);
   }
-  return are;
+  return by;
 }
 
-/// Returns whether the robot comes to its goal only when a person has helped another one. It waits for that as near
-/// as it comes, so that it goes on at once; where it keeps others there it is planned as one without a goal.
-bool Planner::is_cut_off(const PlanRequest& request, const PlanRobot& robot) {
+std::uint32_t Planner::cut_off_by(const PlanRequest& request, const PlanRobot& robot) {
   const auto is_lost = [&](const PlaceId& place) {
     // To number a place that is no berth yet would change arcs.
     const bool is_berth = berths_.has(place) && (berths_.is_cut(place) || place == *request.goal);
-    return is_berth && std::binary_search(lost_.begin(), lost_.end(), berths_.at(place));
+    return is_berth && lost_.contains(berths_.at(place));
   };
   // Its way leads round them where it can: only who has one of them ahead is worth a search from its goal.
-  const bool has_one_ahead =
-      is_lost(*request.goal) || std::any_of(request.ahead.begin(), request.ahead.end(), is_lost);
-  return has_one_ahead && distances(*request.goal, robot.methods).leads_over(lost_, robot.at);
+  if (!is_lost(*request.goal) && std::none_of(request.ahead.begin(), request.ahead.end(), is_lost)) return kNobody;
+  Distances& goal = distances(*request.goal, robot.methods);
+  const auto lost = lost_.find(goal.leads_over([this](Berth berth) { return lost_.contains(berth); }, robot.at));
+  return lost == lost_.end() ? kNobody : lost->second;
 }
 
 /// Returns the place that leads the robot: its goal when that is near enough, else a berth on its way there. It stays
@@ -231,7 +237,11 @@ std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) {
 
 std::vector<std::uint32_t> Planner::waits_for(std::uint32_t robot) {
   const std::uint32_t move = order_.released(robot);
-  if (order_.may(robot) == move) return order_.waits_for(robot);
+  if (order_.may(robot) == move) {
+    const std::vector<std::uint32_t> others = order_.waits_for(robot);
+    const bool is_cut_off = others.empty() && cut_off_by_[robot] != kNobody;
+    return is_cut_off ? std::vector{cut_off_by_[robot]} : others;
+  }
   std::vector<std::uint32_t> robots = released_->kept_by(robot, order_.moves(robot)[move].arc->to);
   std::erase(robots, robot);
   return robots;

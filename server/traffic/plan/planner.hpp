@@ -83,16 +83,17 @@ class Planner {
   void occupy(const std::vector<PlanRequest>& requests);
   std::vector<Berth> held_by(const PlanRequest& request);
   PlanRobot robot_of(const PlanRequest& request);
-  std::vector<bool> cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots);
-  bool is_cut_off(const PlanRequest& request, const PlanRobot& robot);
+  std::vector<std::uint32_t> cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots);
+  std::uint32_t cut_off_by(const PlanRequest& request, const PlanRobot& robot);
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
   Distances& distances(const PlaceId& to, std::uint32_t methods);
   void forget_unused();
 
   Berths berths_;
   PlanRules rules_;
-  std::vector<Berth> occupied_;  ///< for long
-  std::vector<Berth> lost_;      ///< of these: until a person helps
+  std::vector<Berth> occupied_;            ///< for long
+  std::map<Berth, std::uint32_t> lost_;    ///< of these: until a person helps that robot
+  std::vector<std::uint32_t> cut_off_by_;  ///< of each robot of the plan: who does it; kNobody
   std::map<Key, std::unique_ptr<Distances>> distances_;
   Pockets pockets_{berths_};
   Lanes lanes_{berths_};
