@@ -60,7 +60,9 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
     assignment.plan_at = now;
     assignment.given_at = now;
     if (is_over) assignment.ordered_at = now;
-    assignments_[*goal.robot] = assignment;
+    // What it holds may be of the goal before, while nothing is released yet of the one that it has.
+    const auto [known, is_new] = assignments_.try_emplace(*goal.robot, assignment);
+    if (!is_new && !is_over) known->second = assignment;
   }
 }
 

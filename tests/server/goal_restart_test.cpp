@@ -77,6 +77,38 @@ TEST_F(GoalRestart, GoalThatWaitsSurvivesToo) {
   EXPECT_EQ(site.goal(2).number, 2U);
 }
 
+TEST(GoalRestartOnTheWay, AGoalThatNothingIsReleasedOfYetIsDrivenThoughWhatIsHeldIsOfTheOneBefore) {
+  Site site;
+  Peer r1{.id = robot_id(1), .name = "r1"};
+  Peer r2{.id = robot_id(2), .name = "r2"};
+  TaughtRun run{r1, 10};
+  site.arrive(r1, std::nullopt);
+  site.arrive(r2, std::nullopt);
+  site.hand_in(r1, run.next(60));
+  site.label("middle", run.place(20));
+  site.label("end", run.place(59));
+  site.say(site.state(r1, run.place(0)));
+  // The goal before is the later one by its id.
+  site.send_goal(9, "middle", "r1");
+  site.progress(r1, site.order(), msg::RoutePhase::arrived, 20);
+  site.say(site.state(r1, run.place(20)));
+  site.say(site.state(r2, run.place(23)));
+  site.send_goal(1, "end", "r1");
+  site.pass(1s);
+  ASSERT_EQ(site.goal(1).state, GoalState::assigned);
+  site.restart();
+  for (Peer* const robot : {&r1, &r2}) site.arrive(*robot, std::nullopt);
+  site.hush();
+  for (int i = 0; i < 20; ++i) {
+    site.say(site.state(r1, run.place(20)));
+    site.say(site.state(r2, run.place(50)));
+    site.pass(1s);
+  }
+  ASSERT_TRUE(site.order_to(r1));
+  EXPECT_EQ(site.order_to(r1)->goal, site.goal(1).id);
+  EXPECT_GT(site.order_to(r1)->released, 5U);
+}
+
 TEST_F(GoalRestart, RestartedAgentGetsItsRouteFromWhereItStandsAsANewVersion) {
   site.pass(1s);
   restart_agent();
