@@ -32,11 +32,11 @@ void SafeStates::put(std::uint32_t robot, Berth at) {
 }
 
 void SafeStates::occupy(Berth berth) {
-  if (berth != kNoBerth) occupied_.insert(std::upper_bound(occupied_.begin(), occupied_.end(), berth), berth);
+  if (berth != kNoBerth) ++occupants_.at(berth);
 }
 
 void SafeStates::vacate(Berth berth) {
-  if (berth != kNoBerth) occupied_.erase(std::lower_bound(occupied_.begin(), occupied_.end(), berth));
+  if (berth != kNoBerth) --occupants_.at(berth);
 }
 
 void SafeStates::place(std::uint32_t robot, Berth at) {
@@ -58,13 +58,9 @@ void SafeStates::set_away(std::uint32_t robot, bool is_away) {
 
 /// Returns a berth on that drive at which somebody stands who is not away yet, besides the one that stands at `own`;
 /// kNoBerth: there is none.
-Berth SafeStates::occupied_on(const BerthArc& arc, Berth own) const {
-  if (arc.touches.empty()) return kNoBerth;
-  bool is_own_past = false;
-  auto other = std::lower_bound(occupied_.begin(), occupied_.end(), arc.touches.front());
-  for (; other != occupied_.end() && *other <= arc.touches.back(); ++other) {
-    if (*other == own && !std::exchange(is_own_past, true)) continue;
-    if (std::binary_search(arc.touches.begin(), arc.touches.end(), *other)) return *other;
+Berth SafeStates::occupied_on(const BerthArc& arc, Berth own) {
+  for (const Berth berth : arc.touches) {
+    if (occupants_.at(berth) > (berth == own ? 1U : 0U)) return berth;
   }
   return kNoBerth;
 }

@@ -48,7 +48,7 @@ class SafeStates {
   bool gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at = nullptr);
   bool leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away, std::vector<bool>& is_tried);
   bool would_get_away(std::uint32_t robot, Berth to);
-  Berth occupied_on(const BerthArc& arc, Berth own) const;
+  Berth occupied_on(const BerthArc& arc, Berth own);
   void occupy(Berth berth);
   void vacate(Berth berth);
 
@@ -57,10 +57,10 @@ class SafeStates {
   std::vector<Lanes::Stand> robots_;
   std::vector<WaysOut> ways_out_;  ///< of each robot, past all others where they are
   std::vector<bool> is_gridlocked_;
-  std::vector<bool> is_away_;    ///< of each robot, while stuck ones are looked for
-  Berth taken_ = kNoBerth;       ///< where one is thought to go meanwhile
-  std::vector<Berth> occupied_;  ///< by those that are not away, sorted
-  ByBerth<std::uint32_t> seen_;  ///< in which search
+  std::vector<bool> is_away_;         ///< of each robot, while stuck ones are looked for
+  Berth taken_ = kNoBerth;            ///< where one is thought to go meanwhile
+  ByBerth<std::uint32_t> occupants_;  ///< how many stand there that are not away
+  ByBerth<std::uint32_t> seen_;       ///< in which search
   std::uint32_t searches_ = 0;
 };
 
