@@ -31,8 +31,8 @@ struct FleetConfig {
   std::uint64_t seed = 1;
   std::size_t robots = 4;
   MapFrom map = MapFrom::taught;
-  bool checks_waits = false;   ///< whether the server has to say why each robot stands that has a goal
-  std::set<std::string> told;  ///< invariants that are told when they break, and end nothing
+  bool checks_waits = false;     ///< whether the server has to say why each robot stands that has a goal
+  std::set<std::string> told{};  ///< invariants that are told when they break, and end nothing
 };
 
 /// Runs server, robots and one client in one thread, on a simulated network and clock. Each process can be crashed at
