@@ -25,8 +25,10 @@ bool is_given(const Goal& goal) {
 bool Ledger::is_at_work(const Robot& robot) const {
   const bool is_still = robot.state.mode == msg::RobotMode::lost || robot.state.mode == msg::RobotMode::teaching ||
                         robot.state.mode == msg::RobotMode::stopped || robot.state.mode == msg::RobotMode::faulted;
+  // After a stop of its base it stands until it has seen where it is, and says so itself.
+  const bool looks_round = robot.state.reason.find("seen where it is") != std::string::npos;
   return robot.agent != nullptr && !robot.is_hung && !robot.is_cut_off && !robot.body->by_hand() &&
-         robot.state.localised && !is_still;
+         robot.state.localised && !is_still && !looks_round;
 }
 
 /// Returns whether nothing excuses the goal: the one that has it, or whose turn it is, could drive.

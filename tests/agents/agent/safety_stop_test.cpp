@@ -84,6 +84,8 @@ TEST(AgentSafety, ARobotThatItsBaseStopsStandsSaysWhyAndGoesOnAfterAFix) {
   rig.sample.safety = Safety::ok;
   rig.run(1s);
   EXPECT_EQ(rig.seen.command, Twist{}) << "it has not seen where it is";
+  EXPECT_EQ(rig.state().mode, msg::RobotMode::waiting);
+  EXPECT_NE(rig.state().reason.find("seen where it is"), std::string::npos);
   rig.see();
   rig.run(1s);
   EXPECT_EQ(rig.seen.command.linear_m_s, 0.5);
@@ -94,6 +96,7 @@ TEST(AgentSafety, AfterAnEmergencyStopAPersonLetsItGoOn) {
   Stopped rig;
   rig.sample.safety = Safety::emergency_stop;
   rig.run(1s);
+  rig.tell(rig.command(Kind::stop, 4));
   rig.tell(rig.command(Kind::resume, 5));
   rig.run(1s);
   ASSERT_TRUE(rig.last<msg::AgentReply>());
@@ -106,6 +109,10 @@ TEST(AgentSafety, AfterAnEmergencyStopAPersonLetsItGoOn) {
   EXPECT_EQ(rig.state().mode, msg::RobotMode::stopped);
   EXPECT_EQ(rig.state().safety, Safety::emergency_stop);
   rig.tell(rig.command(Kind::resume, 6));
+  rig.run(1s);
+  EXPECT_EQ(rig.seen.command, Twist{});
+  EXPECT_EQ(rig.state().mode, msg::RobotMode::waiting);
+  EXPECT_NE(rig.state().reason.find("seen where it is"), std::string::npos);
   rig.see();
   rig.run(1s);
   EXPECT_TRUE(rig.last<msg::AgentReply>()->done);
