@@ -60,7 +60,8 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
     assignment.plan_at = now;
     assignment.given_at = now;
     if (is_over) assignment.ordered_at = now;
-    // What it holds may be of the goal before, while nothing is released yet of the one that it has.
+    // Prefers the goal that is not over: while nothing of that is released, the robot holds what it had for the one
+    // before.
     const auto [known, is_new] = assignments_.try_emplace(*goal.robot, assignment);
     if (!is_new && !is_over) known->second = assignment;
   }

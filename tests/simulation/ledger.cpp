@@ -260,7 +260,7 @@ void Ledger::agent_took(const RobotId& robot) {
     for (std::uint32_t i = begin; i <= route->released; ++i) {
       for (std::uint32_t k = from; k <= theirs->released; ++k) {
         if (!are_close(route->places[i], theirs->places[k])) continue;
-        // Who is let out of what the other one holds may have heard of it first.
+        // Excuses the one that is let out of what the other one holds, whichever of them has heard first.
         if (moves_away(robot, route->places[i], *theirs, from) || moves_away(id, theirs->places[k], *route, begin))
           continue;
         broken("occupancy", mine.name + " may drive to " + to_string(route->places[i]) + " and " + other.name +

@@ -46,7 +46,7 @@ class Ledger {
     bool had_emergency = false;  ///< it knows of an emergency stop after which nobody has resumed it
     SteadyTime stands_since{};   ///< it has not moved, was told nothing new, and was at work
   };
-  /// What breaks of the invariants `told` is no violation, and told apart.
+  /// Keeps what breaks of the invariants `told` apart: it is no violation.
   Ledger(double footprint_m, std::set<std::string> told) : footprint_m_(footprint_m), told_only_(std::move(told)) {}
 
   std::map<RobotId, Robot> robots;

@@ -36,7 +36,7 @@ std::vector<bool> gridlocked(const MovePlan& plan, const std::vector<PlanRobot>&
     stand[robot] = stands(plan, robots, robot);
     locked[robot] = stand[robot] && robots[robot].goal != nullptr && !plan.kept_by[robot].empty();
   }
-  // Who waits for one that moves, or that cannot, is not locked; nor is who waits for that one.
+  // Takes out who waits for one that moves, or that cannot, and then who waits for those.
   bool has_changed = true;
   while (std::exchange(has_changed, false)) {
     for (std::size_t robot = 0; robot < robots.size(); ++robot) {

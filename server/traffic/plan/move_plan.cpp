@@ -7,6 +7,7 @@
 
 #include "server/traffic/plan/drive_out.hpp"
 #include "server/traffic/plan/meetings.hpp"
+#include "server/traffic/plan/move_choice.hpp"
 #include "server/traffic/plan/occupied_berths.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
 #include "server/traffic/plan/safe_states.hpp"
@@ -171,14 +172,6 @@ class Steps {
   /// has to make way and cannot but into the way of who asks is asked again there.
   enum class Care : std::uint8_t { off_all_ways, off_where_they_end };
 
-  struct Choice {
-    const BerthArc* arc = nullptr;
-    bool is_last = false;      ///< makes way into a pocket
-    bool is_unwanted = false;  ///< the asker has no use for it
-    bool is_free = false;
-    double cost_m = 0.0;
-  };
-
   bool choose(std::uint32_t robot, std::uint32_t asker) {
     State& state = states_[robot];
     state.met.clear();
@@ -252,9 +245,9 @@ class Steps {
   }
 
   bool goes(std::uint32_t robot, std::uint32_t asker) {
-    const std::vector<Choice> choices = this->choices(robot, asker);
+    const std::vector<MoveChoice> choices = this->choices(robot, asker);
     const auto takes = [&](Care care) {
-      return std::any_of(choices.begin(), choices.end(), [&](const Choice& choice) {
+      return std::any_of(choices.begin(), choices.end(), [&](const MoveChoice& choice) {
         const bool is_taken = take(robot, *choice.arc, care);
         states_[robot].is_kept_known = states_[robot].is_kept_known || !states_[robot].kept_by.empty();
         return is_taken;
@@ -264,25 +257,25 @@ class Steps {
   }
 
   /// Returns where the robot would go, the best first; who is asked to make way goes anywhere.
-  std::vector<Choice> choices(std::uint32_t robot, std::uint32_t asker) {
+  std::vector<MoveChoice> choices(std::uint32_t robot, std::uint32_t asker) {
     const Berth here = states_[robot].robot.at;
     Distances* goal = states_[robot].robot.goal;
     const bool is_sent_out = goal == nullptr && states_[robot].leaves;
     if (is_sent_out) goal = &pockets_.to_mouth(states_[robot].in, states_[robot].robot.methods);
     Distances* const wanted = asker == kNobody ? nullptr : states_[asker].robot.goal;
     const double here_m = goal == nullptr ? 0.0 : goal->from_m(here);
-    std::vector<Choice> choices;
+    std::vector<MoveChoice> choices;
     for (const BerthArc& arc : graph_.next(here, states_[robot].robot.methods)) {
       const double there_m = goal == nullptr ? 0.0 : goal->more_m(arc.to) + goal->from_m(arc.to);
-      const bool is_better = goal != nullptr && there_m < here_m;
+      const bool is_nearer = goal != nullptr && there_m < here_m;
       // From there it would never come to its goal, or it has tried that in vain.
       const std::vector<Berth>& avoids = states_[robot].robot.avoids;
       if (there_m == Distances::kFar_m || std::find(avoids.begin(), avoids.end(), arc.to) != avoids.end()) continue;
       const bool is_a_stop = graph_.is_cut(arc.to) || (goal != nullptr && there_m == 0.0);
-      if (!is_a_stop || (!is_better && asker == kNobody)) continue;
+      if (!is_a_stop || (!is_nearer && asker == kNobody)) continue;
       if (!turns_.may_go(robot, states_[robot].robot, arc.to, asker != kNobody)) {
         const std::uint32_t keeper = turns_.keeper(robot, states_[robot].robot, arc.to);
-        if (is_better && keeper != kNobody) note_kept(robot, keeper);
+        if (is_nearer && keeper != kNobody) note_kept(robot, keeper);
         continue;
       }
       const bool is_unwanted = wanted == nullptr || wanted->from_m(arc.to) > wanted->from_m(here);
@@ -290,12 +283,7 @@ class Steps {
       const bool is_last = asker != kNobody && turns_.leads_in(states_[robot].robot, arc.to);
       choices.push_back({&arc, is_last, is_unwanted, occupied_.occupant(arc, robot) == kNobody, cost_m});
     }
-    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-      if (a.is_last != b.is_last) return b.is_last;
-      if (a.cost_m != b.cost_m) return a.cost_m < b.cost_m;
-      if (a.is_unwanted != b.is_unwanted) return a.is_unwanted;
-      return a.is_free && !b.is_free;
-    });
+    std::stable_sort(choices.begin(), choices.end(), is_better);
     return choices;
   }
 
