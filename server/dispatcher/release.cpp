@@ -48,8 +48,8 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
   if (is_all) return;
   assignment.way = piece->way;
   if (!assignment.waits_since) assignment.waits_since = now;
-  // Its turn comes mostly while it still drives: then it does not wait.
-  const bool drives_on = told && !assignment.stands_at_end && piece->way.end == Traffic::Way::End::turn;
+  // Mostly it is let on while it still drives: then it does not wait.
+  const bool drives_on = told && !assignment.stands_at_end;
   note_waiting(robot, assignment, drives_on ? Traffic::Way{} : piece->way, now);
 }
 

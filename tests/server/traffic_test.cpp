@@ -54,6 +54,21 @@ TEST_F(TrafficTest, WhoWaitsForAnotherOneNowIsToldForWhom) {
   EXPECT_EQ(site.order_to(r1)->reason, "waits for r3");
 }
 
+TEST_F(TrafficTest, WhoDrivesYetIsNotSaidToWait) {
+  site.stand_stopped(r2, run.place(30));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "end", "r1");
+  ASSERT_THAT(site.events_of("goal.waits"), SizeIs(1));
+  site.progress(r1, site.order_to(r1).value(), msg::RoutePhase::driving, 1);
+  site.pass(2s);
+  EXPECT_THAT(site.events_of("goal.goes_on"), SizeIs(1));
+  EXPECT_THAT(site.events_of("goal.waits"), SizeIs(1));
+  const Route route = site.order_to(r1).value();
+  site.progress(r1, route, msg::RoutePhase::waiting, route.released);
+  site.pass(2s);
+  EXPECT_THAT(site.events_of("goal.waits"), SizeIs(2));
+}
+
 TEST_F(TrafficTest, RoomIsLeftForTheFirstStepOfOneThatStands) {
   site.stand_stopped(r2, run.place(30));
   site.say(site.state(r1, run.place(0)));
