@@ -9,7 +9,8 @@
 namespace weft::server::test {
 
 /// Holds berths in squares, as drawn: a row of text each, '.' a berth. Robots drive between neighbours, both ways
-/// unless `one_way` says otherwise; nobody touches anything but the square that he drives to.
+/// unless `one_way` says otherwise; nobody touches anything but the square to which it drives, unless `touch` says
+/// so.
 class DrawnGraph final : public BerthGraph {
  public:
   explicit DrawnGraph(const std::vector<std::string>& rows) {
@@ -35,9 +36,22 @@ class DrawnGraph final : public BerthGraph {
     std::erase_if(before_[from], [to](const Before& before) { return before.from == to; });
   }
 
+  /// Has who drives there touch another square, too.
+  void touch(Berth from, Berth to, Berth other) {
+    for (BerthArc& arc : next_[from]) {
+      if (arc.to == to) arc.touches.push_back(other);
+    }
+  }
+
+  /// Has nobody stand in one of the squares while another one does in the other.
+  void lay_beside(Berth one, Berth other) {
+    beside_[one].push_back(other);
+    beside_[other].push_back(one);
+  }
+
   const std::vector<BerthArc>& next(Berth from, std::uint32_t /*methods*/) override { return next_[from]; }
   const std::vector<Before>& before(Berth to, std::uint32_t /*methods*/) override { return before_[to]; }
-  const std::vector<Berth>& beside(Berth /*berth*/) override { return nothing_; }
+  const std::vector<Berth>& beside(Berth berth) override { return beside_[berth]; }
   bool is_cut(Berth berth) const override { return berth < next_.size(); }
   std::size_t size() const override { return middles_; }
 
@@ -50,7 +64,7 @@ class DrawnGraph final : public BerthGraph {
   std::map<std::pair<int, int>, Berth> numbers_;
   std::vector<std::vector<BerthArc>> next_;
   std::vector<std::vector<Before>> before_;
-  std::vector<Berth> nothing_;
+  std::map<Berth, std::vector<Berth>> beside_;
   Berth middles_ = 0;
 };
 

@@ -240,6 +240,31 @@ TEST_F(PocketTest, AnIdleRobotDrivesOnRatherThanIntoADeadEnd) {
   EXPECT_TRUE(comes_by(0, graph->at(4, 2)));
 }
 
+/// The first one wants to go where the second stands. That one cannot go where the third stands, who has no room to
+/// make way for it there. It can go to its own goal, though, once it does not have to keep off the first one's way.
+TEST_F(MovePlanTest, WhoIsAskedInVainStillGoesToItsOwnGoal) {
+  draw({"...",  //
+        "...",  //
+        ".. ",  //
+        " . "});
+  const Berth second = graph->at(1, 1);
+  const Berth goal = graph->at(2, 1);
+  const Berth third = graph->at(1, 2);
+  graph->one_way(graph->at(1, 0), second);
+  graph->one_way(graph->at(0, 2), third);
+  graph->one_way(graph->at(0, 2), graph->at(0, 1));
+  graph->touch(graph->at(0, 1), second, goal);
+  graph->touch(second, goal, third);
+  graph->lay_beside(third, graph->at(1, 3));
+  graph->touch(second, third, graph->at(1, 3));
+  graph->touch(third, graph->at(1, 3), third);
+  put(graph->at(0, 1), second);
+  put(second, goal);
+  put(third);
+  plan();
+  EXPECT_EQ(end_of(1), goal);
+}
+
 TEST_F(MovePlanTest, NobodyIsReleasedToWhereAnotherComesFirst) {
   draw({".....",  //
         ".....",  //

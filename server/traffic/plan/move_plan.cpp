@@ -10,6 +10,7 @@
 #include "server/traffic/plan/move_choice.hpp"
 #include "server/traffic/plan/occupied_berths.hpp"
 #include "server/traffic/plan/pocket_turns.hpp"
+#include "server/traffic/plan/robot_in_step.hpp"
 #include "server/traffic/plan/safe_states.hpp"
 #include "server/traffic/plan/wished_berths.hpp"
 
@@ -49,27 +50,11 @@ class Steps {
 
   MovePlan take() {
     for (std::uint32_t step = 0; step < rules_.steps; ++step) go(step);
-    for (State& state : states_) plan_.kept_by.push_back(std::move(state.kept_by));
+    for (RobotInStep& state : states_) plan_.kept_by.push_back(std::move(state.kept_by));
     return std::move(plan_);
   }
 
  private:
-  struct State {
-    PlanRobot robot;
-    std::uint32_t drives = 0;   ///< steps until it is at the end of what it was released
-    std::uint32_t handles = 0;  ///< steps for which it cannot be asked
-    const BerthArc* wish = nullptr;
-    bool has_wish = false;               ///< of this step; without an arc: to stay
-    bool is_asking = false;              ///< it, or whom it asked, is being decided
-    std::uint32_t in = Pockets::kNone;   ///< the pocket where it stands
-    bool leaves = false;                 ///< that pocket
-    std::vector<MovesFirst> first;       ///< who has to have left a lane before it makes its move
-    std::vector<std::uint32_t> kept_by;  ///< see MovePlan
-    bool is_kept_known = false;          ///< `kept_by` is complete
-    std::vector<std::uint32_t> met;      ///< who is in the lane where it wants to go, or cannot make way
-    std::optional<Meeting> sent_on;      ///< it has nothing to do, and keeps one out of a lane that would go there
-  };
-
   void go(std::uint32_t step) {
     look_at_pockets();
     meetings_.begin_step();
@@ -83,7 +68,10 @@ class Steps {
       return first.waits_s != second.waits_s ? first.waits_s > second.waits_s : a < b;
     });
     for (const std::uint32_t robot : order_) {
-      if (is_there(robot) && !states_[robot].has_wish) wish(robot, kNobody);
+      if (!is_there(robot) || states_[robot].has_wish) continue;
+      const std::size_t decided = decided_.size();
+      wish(robot, kNobody);
+      if (states_[robot].wish == nullptr) forget_asked(decided + 1);
     }
     // Moves asked robots before those that were looked at later, whatever their priority.
     moving_.clear();
@@ -106,10 +94,22 @@ class Steps {
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) get_on(robot);
   }
 
+  /// Forgets the decisions to stay of those that were asked in vain: each may move yet for a reason of its own.
+  void forget_asked(std::size_t first) {
+    const auto asked = decided_.begin() + static_cast<std::ptrdiff_t>(first);
+    decided_.erase(std::remove_if(asked, decided_.end(),
+                                  [this](std::uint32_t robot) {
+                                    const bool stays = states_[robot].wish == nullptr;
+                                    if (stays) forget_wish(robot);
+                                    return stays;
+                                  }),
+                   decided_.end());
+  }
+
   /// Returns whether the robot goes before those that have goals: it is to make way, they are gridlocked with it, and
   /// so may have to make way for it first.
   bool is_sent_first(std::uint32_t robot) const {
-    const State& state = states_[robot];
+    const RobotInStep& state = states_[robot];
     return state.robot.is_gridlocked && state.robot.goal == nullptr && state.sent_on;
   }
 
@@ -127,7 +127,7 @@ class Steps {
   void look_at_pockets() {
     turns_.begin_step();
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
-      State& state = states_[robot];
+      RobotInStep& state = states_[robot];
       state.in = pockets_.of(state.robot.at);
       for (std::size_t i = state.robot.behind.size() - state.drives; i < state.robot.behind.size(); ++i) {
         turns_.is_at(state.robot.behind[i], robot);
@@ -136,7 +136,7 @@ class Steps {
       turns_.wants(robot, state.robot);
     }
     for (std::uint32_t robot = 0; robot < states_.size(); ++robot) {
-      State& state = states_[robot];
+      RobotInStep& state = states_[robot];
       state.leaves = state.in != Pockets::kNone && state.handles == 0 &&
                      (state.robot.goal == nullptr ? can_leave_for_others(robot) : state.robot.pocket != state.in);
     }
@@ -157,7 +157,7 @@ class Steps {
   /// Decides where the robot wants to go next; `asker` wants it away from where it stands. Returns whether it will
   /// go.
   bool wish(std::uint32_t robot, std::uint32_t asker) {
-    State& state = states_[robot];
+    RobotInStep& state = states_[robot];
     state.has_wish = true;
     state.is_asking = true;
     decided_.push_back(robot);
@@ -173,7 +173,7 @@ class Steps {
   enum class Care : std::uint8_t { off_all_ways, off_where_they_end };
 
   bool choose(std::uint32_t robot, std::uint32_t asker) {
-    State& state = states_[robot];
+    RobotInStep& state = states_[robot];
     state.met.clear();
     if (asker != kNobody) return goes(robot, asker);
     if (turns_.is_refused(robot, state.robot)) {
@@ -383,16 +383,16 @@ class Steps {
   }
 
   void forget_wish(std::uint32_t robot) {
-    State& state = states_[robot];
+    RobotInStep& state = states_[robot];
     if (!std::exchange(state.has_wish, false)) return;
-    if (state.wish == nullptr) return wished_.forget_stay(state.robot.at, graph_.beside(state.robot.at));
+    if (state.wish == nullptr) return wished_.forget_stay(state.robot.at, graph_.beside(state.robot.at), robot);
     wished_.forget_drive(*state.wish);
     meetings_.takes_back(robot, state.wish->to);
     safe_.put(robot, state.robot.at);
   }
 
   void move(std::uint32_t robot, std::uint32_t step) {
-    State& state = states_[robot];
+    RobotInStep& state = states_[robot];
     const BerthArc* const arc = std::exchange(state.wish, nullptr);
     plan_.moves[robot].push_back({arc, state.robot.at, step, std::exchange(state.first, {})});
     occupied_.leave(state.robot.at);
@@ -414,7 +414,7 @@ class Steps {
   }
 
   void get_on(std::uint32_t robot) {
-    State& state = states_[robot];
+    RobotInStep& state = states_[robot];
     state.wish = nullptr;
     if (state.handles > 0) --state.handles;
     if (state.drives == 0 || state.robot.stays) return;
@@ -428,7 +428,7 @@ class Steps {
   Meetings meetings_;
   SafeStates safe_;
   PlanRules rules_;
-  std::vector<State> states_;
+  std::vector<RobotInStep> states_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> decided_;  ///< who has a wish in this step, in the order in which it was decided
   std::vector<std::uint32_t> moving_;

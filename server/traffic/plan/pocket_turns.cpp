@@ -52,7 +52,10 @@ bool PocketTurns::may_go(std::uint32_t robot, const PlanRobot& known, Berth to, 
     // A goal may lie inside what was found to be a pocket from elsewhere alone.
     const bool may_want_in = known.goal != nullptr && !wants_in && !is_asked;
     const bool may_step_in = is_asked && wanted_by_[pocket].empty();
-    return (may_want_in || may_step_in || (wants_in && known.pocket == pocket)) && is_open(pocket, robot);
+    // One without a goal that has no other way on would stand in the mouth for ever.
+    const bool has_to_go_through = known.goal == nullptr && pockets_.leads_only_into(pocket, known.at, known.methods);
+    return (may_want_in || may_step_in || has_to_go_through || (wants_in && known.pocket == pocket)) &&
+           is_open(pocket, robot);
   }
   const bool would_wait = wants_in && in != known.pocket && !is_open(known.pocket, robot);
   return is_asked || !would_wait || !pockets_.is_at_mouth(known.pocket, to) ||

@@ -28,7 +28,7 @@ class PocketTurns {
   const std::vector<Wanting>& wanted_by(std::uint32_t pocket) const { return wanted_by_[pocket]; }
 
   /// Returns whether the robot may go there: who is to wait does so before the mouth, unless it has to make way. Who
-  /// makes way may do so into a pocket that nobody wants.
+  /// makes way may do so into a pocket that nobody wants, and through any from which it has no other way on.
   bool may_go(std::uint32_t robot, const PlanRobot& known, Berth to, bool is_asked) const;
   /// Returns whether the drive there leads into a pocket.
   bool leads_in(const PlanRobot& known, Berth to) const;

@@ -191,6 +191,11 @@ bool Pockets::is_at_mouth(std::uint32_t pocket, Berth berth) const {
   return std::binary_search(mouth.begin(), mouth.end(), berth);
 }
 
+bool Pockets::leads_only_into(std::uint32_t pocket, Berth from, std::uint32_t methods) const {
+  const std::vector<BerthArc>& ways = graph_.next(from, methods);
+  return std::all_of(ways.begin(), ways.end(), [&](const BerthArc& arc) { return of(arc.to) == pocket; });
+}
+
 Distances& Pockets::to_mouth(std::uint32_t pocket, std::uint32_t methods) {
   std::unique_ptr<Distances>& known = to_mouth_[{pocket, methods}];
   if (known == nullptr) {

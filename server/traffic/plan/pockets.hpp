@@ -33,6 +33,8 @@ class Pockets {
   std::uint32_t of(Berth berth) const;
   bool is_at_mouth(std::uint32_t pocket, Berth berth) const;
   const std::vector<Berth>& at_mouth(std::uint32_t pocket) const { return pockets_[pocket].at_mouth; }
+  /// Returns whether all drives from the berth lead into the pocket.
+  bool leads_only_into(std::uint32_t pocket, Berth from, std::uint32_t methods) const;
   /// Tells how far it is out to the mouth.
   Distances& to_mouth(std::uint32_t pocket, std::uint32_t methods);
   std::size_t size() const { return pockets_.size(); }

@@ -27,15 +27,17 @@ void WishedBerths::drive(const BerthArc& arc, std::uint32_t robot) {
 }
 
 void WishedBerths::take_back(const BerthArc& arc, std::uint32_t robot) {
-  wished_.at(arc.to).robot = kNobody;
-  wished_.at(arc.middle).robot = kNobody;
+  // Who stands there and has been asked meanwhile may have decided to stay.
+  for (const Berth berth : {arc.to, arc.middle}) {
+    if (wished_.at(berth).robot == robot) wished_.at(berth).robot = kNobody;
+  }
   for (const Berth berth : arc.touches) std::erase(touched_by_.at(berth), robot);
 }
 
-void WishedBerths::forget_stay(Berth here, const std::vector<Berth>& beside) {
-  wished_.at(here).robot = kNobody;
-  touched_by_.at(here).clear();
-  for (const Berth berth : beside) touched_by_.at(berth).clear();
+void WishedBerths::forget_stay(Berth here, const std::vector<Berth>& beside, std::uint32_t robot) {
+  if (wished_.at(here).robot == robot) wished_.at(here).robot = kNobody;
+  std::erase(touched_by_.at(here), robot);
+  for (const Berth berth : beside) std::erase(touched_by_.at(berth), robot);
 }
 
 void WishedBerths::forget_drive(const BerthArc& arc) {

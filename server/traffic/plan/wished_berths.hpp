@@ -21,7 +21,7 @@ class WishedBerths {
   /// Takes that back.
   void take_back(const BerthArc& arc, std::uint32_t robot);
   /// Forgets a wish as the step ends, when all are forgotten.
-  void forget_stay(Berth here, const std::vector<Berth>& beside);
+  void forget_stay(Berth here, const std::vector<Berth>& beside, std::uint32_t robot);
   void forget_drive(const BerthArc& arc);
 
  private:
