@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,8 +48,13 @@ class Lanes {
   bool lets_pass(const Stand& one, const Stand& other);
 
   BerthGraph& graph_;
-  std::map<Stand, Ahead> ahead_;
-  std::map<std::pair<Stand, Stand>, bool> meet_;
+  struct Hash {
+    std::size_t operator()(const Stand& stand) const;
+    std::size_t operator()(const std::pair<Stand, Stand>& stands) const;
+  };
+
+  std::unordered_map<Stand, Ahead, Hash> ahead_;
+  std::unordered_map<std::pair<Stand, Stand>, bool, Hash> meet_;
   ByBerth<std::uint32_t> seen_;  ///< in which search
   ByBerth<Berth> from_;          ///< the berth before it in the latest search
   std::uint32_t searches_ = 0;

@@ -208,6 +208,7 @@ class Steps {
   /// Returns whether it would from there: they meet, or it would be stuck when that one went where it would.
   bool would_keep_from(std::uint32_t robot, const PlanRobot& there, const Meeting& other) {
     if (meetings_.would_keep_from({there.at, there.methods}, other)) return true;
+    if (!safe_.concern(other.robot, other.to, {there.at, there.methods})) return false;
     safe_.put(robot, there.at);
     const std::vector<std::uint32_t> stuck = safe_.stuck_by(other.robot, other.to, {});
     safe_.put(robot, states_[robot].robot.at);

@@ -58,7 +58,7 @@ void SafeStates::set_away(std::uint32_t robot, bool is_away) {
 
 /// Returns a berth on that drive at which somebody stands who is not away yet, besides the one that stands at `own`;
 /// kNoBerth: there is none.
-Berth SafeStates::occupied_on(const BerthArc& arc, Berth own) {
+Berth SafeStates::occupied_on(const CutArcs::Arc& arc, Berth own) {
   for (const Berth berth : arc.touches) {
     if (occupants_.at(berth) > (berth == own ? 1U : 0U)) return berth;
   }
@@ -72,11 +72,12 @@ bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std:
   const Lanes::Ahead& ahead = lanes_.ahead(stand);
   if (ahead.is_small) return true;
   ++searches_;
-  std::vector<Berth> reached = {stand.berth};
+  std::vector<Berth>& reached = reached_;
+  reached.assign(1, stand.berth);
   seen_.at(stand.berth) = searches_;
   for (std::size_t i = 0; i < reached.size() && reached.size() < ahead.enough; ++i) {
-    for (const BerthArc& arc : graph_.next(reached[i], stand.methods)) {
-      if (seen_.at(arc.to) == searches_ || !graph_.is_cut(arc.to)) continue;
+    for (const CutArcs::Arc& arc : arcs_.next(reached[i], stand.methods)) {
+      if (seen_.at(arc.to) == searches_) continue;
       if (const Berth berth = occupied_on(arc, stand.berth); berth != kNoBerth) {
         if (blocked_at != nullptr) blocked_at->push_back(berth);
         continue;
@@ -225,14 +226,30 @@ std::vector<std::uint32_t> SafeStates::newly_stuck(std::uint32_t robot, Berth to
   return newly;
 }
 
+bool SafeStates::concern(std::uint32_t robot, Berth to, const Lanes::Stand& other) {
+  const auto comes_by = [this](const Lanes::Stand& stand, Berth berth) {
+    const std::vector<Berth>& touched = lanes_.ahead(stand).touched;
+    return std::binary_search(touched.begin(), touched.end(), berth);
+  };
+  return comes_by({to, robots_[robot].methods}, other.berth) || comes_by(other, to);
+}
+
+/// Returns whether a robot that stands there is at one of the berths, which are sorted; who stands between two
+/// berths where one may stop is at those beside it.
+bool SafeStates::is_at_any(const std::vector<Berth>& berths, Berth at) {
+  const auto is_one = [&](Berth berth) { return std::binary_search(berths.begin(), berths.end(), berth); };
+  return graph_.is_cut(at) ? is_one(at) : std::ranges::any_of(graph_.beside(at), is_one);
+}
+
 std::vector<std::uint32_t> SafeStates::kept_by(std::uint32_t robot, Berth to) {
   const Lanes::Stand here = robots_[robot];
   const Lanes::Stand there = {to, here.methods};
+  const std::vector<Berth>& shutting = lanes_.shut_in_by(there);
   std::vector<std::uint32_t> met;
-  for (std::uint32_t other = 0; other < robots_.size(); ++other) {
+  for (std::uint32_t other = 0; other < robots_.size() && !shutting.empty(); ++other) {
     const Lanes::Stand& stand = robots_[other];
     const bool are_gridlocked = is_gridlocked_[robot] && is_gridlocked_[other];
-    if (other == robot || stand.berth == kNoBerth || are_gridlocked) continue;
+    if (other == robot || stand.berth == kNoBerth || are_gridlocked || !is_at_any(shutting, stand.berth)) continue;
     if (lanes_.meet(there, stand) && !lanes_.meet(here, stand)) met.push_back(other);
   }
   return met.empty() ? stuck_by(robot, to, {}) : met;

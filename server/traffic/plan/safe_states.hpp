@@ -4,6 +4,7 @@
 
 #include "server/traffic/plan/berth_graph.hpp"
 #include "server/traffic/plan/by_berth.hpp"
+#include "server/traffic/plan/cut_arcs.hpp"
 #include "server/traffic/plan/lanes.hpp"
 
 namespace weft::server {
@@ -14,7 +15,7 @@ namespace weft::server {
 /// sees that three robots before a crossing block a fourth.
 class SafeStates {
  public:
-  SafeStates(BerthGraph& graph, Lanes& lanes) : graph_(graph), lanes_(lanes) {}
+  SafeStates(BerthGraph& graph, Lanes& lanes) : graph_(graph), arcs_(graph), lanes_(lanes) {}
 
   /// Adds a robot, with the next number; one without a berth is nowhere. Those that are gridlocked are not asked
   /// whether they get away when one of them moves: nobody would, ever.
@@ -28,6 +29,8 @@ class SafeStates {
   /// and is in no such trouble as it is now. It may be the robot itself. Of two that are gridlocked neither keeps the
   /// other: the plan that they are to follow knows of both.
   std::vector<std::uint32_t> kept_by(std::uint32_t robot, Berth to);
+  /// Returns whether it can matter to one of them where the other stands: a way out of the one leads by there.
+  bool concern(std::uint32_t robot, Berth to, const Lanes::Stand& other);
   Berth at(std::uint32_t robot) const { return robots_[robot].berth; }
 
  private:
@@ -47,12 +50,14 @@ class SafeStates {
   std::vector<std::uint32_t> concerned(std::uint32_t by, Berth berth) const;
   bool gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at = nullptr);
   bool leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away, std::vector<bool>& is_tried);
+  bool is_at_any(const std::vector<Berth>& berths, Berth at);
   bool would_get_away(std::uint32_t robot, Berth to);
-  Berth occupied_on(const BerthArc& arc, Berth own);
+  Berth occupied_on(const CutArcs::Arc& arc, Berth own);
   void occupy(Berth berth);
   void vacate(Berth berth);
 
   BerthGraph& graph_;
+  CutArcs arcs_;
   Lanes& lanes_;
   std::vector<Lanes::Stand> robots_;
   std::vector<WaysOut> ways_out_;  ///< of each robot, past all others where they are
@@ -61,6 +66,7 @@ class SafeStates {
   Berth taken_ = kNoBerth;            ///< where one is thought to go meanwhile
   ByBerth<std::uint32_t> occupants_;  ///< how many stand there that are not away
   ByBerth<std::uint32_t> seen_;       ///< in which search
+  std::vector<Berth> reached_;        ///< by the latest search
   std::uint32_t searches_ = 0;
 };
 
