@@ -152,10 +152,6 @@ Follower::Drive Follower::look(const Seen& seen) {
   const std::optional<Joint> found = joint(config_, seen.window, *route_, *seen.estimate, at_.value_or(0));
   if (!found) return stuck(std::move(drive), seen, "route_not_joined");
   const RouteAround around = agents::around(config_, *route_, *found, seen.estimate->place_from_robot, at_);
-  if (around.poses.back().index > end_of(*route_)) {
-    standing(drive.navigated, Following::stopped, "beyond_release");
-    return drive;
-  }
   if (around.poses[around.nearest].robot_from_place.translation().norm() > config_.follow.join_m) {
     return stuck(std::move(drive), seen, "off_route");
   }
