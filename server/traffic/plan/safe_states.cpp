@@ -11,7 +11,7 @@ void SafeStates::add(const Lanes::Stand& at, bool is_gridlocked) {
   ways_out_.emplace_back();
   is_gridlocked_.push_back(is_gridlocked);
   is_away_.push_back(false);
-  occupy(at.berth);
+  arcs_.occupy(at.berth);
 }
 
 namespace {
@@ -31,38 +31,21 @@ void SafeStates::put(std::uint32_t robot, Berth at) {
   for (WaysOut& ways : ways_out_) ways.is_known = ways.is_known && !has(ways.touched, at);
 }
 
-void SafeStates::occupy(Berth berth) {
-  if (berth != kNoBerth) ++occupants_.at(berth);
-}
-
-void SafeStates::vacate(Berth berth) {
-  if (berth != kNoBerth) --occupants_.at(berth);
-}
-
 void SafeStates::place(std::uint32_t robot, Berth at) {
   const Berth from = std::exchange(robots_[robot].berth, at);
   if (is_away_[robot]) return;
-  vacate(from);
-  occupy(at);
+  arcs_.vacate(from);
+  arcs_.occupy(at);
 }
 
 void SafeStates::set_away(std::uint32_t robot, bool is_away) {
   if (is_away_[robot] == is_away) return;
   is_away_[robot] = is_away;
   if (is_away) {
-    vacate(robots_[robot].berth);
+    arcs_.vacate(robots_[robot].berth);
   } else {
-    occupy(robots_[robot].berth);
+    arcs_.occupy(robots_[robot].berth);
   }
-}
-
-/// Returns a berth on that drive at which somebody stands who is not away yet, besides the one that stands at `own`;
-/// kNoBerth: there is none.
-Berth SafeStates::occupied_on(const CutArcs::Arc& arc, Berth own) {
-  for (const Berth berth : arc.touches) {
-    if (occupants_.at(berth) > (berth == own ? 1U : 0U)) return berth;
-  }
-  return kNoBerth;
 }
 
 /// Returns whether the robot gets away past those that are not away yet. In a small network nobody does, and it is
@@ -76,9 +59,9 @@ bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std:
   reached.assign(1, stand.berth);
   seen_.at(stand.berth) = searches_;
   for (std::size_t i = 0; i < reached.size() && reached.size() < ahead.enough; ++i) {
-    for (const CutArcs::Arc& arc : arcs_.next(reached[i], stand.methods)) {
+    for (const OccupiedArcs::Arc& arc : arcs_.next(reached[i], stand.methods)) {
       if (seen_.at(arc.to) == searches_) continue;
-      if (const Berth berth = occupied_on(arc, stand.berth); berth != kNoBerth) {
+      if (const Berth berth = arcs_.occupied_on(arc, stand.berth); berth != kNoBerth) {
         if (blocked_at != nullptr) blocked_at->push_back(berth);
         continue;
       }

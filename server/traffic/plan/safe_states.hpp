@@ -4,8 +4,8 @@
 
 #include "server/traffic/plan/berth_graph.hpp"
 #include "server/traffic/plan/by_berth.hpp"
-#include "server/traffic/plan/cut_arcs.hpp"
 #include "server/traffic/plan/lanes.hpp"
+#include "server/traffic/plan/occupied_arcs.hpp"
 
 namespace weft::server {
 
@@ -52,21 +52,17 @@ class SafeStates {
   bool leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away, std::vector<bool>& is_tried);
   bool is_at_any(const std::vector<Berth>& berths, Berth at);
   bool would_get_away(std::uint32_t robot, Berth to);
-  Berth occupied_on(const CutArcs::Arc& arc, Berth own);
-  void occupy(Berth berth);
-  void vacate(Berth berth);
 
   BerthGraph& graph_;
-  CutArcs arcs_;
+  OccupiedArcs arcs_;  ///< by those that are not away
   Lanes& lanes_;
   std::vector<Lanes::Stand> robots_;
   std::vector<WaysOut> ways_out_;  ///< of each robot, past all others where they are
   std::vector<bool> is_gridlocked_;
-  std::vector<bool> is_away_;         ///< of each robot, while stuck ones are looked for
-  Berth taken_ = kNoBerth;            ///< where one is thought to go meanwhile
-  ByBerth<std::uint32_t> occupants_;  ///< how many stand there that are not away
-  ByBerth<std::uint32_t> seen_;       ///< in which search
-  std::vector<Berth> reached_;        ///< by the latest search
+  std::vector<bool> is_away_;    ///< of each robot, while stuck ones are looked for
+  Berth taken_ = kNoBerth;       ///< where one is thought to go meanwhile
+  ByBerth<std::uint32_t> seen_;  ///< in which search
+  std::vector<Berth> reached_;   ///< by the latest search
   std::uint32_t searches_ = 0;
 };
 

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/by_berth.hpp"
+
+namespace weft::server {
+
+/// Keeps who is on which drives between berths where robots may stop, for searches that go over many of these. To be
+/// used for one plan: berths that get numbers later change drives.
+class OccupiedArcs {
+ public:
+  explicit OccupiedArcs(BerthGraph& graph) : graph_(graph) {}
+
+  struct Arc {
+    Berth to = kNoBerth;
+    std::uint32_t occupants = 0;  ///< how many stand on it; who stands where two drives lead by is on both
+    std::span<const Berth> touches;
+  };
+  /// Returns the drives from there on that end at a berth where robots may stop, in the graph's order. Good until the
+  /// next call.
+  std::span<const Arc> next(Berth from, std::uint32_t methods);
+  /// Notes that one more stands there, or one less.
+  void occupy(Berth berth) { count(berth, 1); }
+  void vacate(Berth berth) { count(berth, -1); }
+  /// Returns a berth on that drive at which somebody stands besides the one that stands at `own`; kNoBerth: there is
+  /// none.
+  Berth occupied_on(const Arc& arc, Berth own) { return arc.occupants == 0 ? kNoBerth : other_than(arc, own); }
+
+ private:
+  struct Range {
+    std::size_t first = 0;
+    std::size_t size = 0;
+    bool is_known = false;
+  };
+  struct Known {
+    std::uint32_t occupants = 0;
+    std::vector<std::size_t> touched_by;  ///< arcs, by index
+  };
+
+  Range look(Berth from, std::uint32_t methods);
+  Berth other_than(const Arc& arc, Berth own);
+  void count(Berth berth, int more);
+
+  BerthGraph& graph_;
+  std::vector<Arc> arcs_;
+  std::vector<ByBerth<Range>> by_methods_;
+  ByBerth<Known> berths_;
+};
+
+}  // namespace weft::server
