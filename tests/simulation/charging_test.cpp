@@ -31,7 +31,7 @@ struct ChargingLife : testing::Test {
   Random random{7};
   Fleet fleet{FleetConfig{.site = "ring", .seed = 7, .robots = 1, .map = MapFrom::taught}};
   Chaos chaos{fleet, random.fork(1)};
-  Operator people{fleet, chaos, random.fork(2), People::help};
+  Operator people{fleet, chaos, random.fork(2), People::help, Focus::none};
 };
 
 TEST_F(ChargingLife, ARobotThatIsLowDrivesToTheChargerAndCharges) {

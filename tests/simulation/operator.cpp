@@ -74,6 +74,9 @@ void Operator::edit_a_while() {
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
+  if (focus_ != Focus::none && random_.chance(0.7)) {
+    return focus_ == Focus::rules ? rule_a_while() : press_a_while(robot);
+  }
   if (what < 0.70) {
     auto label = stations_.begin();
     std::advance(label, static_cast<std::ptrdiff_t>(random_.below(stations_.size())));

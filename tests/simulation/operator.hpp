@@ -18,13 +18,16 @@ enum class People : std::uint8_t {
   help
 };
 
+/// Tells what people do more often than anything else.
+enum class Focus : std::uint8_t { none, rules, stops };
+
 /// Asks of the fleet what people do: they teach the course and its sidings, then send robots about, change their
 /// minds, teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until
 /// it is answered, as `weft` does. Faults play on meanwhile.
 class Operator {
  public:
-  Operator(Fleet& fleet, Chaos& chaos, Random random, People people)
-      : fleet_(fleet), chaos_(chaos), random_(random), people_(people) {}
+  Operator(Fleet& fleet, Chaos& chaos, Random random, People people, Focus focus)
+      : fleet_(fleet), chaos_(chaos), random_(random), people_(people), focus_(focus) {}
 
   /// Gives each robot its lesson, or tells it where it stands on a stored map; then sends each to a station. False
   /// when it could not be done in time.
@@ -102,6 +105,7 @@ class Operator {
   Chaos& chaos_;
   Random random_;
   People people_;
+  Focus focus_;
   std::string trouble_;
   std::set<std::size_t> starts_;                 ///< robots whose start has a label
   std::map<std::string, std::size_t> stations_;  ///< labels that stand, and which station of the site

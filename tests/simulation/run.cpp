@@ -18,7 +18,7 @@ RunResult run(const RunConfig& config) {
   Random random(config.fleet.seed * 0x9e3779b97f4a7c15ULL + 1);
   Fleet fleet(config.fleet);
   Chaos chaos(fleet, random.fork(1));
-  Operator people(fleet, chaos, random.fork(2), config.people);
+  Operator people(fleet, chaos, random.fork(2), config.people, config.focus);
   const SteadyTime began = fleet.now();
   RunResult result;
   chaos.mild();
@@ -26,7 +26,9 @@ RunResult run(const RunConfig& config) {
 
   chaos.full();
   const SteadyTime end = fleet.now() + from_seconds(3600.0 * config.hours);
-  const double mean_s = 3600.0 / (config.goals_per_robot_hour / 0.7 * static_cast<double>(config.fleet.robots));
+  const double often = config.focus == Focus::none ? 1.0 : 4.0;
+  const double robots = static_cast<double>(config.fleet.robots);
+  const double mean_s = 3600.0 / (often * config.goals_per_robot_hour / 0.7 * robots);
   SteadyTime next = fleet.now();
   SteadyTime help = fleet.now();
   while (result.violations.empty() && fleet.now() < end && fleet.ledger().violations().empty()) {

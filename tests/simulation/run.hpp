@@ -12,6 +12,7 @@ namespace weft::simulation {
 struct RunConfig {
   FleetConfig fleet;
   People people = People::help;
+  Focus focus = Focus::none;  ///< with one, errands come four times as often
   double hours = 1.0;
   double goals_per_robot_hour = 3.0;
 };

@@ -23,6 +23,7 @@ struct Options {
   std::string seeds = "1..10";
   std::size_t robots = 4;
   weft::simulation::People people = weft::simulation::People::help;
+  weft::simulation::Focus focus = weft::simulation::Focus::none;
   std::optional<weft::simulation::MapFrom> map;
   double hours = 1.0;
   std::size_t jobs = 2;
@@ -88,6 +89,7 @@ std::string one(const Options& options, const Life& life) {
                                        .checks_waits = options.people == weft::simulation::People::none,
                                        .told = {options.told.begin(), options.told.end()}},
                              .people = options.people,
+                             .focus = options.focus,
                              .hours = options.hours});
   std::ostringstream line;
   // First, because at the seed's own line whoever reads may stop.
@@ -244,6 +246,14 @@ int main(int argc, char** argv) try {
       ->transform(CLI::CheckedTransformer(
                       std::map<std::string, weft::simulation::People>{{"none", weft::simulation::People::none},
                                                                       {"help", weft::simulation::People::help}})
+                      .description(""));
+  app.add_option("--focus", options.focus,
+                 "rules or stops: people lay down rules, or press stops, most of the\n"
+                 "time, and do something four times as often")
+      ->type_name("rules|stops")
+      ->transform(CLI::CheckedTransformer(
+                      std::map<std::string, weft::simulation::Focus>{{"rules", weft::simulation::Focus::rules},
+                                                                     {"stops", weft::simulation::Focus::stops}})
                       .description(""));
   app.add_option("--hours", options.hours, "simulated hours of errands for each seed, 0.05 to 1000")
       ->capture_default_str()
