@@ -226,7 +226,10 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
                                          .methods = methods_of(*known),
                                          .keeps_limits = known->description->knows_limits}},
                                        ways_to(goal.to, now));
-  if (!choice) return wait_for(goal, choice.error().message, now);
+  if (!choice) {
+    if (!assignment.waits_since) assignment.waits_since = now;
+    return wait_for(goal, choice.error().message, now);
+  }
   const GoalBook::Step step = {.state = goal.state,
                                .cause = "planned anew for " + known->name + " from " + to_string(state.place) + ", " +
                                         metres(choice->path.length_m),

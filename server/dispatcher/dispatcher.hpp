@@ -225,6 +225,9 @@ class Dispatcher {
   std::string why_held(const RobotId& robot) const;
   bool keeps_limits(const RobotId& robot) const;
   std::optional<Wait> wait_at_barrier(const RobotId& robot, const RouteAssignment& assignment) const;
+  std::optional<Wait> wait_without_route(const RobotId& robot, const RouteAssignment& assignment) const;
+  Wait barred_wait(const RobotId& robot, const RouteAssignment& assignment, std::uint32_t from,
+                   const Passage& passage) const;
   HeldPlaces held_by_others(const RobotId& robot) const;
   void note_waiting(const RobotId& robot, RouteAssignment& assignment, const Traffic::Way& way, Now now);
   std::string names_of(const std::set<RobotId>& robots) const;

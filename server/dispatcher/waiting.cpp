@@ -10,14 +10,28 @@ std::optional<Wait> Dispatcher::wait_at_barrier(const RobotId& robot, const Rout
   const Route& route = *book_.route(assignment.goal);
   if (!assignment.stands_at_end || !assignment.waits_since) return std::nullopt;
   const std::uint32_t released = route.released;
-  Wait wait{.robot = robot,
-            .at = route.places[released],
-            .needs = released + 1 < route.places.size() ? route.places[released + 1] : PlaceId{},
-            .held_by = {},
-            .since = *assignment.waits_since,
-            .rule = {}};
-  const Passage passage{.begins = wait.at, .keeps_limits = keeps_limits(robot)};
-  if (const auto at = first_barred(routes_.rules(), route, released, passage.keeps_limits)) {
+  const Passage passage{.begins = route.places[released], .keeps_limits = keeps_limits(robot)};
+  Wait wait = barred_wait(robot, assignment, released, passage);
+  if (wait.rule.empty() && released + 1 < route.places.size()) wait.needs = route.places[released + 1];
+  return wait;
+}
+
+/// Returns the wait of a robot that has no route, as a rule bars what it was to drive; none: no rule does.
+std::optional<Wait> Dispatcher::wait_without_route(const RobotId& robot, const RouteAssignment& assignment) const {
+  const Robot* const known = fleet_.find(robot);
+  if (!assignment.waits_since || known == nullptr || !known->state || !known->state->place) return std::nullopt;
+  const Passage passage{.begins = known->state->place, .keeps_limits = keeps_limits(robot)};
+  Wait wait = barred_wait(robot, assignment, 0, passage);
+  return wait.rule.empty() ? std::nullopt : std::optional(wait);
+}
+
+/// Returns the wait of a robot where the passage begins, for the first rule on its route from `from` on.
+Wait Dispatcher::barred_wait(const RobotId& robot, const RouteAssignment& assignment, std::uint32_t from,
+                             const Passage& passage) const {
+  const Route& route = *book_.route(assignment.goal);
+  Wait wait{
+      .robot = robot, .at = passage.begins, .needs = {}, .held_by = {}, .since = *assignment.waits_since, .rule = {}};
+  if (const auto at = first_barred(routes_.rules(), route, from, passage.keeps_limits)) {
     wait.needs = route.places[*at];
     wait.rule = routes_.rules().barrier(route.places[*at - 1], wait.needs, passage)->name;
   }
@@ -28,8 +42,10 @@ std::vector<Wait> Dispatcher::waits() {
   std::vector<Wait> all;
   for (const auto& [robot, assignment] : assignments_) {
     const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost;
-    if (!is_over && assignment.cut_short) {
-      if (std::optional<Wait> wait = wait_at_barrier(robot, assignment)) all.push_back(*std::move(wait));
+    if (assignment.route_lost || (!is_over && assignment.cut_short)) {
+      std::optional<Wait> wait =
+          assignment.route_lost ? wait_without_route(robot, assignment) : wait_at_barrier(robot, assignment);
+      if (wait) all.push_back(*std::move(wait));
       continue;
     }
     const bool is_let_on = assignment.way.end == Traffic::Way::End::free && assignment.ruled_by.empty();

@@ -102,6 +102,21 @@ TEST_F(RuledTraffic, WithoutAnotherWayItDrivesToItsReleasedPointAndSaysTheRule) 
   EXPECT_GT(site.order().released, before.released);
 }
 
+TEST_F(RuledTraffic, WhoHasNoRouteYetIsSaidToWaitForTheRuleThatBarsIt) {
+  Peer r2{.id = robot_id(2), .name = "r2"};
+  site.arrive(r2, std::nullopt);
+  site.stand_stopped(r2, run.place(2));
+  site.say(site.state(r1, run.place(0)));
+  site.send_goal(1, "dock", "r1");
+  ASSERT_FALSE(site.order_to(r1));
+  close("shut", 30, 32);
+  site.pass(3s);
+  const msg::RobotWait wait = site.row("r1").wait;
+  EXPECT_EQ(wait.at, run.place(0));
+  EXPECT_EQ(wait.rule, "shut");
+  EXPECT_EQ(wait.needs, run.place(30));
+}
+
 TEST_F(RuledTraffic, AHeldZoneEndsReleasesUntilItIsLetGo) {
   site.put_rule({.name = "wait", .kind = RuleKind::hold, .spans = {{run.place(22), run.place(26)}}});
   const Route route = start();
