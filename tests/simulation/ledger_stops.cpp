@@ -5,8 +5,21 @@
 /// Checks that robots stand when they have to, and are as slow as they have to be.
 namespace weft::simulation {
 
-/// Notes what the robot answers to people who stop it and let it go on.
+namespace {
+
+bool is_free_to_drive(msg::RobotMode mode) {
+  return mode == msg::RobotMode::idle || mode == msg::RobotMode::driving || mode == msg::RobotMode::waiting;
+}
+
+}  // namespace
+
+/// Notes what the robot answers to people who stop it and let it go on. It may not say meanwhile that it is free to
+/// drive, whatever happened to its agent: it would be given the next goal.
 void Ledger::note_stops(Robot& by, const msg::Message& sent) {
+  if (const auto* const state = std::get_if<msg::RobotState>(&sent)) {
+    if ((by.is_stopped || by.had_emergency) && is_free_to_drive(state->mode))
+      broken("stops", by.name + " says that it is " + to_string(state->mode) + " though nobody has let it go on");
+  }
   const auto* const reply = std::get_if<msg::AgentReply>(&sent);
   if (reply == nullptr || !reply->done || !by.commands.contains(reply->command)) return;
   const msg::AgentCommand::Kind kind = by.commands.at(reply->command);
