@@ -1,7 +1,6 @@
 #include "server/traffic/plan/lanes.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace weft::server {
 namespace {
@@ -15,15 +14,6 @@ bool touches(const BerthArc& arc, Berth berth) {
   return arc.to == berth || std::binary_search(arc.touches.begin(), arc.touches.end(), berth);
 }
 }  // namespace
-
-std::size_t Lanes::Hash::operator()(const Stand& stand) const {
-  // Spreads neighbouring numbers over all bits, as Fibonacci hashing does.
-  return ((std::size_t{stand.methods} << 32U) + stand.berth + 1) * 0x9e3779b97f4a7c15U;
-}
-
-std::size_t Lanes::Hash::operator()(const std::pair<Stand, Stand>& stands) const {
-  return std::rotl((*this)(stands.first), 29) ^ (*this)(stands.second);
-}
 
 /// Returns where one can drive from there without touching the occupied berth, the nearest first, itself included.
 std::vector<Berth> Lanes::reached(const Stand& from, Berth occupied, std::size_t most) {
@@ -135,7 +125,7 @@ bool Lanes::lets_pass(const Stand& one, const Stand& other) {
 }
 
 bool Lanes::meet(const Stand& one, const Stand& other) {
-  const auto [entry, is_new] = meet_.try_emplace({std::min(one, other), std::max(one, other)});
+  const auto [entry, is_new] = meet_[std::min(one, other)].try_emplace(std::max(one, other));
   if (is_new) {
     entry->second = is_shut_in(one, other.berth) && is_shut_in(other, one.berth) && !lets_pass(one, other) &&
                     !lets_pass(other, one);

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <unordered_map>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -48,15 +48,10 @@ class Lanes {
   bool lets_pass(const Stand& one, const Stand& other);
 
   BerthGraph& graph_;
-  struct Hash {
-    std::size_t operator()(const Stand& stand) const;
-    std::size_t operator()(const std::pair<Stand, Stand>& stands) const;
-  };
-
-  std::unordered_map<Stand, Ahead, Hash> ahead_;
-  std::unordered_map<std::pair<Stand, Stand>, bool, Hash> meet_;
-  ByBerth<std::uint32_t> seen_;  ///< in which search
-  ByBerth<Berth> from_;          ///< the berth before it in the latest search
+  std::map<Stand, Ahead> ahead_;
+  std::map<Stand, std::map<Stand, bool>> meet_;  ///< of the smaller one, with the larger one
+  ByBerth<std::uint32_t> seen_;                  ///< in which search
+  ByBerth<Berth> from_;                          ///< the berth before it in the latest search
   std::uint32_t searches_ = 0;
 };
 
