@@ -218,6 +218,7 @@ class Dispatcher {
   void release(const RobotId& robot, RouteAssignment& assignment, Now now);
   std::optional<Piece> next_piece(const RobotId& robot, const Goal& goal, const Route& route, bool told, Now now);
   void name_what_is_beyond(Piece& piece);
+  void name_who_cuts_off(Piece& piece, const RobotId& by, std::size_t kept);
   std::string end_by_rules(const RobotId& robot, std::uint32_t kept, bool told, Piece& piece) const;
   std::optional<Route> led_along(const Goal& goal, const Route& route, bool told, const std::vector<PlaceId>& places,
                                  Now now);

@@ -45,6 +45,11 @@ class Planning {
   void released(const RobotId& robot, std::size_t stops, const PlaceId& end);
   /// Returns whom the robot waits for that is not released what comes next, though nobody holds it.
   std::set<RobotId> waits_for(std::uint32_t number);
+  /// Returns who cuts the robot off from its goal until a person helps that one; none: nobody does.
+  std::optional<RobotId> cut_off_by(std::uint32_t number) const {
+    const std::uint32_t by = planner_.cut_off_by(number);
+    return by == kNobody ? std::nullopt : std::optional(of_[by]);
+  }
   /// Returns whether the robot may drive on along that way though the plan does not say so.
   bool is_safe(std::uint32_t number, const std::vector<PlaceId>& ahead) { return planner_.is_safe(number, ahead); }
 

@@ -9,7 +9,7 @@ STANDS_S, STANDS_M = 10.0, 0.05      # not moved farther for so long: it stands,
 SETS_OFF_S = 2.0                     # after it was let go on
 CLOSED_M = 0.15                      # from the middle of the closed edge: driven over it
 IN_AISLE_M = 0.5                     # from the places at which the victim was to die: it stands in nobody's way elsewhere
-LEAST_SUCCEEDED = 10                 # goals; the others may wait for good, for a named reason
+LEAST_SUCCEEDED = 7                  # goals; the others may wait for good, for the robot that was killed
 OVER = ('succeeded', 'failed', 'cancelled', 'rejected')
 UNTIL_EVER = 1 << 62
 
@@ -102,6 +102,15 @@ def trespassed(records):
         for frame, here in records.truth.get(robot, {}).items())]
 
 
+def waits_for_the_dead(goal, goals, killed):
+    """Whether a goal that has not ended is said to wait for the killed robot, or for its own robot's goal that does."""
+    if killed in (goal['robot'], goal['wanted']) or killed in (goal['named'] or '').split():
+        return True
+    robots = {goal['robot'], goal['wanted']} - {None}
+    return any(waits_for_the_dead(other, [], killed) for other in goals
+               if other is not goal and other['state'] not in OVER and other['robot'] in robots)
+
+
 def faults(summary, wanted_goals=12):
     """Every broken bound, named with its measured value."""
     goals, broken = summary['goals'], []
@@ -123,6 +132,8 @@ def faults(summary, wanted_goals=12):
         broken.append(f'{succeeded} goals succeeded, {LEAST_SUCCEEDED} wanted')
     broken += [f'{robot} drove over the edge while it was closed' for robot in summary['trespassed']]
     killed = summary['killed']
+    broken += [f"goal {goal['to']} ({goal['robot'] or goal['wanted'] or 'no robot'}): still {goal['state']}, and not for {killed['robot']}: {goal['named']}"
+               for goal in goals if killed and goal['state'] not in OVER and goal['named'] and not waits_for_the_dead(goal, goals, killed['robot'])]
     if not killed or not killed.get('holds'):
         broken.append(f"{killed['robot'] if killed else 'nobody'} was killed and holds nothing at the end")
     beside_m = summary['beside_aisle_m']

@@ -60,6 +60,8 @@ class Planner {
   /// Returns whom the robot waits for, as `PlanOrder::waits_for`; and else who is not where the plan had it yet, so
   /// that its next move would have to be taken back.
   std::vector<std::uint32_t> waits_for(std::uint32_t robot);
+  /// Returns who cuts the robot off from its goal; kNobody: nobody does.
+  std::uint32_t cut_off_by(std::uint32_t robot) const { return cut_off_by_[robot]; }
   /// Returns whether the robot may drive on to the next berth of that way though the plan does not say so: nobody
   /// comes face to face with it there, or is stuck.
   bool is_safe(std::uint32_t robot, const std::vector<PlaceId>& ahead);
