@@ -22,7 +22,7 @@ struct BirdsEye::Tables {
   cv::Mat seen;       ///< 255 where the camera sees the floor
   cv::Mat described;  ///< the same, less the border that descriptors need
 
-  Eigen::Vector2d on_floor(double column, double row) const {
+  Eigen::Vector2d on_plane(double column, double row) const {
     return {area.far_m - row * area.metres_per_pixel, area.half_width_m - column * area.metres_per_pixel};
   }
 };
@@ -32,9 +32,9 @@ namespace {
 constexpr int descriptor_border_px = 20;
 
 /// Returns metres a pixel spans across, at a floor point: below about half a map pixel the half-size image is enough.
-double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_floor) {
+double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_plane) {
   const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
-  const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_floor.x(), on_floor.y(), 0.0);
+  const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_plane.x(), on_plane.y(), 0.0);
   return p.z() / focal_px(camera);
 }
 
@@ -58,13 +58,6 @@ double whole_if_nearly(double ratio) {
 
 }  // namespace
 
-std::vector<Descriptor> descriptors_of(const std::vector<FloorFeature>& features) {
-  std::vector<Descriptor> descriptors;
-  descriptors.reserve(features.size());
-  for (const FloorFeature& feature : features) descriptors.push_back(feature.descriptor);
-  return descriptors;
-}
-
 BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   const auto t = std::make_shared<Tables>();
   t->area = area;
@@ -78,10 +71,10 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   t->first_near_row = rows;
   const Eigen::Matrix3d homography = camera_from_floor(camera, Attitude{});
   for (int r = 0; r < rows; ++r) {
-    if (finest_m_per_px(camera, t->on_floor(0.5 * columns, r)) < 0.55 * area.metres_per_pixel)
+    if (finest_m_per_px(camera, t->on_plane(0.5 * columns, r)) < 0.55 * area.metres_per_pixel)
       t->first_near_row = std::min(t->first_near_row, r);
     for (int c = 0; c < columns; ++c) {
-      const Eigen::Vector3d ray = homography * t->on_floor(c, r).homogeneous();
+      const Eigen::Vector3d ray = homography * t->on_plane(c, r).homogeneous();
       const Eigen::Vector2d pixel =
           ray.z() > 1e-6 ? pixel_from_normalised(camera, ray.hnormalized()) : Eigen::Vector2d(-1e4, -1e4);
       x.at<float>(r, c) = static_cast<float>(pixel.x());
@@ -108,7 +101,7 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   tables_ = t;
 }
 
-RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_metres_per_pixel) const {
+RectifiedPlane BirdsEye::rectify(const Image& image, int count, double patch_metres_per_pixel) const {
   const Tables& t = *tables_;
   const cv::Mat grey = as_mat(image);
   cv::Mat map(t.seen.size(), CV_8U);  // NOLINT(misc-const-correctness): written through its rows
@@ -121,7 +114,7 @@ RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_met
     cv::remap(half, map.rowRange(t.first_near_row, map.rows), t.near_xy, t.near_fraction, cv::INTER_LINEAR,
               cv::BORDER_REPLICATE);
   }
-  RectifiedFloor out;
+  RectifiedPlane out;
   cv::Mat equal;
   cv::createCLAHE(3.0, {8, 8})->apply(map, equal);
 
@@ -137,8 +130,8 @@ RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_met
   cv::Mat descriptors;
   orb->compute(equal, keypoints, descriptors);
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
-    FloorFeature feature;
-    feature.on_floor = t.on_floor(keypoints[i].pt.x, keypoints[i].pt.y);
+    PlaneFeature feature;
+    feature.on_plane = t.on_plane(keypoints[i].pt.x, keypoints[i].pt.y);
     feature.heading_rad = heading_of(keypoints[i].angle);
     std::memcpy(feature.descriptor.data(), descriptors.ptr(static_cast<int>(i)), sizeof(Descriptor));
     out.features.push_back(feature);
@@ -153,7 +146,7 @@ RectifiedFloor BirdsEye::rectify(const Image& image, int count, double patch_met
   out.patch.height = small.rows;
   out.patch.metres_per_pixel = patch_metres_per_pixel;
   const double half = 0.5 * (1.0 / shrink - 1.0);
-  out.patch.first_pixel_on_floor = t.on_floor(half, half);
+  out.patch.first_pixel_on_plane = t.on_plane(half, half);
   out.patch.pixels.assign(small.datastart, small.dataend);
   return out;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "agents/perception/camera_model.hpp"
-#include "agents/perception/hamming.hpp"
+#include "agents/perception/plane/feature.hpp"
 #include "agents/perception/view.hpp"
 
 namespace weft::agents {
@@ -17,26 +17,18 @@ struct BirdsEyeArea {
   double metres_per_pixel = 0.003;
 };
 
-struct FloorFeature {
-  Eigen::Vector2d on_floor = Eigen::Vector2d::Zero();  ///< robot frame, as the mount says (no attitude)
-  double heading_rad = 0.0;                            ///< of the grey values around it, robot frame
-  Descriptor descriptor{};
-};
-
-std::vector<Descriptor> descriptors_of(const std::vector<FloorFeature>& features);
-
-struct FloorPatch {
+struct PlanePatch {
   int width = 0;
   int height = 0;
   double metres_per_pixel = 0.0;
-  Eigen::Vector2d first_pixel_on_floor = Eigen::Vector2d::Zero();
+  Eigen::Vector2d first_pixel_on_plane = Eigen::Vector2d::Zero();
   std::vector<std::uint8_t> pixels;  ///< equalised grey; 0 where the camera does not see
 };
 
 /// Holds the floor that one view shows, rectified.
-struct RectifiedFloor {
-  std::vector<FloorFeature> features;
-  FloorPatch patch;
+struct RectifiedPlane {
+  std::vector<PlaneFeature> features;
+  PlanePatch patch;
 };
 
 /// Rectifies the views of one camera to the floor plane of its mount (its lens undone), filtered by area where the
@@ -48,7 +40,7 @@ class BirdsEye {
   /// Returns the rectified view: grey values equalised (contrast-limited, in tiles: lamps and shadows change
   /// brightness locally), then at most `count` oriented binary features spread over the area, and the patch at
   /// `patch_metres_per_pixel`. The image is whole and of the camera's size.
-  RectifiedFloor rectify(const Image& image, int count, double patch_metres_per_pixel) const;
+  RectifiedPlane rectify(const Image& image, int count, double patch_metres_per_pixel) const;
 
  private:
   struct Tables;

@@ -21,7 +21,7 @@ class Errors {
  public:
   Errors(const CameraModel& camera, const MountError& mount, const PlanarState& state)
       : Errors(tilted(camera, mount.x(), mount.y()), 1.0 / (1.0 + mount.z()), focal_px(camera), state) {}
-  Eigen::Vector2d operator()(const FloorPair& pair) const {
+  Eigen::Vector2d operator()(const PlanePair& pair) const {
     return focal_px_ * (shorter_ * pair.in_b - reproject_(shorter_ * pair.in_a).in_b);
   }
 
@@ -44,7 +44,7 @@ class ByMount {
       less_.emplace_back(camera, at - aside, state);
     }
   }
-  Matrix23d operator()(const FloorPair& pair) const {
+  Matrix23d operator()(const PlanePair& pair) const {
     Matrix23d jacobian;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -93,12 +93,12 @@ void MountFilter::fade(double share) {
   weighted_ *= share;
 }
 
-bool MountFilter::add(const FloorViews& views) {
+bool MountFilter::add(const PlaneViews& views) {
   constexpr double most_scale = 10.0;  // residuals so many times their sigma: another plane, or none
   const MountTilt believed = tilt();
   const MountError at(believed.pitch_rad, believed.roll_rad, 0.0);
   const CameraModel turned = tilted(camera_, at.x(), at.y());
-  const std::vector<FloorPair>& points = views.points;
+  const std::vector<PlanePair>& points = views.points;
   const AttitudePrior vibration = vibration_of(prior_);
   const PlanarFit fit = fit_planar_motion(turned, turned, points, vibration, {views.a_from_b, {}, {}}, kHuber);
   if (!fit.converged || fit.scale > most_scale) return false;
@@ -142,7 +142,7 @@ bool MountFilter::add(const FloorViews& views) {
   return true;
 }
 
-void MountWatch::add(const FloorViews& views) {
+void MountWatch::add(const PlaneViews& views) {
   constexpr double kept = 1.0 - 1.0 / 150.0;  // pairs are 0.2 m long
   filter_.fade(kept);
   if (!filter_.add(views) || !views.wheels.has_value()) return;

@@ -11,8 +11,8 @@
 namespace weft::agents {
 
 /// Holds two views of one drive on the same floor, a tenth of a metre or more apart.
-struct FloorViews {
-  std::vector<FloorPair> points;
+struct PlaneViews {
+  std::vector<PlanePair> points;
   Pose2 a_from_b;               ///< of the robot, as it was estimated with the mount that was believed then
   std::optional<Pose2> wheels;  ///< the same by wheel odometry; none: there is none, or not all the way
 };
@@ -47,7 +47,7 @@ class MountFilter {
   MountFilter(const CameraModel& camera, const MountPrior& prior);
 
   /// Learns from views. Returns false when they do not fit one plane, and nothing is learnt of them.
-  bool add(const FloorViews& views);
+  bool add(const PlaneViews& views);
 
   /// Forgets: keeps this share of what is known.
   void fade(double share);
@@ -76,7 +76,7 @@ struct MountReport {
 class MountWatch {
  public:
   MountWatch(const CameraModel& camera, const MountPrior& prior) : filter_(camera, prior) {}
-  void add(const FloorViews& views);
+  void add(const PlaneViews& views);
   /// Returns the tilt, as far as it is known by now.
   MountTilt tilt() const { return filter_.tilt(); }
   /// Returns the report; none before 10 pairs of views.

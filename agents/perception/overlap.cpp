@@ -6,9 +6,9 @@
 namespace weft::agents {
 namespace {
 
-Polygon in_image(const Polygon& on_floor, const Eigen::Matrix3d& camera_from_floor) {
+Polygon in_image(const Polygon& on_plane, const Eigen::Matrix3d& camera_from_plane) {
   Polygon image;
-  for (const Eigen::Vector2d& p : on_floor) image.push_back(apply(camera_from_floor, p));
+  for (const Eigen::Vector2d& p : on_plane) image.push_back(apply(camera_from_plane, p));
   return image;
 }
 
@@ -53,13 +53,13 @@ Polygon intersection(const Polygon& a, const Polygon& b) {
   return left;
 }
 
-double share_of_b_seen_in_a(const SeenFloor& a, const SeenFloor& b, const Pose2& a_from_b) {
+double share_of_b_seen_in_a(const SeenPlane& a, const SeenPlane& b, const Pose2& a_from_b) {
   const Pose2 b_from_a = a_from_b.inverse();
   Polygon a_in_b;
   for (const Eigen::Vector2d& p : a.footprint) a_in_b.push_back(b_from_a * p);
-  const double whole = std::abs(area(in_image(b.footprint, b.camera_from_floor)));
+  const double whole = std::abs(area(in_image(b.footprint, b.camera_from_plane)));
   if (!(whole > 0.0)) return 0.0;
-  return std::abs(area(in_image(intersection(b.footprint, a_in_b), b.camera_from_floor))) / whole;
+  return std::abs(area(in_image(intersection(b.footprint, a_in_b), b.camera_from_plane))) / whole;
 }
 
 }  // namespace weft::agents

@@ -125,7 +125,7 @@ Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarS
   return Reprojector(a, b, state)(in_a);
 }
 
-PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
+PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<PlanePair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber) {
   constexpr int most_iterations = 15;
   constexpr double settled = 3e-6;  // metres and radians: far below what views tell; Huber weights settle slowly

@@ -13,7 +13,7 @@ using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Matrix29d = Eigen::Matrix<double, 2, 9>;
 
 /// Holds one point of the floor seen in two views, in undistorted normalised coordinates.
-struct FloorPair {
+struct PlanePair {
   Eigen::Vector2d in_a;
   Eigen::Vector2d in_b;
   double sigma_px = 1.0;  ///< of the difference between both, in pixels of b's view
@@ -50,7 +50,7 @@ struct PlanarFit {
 /// Fits all six degrees of freedom, then projects: Gauss-Newton on reprojection errors in b with Huber weights
 /// (threshold `huber` sigmas) and the prior, from `start`. Rigid planar motion alone turns a bump of 0.05 degrees
 /// into 9 % of speed; the prior keeps what one pair of views cannot know (common tilt, height) where it was.
-PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<FloorPair>& pairs,
+PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<PlanePair>& pairs,
                             const AttitudePrior& prior, const PlanarState& start, double huber = 1.5);
 
 /// Holds the point that a sees at `in_a` as it appears in b, and its derivative by (xi, attitude_a, attitude_b).

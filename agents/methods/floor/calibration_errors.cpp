@@ -22,11 +22,11 @@ Eigen::Vector2d on_floor(const CameraModel& camera, const Eigen::Vector2d& norma
 
 /// Returns what a camera that is truly `real` shows of the floor before and after a motion, as the calibration
 /// `given` makes it out: pixels on a grid.
-std::vector<FloorPair> pairs_of(const CameraModel& given, const CameraModel& real, const Pose2& a_from_b,
+std::vector<PlanePair> pairs_of(const CameraModel& given, const CameraModel& real, const Pose2& a_from_b,
                                 const FloorConfig& config) {
   constexpr int kColumns = 12;
   constexpr int kRows = 8;
-  std::vector<FloorPair> pairs;
+  std::vector<PlanePair> pairs;
   const Eigen::Vector2d eye = real.robot_from_camera.translation.head<2>();
   const Eigen::Matrix3d camera_here = camera_from_floor(real, Attitude{});
   for (int column = 0; column < kColumns; ++column) {

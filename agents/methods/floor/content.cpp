@@ -70,25 +70,25 @@ CameraModel read_camera(ContentReader& in) {
   return camera;
 }
 
-void write_features(ContentWriter& out, const std::vector<FloorFeature>& features) {
+void write_features(ContentWriter& out, const std::vector<PlaneFeature>& features) {
   out.number(static_cast<std::uint16_t>(features.size()));
-  for (const FloorFeature& f : features) {
-    out.number(grains(f.on_floor.x()));
-    out.number(grains(f.on_floor.y()));
+  for (const PlaneFeature& f : features) {
+    out.number(grains(f.on_plane.x()));
+    out.number(grains(f.on_plane.y()));
     const double share = f.heading_rad / full_turn - std::floor(f.heading_rad / full_turn);
     out.number(static_cast<std::uint8_t>(std::lround(share * 256.0) & 255));
     for (const std::uint64_t word : f.descriptor) out.number(word);
   }
 }
 
-std::vector<FloorFeature> read_features(ContentReader& in) {
+std::vector<PlaneFeature> read_features(ContentReader& in) {
   const auto count = in.number<std::uint16_t>("features.count");
   if (count > most_floor_features) in.fault("features.count", "exceeds 4096");
-  std::vector<FloorFeature> features;
+  std::vector<PlaneFeature> features;
   for (std::size_t i = 0; i < count && !in.faulty(); ++i) {
-    FloorFeature f;
-    f.on_floor.x() = grain_m * in.number<std::int16_t>("feature.x");
-    f.on_floor.y() = grain_m * in.number<std::int16_t>("feature.y");
+    PlaneFeature f;
+    f.on_plane.x() = grain_m * in.number<std::int16_t>("feature.x");
+    f.on_plane.y() = grain_m * in.number<std::int16_t>("feature.y");
     f.heading_rad = wrap_angle(full_turn / 256.0 * in.number<std::uint8_t>("feature.heading"));
     for (std::uint64_t& word : f.descriptor) word = in.number<std::uint64_t>("feature.descriptor");
     features.push_back(f);
@@ -96,23 +96,23 @@ std::vector<FloorFeature> read_features(ContentReader& in) {
   return features;
 }
 
-void write_patch(ContentWriter& out, const FloorPatch& patch) {
+void write_patch(ContentWriter& out, const PlanePatch& patch) {
   out.number(static_cast<std::uint16_t>(patch.width));
   out.number(static_cast<std::uint16_t>(patch.height));
   out.number(patch.metres_per_pixel);
-  out.number(patch.first_pixel_on_floor.x());
-  out.number(patch.first_pixel_on_floor.y());
+  out.number(patch.first_pixel_on_plane.x());
+  out.number(patch.first_pixel_on_plane.y());
   out.raw(patch.pixels);
 }
 
-FloorPatch read_patch(ContentReader& in) {
-  FloorPatch patch;
+PlanePatch read_patch(ContentReader& in) {
+  PlanePatch patch;
   patch.width = in.number<std::uint16_t>("patch.width");
   if (patch.width > widest_floor_patch_px) in.fault("patch.width", "exceeds 512");
   patch.height = in.number<std::uint16_t>("patch.height");
   if (patch.height > widest_floor_patch_px) in.fault("patch.height", "exceeds 512");
   patch.metres_per_pixel = in.real("patch.metres_per_pixel", 1e-4, 1.0);
-  for (double& v : patch.first_pixel_on_floor) v = in.real("patch.first_pixel", -100.0, 100.0);
+  for (double& v : patch.first_pixel_on_plane) v = in.real("patch.first_pixel", -100.0, 100.0);
   const auto size = static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height);
   const ByteView pixels = in.raw("patch.pixels", size);
   patch.pixels.assign(pixels.begin(), pixels.end());

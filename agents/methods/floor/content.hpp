@@ -16,8 +16,8 @@ struct FloorContent {
   CameraModel camera;  ///< the view's; attitude has not been applied to the features
   Attitude attitude;   ///< estimated at the view
   Eigen::Vector3d attitude_sigma = Eigen::Vector3d::Zero();  ///< rad, rad, m; of the estimate against the truth
-  std::vector<FloorFeature> features;
-  FloorPatch patch;
+  std::vector<PlaneFeature> features;
+  PlanePatch patch;
 };
 
 inline constexpr std::uint32_t floor_content_format = 1;

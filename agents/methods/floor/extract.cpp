@@ -9,7 +9,7 @@ namespace weft::agents {
 OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) const {
   const OrRefusal<const Image*> image = image_of(view, camera_);
   if (!image) return tl::unexpected(image.error());
-  RectifiedFloor seen = birds_eye_.rectify(**image, config_.features, config_.patch_metres_per_pixel);
+  RectifiedPlane seen = birds_eye_.rectify(**image, config_.features, config_.patch_metres_per_pixel);
   if (seen.features.size() < static_cast<std::size_t>(config_.fewest_features))
     return tl::unexpected<Refusal>(Refusal{"too_blank", static_cast<double>(seen.features.size()),
                                            static_cast<double>(config_.fewest_features)});
@@ -34,7 +34,7 @@ OrRefusal<FloorContent> Floor::extract(const Odometry& s, const View& view) cons
 
 Eigen::Vector2d Floor::gaze(const Content& content) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const FloorFeature& feature : content.features) sum += feature.on_floor;
+  for (const PlaneFeature& feature : content.features) sum += feature.on_plane;
   return sum / std::max(1.0, static_cast<double>(content.features.size()));
 }
 

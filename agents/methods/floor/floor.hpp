@@ -8,12 +8,12 @@
 #include "agents/methods/floor/calibration_errors.hpp"
 #include "agents/methods/floor/config.hpp"
 #include "agents/methods/floor/content.hpp"
-#include "agents/methods/floor/sign.hpp"
 #include "agents/methods/method.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
+#include "agents/perception/plane/sign.hpp"
 #include "agents/perception/rig.hpp"
 #include "agents/perception/rocking_centre.hpp"
 #include "core/result.hpp"
@@ -32,7 +32,7 @@ class Floor {
   struct Tracked {
     Eigen::Vector2d in_keyframe = Eigen::Vector2d::Zero();  ///< undistorted, normalised
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< in the newest view
-    Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a FloorPair says
+    Eigen::Matrix2d counts = Eigen::Matrix2d::Identity();   ///< as a PlanePair says
   };
 
   /// Names the means by which a view's motion was found. Corners are the fastest and the most exact; where they fail
@@ -61,7 +61,7 @@ class Floor {
     SeenBy seen_by = SeenBy::nothing;             ///< likewise
     std::array<std::uint64_t, 4> views_by{};      ///< so many views each, by SeenBy
     std::optional<Pose2> wheels = Pose2{};        ///< since the keyframe; none: not reported all the way
-    std::optional<FloorViews> ended;              ///< the keyframe that ended with the newest view, and that view
+    std::optional<PlaneViews> ended;              ///< the keyframe that ended with the newest view, and that view
     std::optional<RockingCentre> rocking_centre;  ///< none before the first view
     std::optional<MountWatch> mount;              ///< what all of them said; none: there was none yet
   };
@@ -71,7 +71,7 @@ class Floor {
   /// Returns what `sign` gives, of a content's bytes; none: they are no content, or give no signature.
   static std::optional<Signature> sign_bytes(ByteView bytes) {
     const Result<FloorContent> content = decode_floor_content(bytes);
-    return content ? sign_floor_content(*content) : std::nullopt;
+    return content ? sign_features(content->features) : std::nullopt;
   }
   using Content = FloorContent;
 
@@ -110,7 +110,7 @@ class Floor {
 
   /// Counts how often each of 512 words occurs among the features, whichever way the robot looked: views of one
   /// stretch of floor are nearer to each other than nearly all others. None: a content without features.
-  std::optional<Signature> sign(const Content& content) const { return sign_floor_content(content); }
+  std::optional<Signature> sign(const Content& content) const { return sign_features(content.features); }
 
   enum Condition : std::size_t { as_is, half_light, worn };
   static constexpr std::array<std::string_view, 3> conditions = {"as_is", "half_light", "worn"};

@@ -19,7 +19,7 @@ std::string text(double value) {
 
 /// Holds what one pass through the drive has shown.
 struct Played {
-  std::vector<FloorViews> views;
+  std::vector<PlaneViews> views;
   Pose2 first_from_last;
   double path_m = 0.0;
   double wheels_m = 0.0;       ///< over stretches with wheels, and...
@@ -42,7 +42,7 @@ Result<Played> play_with(const CameraModel& camera, const PlayDrive& play, const
     ++out.samples;
     if (!odometry.ended.has_value()) return;
     out.views.push_back(std::move(*odometry.ended));
-    const FloorViews& views = out.views.back();
+    const PlaneViews& views = out.views.back();
     if (!views.wheels.has_value()) return;
     out.wheels_m += views.wheels->translation().norm();
     out.seen_beside_m += views.a_from_b.translation().norm();
@@ -95,10 +95,10 @@ Result<Height> height_from(const Played& played, const MountDriveConfig& config)
 }
 
 /// Turns the mount as the drive's views and its base's motions show; false: too little was seen.
-bool turn_mount(const std::vector<FloorViews>& seen, const MountDriveConfig& config, MountDrive& out) {
+bool turn_mount(const std::vector<PlaneViews>& seen, const MountDriveConfig& config, MountDrive& out) {
   MountFilter filter(out.camera, config.prior);
   std::vector<Pose2> motions;
-  for (const FloorViews& views : seen) {
+  for (const PlaneViews& views : seen) {
     if (filter.add(views)) motions.push_back(views.a_from_b);
   }
   const MountTilt tilt = filter.tilt();

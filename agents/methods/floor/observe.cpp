@@ -5,8 +5,9 @@
 
 #include "agents/methods/floor/fallback.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/floor/one_plane.hpp"
+#include "agents/methods/floor/plane_bounds.hpp"
 #include "agents/perception/lens.hpp"
+#include "agents/perception/plane/one_plane.hpp"
 
 namespace weft::agents {
 namespace {
@@ -97,8 +98,8 @@ void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
 }
 
 /// Returns what the keyframe and the newest view show of the mount.
-FloorViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor::Odometry& s) {
-  FloorViews views{{}, s.keyframe_from_robot, s.wheels};
+PlaneViews views_of(const FloorConfig& c, const CameraModel& camera, const Floor::Odometry& s) {
+  PlaneViews views{{}, s.keyframe_from_robot, s.wheels};
   for (const Floor::Tracked& t : s.tracks)
     views.points.push_back({t.in_keyframe, normalised_from_pixel(camera, t.pixel), c.track_sigma_px, t.counts});
   return views;
@@ -120,7 +121,7 @@ void roll(const Motion& motion, std::optional<Pose2>& wheels) {
 
 struct Followed {
   std::vector<Floor::Tracked> tracks;  ///< ordered by how well the window fits
-  std::vector<FloorPair> pairs;
+  std::vector<PlanePair> pairs;
 };
 
 Followed follow(const CameraModel& camera, const FloorConfig& c, const Floor::Odometry& s, const TrackingImage& image,
@@ -238,7 +239,8 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
   const auto follow_corners = [&]() -> std::string_view {
     if (s.keyframe_tracks < static_cast<std::size_t>(config_.fewest_tracks)) return "low_contrast";
     followed = follow(camera_, config_, s, now, expected);
-    const OnePlane plane = one_plane(camera_, config_, expected, followed.pairs, config_.homography_px);
+    const OnePlane plane =
+        one_plane(camera_, one_plane_bounds(config_), expected, followed.pairs, config_.homography_px);
     if (!plane.refused.empty()) return plane.refused;
     retain(followed, [&](std::size_t i) { return plane.is_on_it[i]; });
     fit = fit_planar_motion(camera_, camera_, followed.pairs, attitude_prior(config_, s), expected);

@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <utility>
 
-#include "agents/methods/floor/consensus.hpp"
 #include "agents/methods/floor/diagnostics.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/floor/repetition.hpp"
+#include "agents/methods/floor/plane_bounds.hpp"
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
+#include "agents/perception/plane/consensus.hpp"
+#include "agents/perception/plane/guided_match.hpp"
+#include "agents/perception/plane/repetition.hpp"
 
 namespace weft::agents {
 namespace {
@@ -20,20 +20,13 @@ tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound b
   return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
 }
 
-/// Bounds how far from the guess the truth may lie.
-struct Gate {
-  Pose2 a_from_b;
-  double distance_m = 0.0;
-  double heading_rad = 0.0;
-};
-
-std::optional<Gate> gate_of(const FloorConfig& c, const std::optional<Relation>& guess) {
+std::optional<MatchGate> gate_of(const FloorConfig& c, const std::optional<Relation>& guess) {
   if (!guess) return std::nullopt;
   const Eigen::Matrix3d covariance = planar_covariance(*guess);
   const double spread = 3.0 * std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0}));
   const double turn = 3.0 * std::sqrt(std::max(covariance(2, 2), 0.0));
-  return Gate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
-              std::clamp(turn, c.gate_rad, 1.6)};
+  return MatchGate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
+                   std::clamp(turn, c.gate_rad, 1.6)};
 }
 
 /// Returns the features on the floor in the robot's level frame: the estimated attitude is undone.
@@ -42,87 +35,8 @@ std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
       camera_from_floor(content.camera, content.attitude).inverse() * camera_from_floor(content.camera, Attitude{});
   std::vector<Eigen::Vector2d> points;
   points.reserve(content.features.size());
-  for (const FloorFeature& f : content.features) points.push_back(apply(floor_from_mount, f.on_floor));
+  for (const PlaneFeature& f : content.features) points.push_back(apply(floor_from_mount, f.on_plane));
   return points;
-}
-
-/// Sorts a's features into cells of the floor, to ask for those near a point: each cell's stand side by side in
-/// memory, as they are asked for tens of thousands of times.
-class FloorCells {
- public:
-  struct Entry {
-    Eigen::Vector2d at;
-    double heading_rad = 0.0;
-    std::uint32_t index = 0;
-  };
-
-  FloorCells(const std::vector<Eigen::Vector2d>& points, const std::vector<FloorFeature>& features, double cell_m)
-      : cell_m_(cell_m) {
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (is_near(points[i])) entries_.push_back({points[i], features[i].heading_rad, i});
-    if (entries_.empty()) return;
-    low_ = high_ = entries_.front().at;
-    for (const Entry& entry : entries_) {
-      low_ = low_.cwiseMin(entry.at);
-      high_ = high_.cwiseMax(entry.at);
-    }
-    columns_ = column(high_.x()) + 1;
-    const auto cell_of = [&](const Entry& entry) { return row(entry.at.y()) * columns_ + column(entry.at.x()); };
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [&](const Entry& one, const Entry& other) { return cell_of(one) < cell_of(other); });
-    begins_.assign(static_cast<std::size_t>(columns_ * (row(high_.y()) + 1)) + 1, 0);
-    for (const Entry& entry : entries_) ++begins_[static_cast<std::size_t>(cell_of(entry)) + 1];
-    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-  }
-
-  /// Calls `visit(entry)` for each feature within `reach_m`.
-  template <class Visit>
-  void near(const Eigen::Vector2d& point, double reach_m, const Visit& visit) const {
-    if (entries_.empty() || !is_near(point)) return;
-    const Eigen::Vector2d from = (point.array() - reach_m).max(low_.array());
-    const Eigen::Vector2d to = (point.array() + reach_m).min(high_.array());
-    if (from.x() > to.x() || from.y() > to.y()) return;
-    for (int r = row(from.y()); r <= row(to.y()); ++r) {  // of a row, one stretch of entries
-      const std::size_t first = begins_[static_cast<std::size_t>(r * columns_ + column(from.x()))];
-      const std::size_t end = begins_[static_cast<std::size_t>(r * columns_ + column(to.x())) + 1];
-      for (std::size_t k = first; k < end; ++k)
-        if ((entries_[k].at - point).squaredNorm() < reach_m * reach_m) visit(entries_[k]);
-    }
-  }
-
- private:
-  /// Returns whether a point is within 20 m: a damaged or foreign content may put a feature at its horizon.
-  static bool is_near(const Eigen::Vector2d& point) { return point.allFinite() && point.norm() < 20.0; }
-  int column(double x) const { return static_cast<int>((x - low_.x()) / cell_m_); }
-  int row(double y) const { return static_cast<int>((y - low_.y()) / cell_m_); }
-
-  double cell_m_;
-  std::vector<Entry> entries_;       // cell by cell
-  std::vector<std::size_t> begins_;  // of each cell's entries, and where the last one's end
-  Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
-  int columns_ = 0;
-};
-
-/// Matches b's features with those of a near where the guess puts them (guided matching, III-C).
-std::vector<Match> guided_matches(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
-                                  const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
-                                  const Gate& gate) {
-  // A feature's own heading is noisier than a robot's; half a radian keeps nine tenths of the right ones.
-  const double heading_gate = gate.heading_rad + 0.5;
-  const FloorCells cells(at_a, a.features, 0.1);
-  std::vector<std::vector<std::uint32_t>> candidates(at_b.size());
-  for (std::size_t j = 0; j < at_b.size(); ++j) {
-    const Eigen::Vector2d expected = gate.a_from_b * at_b[j];
-    const double reach = gate.distance_m + std::sin(std::min(gate.heading_rad, 1.5)) * at_b[j].norm() + c.consensus_m;
-    const double heading = wrap_angle(b.features[j].heading_rad + gate.a_from_b.heading);
-    cells.near(expected, reach, [&](const FloorCells::Entry& entry) {
-      const double turned = std::abs(entry.heading_rad - heading);  // of two headings: less than a whole turn
-      if (std::min(turned, 2.0 * std::numbers::pi - turned) < heading_gate) candidates[j].push_back(entry.index);
-    });
-  }
-  return match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {c.most_bits, c.ratio},
-                           candidates);
 }
 
 /// Describes a feature in the undistorted image: its place there, from that on the mount's floor plane, and how many
@@ -138,15 +52,15 @@ InImage in_image(const CameraModel& camera, const Eigen::Matrix3d& mount_homogra
   return {ray.hnormalized(), focal_px(camera) / ray.z()};
 }
 
-std::vector<FloorPair> pairs_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
+std::vector<PlanePair> pairs_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
                                 const std::vector<Match>& matches) {
   constexpr double image_sigma_px = 0.5;
   const Eigen::Matrix3d mount_a = camera_from_floor(a.camera, Attitude{});
   const Eigen::Matrix3d mount_b = camera_from_floor(b.camera, Attitude{});
-  std::vector<FloorPair> pairs;
+  std::vector<PlanePair> pairs;
   for (const Match& m : matches) {
-    const InImage at_a = in_image(a.camera, mount_a, a.features[m.a].on_floor);
-    const InImage at_b = in_image(b.camera, mount_b, b.features[m.b].on_floor);
+    const InImage at_a = in_image(a.camera, mount_a, a.features[m.a].on_plane);
+    const InImage at_b = in_image(b.camera, mount_b, b.features[m.b].on_plane);
     // a's pixels reach b magnified by the ratio of the two scales.
     const double magnified = image_sigma_px * at_b.px_per_m / at_a.px_per_m;
     const double floor_px = std::sqrt(2.0) * c.feature_sigma_m * at_b.px_per_m;
@@ -167,12 +81,12 @@ AttitudePrior prior_of(const FloorContent& a, const FloorContent& b) {
 
 struct Refined {
   PlanarFit fit;
-  std::vector<FloorPair> pairs;     ///< inliers
+  std::vector<PlanePair> pairs;     ///< inliers
   std::vector<double> residual_px;  ///< of the inliers
 };
 
 /// Fits, takes every match that the fit explains, fits again: the gate narrows from the consensus to the noise.
-Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& b, const std::vector<FloorPair>& all,
+Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& b, const std::vector<PlanePair>& all,
                const std::vector<std::size_t>& start, const Pose2& a_from_b) {
   Refined out;
   for (const std::size_t i : start) out.pairs.push_back(all[i]);
@@ -184,7 +98,7 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
     out.pairs.clear();
     out.residual_px.clear();
     const Reprojector reproject_here(a.camera, b.camera, state);
-    for (const FloorPair& pair : all) {
+    for (const PlanePair& pair : all) {
       const Reprojection there = reproject_here(pair.in_a);
       const double error = focal_px(b.camera) * (pair.in_b - there.in_b).norm();
       if (!there.in_front || error > widened * c.inlier_sigmas * pair.sigma_px) continue;
@@ -270,22 +184,23 @@ std::vector<std::uint32_t> shared_stretch(const std::vector<Eigen::Vector2d>& at
 
 OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
   const FloorConfig& c = config_;
-  const std::optional<Gate> gate = gate_of(c, guess);
-  const SeenFloor floor_a{footprint(a.camera, a.attitude, c.far_m), camera_from_floor(a.camera, a.attitude)};
-  const SeenFloor floor_b{footprint(b.camera, b.attitude, c.far_m), camera_from_floor(b.camera, b.attitude)};
+  const std::optional<MatchGate> gate = gate_of(c, guess);
+  const SeenPlane floor_a{footprint(a.camera, a.attitude, c.far_m), camera_from_floor(a.camera, a.attitude)};
+  const SeenPlane floor_b{footprint(b.camera, b.attitude, c.far_m), camera_from_floor(b.camera, b.attitude)};
   if (gate) {
     const double hoped = share_of_b_seen_in_a(floor_a, floor_b, gate->a_from_b);
     if (hoped < 0.3 * c.kappa) return refuse("no_overlap", hoped, 0.3 * c.kappa);
   }
   const std::vector<Eigen::Vector2d> at_a = level_points(a);
   const std::vector<Eigen::Vector2d> at_b = level_points(b);
-  const std::vector<Match> matches = gate ? guided_matches(c, a, b, at_a, at_b, *gate)
-                                          : match_descriptors(descriptors_of(a.features), descriptors_of(b.features),
-                                                              {c.most_bits, c.ratio_unguided});
+  const std::vector<Match> matches =
+      gate ? guided_matches({a.features, at_a}, {b.features, at_b}, *gate, {c.most_bits, c.ratio}, c.consensus_m)
+           : match_descriptors(descriptors_of(a.features), descriptors_of(b.features),
+                               {c.most_bits, c.ratio_unguided});
   if (matches.size() < static_cast<std::size_t>(c.fewest_matches))
     return refuse("few_matches", matches.size(), c.fewest_matches);
 
-  const Consensus consensus = find_consensus(c, matches, at_a, at_b);
+  const Consensus consensus = find_consensus(consensus_bounds(c), matches, at_a, at_b);
   const auto fewest = static_cast<std::size_t>(c.fewest_inliers);
   if (consensus.count < fewest) return refuse("no_consensus", consensus.count, fewest);
   std::vector<std::size_t> agreeing;
@@ -323,8 +238,8 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   const double reach_m = gate ? std::max(c.widest_gate_m, 2.0 * gate->distance_m) : kAnywhereM;
   const double most_repeated = c.most_repeated * static_cast<double>(inliers);
   const Repetition again =
-      find_repetition(c, a.features, at_a, shared_stretch(at_a, floor_b.footprint, state.a_from_b), reach_m,
-                      static_cast<std::size_t>(most_repeated) + 1);
+      find_repetition(repetition_bounds(c), a.features, at_a, shared_stretch(at_a, floor_b.footprint, state.a_from_b),
+                      reach_m, static_cast<std::size_t>(most_repeated) + 1);
   const double repeated = static_cast<double>(again.agreeing) / static_cast<double>(inliers);
   if (repeated > c.most_repeated && again.spread > c.least_spread)
     return refuse("ambiguous", repeated, c.most_repeated);

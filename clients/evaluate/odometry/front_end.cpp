@@ -22,16 +22,16 @@ constexpr double kLeastCorrelation = 0.5;
 
 /// Fits a motion to pairs as all front ends do: one plane explains them, then six degrees of freedom.
 std::optional<PlanarFit> fitted(const CameraModel& camera, const AttitudePrior& prior,
-                                const std::vector<FloorPair>& pairs, const PlanarState& expected) {
+                                const std::vector<PlanePair>& pairs, const PlanarState& expected) {
   std::vector<Eigen::Vector2d> a;
   std::vector<Eigen::Vector2d> b;
-  for (const FloorPair& pair : pairs) {
+  for (const PlanePair& pair : pairs) {
     a.push_back(pair.in_a);
     b.push_back(pair.in_b);
   }
   const auto homography = robust_homography(a, b, 2.0 * kDefaults.homography_px / focal_px(camera));
   if (!homography || homography->inliers < static_cast<std::size_t>(kDefaults.fewest_tracks)) return std::nullopt;
-  std::vector<FloorPair> agreeing;
+  std::vector<PlanePair> agreeing;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (homography->inlier[i]) agreeing.push_back(pairs[i]);
   }
@@ -63,7 +63,7 @@ class Tracks : public FrontEnd {
     const std::vector<Track> tracks = track_corners(last_, now_, pixels_, guess);
     std::vector<Eigen::Vector2d> kept;
     std::vector<Eigen::Matrix2d> counts;
-    std::vector<FloorPair> pairs;
+    std::vector<PlanePair> pairs;
     pixels_.clear();
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       if (!tracks[i].found) continue;
@@ -160,7 +160,7 @@ class Matches : public FrontEnd {
       }
     }
     const MatchBounds bounds{kDefaults.most_bits, kDefaults.ratio};
-    std::vector<FloorPair> pairs;
+    std::vector<PlanePair> pairs;
     for (const Match& m : match_descriptors(keyframe_.descriptors, now_.descriptors, bounds, candidates_of_b))
       pairs.push_back({keyframe_.normalised[m.a], now_.normalised[m.b], sigma_px});
     return fitted(camera_, prior_, pairs, expected);
@@ -207,9 +207,9 @@ class FeaturesOfTheFloor final : public Matches {
   Described describe(const Image& image) override {
     Described out;
     const Eigen::Matrix3d camera_from_level = camera_from_floor(camera_, {});
-    for (const FloorFeature& feature :
+    for (const PlaneFeature& feature :
          birds_eye_.rectify(image, kDefaults.features, kDefaults.patch_metres_per_pixel).features) {
-      out.normalised.push_back(apply(camera_from_level, feature.on_floor));
+      out.normalised.push_back(apply(camera_from_level, feature.on_plane));
       out.descriptors.push_back(feature.descriptor);
     }
     return out;

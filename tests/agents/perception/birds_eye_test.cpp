@@ -9,7 +9,7 @@ namespace {
 
 class BirdsEyeTest : public testing::Test {
  protected:
-  RectifiedFloor look(const Pose2& floor_from_robot, std::uint64_t seed) const {
+  RectifiedPlane look(const Pose2& floor_from_robot, std::uint64_t seed) const {
     test::Shot shot;
     shot.seed = seed;
     return birds_eye_.rectify(eye_.render(floor_, floor_from_robot, {}, shot), 600, 0.018);
@@ -24,19 +24,19 @@ class BirdsEyeTest : public testing::Test {
 TEST_F(BirdsEyeTest, FeaturesLieWhereTheFloorHasThem) {
   const Pose2 first{1.0, 1.7, 0.0};
   const Pose2 first_from_second{0.2, 0.1, 0.4};
-  const RectifiedFloor a = look(first, 1);
-  const RectifiedFloor b = look(first * first_from_second, 2);
+  const RectifiedPlane a = look(first, 1);
+  const RectifiedPlane b = look(first * first_from_second, 2);
   ASSERT_EQ(a.features.size(), 600U);
   std::vector<Descriptor> da;
   std::vector<Descriptor> db;
-  for (const FloorFeature& f : a.features) da.push_back(f.descriptor);
-  for (const FloorFeature& f : b.features) db.push_back(f.descriptor);
+  for (const PlaneFeature& f : a.features) da.push_back(f.descriptor);
+  for (const PlaneFeature& f : b.features) db.push_back(f.descriptor);
   int right = 0;
   int turned = 0;
   for (const Match& m : match_descriptors(da, db, {60, 0.85})) {
-    const FloorFeature& fa = a.features[m.a];
-    const FloorFeature& fb = b.features[m.b];
-    if ((first_from_second * fb.on_floor - fa.on_floor).norm() > 0.006) continue;
+    const PlaneFeature& fa = a.features[m.a];
+    const PlaneFeature& fb = b.features[m.b];
+    if ((first_from_second * fb.on_plane - fa.on_plane).norm() > 0.006) continue;
     ++right;
     turned += std::abs(wrap_angle(fa.heading_rad - fb.heading_rad - first_from_second.heading)) < 0.3 ? 1 : 0;
   }
@@ -45,17 +45,17 @@ TEST_F(BirdsEyeTest, FeaturesLieWhereTheFloorHasThem) {
 }
 
 TEST_F(BirdsEyeTest, ThePatchIsSmallAndCoversTheArea) {
-  const FloorPatch patch = look({1.0, 1.7, 0.0}, 1).patch;
+  const PlanePatch patch = look({1.0, 1.7, 0.0}, 1).patch;
   EXPECT_EQ(patch.pixels.size(), static_cast<std::size_t>(patch.width * patch.height));
   EXPECT_LT(patch.pixels.size(), 10000U);
   EXPECT_NEAR(patch.width * patch.metres_per_pixel, 1.8, 0.05);
-  EXPECT_NEAR(patch.first_pixel_on_floor.x(), 1.5, 0.02);
-  EXPECT_NEAR(patch.first_pixel_on_floor.y(), 0.9, 0.02);
+  EXPECT_NEAR(patch.first_pixel_on_plane.x(), 1.5, 0.02);
+  EXPECT_NEAR(patch.first_pixel_on_plane.y(), 0.9, 0.02);
 }
 
 TEST_F(BirdsEyeTest, SameImageSameFeatures) {
-  const RectifiedFloor a = look({1.0, 1.7, 0.0}, 1);
-  const RectifiedFloor b = look({1.0, 1.7, 0.0}, 1);
+  const RectifiedPlane a = look({1.0, 1.7, 0.0}, 1);
+  const RectifiedPlane b = look({1.0, 1.7, 0.0}, 1);
   ASSERT_EQ(a.features.size(), b.features.size());
   for (std::size_t i = 0; i < a.features.size(); ++i) EXPECT_EQ(a.features[i].descriptor, b.features[i].descriptor);
   EXPECT_EQ(a.patch.pixels, b.patch.pixels);

@@ -14,12 +14,12 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Returns what a camera truly mounted as `truth` sees between two stands, told as to one mounted as given.
-FloorViews seen(const CameraModel& truth, const Pose2& a_from_b, Random& random, double noise_px = 0.15) {
+PlaneViews seen(const CameraModel& truth, const Pose2& a_from_b, Random& random, double noise_px = 0.15) {
   const auto shake = [&] {
     return Attitude{0.0009 * random.normal(), 0.0009 * random.normal(), 0.001 * random.normal()};
   };
   const PlanarState state{a_from_b, shake(), shake()};
-  FloorViews views{{}, a_from_b, a_from_b};
+  PlaneViews views{{}, a_from_b, a_from_b};
   while (views.points.size() < 90) {
     const Eigen::Vector2d pixel(20.0 + 712.0 * random.uniform(), 150.0 + 310.0 * random.uniform());
     const Eigen::Vector2d in_a = normalised_from_pixel(truth, pixel);
@@ -67,7 +67,7 @@ TEST(MountFilter, CountsWhatTheFocalLengthMayDo) {
   MountFilter sure(given, {.focal_share = 1e-6});
   MountFilter unsure(given, {.focal_share = 0.003});
   for (int i = 0; i < 20; ++i) {
-    const FloorViews views = seen(given, arc(0.2, 0.0), random);
+    const PlaneViews views = seen(given, arc(0.2, 0.0), random);
     sure.add(views);
     unsure.add(views);
   }
@@ -78,8 +78,8 @@ TEST(MountFilter, CountsWhatTheFocalLengthMayDo) {
 TEST(MountFilter, LearnsNothingOfWhatIsNoFloor) {
   Random random(4);
   MountFilter filter(test::paper_camera(), {});
-  FloorViews views = seen(test::paper_camera(), arc(0.2, 0.0), random);
-  for (FloorPair& point : views.points) point.in_b += 0.05 * Eigen::Vector2d(random.normal(), random.normal());
+  PlaneViews views = seen(test::paper_camera(), arc(0.2, 0.0), random);
+  for (PlanePair& point : views.points) point.in_b += 0.05 * Eigen::Vector2d(random.normal(), random.normal());
   EXPECT_FALSE(filter.add(views));
   EXPECT_EQ(filter.pairs(), 0U);
 }
@@ -90,7 +90,7 @@ TEST(MountWatch, ReportsTiltAndTheWheelsHeightAndForgets) {
   MountWatch watch(given, {.tilt_rad = 0.018, .focal_share = 1e-6});
   const auto drive = [&](const CameraModel& truth, int pairs) {
     for (int i = 0; i < pairs; ++i) {
-      FloorViews views = seen(truth, arc(0.2, 0.05 * random.normal()), random);
+      PlaneViews views = seen(truth, arc(0.2, 0.05 * random.normal()), random);
       views.wheels = arc(0.202, 0.0);
       watch.add(views);
     }
@@ -110,7 +110,7 @@ TEST(MountWatch, WithoutWheelsTheHeightIsNotObservable) {
   Random random(6);
   MountWatch watch(test::paper_camera(), {});
   for (int i = 0; i < 12; ++i) {
-    FloorViews views = seen(test::paper_camera(), arc(0.2, 0.0), random);
+    PlaneViews views = seen(test::paper_camera(), arc(0.2, 0.0), random);
     views.wheels.reset();
     watch.add(views);
   }

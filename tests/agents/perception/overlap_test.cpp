@@ -15,7 +15,7 @@ Polygon shifted(const Polygon& polygon, double x, double y) {
   return out;
 }
 
-SeenFloor seen(double far_m) {
+SeenPlane seen(double far_m) {
   CameraModel camera;
   camera.robot_from_camera = downward_mount(0.0, 0.0, 0.6, 0.735, 0.0, 0.0);
   return {footprint(camera, Attitude{}, far_m), camera_from_floor(camera, Attitude{})};
@@ -35,14 +35,14 @@ TEST(Polygons, ClockwiseIsTurned) {
 }
 
 TEST(Overlap, IsWholeInPlaceAndNoneFarAway) {
-  const SeenFloor view = seen(10.0);
+  const SeenPlane view = seen(10.0);
   EXPECT_NEAR(share_of_b_seen_in_a(view, view, Pose2{}), 1.0, 1e-9);
   EXPECT_EQ(share_of_b_seen_in_a(view, view, Pose2{9.0, 0.0, 0.0}), 0.0);
 }
 
 TEST(Overlap, OfAPitchedCameraSaysWhichShare) {
   // What the corrections of the paper state: at 0.25 m of travel 96 % one way and 56 % the other.
-  const SeenFloor view = seen(10.0);
+  const SeenPlane view = seen(10.0);
   EXPECT_NEAR(share_of_b_seen_in_a(view, view, Pose2{0.25, 0.0, 0.0}), 0.96, 0.02);
   EXPECT_NEAR(share_of_b_seen_in_a(view, view, Pose2{-0.25, 0.0, 0.0}), 0.56, 0.02);
 }

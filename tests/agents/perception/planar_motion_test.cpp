@@ -25,9 +25,9 @@ PlanarState random_state(Random& random) {
 }
 
 /// Returns points that both see, exact up to `noise_px`.
-std::vector<FloorPair> seen_by_both(const CameraModel& a, const CameraModel& b, const PlanarState& state, int count,
+std::vector<PlanePair> seen_by_both(const CameraModel& a, const CameraModel& b, const PlanarState& state, int count,
                                     double noise_px, Random& random) {
-  std::vector<FloorPair> pairs;
+  std::vector<PlanePair> pairs;
   while (pairs.size() < static_cast<std::size_t>(count)) {
     const Eigen::Vector2d in_a = normalised_from_pixel(a, {random.uniform(10.0, 740.0), random.uniform(10.0, 470.0)});
     const Reprojection there = reproject(a, b, state, in_a);
@@ -103,7 +103,7 @@ TEST(PlanarMotion, WhatSlidesAlongEdgesDoesNotCount) {
   PlanarState truth;
   truth.a_from_b = {0.05, 0.0, 0.02};
   auto slid = seen_by_both(camera, camera, truth, 150, 0.05, random);
-  for (FloorPair& pair : slid) {
+  for (PlanePair& pair : slid) {
     const double angle = random.uniform(0.0, M_PI);
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     pair.in_b +=
@@ -111,8 +111,8 @@ TEST(PlanarMotion, WhatSlidesAlongEdgesDoesNotCount) {
     pair.counts -= 0.98 * along * along.transpose();
   }
   auto even = slid;
-  for (FloorPair& pair : even) pair.counts.setIdentity();
-  const auto off_mm = [&](const std::vector<FloorPair>& pairs) {
+  for (PlanePair& pair : even) pair.counts.setIdentity();
+  const auto off_mm = [&](const std::vector<PlanePair>& pairs) {
     const PlanarFit fit = fit_planar_motion(camera, camera, pairs, prior_of(0.0005, 0.001), {});
     return 1e3 * (fit.state.a_from_b.translation() - truth.a_from_b.translation()).norm();
   };

@@ -116,11 +116,11 @@ void stage_track_plain_opencv_klt(benchmark::State& state) {
 BENCHMARK(stage_track_plain_opencv_klt)->Unit(benchmark::kMillisecond);
 
 /// Returns the tracks of one pair of views, the best first.
-std::vector<FloorPair> pairs_of(std::size_t k) {
+std::vector<PlanePair> pairs_of(std::size_t k) {
   const Followed& f = followed();
   const CameraModel& camera = views().method.camera();
   const std::vector<Track> tracks = track_corners(f.images[k], f.images[k + 1], f.from[k], f.expected[k]);
-  std::vector<FloorPair> pairs;
+  std::vector<PlanePair> pairs;
   for (std::size_t i = 0; i < tracks.size(); ++i)
     if (tracks[i].found)
       pairs.push_back(
@@ -131,7 +131,7 @@ std::vector<FloorPair> pairs_of(std::size_t k) {
 void stage_homography(benchmark::State& state) {
   std::vector<Eigen::Vector2d> a;
   std::vector<Eigen::Vector2d> b;
-  for (const FloorPair& pair : pairs_of(3)) {
+  for (const PlanePair& pair : pairs_of(3)) {
     a.push_back(pair.in_a);
     b.push_back(pair.in_b);
   }
@@ -142,7 +142,7 @@ BENCHMARK(stage_homography)->Unit(benchmark::kMillisecond);
 void stage_homography_plain_opencv_usac(benchmark::State& state) {
   std::vector<cv::Point2f> a;
   std::vector<cv::Point2f> b;
-  for (const FloorPair& pair : pairs_of(3)) {
+  for (const PlanePair& pair : pairs_of(3)) {
     a.emplace_back(static_cast<float>(460.0 * pair.in_a.x()), static_cast<float>(460.0 * pair.in_a.y()));
     b.emplace_back(static_cast<float>(460.0 * pair.in_b.x()), static_cast<float>(460.0 * pair.in_b.y()));
   }
@@ -151,7 +151,7 @@ void stage_homography_plain_opencv_usac(benchmark::State& state) {
 BENCHMARK(stage_homography_plain_opencv_usac)->Unit(benchmark::kMillisecond);
 
 void stage_fit_of_six_degrees_of_freedom(benchmark::State& state) {
-  const std::vector<FloorPair> pairs = pairs_of(3);
+  const std::vector<PlanePair> pairs = pairs_of(3);
   const CameraModel& camera = views().method.camera();
   AttitudePrior prior;
   prior.information = 1e6 * Matrix6d::Identity();

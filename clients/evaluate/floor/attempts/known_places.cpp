@@ -33,7 +33,7 @@ bool has_room(const sim::Site& site, const Pose2& robot, const Eigen::Vector2d& 
 }  // namespace
 
 Shows shows_of(FloorContent content, const Pose2& site_from_robot, double far_m) {
-  SeenFloor floor{footprint(content.camera, content.attitude, far_m),
+  SeenPlane floor{footprint(content.camera, content.attitude, far_m),
                   camera_from_floor(content.camera, content.attitude)};
   const Eigen::Vector2d middle = middle_of(floor.footprint);
   return {std::move(content), site_from_robot, std::move(floor), middle};

@@ -16,7 +16,7 @@ namespace weft::evaluate::floor {
 struct Shows {
   agents::FloorContent content;
   Pose2 site_from_robot;  ///< truth
-  agents::SeenFloor floor;
+  agents::SeenPlane floor;
   Eigen::Vector2d middle;  ///< of its footprint, robot frame
 };
 /// Works out which floor a content shows, up to `far_m` ahead.

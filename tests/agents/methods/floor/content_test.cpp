@@ -16,8 +16,8 @@ FloorContent example(std::size_t features) {
   content.attitude = {0.001, -0.002, 0.0005};
   content.attitude_sigma = {0.001, 0.001, 0.002};
   for (std::size_t i = 0; i < features; ++i) {
-    FloorFeature f;
-    f.on_floor = {random.uniform(0.2, 1.5), random.uniform(-0.9, 0.9)};
+    PlaneFeature f;
+    f.on_plane = {random.uniform(0.2, 1.5), random.uniform(-0.9, 0.9)};
     f.heading_rad = random.uniform(-3.1, 3.1);
     for (std::uint64_t& word : f.descriptor) word = random.next();
     content.features.push_back(f);
@@ -36,7 +36,7 @@ TEST(FloorContentBytes, RoundTrip) {
   EXPECT_EQ(after->camera.fx, before.camera.fx);
   ASSERT_EQ(after->features.size(), 50U);
   for (std::size_t i = 0; i < 50; ++i) {
-    EXPECT_LT((after->features[i].on_floor - before.features[i].on_floor).norm(), 1e-4);
+    EXPECT_LT((after->features[i].on_plane - before.features[i].on_plane).norm(), 1e-4);
     EXPECT_LT(std::abs(wrap_angle(after->features[i].heading_rad - before.features[i].heading_rad)), 0.013);
     EXPECT_EQ(after->features[i].descriptor, before.features[i].descriptor);
   }

@@ -273,11 +273,11 @@ TEST_F(FloorRelate, APatchThatLooksTheSameElsewhereIsNoPlace) {
   const auto in_patch = [](const Eigen::Vector2d& p) {
     return (p - Eigen::Vector2d(0.8, 0.1)).cwiseAbs().maxCoeff() < 0.2;
   };
-  std::erase_if(b.features, [&](const FloorFeature& f) { return in_patch(b_from_a.inverse() * f.on_floor); });
+  std::erase_if(b.features, [&](const PlaneFeature& f) { return in_patch(b_from_a.inverse() * f.on_plane); });
   std::size_t same = 0;
-  for (FloorFeature feature : a.features) {
-    if (!in_patch(feature.on_floor)) continue;
-    feature.on_floor = b_from_a * feature.on_floor;
+  for (PlaneFeature feature : a.features) {
+    if (!in_patch(feature.on_plane)) continue;
+    feature.on_plane = b_from_a * feature.on_plane;
     feature.heading_rad += b_from_a.heading;
     b.features.push_back(feature);
     ++same;

@@ -1,4 +1,4 @@
-#include "agents/methods/floor/consensus.hpp"
+#include "agents/perception/plane/consensus.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,13 +51,12 @@ class Counter {
 
 }  // namespace
 
-Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches,
+Consensus find_consensus(const ConsensusBounds& bounds, const std::vector<Match>& matches,
                          const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b) {
-  constexpr double shortest_base_m = 0.15;
   Random random(0x666C6F6F72ULL);
-  Counter counter(matches, at_a, at_b, c.consensus_m);
+  Counter counter(matches, at_a, at_b, bounds.within_m);
   Consensus best;
-  auto hypotheses = static_cast<std::size_t>(c.hypotheses);
+  auto hypotheses = static_cast<std::size_t>(bounds.hypotheses);
   const std::size_t most_tries = 20 * hypotheses;
   const std::size_t widening = hypotheses;  // the pool holds every match after as many tries
   for (std::size_t k = 0, tries = 0; k < hypotheses && tries < most_tries; ++tries) {
@@ -66,7 +65,7 @@ Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches
     const Match& n = matches[random.below(pool)];
     const double base_a = (at_a[m.a] - at_a[n.a]).norm();
     const double base_b = (at_b[m.b] - at_b[n.b]).norm();
-    if (base_b < shortest_base_m || std::abs(base_a - base_b) > 1.5 * c.consensus_m) continue;
+    if (base_b < bounds.shortest_base_m || std::abs(base_a - base_b) > 1.5 * bounds.within_m) continue;
     ++k;
     const Pose2 pose = pose_of_two(at_a[m.a], at_a[n.a], at_b[m.b], at_b[n.b]);
     const std::size_t count = counter.count(pose);

@@ -3,11 +3,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "agents/methods/floor/config.hpp"
 #include "agents/perception/hamming.hpp"
 #include "core/geometry/pose2.hpp"
 
 namespace weft::agents {
+
+struct ConsensusBounds {
+  double within_m = 0.022;        ///< a match agrees that is off by less
+  int hypotheses = 600;           ///< drawn at most
+  double shortest_base_m = 0.15;  ///< between the two points that a motion is made of
+};
 
 struct Consensus {
   Pose2 a_from_b;
@@ -16,7 +21,7 @@ struct Consensus {
 
 /// Finds the rigid planar motion that most matches agree with: pairs are drawn from a growing set of the best ones
 /// (the order of PROSAC, Chum & Matas 2005). Draws from a fixed seed: equal contents give equal answers.
-Consensus find_consensus(const FloorConfig& c, const std::vector<Match>& matches,
+Consensus find_consensus(const ConsensusBounds& bounds, const std::vector<Match>& matches,
                          const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b);
 
 /// Measures the area that points cover, in m2: the root of the determinant of their covariance; 0 of fewer than 3.

@@ -1,4 +1,4 @@
-#include "agents/methods/floor/repetition.hpp"
+#include "agents/perception/plane/repetition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "agents/methods/floor/consensus.hpp"
 #include "core/geometry/pose2.hpp"
 
 namespace weft::agents {
@@ -19,7 +18,7 @@ constexpr double kHardlyRad = 0.7;  // two features' own headings against each o
 /// Keeps features in the order of their own headings, twice round: those headed alike lie side by side.
 class ByHeading {
  public:
-  explicit ByHeading(const std::vector<FloorFeature>& features) {
+  explicit ByHeading(const std::vector<PlaneFeature>& features) {
     for (std::uint32_t i = 0; i < features.size(); ++i) turns_.push_back({wrap_angle(features[i].heading_rad), i});
     std::sort(turns_.begin(), turns_.end());
     const std::size_t once = turns_.size();
@@ -48,7 +47,7 @@ class ByHeading {
 };
 
 /// Matches each feature of the stretch (b) with those most like it elsewhere (a), best first.
-std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<FloorFeature>& features,
+std::vector<Match> likes_elsewhere(const RepetitionBounds& bounds, const std::vector<PlaneFeature>& features,
                                    const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                                    double reach_m) {
   const std::vector<Descriptor> descriptors = descriptors_of(features);
@@ -62,10 +61,10 @@ std::vector<Match> likes_elsewhere(const FloorConfig& c, const std::vector<Floor
         std::isfinite(reach_m) ? by_heading.near(features[i].heading_rad, kHardlyRad) : by_heading.all();
     hamming(descriptors[i], descriptors, candidates, bits);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (bits[k] > c.most_bits) continue;  // first, as it leaves few
+      if (bits[k] > bounds.most_bits) continue;  // first, as it leaves few
       const std::uint32_t j = candidates[k];
       const double apart_m = (at[i] - at[j]).norm();
-      if (apart_m >= kNoRepetitionM && apart_m <= reach_m) of_one.push_back({j, i, bits[k]});
+      if (apart_m >= bounds.least_m && apart_m <= reach_m) of_one.push_back({j, i, bits[k]});
     }
     const std::size_t kept = std::min(kLikes, of_one.size());
     std::partial_sort(
@@ -87,15 +86,15 @@ std::set<std::uint32_t> having_likes(const std::vector<Match>& likes) {
 
 }  // namespace
 
-Repetition find_repetition(const FloorConfig& c, const std::vector<FloorFeature>& features,
+Repetition find_repetition(const RepetitionBounds& bounds, const std::vector<PlaneFeature>& features,
                            const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                            double reach_m, std::size_t fewest) {
-  const std::vector<Match> likes = likes_elsewhere(c, features, at, stretch, reach_m);
+  const std::vector<Match> likes = likes_elsewhere(bounds, features, at, stretch, reach_m);
   if (likes.size() < 2 || having_likes(likes).size() < fewest) return {};
-  const Consensus consensus = find_consensus(c, likes, at, at);
+  const Consensus consensus = find_consensus(bounds.consensus, likes, at, at);
   std::set<std::uint32_t> agreeing;
   for (const Match& like : likes)
-    if ((consensus.a_from_b * at[like.b] - at[like.a]).norm() < c.consensus_m) agreeing.insert(like.b);
+    if ((consensus.a_from_b * at[like.b] - at[like.a]).norm() < bounds.consensus.within_m) agreeing.insert(like.b);
   std::vector<Eigen::Vector2d> all;
   std::vector<Eigen::Vector2d> some;
   for (const std::uint32_t i : stretch) {

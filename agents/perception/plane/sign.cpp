@@ -1,4 +1,4 @@
-#include "agents/methods/floor/sign.hpp"
+#include "agents/perception/plane/sign.hpp"
 
 #include <array>
 #include <cmath>
@@ -38,16 +38,16 @@ std::size_t word_of(const Descriptor& descriptor, const std::array<std::uint8_t,
 
 }  // namespace
 
-std::optional<Signature> sign_floor_content(const FloorContent& content) {
-  if (content.features.empty()) return std::nullopt;
+std::optional<std::vector<float>> sign_features(std::span<const PlaneFeature> features) {
+  if (features.empty()) return std::nullopt;
   static const Groups groups = make_groups();
-  Signature signature(kGroups * kWords, 0.0F);
-  for (const FloorFeature& feature : content.features) {
+  std::vector<float> signature(kGroups * kWords, 0.0F);
+  for (const PlaneFeature& feature : features) {
     for (std::size_t group = 0; group < kGroups; ++group)
       signature[group * kWords + word_of(feature.descriptor, groups[group])] += 1.0F;
   }
   // The root makes frequent and rare words vary alike (Hellinger's distance).
-  for (float& word : signature) word = std::sqrt(word / static_cast<float>(content.features.size()));
+  for (float& word : signature) word = std::sqrt(word / static_cast<float>(features.size()));
   return signature;
 }
 

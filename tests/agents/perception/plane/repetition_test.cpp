@@ -1,4 +1,4 @@
-#include "agents/methods/floor/repetition.hpp"
+#include "agents/perception/plane/repetition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,32 +9,32 @@
 namespace weft::agents {
 namespace {
 
-/// Makes features as on a floor without order; some can be put down again elsewhere.
+/// Makes features as on a plane without order; some can be put down again elsewhere.
 struct Stretch {
-  std::vector<FloorFeature> features;
+  std::vector<PlaneFeature> features;
   std::vector<Eigen::Vector2d> at;
   Random random{5};
 
   explicit Stretch(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      FloorFeature feature;
-      feature.on_floor = {random.uniform(0.4, 1.0), random.uniform(-0.6, 0.0)};
+      PlaneFeature feature;
+      feature.on_plane = {random.uniform(0.4, 1.0), random.uniform(-0.6, 0.0)};
       feature.heading_rad = random.uniform(-3.0, 3.0);
       for (std::uint64_t& word : feature.descriptor) word = random.next();
       add(feature);
     }
   }
-  void add(const FloorFeature& feature) {
+  void add(const PlaneFeature& feature) {
     features.push_back(feature);
-    at.push_back(feature.on_floor);
+    at.push_back(feature.on_plane);
   }
   /// Adds all within a square around the stretch's middle once more, seen a little differently.
   void again(const Pose2& moved, double half_m) {
     const std::size_t count = features.size();
     for (std::size_t i = 0; i < count; ++i) {
-      FloorFeature feature = features[i];
-      if ((feature.on_floor - Eigen::Vector2d(0.7, -0.3)).cwiseAbs().maxCoeff() > half_m) continue;
-      feature.on_floor = moved * feature.on_floor + Eigen::Vector2d(0.002 * random.normal(), 0.002 * random.normal());
+      PlaneFeature feature = features[i];
+      if ((feature.on_plane - Eigen::Vector2d(0.7, -0.3)).cwiseAbs().maxCoeff() > half_m) continue;
+      feature.on_plane = moved * feature.on_plane + Eigen::Vector2d(0.002 * random.normal(), 0.002 * random.normal());
       feature.heading_rad = wrap_angle(feature.heading_rad + moved.heading);
       for (int bit = 0; bit < 20; ++bit) feature.descriptor[random.below(4)] ^= 1ULL << random.below(64);
       add(feature);
@@ -43,13 +43,13 @@ struct Stretch {
   Repetition find(std::size_t count, double reach_m) const {
     std::vector<std::uint32_t> first(count);
     std::iota(first.begin(), first.end(), 0U);
-    return find_repetition(FloorConfig{}, features, at, first, reach_m);
+    return find_repetition(RepetitionBounds{}, features, at, first, reach_m);
   }
 };
 
 constexpr std::size_t kCount = 150;
 
-TEST(Repetition, AFloorWithoutOrderMeetsItselfNowhere) {
+TEST(Repetition, APlaneWithoutOrderMeetsItselfNowhere) {
   const Stretch stretch(2 * kCount);
   EXPECT_LT(stretch.find(kCount, kAnywhereM).agreeing, 8U);
 }
