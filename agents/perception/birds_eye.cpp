@@ -9,6 +9,7 @@
 #include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/plane/geometry.hpp"
 #include "agents/perception/spread_corners.hpp"
 
 namespace weft::agents {
@@ -19,7 +20,7 @@ struct BirdsEye::Tables {
   int first_near_row = 0;        ///< rows from here on are read from the image at half size
   cv::Mat far_xy, far_fraction;  ///< fixed-point remap tables
   cv::Mat near_xy, near_fraction;
-  cv::Mat seen;       ///< 255 where the camera sees the floor
+  cv::Mat seen;       ///< 255 where the camera sees the plane
   cv::Mat described;  ///< the same, less the border that descriptors need
 
   Eigen::Vector2d on_plane(double column, double row) const {
@@ -31,14 +32,15 @@ namespace {
 
 constexpr int descriptor_border_px = 20;
 
-/// Returns metres a pixel spans across, at a floor point: below about half a map pixel the half-size image is enough.
-double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_plane) {
+/// Returns metres a pixel spans across, at a point of the plane: below about half a map pixel the half-size image is
+/// enough.
+double finest_m_per_px(const CameraModel& camera, const Eigen::Vector2d& on_plane, double above_floor_m) {
   const Pose3 camera_from_robot = camera.robot_from_camera.inverse();
-  const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_plane.x(), on_plane.y(), 0.0);
+  const Eigen::Vector3d p = camera_from_robot * Eigen::Vector3d(on_plane.x(), on_plane.y(), above_floor_m);
   return p.z() / focal_px(camera);
 }
 
-/// Returns a detector of corners at one scale: the map's floor is always equally far away.
+/// Returns a detector of corners at one scale: the map's plane is always equally far away.
 cv::Ptr<cv::ORB> detector(int count) {
   return cv::ORB::create(3 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
 }
@@ -62,16 +64,18 @@ BirdsEye::BirdsEye(const CameraModel& camera, const BirdsEyeArea& area) {
   const auto t = std::make_shared<Tables>();
   t->area = area;
   t->near_m = area.far_m;
-  for (const Eigen::Vector2d& p : footprint(camera, Attitude{}, area.far_m)) t->near_m = std::min(t->near_m, p.x());
+  for (const Eigen::Vector2d& p : footprint(camera, Attitude{}, area.far_m, area.above_floor_m))
+    t->near_m = std::min(t->near_m, p.x());
+  t->near_m = std::max(t->near_m, area.near_m);
   const int columns = static_cast<int>(2.0 * area.half_width_m / area.metres_per_pixel);
   const int rows = std::max(64, static_cast<int>((area.far_m - t->near_m) / area.metres_per_pixel));
   cv::Mat x(rows, columns, CV_32F);
   cv::Mat y(rows, columns, CV_32F);
   t->seen = cv::Mat::zeros(rows, columns, CV_8U);
   t->first_near_row = rows;
-  const Eigen::Matrix3d homography = camera_from_floor(camera, Attitude{});
+  const Eigen::Matrix3d homography = camera_from_plane(camera, Attitude{}, area.above_floor_m);
   for (int r = 0; r < rows; ++r) {
-    if (finest_m_per_px(camera, t->on_plane(0.5 * columns, r)) < 0.55 * area.metres_per_pixel)
+    if (finest_m_per_px(camera, t->on_plane(0.5 * columns, r), area.above_floor_m) < 0.55 * area.metres_per_pixel)
       t->first_near_row = std::min(t->first_near_row, r);
     for (int c = 0; c < columns; ++c) {
       const Eigen::Vector3d ray = homography * t->on_plane(c, r).homogeneous();
@@ -132,6 +136,7 @@ RectifiedPlane BirdsEye::rectify(const Image& image, int count, double patch_met
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
     PlaneFeature feature;
     feature.on_plane = t.on_plane(keypoints[i].pt.x, keypoints[i].pt.y);
+    feature.above_floor_m = t.area.above_floor_m;
     feature.heading_rad = heading_of(keypoints[i].angle);
     std::memcpy(feature.descriptor.data(), descriptors.ptr(static_cast<int>(i)), sizeof(Descriptor));
     out.features.push_back(feature);

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -10,11 +11,14 @@
 
 namespace weft::agents {
 
-/// Bounds the stretch of floor that is rectified, robot frame. Row 0 is the farthest, column 0 the leftmost.
+/// Bounds the stretch of a plane that is rectified, robot frame: ahead of the robot or about it, below the camera or
+/// above it. Row 0 is the farthest, column 0 the leftmost, as seen from above: a ceiling is mirrored.
 struct BirdsEyeArea {
   double far_m = 1.5;
   double half_width_m = 0.9;
   double metres_per_pixel = 0.003;
+  double near_m = -std::numeric_limits<double>::infinity();  ///< and no nearer than what the camera sees
+  double above_floor_m = 0.0;                                ///< of the plane
 };
 
 struct PlanePatch {
@@ -25,13 +29,13 @@ struct PlanePatch {
   std::vector<std::uint8_t> pixels;  ///< equalised grey; 0 where the camera does not see
 };
 
-/// Holds the floor that one view shows, rectified.
+/// Holds the stretch of a plane that one view shows, rectified.
 struct RectifiedPlane {
   std::vector<PlaneFeature> features;
   PlanePatch patch;
 };
 
-/// Rectifies the views of one camera to the floor plane of its mount (its lens undone), filtered by area where the
+/// Rectifies the views of one camera to a plane as its mount sees it (its lens undone), filtered by area where the
 /// image is finer than the map. The tables are made once; the object is immutable and cheap to copy.
 class BirdsEye {
  public:

@@ -10,11 +10,12 @@
 #include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 namespace {
 
-constexpr int kSurroundPx = 9;  // of a level: what is larger is light, not floor
+constexpr int kSurroundPx = 9;  // of a level: what is larger is light, not the plane
 
 /// Returns a level of a view without its slow changes of brightness.
 cv::Mat banded(const cv::Mat& level) {
@@ -78,13 +79,14 @@ std::optional<float> sample(const cv::Mat& band, const Eigen::Vector2d& at) {
 }
 
 /// Returns the homography b_from_a in normalised coordinates.
-Eigen::Matrix3d homography_of(const CameraModel& camera, const PlanarState& state) {
+Eigen::Matrix3d homography_of(const CameraModel& camera, const PlanarState& state, double above_floor_m) {
   const Pose2 b_from_a = state.a_from_b.inverse();
   const double c = std::cos(b_from_a.heading);
   const double s = std::sin(b_from_a.heading);
   Eigen::Matrix3d planar;
   planar << c, -s, b_from_a.x, s, c, b_from_a.y, 0.0, 0.0, 1.0;
-  return camera_from_floor(camera, state.attitude_b) * planar * camera_from_floor(camera, state.attitude_a).inverse();
+  return camera_from_plane(camera, state.attitude_b, above_floor_m) * planar *
+         camera_from_plane(camera, state.attitude_a, above_floor_m).inverse();
 }
 
 /// Returns the Jacobian of normalised coordinates of b by those of a around a point.
@@ -109,6 +111,7 @@ class LevelAlignment {
       : camera_(camera),
         prior_(prior),
         scale_(std::ldexp(1.0, level)),
+        above_floor_m_(config.above_floor_m),
         in_b_(banded(b)),
         points_(points_of(camera, banded(a), level, config)) {}
 
@@ -133,12 +136,12 @@ class LevelAlignment {
  private:
   /// Computes how each point's grey value in b changes with the state, from the gradient in a.
   void linearise(const PlanarState& state) {
-    const Eigen::Matrix3d homography = homography_of(camera_, state);
+    const Eigen::Matrix3d homography = homography_of(camera_, state, above_floor_m_);
     rows_.resize(points_.size());
     const double f = focal_px(camera_) / scale_;
     const Reprojector reproject_here(camera_, camera_, state);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Reprojection there = reproject_here(points_[i].in_a);
+      const Reprojection there = reproject_here(points_[i].in_a, above_floor_m_);
       const Eigen::Vector2d gradient_in_b =
           slope_of(homography, points_[i].in_a).inverse().transpose() * points_[i].gradient.cast<double>();
       rows_[i] = (f * gradient_in_b.transpose() * there.jacobian).cast<float>();
@@ -146,7 +149,7 @@ class LevelAlignment {
   }
 
   Vector9d step_from(DirectFit& out) {
-    const Eigen::Matrix3d homography = homography_of(camera_, out.fit.state);
+    const Eigen::Matrix3d homography = homography_of(camera_, out.fit.state, above_floor_m_);
     error_.clear();
     used_.clear();
     double aa = 0.0;
@@ -199,6 +202,7 @@ class LevelAlignment {
   const CameraModel& camera_;
   const AttitudePrior& prior_;
   double scale_;
+  double above_floor_m_;
   cv::Mat in_b_;
   std::vector<Point> points_;
   std::vector<Row9f> rows_;

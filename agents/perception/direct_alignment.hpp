@@ -12,7 +12,8 @@ struct DirectConfig {
   int finest = 1;    ///< and ended with
   int columns = 44;  ///< of the grid over a level; each cell gives its strongest pixel
   int rows = 28;
-  double least_grey = 1.5;  ///< change of grey level over two pixels below which a pixel says nothing
+  double least_grey = 1.5;     ///< change of grey level over two pixels below which a pixel says nothing
+  double above_floor_m = 0.0;  ///< of the plane that is seen
 };
 
 struct DirectFit {
@@ -21,7 +22,7 @@ struct DirectFit {
   std::size_t points = 0;  ///< of a that lie in b, finest level
 };
 
-/// Finds the motion under which two views of the floor have the same grey values, without corners: Gauss-Newton from
+/// Finds the motion under which two views of a plane have the same grey values, without corners: Gauss-Newton from
 /// coarse to fine over pixels with a gradient, linearised in a (Baker & Matthews 2004, inverse compositional), Huber
 /// weights, all six degrees of freedom under the prior. Brightness that changes slowly over the image (vignetting,
 /// lamps) is taken out of both first. The start must be right to some pixels of the coarsest level. Works on blurred

@@ -6,6 +6,7 @@
 
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 namespace {

@@ -22,7 +22,7 @@ class Errors {
   Errors(const CameraModel& camera, const MountError& mount, const PlanarState& state)
       : Errors(tilted(camera, mount.x(), mount.y()), 1.0 / (1.0 + mount.z()), focal_px(camera), state) {}
   Eigen::Vector2d operator()(const PlanePair& pair) const {
-    return focal_px_ * (shorter_ * pair.in_b - reproject_(shorter_ * pair.in_a).in_b);
+    return focal_px_ * (shorter_ * pair.in_b - reproject_(shorter_ * pair.in_a, pair.above_floor_m).in_b);
   }
 
  private:
@@ -117,13 +117,18 @@ bool MountFilter::add(const PlaneViews& views) {
   const Reprojector reproject_here(turned, turned, fit.state);
   const ByMount by_mount(camera_, at, fit.state);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Reprojection there = reproject_here(points[k].in_a);
+    const Reprojection there = reproject_here(points[k]);
     if (!there.in_front) continue;
     const double widened = std::max(1.0, fit.scale);
-    const Eigen::Vector2d error = points[k].in_sigmas(f * (points[k].in_b - there.in_b)) / widened;
+    Eigen::Vector2d error = points[k].in_sigmas(f * (points[k].in_b - there.in_b)) / widened;
+    Eigen::Matrix2d in_sigmas = points[k].counts / (points[k].sigma_px * widened);
+    if (points[k].above_floor_sigma_m > 0.0) {
+      const Eigen::Matrix2d discount = points[k].discount(f * there.by_height);
+      error = discount * error;
+      in_sigmas = discount * in_sigmas;
+    }
     const double off = error.norm();
     const double weight = off > kHuber ? kHuber / off : 1.0;
-    const Eigen::Matrix2d in_sigmas = points[k].counts / (points[k].sigma_px * widened);
     const Matrix29d jo = f * in_sigmas * there.jacobian;
     const Matrix23d jm = -in_sigmas * by_mount(points[k]);  // of the prediction, as jo
     own.noalias() += weight * jo.transpose() * jo;

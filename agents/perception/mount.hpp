@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-/// Holds two views of one drive on the same floor, a tenth of a metre or more apart.
+/// Holds two views of one drive on the same floor or under the same ceiling, a tenth of a metre or more apart.
 struct PlaneViews {
   std::vector<PlanePair> points;
   Pose2 a_from_b;               ///< of the robot, as it was estimated with the mount that was believed then

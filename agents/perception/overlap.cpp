@@ -1,4 +1,5 @@
 #include "agents/perception/overlap.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

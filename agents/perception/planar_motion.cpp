@@ -36,6 +36,14 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+Eigen::Matrix2d PlanePair::discount(const Eigen::Vector2d& px_per_m) const {
+  const Eigen::Vector2d by_sigma = in_sigmas(above_floor_sigma_m * px_per_m);
+  const double more = by_sigma.squaredNorm();
+  if (!(more > 1e-12)) return Eigen::Matrix2d::Identity();
+  // The inverse root of the covariance 1 + v v^T.
+  return Eigen::Matrix2d::Identity() - (1.0 - 1.0 / std::sqrt(1.0 + more)) / more * by_sigma * by_sigma.transpose();
+}
+
 Reprojector::Tilt Reprojector::tilt_of(const Attitude& attitude) {
   const double cp = std::cos(attitude.pitch_rad);
   const double sp = std::sin(attitude.pitch_rad);
@@ -57,21 +65,24 @@ Reprojector::Viewpoint Reprojector::viewpoint_of(const CameraModel& camera, cons
           tilt_of(attitude), attitude.height_m};
 }
 
-/// Holds the point where a ray meets the floor, and its derivative by the attitude.
-struct Reprojector::OnFloor {
+/// Holds the point where a ray meets a plane, and its derivatives by the attitude and by the plane's height.
+struct Reprojector::OnPlane {
   Eigen::Vector2d point;
   Eigen::Matrix<double, 2, 3> by_attitude;
+  Eigen::Vector2d by_height;
   bool in_front;
 };
 
-Reprojector::OnFloor Reprojector::meet_floor(const Viewpoint& viewpoint, const Eigen::Vector2d& normalised) {
+Reprojector::OnPlane Reprojector::meet_plane(const Viewpoint& viewpoint, const Eigen::Vector2d& normalised,
+                                             double above_floor_m) {
   const Eigen::Vector3d ray_in_body = viewpoint.body_from_camera * normalised.homogeneous();
   const Eigen::Vector3d ray = viewpoint.tilt.rotation * ray_in_body;
   const Eigen::Vector3d origin =
       viewpoint.tilt.rotation * viewpoint.position_in_body + Eigen::Vector3d(0.0, 0.0, viewpoint.height);
-  const double depth = -origin.z() / ray.z();
-  OnFloor met{};
-  met.in_front = ray.z() < -1e-6 && origin.z() > 0.0;
+  const double up_m = above_floor_m - origin.z();
+  const double depth = up_m / ray.z();
+  OnPlane met{};
+  met.in_front = (up_m < 0.0 && ray.z() < -1e-6) || (up_m > 0.0 && ray.z() > 1e-6);
   met.point = (origin + depth * ray).head<2>();
   const auto derivative = [&](const Eigen::Vector3d& d_origin, const Eigen::Vector3d& d_ray) -> Eigen::Vector2d {
     const double d_depth = -(d_origin.z() + depth * d_ray.z()) / ray.z();
@@ -82,6 +93,7 @@ Reprojector::OnFloor Reprojector::meet_floor(const Viewpoint& viewpoint, const E
   met.by_attitude.col(1) =
       derivative(viewpoint.tilt.by_roll * viewpoint.position_in_body, viewpoint.tilt.by_roll * ray_in_body);
   met.by_attitude.col(2) = derivative(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+  met.by_height = ray.head<2>() / ray.z();
   return met;
 }
 
@@ -94,11 +106,11 @@ Reprojector::Reprojector(const CameraModel& a, const CameraModel& b, const Plana
   b_from_a_ << c, s, -s, c;
 }
 
-Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a) const {
+Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a, double above_floor_m) const {
   const Viewpoint& b = b_;
-  const OnFloor met = meet_floor(a_, in_a);
+  const OnPlane met = meet_plane(a_, in_a, above_floor_m);
   const Eigen::Vector2d q = b_from_a_ * (met.point - origin_);
-  const Eigen::Vector3d above(q.x(), q.y(), -b.height);
+  const Eigen::Vector3d above(q.x(), q.y(), above_floor_m - b.height);
   const Eigen::Vector3d in_body = b.tilt.rotation.transpose() * above;
   const Eigen::Vector3d in_camera = b.body_from_camera.transpose() * (in_body - b.position_in_body);
 
@@ -117,12 +129,13 @@ Reprojection Reprojector::operator()(const Eigen::Vector2d& in_a) const {
   out.jacobian.col(6) = by_body * b.tilt.by_pitch.transpose() * above;
   out.jacobian.col(7) = by_body * b.tilt.by_roll.transpose() * above;
   out.jacobian.col(8) = -by_level.col(2);
+  out.by_height = by_q * (b_from_a_ * met.by_height) + by_level.col(2);
   return out;
 }
 
 Reprojection reproject(const CameraModel& a, const CameraModel& b, const PlanarState& state,
-                       const Eigen::Vector2d& in_a) {
-  return Reprojector(a, b, state)(in_a);
+                       const Eigen::Vector2d& in_a, double above_floor_m) {
+  return Reprojector(a, b, state)(in_a, above_floor_m);
 }
 
 PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const std::vector<PlanePair>& pairs,
@@ -141,15 +154,20 @@ PlanarFit fit_planar_motion(const CameraModel& a, const CameraModel& b, const st
     Normal normal;
     add_prior(prior, fit.state, normal);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const Reprojection there = reproject_here(pairs[k].in_a);
+      const Reprojection there = reproject_here(pairs[k]);
       const Eigen::Vector2d error = f * (pairs[k].in_b - there.in_b);
       fit.residual_px[k] = there.in_front ? std::min(error.norm(), far_off_px) : far_off_px;
-      const Eigen::Vector2d off = pairs[k].in_sigmas(error);
+      Eigen::Vector2d off = pairs[k].in_sigmas(error);
       whitened[k] = far_off_px / pairs[k].sigma_px;
       if (!(fit.residual_px[k] < far_off_px)) continue;
+      Matrix29d jacobian = (f / pairs[k].sigma_px) * (pairs[k].counts * there.jacobian);
+      if (pairs[k].above_floor_sigma_m > 0.0) {
+        const Eigen::Matrix2d discount = pairs[k].discount(f * there.by_height);
+        off = discount * off;
+        jacobian = discount * jacobian;
+      }
       whitened[k] = off.norm();
       const double weight = whitened[k] > huber ? huber / whitened[k] : 1.0;
-      const Matrix29d jacobian = (f / pairs[k].sigma_px) * (pairs[k].counts * there.jacobian);
       // Lazily: so small a product costs more to hand over than to multiply.
       normal.information += (weight * jacobian.transpose()).lazyProduct(jacobian);
       normal.gradient += (weight * jacobian.transpose()).lazyProduct(off);

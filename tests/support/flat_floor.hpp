@@ -12,6 +12,7 @@
 #include "agents/perception/camera_model.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/plane/geometry.hpp"
 #include "core/random.hpp"
 
 namespace weft::test {
@@ -110,10 +111,12 @@ class FlatFloor {
   friend class FloorCamera;
 };
 
-/// Renders views of a floor through a camera: exact geometry with the lens, filtered by area (4 samples a pixel).
+/// Renders views of a floor, or of the same as a ceiling, through a camera: exact geometry with the lens, filtered by
+/// area (4 samples a pixel).
 class FloorCamera {
  public:
-  explicit FloorCamera(const agents::CameraModel& truth) : truth_(truth) {
+  explicit FloorCamera(const agents::CameraModel& truth, double above_floor_m = 0.0)
+      : truth_(truth), above_floor_m_(above_floor_m) {
     rays_.create(truth.height * down, truth.width * across, CV_32FC2);
     for (int r = 0; r < rays_.rows; ++r)
       for (int c = 0; c < rays_.cols; ++c) {
@@ -167,7 +170,7 @@ class FloorCamera {
     texel_from_world(0, 2) = texel_from_world(1, 2) = -0.5;
     texel_from_world(2, 2) = 1.0;
     const Eigen::Matrix3d texel_from_camera =
-        texel_from_world * world_from_robot * agents::camera_from_floor(truth_, attitude).inverse();
+        texel_from_world * world_from_robot * agents::camera_from_plane(truth_, attitude, above_floor_m_).inverse();
     cv::Mat texels;
     cv::perspectiveTransform(rays_, texels, cv::Mat(agents::as_matx(texel_from_camera)));
     cv::Mat fine;
@@ -191,9 +194,28 @@ class FloorCamera {
   }
 
   agents::CameraModel truth_;
+  double above_floor_m_;
   cv::Mat rays_;
   cv::Mat vignette_;
 };
+
+/// Returns a camera with 53 degrees to each side that looks up from 0.4 m above the floor, leaning ahead by its pitch
+/// and to the right by its roll.
+inline agents::CameraModel upward_camera(double pitch_rad = 0.0, double roll_rad = 0.0) {
+  agents::CameraModel camera;
+  camera.id = "up";
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = camera.fy = 240.0;
+  camera.cx = 319.5;
+  camera.cy = 239.5;
+  Eigen::Matrix3d upwards;
+  upwards << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+  const Eigen::Quaterniond lean(Eigen::AngleAxisd(pitch_rad, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(roll_rad, Eigen::Vector3d::UnitX()));
+  camera.robot_from_camera = {lean * Eigen::Quaterniond(upwards), {0.12, -0.05, 0.4}};
+  return camera;
+}
 
 /// Returns the paper's camera with a lens that distorts.
 inline agents::CameraModel paper_camera(std::string id = "true") {

@@ -7,6 +7,7 @@
 
 #include "agents/perception/camera_error.hpp"
 #include "agents/perception/lens.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 namespace {

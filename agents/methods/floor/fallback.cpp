@@ -6,6 +6,7 @@
 #include "agents/perception/attitude.hpp"
 #include "agents/perception/direct_alignment.hpp"
 #include "agents/perception/hamming.hpp"
+#include "agents/perception/plane/geometry.hpp"
 #include "agents/perception/plane/one_plane.hpp"
 
 namespace weft::agents {

@@ -4,6 +4,7 @@
 
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 

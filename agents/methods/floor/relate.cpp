@@ -9,7 +9,10 @@
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
 #include "agents/perception/plane/consensus.hpp"
+#include "agents/perception/plane/feature_pairs.hpp"
+#include "agents/perception/plane/geometry.hpp"
 #include "agents/perception/plane/guided_match.hpp"
+#include "agents/perception/plane/level_points.hpp"
 #include "agents/perception/plane/repetition.hpp"
 
 namespace weft::agents {
@@ -27,47 +30,6 @@ std::optional<MatchGate> gate_of(const FloorConfig& c, const std::optional<Relat
   const double turn = 3.0 * std::sqrt(std::max(covariance(2, 2), 0.0));
   return MatchGate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
                    std::clamp(turn, c.gate_rad, 1.6)};
-}
-
-/// Returns the features on the floor in the robot's level frame: the estimated attitude is undone.
-std::vector<Eigen::Vector2d> level_points(const FloorContent& content) {
-  const Eigen::Matrix3d floor_from_mount =
-      camera_from_floor(content.camera, content.attitude).inverse() * camera_from_floor(content.camera, Attitude{});
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(content.features.size());
-  for (const PlaneFeature& f : content.features) points.push_back(apply(floor_from_mount, f.on_plane));
-  return points;
-}
-
-/// Describes a feature in the undistorted image: its place there, from that on the mount's floor plane, and how many
-/// pixels one metre on the floor is there (across the view: the finer direction).
-struct InImage {
-  Eigen::Vector2d normalised;
-  double px_per_m = 0.0;
-};
-
-InImage in_image(const CameraModel& camera, const Eigen::Matrix3d& mount_homography,
-                 const Eigen::Vector2d& on_floor) {
-  const Eigen::Vector3d ray = mount_homography * on_floor.homogeneous();
-  return {ray.hnormalized(), focal_px(camera) / ray.z()};
-}
-
-std::vector<PlanePair> pairs_of(const FloorConfig& c, const FloorContent& a, const FloorContent& b,
-                                const std::vector<Match>& matches) {
-  constexpr double image_sigma_px = 0.5;
-  const Eigen::Matrix3d mount_a = camera_from_floor(a.camera, Attitude{});
-  const Eigen::Matrix3d mount_b = camera_from_floor(b.camera, Attitude{});
-  std::vector<PlanePair> pairs;
-  for (const Match& m : matches) {
-    const InImage at_a = in_image(a.camera, mount_a, a.features[m.a].on_plane);
-    const InImage at_b = in_image(b.camera, mount_b, b.features[m.b].on_plane);
-    // a's pixels reach b magnified by the ratio of the two scales.
-    const double magnified = image_sigma_px * at_b.px_per_m / at_a.px_per_m;
-    const double floor_px = std::sqrt(2.0) * c.feature_sigma_m * at_b.px_per_m;
-    pairs.push_back({at_a.normalised, at_b.normalised,
-                     std::sqrt(image_sigma_px * image_sigma_px + magnified * magnified + floor_px * floor_px)});
-  }
-  return pairs;
 }
 
 AttitudePrior prior_of(const FloorContent& a, const FloorContent& b) {
@@ -99,7 +61,7 @@ Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& 
     out.residual_px.clear();
     const Reprojector reproject_here(a.camera, b.camera, state);
     for (const PlanePair& pair : all) {
-      const Reprojection there = reproject_here(pair.in_a);
+      const Reprojection there = reproject_here(pair);
       const double error = focal_px(b.camera) * (pair.in_b - there.in_b).norm();
       if (!there.in_front || error > widened * c.inlier_sigmas * pair.sigma_px) continue;
       out.pairs.push_back(pair);
@@ -191,8 +153,8 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
     const double hoped = share_of_b_seen_in_a(floor_a, floor_b, gate->a_from_b);
     if (hoped < 0.3 * c.kappa) return refuse("no_overlap", hoped, 0.3 * c.kappa);
   }
-  const std::vector<Eigen::Vector2d> at_a = level_points(a);
-  const std::vector<Eigen::Vector2d> at_b = level_points(b);
+  const std::vector<Eigen::Vector2d> at_a = level_points(a.camera, a.attitude, a.features);
+  const std::vector<Eigen::Vector2d> at_b = level_points(b.camera, b.attitude, b.features);
   const std::vector<Match> matches =
       gate ? guided_matches({a.features, at_a}, {b.features, at_b}, *gate, {c.most_bits, c.ratio}, c.consensus_m)
            : match_descriptors(descriptors_of(a.features), descriptors_of(b.features),
@@ -206,7 +168,9 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   std::vector<std::size_t> agreeing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     if ((consensus.a_from_b * at_b[matches[i].b] - at_a[matches[i].a]).norm() < c.consensus_m) agreeing.push_back(i);
-  const Refined refined = refine(c, a, b, pairs_of(c, a, b, matches), agreeing, consensus.a_from_b);
+  const Refined refined =
+      refine(c, a, b, feature_pairs({a.camera, a.features}, {b.camera, b.features}, matches, c.feature_sigma_m),
+             agreeing, consensus.a_from_b);
 
   const std::size_t inliers = refined.pairs.size();
   if (inliers < fewest) return refuse("few_inliers", inliers, fewest);

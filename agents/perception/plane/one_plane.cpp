@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "agents/perception/lens.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 
 OnePlane one_plane(const CameraModel& camera, const OnePlaneBounds& bounds, const PlanarState& expected,
-                   const std::vector<PlanePair>& pairs, double threshold_px) {
+                   const std::vector<PlanePair>& pairs, double threshold_px, double above_floor_m) {
   if (pairs.size() < bounds.fewest) return {"few_tracks", {}};
   std::vector<Eigen::Vector2d> a;
   std::vector<Eigen::Vector2d> b;
@@ -25,7 +26,7 @@ OnePlane one_plane(const CameraModel& camera, const OnePlaneBounds& bounds, cons
   double motion = 0.0;
   for (const PlaneMotion& candidate : candidates) motion = std::max(motion, candidate.translation_in_heights.norm());
   if (motion >= bounds.decompose_from_heights) {
-    const FloorPlane plane = floor_plane(camera, expected.attitude_a);
+    const PlaneAway plane = plane_away(camera, expected.attitude_a, above_floor_m);
     const Decomposed chosen = choose(candidates, plane.normal_in_camera, bounds.motion);
     if (!chosen.motion) return {"normal_refused", {}};
   }

@@ -21,8 +21,9 @@ struct OnePlane {
 };
 
 /// Finds the pairs that one homography explains within `threshold_px`, and decides by its decomposition whether its
-/// plane is the expected one (Gadd & Newman, eq. 1 and 2). The best of `pairs` stand first.
+/// plane is the expected one (Gadd & Newman, eq. 1 and 2). The best of `pairs` stand
+/// first. `above_floor_m`: of the expected plane.
 OnePlane one_plane(const CameraModel& camera, const OnePlaneBounds& bounds, const PlanarState& expected,
-                   const std::vector<PlanePair>& pairs, double threshold_px);
+                   const std::vector<PlanePair>& pairs, double threshold_px, double above_floor_m = 0.0);
 
 }  // namespace weft::agents

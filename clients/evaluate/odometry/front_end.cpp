@@ -11,6 +11,7 @@
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/opencv_view.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::evaluate::odometry {
 namespace {

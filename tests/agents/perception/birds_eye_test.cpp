@@ -61,5 +61,34 @@ TEST_F(BirdsEyeTest, SameImageSameFeatures) {
   EXPECT_EQ(a.patch.pixels, b.patch.pixels);
 }
 
+/// Tests a ceiling 1.6 m above the camera, all round the robot.
+TEST(BirdsEyeAbove, FeaturesLieWhereTheCeilingHasThem) {
+  constexpr double kCeilingM = 2.0;
+  const test::FlatFloor ceiling = test::FlatFloor::procedural(23, 7.0, 6.0);
+  const CameraModel camera = test::upward_camera(0.035);
+  const test::FloorCamera eye(camera, kCeilingM);
+  const BirdsEye birds_eye(camera, {1.2, 1.0, 0.005, -1.2, kCeilingM});
+  const Pose2 first{3.0, 3.0, 0.0};
+  const Pose2 first_from_second{0.2, 0.1, 0.4};
+  const RectifiedPlane a = birds_eye.rectify(eye.render(ceiling, first, {}, {}), 300, 0.05);
+  const RectifiedPlane b = birds_eye.rectify(eye.render(ceiling, first * first_from_second, {}, {}), 300, 0.05);
+  EXPECT_NEAR(a.patch.height * a.patch.metres_per_pixel, 2.4, 0.06) << "behind the robot as well as ahead";
+  int right = 0;
+  int turned = 0;
+  bool is_behind = false;
+  for (const Match& m : match_descriptors(descriptors_of(a.features), descriptors_of(b.features), {60, 0.85})) {
+    const PlaneFeature& fa = a.features[m.a];
+    const PlaneFeature& fb = b.features[m.b];
+    EXPECT_EQ(fa.above_floor_m, kCeilingM);
+    if ((first_from_second * fb.on_plane - fa.on_plane).norm() > 0.01) continue;
+    ++right;
+    turned += std::abs(wrap_angle(fa.heading_rad - fb.heading_rad - first_from_second.heading)) < 0.3 ? 1 : 0;
+    is_behind = is_behind || fa.on_plane.x() < -0.5;
+  }
+  EXPECT_GT(right, 40);
+  EXPECT_GT(turned, 0.9 * right);
+  EXPECT_TRUE(is_behind);
+}
+
 }  // namespace
 }  // namespace weft::agents

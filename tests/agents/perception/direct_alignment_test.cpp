@@ -73,5 +73,19 @@ TEST_F(DirectAlignment, ABlankFloorGivesNoPoints) {
   EXPECT_FALSE(found.fit.converged);
 }
 
+TEST(DirectAlignmentAbove, FindsAMotionUnderACeiling) {
+  constexpr double kCeilingM = 2.0;
+  const test::FlatFloor ceiling = test::FlatFloor::procedural(24, 7.0, 6.0);
+  const CameraModel camera = test::upward_camera(0.035);
+  const test::FloorCamera eye(camera, kCeilingM);
+  const Pose2 stand{3.0, 3.0, 0.2};
+  const Pose2 moved{0.10, 0.004, 0.03};
+  const DirectFit found =
+      align_directly(camera, eye.render(ceiling, stand, {}, {}), eye.render(ceiling, stand * moved, {}, {}),
+                     vibrating(), {{0.08, 0.0, 0.02}, {}, {}}, {.above_floor_m = kCeilingM});
+  EXPECT_TRUE(found.fit.converged);
+  EXPECT_LT((moved.inverse() * found.fit.state.a_from_b).translation().norm(), 0.002);
+}
+
 }  // namespace
 }  // namespace weft::agents

@@ -1,4 +1,5 @@
 #include "agents/perception/homography.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 #include <gtest/gtest.h>
 

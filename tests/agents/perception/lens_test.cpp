@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "agents/perception/attitude.hpp"
+#include "agents/perception/plane/geometry.hpp"
 #include "tests/support/flat_floor.hpp"
 
 namespace weft::agents {

@@ -7,6 +7,7 @@
 
 #include "agents/bodies/sim/base.hpp"
 #include "agents/perception/lens.hpp"
+#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
