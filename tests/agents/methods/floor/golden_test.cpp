@@ -54,8 +54,7 @@ class BitHash {
 };
 
 /// Keeps OpenCV to the instructions that every processor has, which otherwise differ in the last bits.
-class FloorGolden : public testing::Test {
- protected:
+struct FloorGolden : testing::Test {
   FloorGolden() { cv::setUseOptimized(false); }
   ~FloorGolden() override { cv::setUseOptimized(was_optimised_); }
 
