@@ -152,6 +152,8 @@ Follower::Drive Follower::look(const Seen& seen) {
   const std::optional<Joint> found = joint(config_, seen.window, *route_, *seen.estimate, at_.value_or(0));
   if (!found) return stuck(std::move(drive), seen, "route_not_joined");
   const RouteAround around = agents::around(config_, *route_, *found, seen.estimate->place_from_robot, at_);
+  // Its route may come by where it stands once more, beyond what is released.
+  if (around.poses.back().index > end_of(*route_)) return stuck(std::move(drive), seen, "beyond_release");
   if (around.poses[around.nearest].robot_from_place.translation().norm() > config_.follow.join_m) {
     return stuck(std::move(drive), seen, "off_route");
   }

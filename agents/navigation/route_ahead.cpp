@@ -89,12 +89,10 @@ std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
   return a > b ? a - b : b - a;
 }
 
-/// Returns the index before `end` of the believed place itself that is nearest to `from`; a route may come by a place
-/// twice.
-std::optional<std::uint32_t> own_index(const Route& route, const PlaceId& place, std::uint32_t from,
-                                       std::uint32_t end) {
+/// Returns the index of the believed place itself that is nearest to `from`; a route may come by a place twice.
+std::optional<std::uint32_t> own_index(const Route& route, const PlaceId& place, std::uint32_t from) {
   std::optional<std::uint32_t> own;
-  for (std::uint32_t i = 0; i < end; ++i) {
+  for (std::uint32_t i = 0; i < route.places.size(); ++i) {
     if (route.places[i] == place && (!own || apart(i, from) < apart(*own, from))) own = i;
   }
   return own;
@@ -123,9 +121,8 @@ std::optional<Joint> nearest_joined(const NavigationConfig& config, const Window
 
 std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
                            const Estimate& estimate, std::uint32_t from) {
-  // A robot may stand a little beyond what is released, and nowhere on what follows: a route may come by here later.
-  const auto all = std::min(static_cast<std::uint32_t>(route.places.size()), route.released + around_at + 1);
-  const std::optional<std::uint32_t> own = own_index(route, estimate.place, from, all);
+  const auto all = static_cast<std::uint32_t>(route.places.size());
+  const std::optional<std::uint32_t> own = own_index(route, estimate.place, from);
   // What has just been passed is joined to the robot, too, where the map does not say what comes next.
   if (!own) return nearest_joined(config, window, route, estimate, from > around_at ? from - around_at : 0, all);
   if (apart(*own, from) <= around_at) return Joint{*own, Metric2{}};

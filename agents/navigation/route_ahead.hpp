@@ -32,8 +32,8 @@ Pose2 laid_out(const Relation& a_from_b);
 bool can_cross(const StitchConfig& config, const Relation& a_from_b);
 
 /// Describes a way from the believed place to the route: to the place's own index, or to the nearest place of the
-/// route that the window joins it to. `from`: earlier places have been passed. None far beyond what is released; none
-/// at all: not joined within `locate.most_hops`.
+/// route that the window joins it to. `from`: earlier places have been passed. None: not joined within
+/// `locate.most_hops`.
 struct Joint {
   std::uint32_t index = 0;
   Relation believed_from_route;

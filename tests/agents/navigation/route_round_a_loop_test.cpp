@@ -58,14 +58,5 @@ TEST(RouteRoundALoop, ARobotThatIsFarFromTheBeginningIsWhereItIs) {
   EXPECT_EQ(index_at({place(20), AlongPath{}}, 0), 20U);
 }
 
-/// It stands a metre before the beginning, where the route ends, too, and nothing of that is released.
-TEST(RouteRoundALoop, WhereTheRouteComesByBeyondWhatIsReleasedTheRobotIsNot) {
-  Route route = rounds(1);
-  route.released = 5;
-  const std::optional<Joint> found = joint(NavigationConfig{}, loop(), route, Estimate{place(35), AlongPath{}}, 0);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->index, 0U);
-}
-
 }  // namespace
 }  // namespace weft::agents
