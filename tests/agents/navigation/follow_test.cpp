@@ -19,6 +19,14 @@ class Follow : public MarksFleet {
     route.released = 7;
     return route;
   }
+  /// Runs the robot for as long as it is stopped.
+  Navigated stand(NavigatedRobot& robot) {
+    Navigated navigated = run(robot, 1);
+    for (int samples = 0; samples < 3000 && navigated.following == Following::stopped; ++samples) {
+      navigated = run(robot, 1);
+    }
+    return navigated;
+  }
   double beyond_m(const NavigatedRobot& robot, const PlaceId& place) const {
     return (truth.at(place).inverse() * robot.world_from_robot()).x;
   }
@@ -140,12 +148,20 @@ TEST_F(Follow, TooFarFromTheRouteItStandsAndSaysSo) {
 TEST_F(Follow, TooFarFromTheRouteForLongItGivesUp) {
   NavigatedRobot robot = localised_at(truth.at({first, 25}), {first, 25}, 8);
   robot.navigator().follow(route_that_ends_at_place_7());
-  Navigated navigated = run(robot, 1);
-  for (int samples = 0; samples < 3000 && navigated.following == Following::stopped; ++samples) {
-    navigated = run(robot, 1);
-  }
+  const Navigated navigated = stand(robot);
   EXPECT_EQ(navigated.following, Following::failed);
   EXPECT_EQ(navigated.reason, "off_route");
+  EXPECT_EQ(navigated.command, Twist{});
+}
+
+TEST_F(Follow, WhereItsRouteComesByBeyondWhatIsReleasedItGivesUp) {
+  NavigatedRobot robot = localised_at(truth.at({first, 25}), {first, 25}, 8);
+  Route route = route_to_last({first, 0});
+  route.released = 5;
+  robot.navigator().follow(route);
+  const Navigated navigated = stand(robot);
+  EXPECT_EQ(navigated.following, Following::failed);
+  EXPECT_EQ(navigated.reason, "beyond_release");
   EXPECT_EQ(navigated.command, Twist{});
 }
 
