@@ -17,7 +17,7 @@ TEST(WishedBerths, AWishThatIsTakenBackIsGone) {
   EXPECT_EQ(wished.who_wishes(7), kNobody);
 }
 
-/// Who stands there is asked to make way while the wish is there, and may find that it has to stay.
+/// Asks the robot that stands there to make way while the wish is there; it finds that it has to stay.
 TEST(WishedBerths, WhoWasAskedAndStaysStillWishesToWhenTheAskerTakesItsWishBack) {
   WishedBerths wished;
   wished.drive(kTo2, 0);

@@ -27,7 +27,7 @@ void WishedBerths::drive(const BerthArc& arc, std::uint32_t robot) {
 }
 
 void WishedBerths::take_back(const BerthArc& arc, std::uint32_t robot) {
-  // Who stands there and has been asked meanwhile may have decided to stay.
+  // The robot that stands there may have been asked meanwhile, and have decided to stay.
   for (const Berth berth : {arc.to, arc.middle}) {
     if (wished_.at(berth).robot == robot) wished_.at(berth).robot = kNobody;
   }

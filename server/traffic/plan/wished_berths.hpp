@@ -20,8 +20,9 @@ class WishedBerths {
   void drive(const BerthArc& arc, std::uint32_t robot);
   /// Takes that back.
   void take_back(const BerthArc& arc, std::uint32_t robot);
-  /// Forgets a wish as the step ends, when all are forgotten.
+  /// Forgets that the robot wishes to stay, also while others' wishes are kept.
   void forget_stay(Berth here, const std::vector<Berth>& beside, std::uint32_t robot);
+  /// Forgets a wish as the step ends, when all are forgotten.
   void forget_drive(const BerthArc& arc);
 
  private:
