@@ -33,7 +33,10 @@ Wait Dispatcher::barred_wait(const RobotId& robot, const RouteAssignment& assign
       .robot = robot, .at = passage.begins, .needs = {}, .held_by = {}, .since = *assignment.waits_since, .rule = {}};
   if (const auto at = first_barred(routes_.rules(), route, from, passage.keeps_limits)) {
     wait.needs = route.places[*at];
-    wait.rule = routes_.rules().barrier(route.places[*at - 1], wait.needs, passage)->name;
+    // As `first_barred` asks: from where the route begins, beside which the robot may stand.
+    const Passage begun{.begins = route.places[from], .keeps_limits = passage.keeps_limits};
+    const Rule* const rule = routes_.rules().barrier(route.places[*at - 1], wait.needs, begun);
+    if (rule != nullptr) wait.rule = rule->name;
   }
   return wait;
 }
@@ -41,16 +44,16 @@ Wait Dispatcher::barred_wait(const RobotId& robot, const RouteAssignment& assign
 std::vector<Wait> Dispatcher::waits() {
   std::vector<Wait> all;
   for (const auto& [robot, assignment] : assignments_) {
-    const bool is_over = assignment.ending || assignment.recalled || assignment.route_lost;
-    if (assignment.route_lost || (!is_over && assignment.cut_short)) {
+    const bool is_paused = book_.find(assignment.goal)->state == GoalState::paused;
+    if (assignment.ending || assignment.recalled || (assignment.route_lost && is_paused)) continue;
+    if (assignment.route_lost || assignment.cut_short) {
       std::optional<Wait> wait =
           assignment.route_lost ? wait_without_route(robot, assignment) : wait_at_barrier(robot, assignment);
       if (wait) all.push_back(*std::move(wait));
       continue;
     }
     const bool is_let_on = assignment.way.end == Traffic::Way::End::free && assignment.ruled_by.empty();
-    if (is_over || is_let_on || !assignment.waits_since) continue;
-    if (book_.find(assignment.goal)->state == GoalState::paused) continue;
+    if (is_let_on || is_paused || !assignment.waits_since) continue;
     const Route& route = *book_.route(assignment.goal);
     const bool told = is_told(robot, route);
     const bool drives = told && (!assignment.stands_at_end || route.released + 1 == route.places.size());
