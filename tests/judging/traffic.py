@@ -2,6 +2,7 @@
 whether anybody drove over the edge while it was closed."""
 import bisect
 import json
+import re
 
 from judging import geometry, metrics, verdict
 
@@ -103,12 +104,14 @@ def trespassed(records):
 
 
 def waits_for_the_dead(goal, goals, killed):
-    """Whether a goal that has not ended is said to wait for the killed robot, or for its own robot's goal that does."""
-    if killed in (goal['robot'], goal['wanted']) or killed in (goal['named'] or '').split():
+    """Whether a goal that has not ended waits for the killed robot by a chain: for robots that are named, for its own robot's
+    earlier goal, or, asked of any robot, for those that have goals."""
+    robots = {goal['robot'], goal['wanted'], *re.findall(r'\w+', goal['named'] or '')} - {None}
+    if killed in robots:
         return True
-    robots = {goal['robot'], goal['wanted']} - {None}
-    return any(waits_for_the_dead(other, [], killed) for other in goals
-               if other is not goal and other['state'] not in OVER and other['robot'] in robots)
+    others = [other for other in goals if other is not goal and other['state'] not in OVER]
+    is_for_any = goal['robot'] is None and goal['wanted'] is None
+    return any((is_for_any or other['robot'] in robots) and waits_for_the_dead(other, others, killed) for other in others)
 
 
 def faults(summary, wanted_goals=12):
