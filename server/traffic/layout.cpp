@@ -182,8 +182,8 @@ Layout::Index Layout::common(Index a, Index b) const {
   return a;
 }
 
-double Layout::least_m(const Spot& a, const Spot& b, Index common) const {
-  const Spread& before = places_[common].spread;
+double Layout::clearance_m(const Spot& a, const Spot& b) const {
+  const Spread before = is_laid(a) && is_laid(b) ? places_[common(a.at, b.at)].spread : Spread{};
   const Spread of_a = a.spread.since(before);
   const Spread of_b = b.spread.since(before);
   const Eigen::Vector2d at_a = a.part_from_place.translation();

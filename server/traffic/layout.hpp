@@ -14,7 +14,8 @@
 
 namespace weft::server {
 
-/// Tells where a place lies in the frame of its part of the network. Valid until the layout changes.
+/// Tells where a place lies in the frame of its part of the network. Exact until the layout changes; one that is kept
+/// longer tells where the place lay.
 struct Spot {
   std::uint32_t at = 0;  ///< the laid place that it is, or hangs on
   std::uint32_t part = 0;
@@ -53,8 +54,10 @@ class Layout {
   std::optional<std::uint32_t> part_of(const PlaceId& place) const;
   /// Returns where something lies that hangs on a laid place, `place_from_it` away.
   Spot hung(const Spot& place, const Metric2& place_from_it) const;
-  /// Returns the least distance within three standard deviations. The spots are of one part.
-  double clearance_m(const Spot& a, const Spot& b) const { return least_m(a, b, common(a.at, b.at)); }
+  /// Returns the least distance within three standard deviations. The spots are of one part. Of a spot whose place
+  /// has been taken out meanwhile it is not known any more which branches they share: then all of both counts, and
+  /// they come out nearer than they may be.
+  double clearance_m(const Spot& a, const Spot& b) const;
   /// Returns the mean distance.
   static double distance_m(const Spot& a, const Spot& b);
   /// Returns whether they may be as near as `reach_m` or nearer; the same as by `clearance_m`, and cheaper.
@@ -100,8 +103,9 @@ class Layout {
   Index find(const PlaceId& place) const;
   Index find_or_add(const PlaceId& place);
   void forget(const PlaceId& place);
+  /// Returns whether the spot's place is still laid out in that part.
+  bool is_laid(const Spot& spot) const { return spot.at < places_.size() && places_[spot.at].part == spot.part; }
   Index common(Index a, Index b) const;
-  double least_m(const Spot& a, const Spot& b, Index common) const;
 
   // layout_work.cpp
   bool piece(std::size_t& places);

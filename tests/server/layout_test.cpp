@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/network/removal.hpp"
 #include "tests/support/network_maker.hpp"
 
@@ -111,6 +113,37 @@ TEST(Layout, KeptUpWithEditsEqualsLaidAnew) {
     layout.work(kAll);
     EXPECT_FALSE(layout.has_work());
     expect_alike(layout, laid_anew(share(snapshot), layout.roots()), snapshot);
+  }
+}
+
+/// A plan may follow the map of before an edit while the map is laid out anew.
+TEST(Layout, SpotsThatWereKeptOverAnEditAreComparedAsTheyWere) {
+  Random random(5);
+  const Snapshot before = make_network(random, 4, 3, 6, 2);
+  Layout layout(0.0);
+  layout.lay(share(before));
+  layout.work(kAll);
+  std::vector<Spot> kept;
+  for (const PlaceId& place : places_of(before)) kept.push_back(*layout.spot(place));
+  const auto compared = [&](const auto& compare) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (kept[i].part == kept[k].part) compare(kept[i], kept[k]);
+      }
+    }
+  };
+  std::vector<double> clearances;
+  compared([&](const Spot& a, const Spot& b) { clearances.push_back(layout.clearance_m(a, b)); });
+  Removal removal;
+  for (const auto& [id, experience] : before.experiences()) removal.places.push_back({id, 0, 2});
+  layout.edited(share(without(before, removal)), before);
+  std::size_t at = 0;
+  compared([&](const Spot& a, const Spot& b) {
+    EXPECT_LE(layout.clearance_m(a, b), clearances[at++] + 1e-9) << "no farther than it was known to be";
+  });
+  while (layout.has_work()) {
+    layout.work(7);
+    compared([&](const Spot& a, const Spot& b) { EXPECT_TRUE(std::isfinite(layout.clearance_m(a, b))); });
   }
 }
 
