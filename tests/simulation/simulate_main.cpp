@@ -6,11 +6,14 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <compare>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "tests/simulation/run.hpp"
@@ -69,6 +72,8 @@ std::string settle(Options& options) {
 struct Life {
   std::string site;
   std::uint64_t seed = 0;
+
+  auto operator<=>(const Life&) const = default;
 };
 
 /// Returns the lives of every seed on every site, seed by seed.
@@ -138,7 +143,8 @@ struct Totals {
 /// Holds the totals of each site.
 using Tally = std::map<std::string, Totals>;
 
-void add(Tally& tally, const std::string& line) {
+/// Adds what a life came to, and returns which life it was.
+Life add(Tally& tally, const std::string& line) {
   std::istringstream in(line);
   std::uint64_t seed = 0, violations = 0, messages = 0, faults = 0, sent = 0, accepted = 0, acknowledged = 0;
   std::uint64_t ways_made = 0, stood = 0, led_back = 0;
@@ -161,6 +167,23 @@ void add(Tally& tally, const std::string& line) {
   for (std::string word; in >> word;) {
     totals.goals[word.substr(0, word.find('='))] += std::stoull(word.substr(word.find('=') + 1));
   }
+  return {site, seed};
+}
+
+/// Returns how a worker came to an end before its last life; empty: it did not.
+std::string early_end(int status) {
+  if (WIFSIGNALED(status))
+    return "killed by signal " + std::to_string(WTERMSIG(status)) + ": " + strsignal(WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? std::string() : "with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+/// Returns the first of a worker's lives that was not lived to its end, as a clause.
+std::string living(const std::vector<Life>& lives, const std::set<Life>& lived, std::size_t worker,
+                   std::size_t jobs) {
+  for (std::size_t at = worker; at < lives.size(); at += jobs) {
+    if (!lived.contains(lives[at])) return ", in seed " + std::to_string(lives[at].seed) + " on " + lives[at].site;
+  }
+  return {};
 }
 
 void say(const std::string& site, const Totals& totals) {
@@ -304,6 +327,7 @@ int main(int argc, char** argv) try {
 
   const auto began = std::chrono::steady_clock::now();
   Tally tally;
+  std::set<Life> lived;
   std::uint64_t done = 0;
   std::uint64_t broken = 0;
   double hours = 0.0;
@@ -316,7 +340,7 @@ int main(int argc, char** argv) try {
       std::cout << line.substr(2) << std::flush;
       continue;
     }
-    add(tally, line);
+    lived.insert(add(tally, line));
     ++done;
     broken = 0;
     hours = 0.0;
@@ -344,10 +368,14 @@ int main(int argc, char** argv) try {
   fclose(in);
   bool died = false;
   bool quiet = false;
-  for (const pid_t child : children) {
+  for (std::size_t worker = 0; worker < children.size(); ++worker) {
     int status = 0;
-    waitpid(child, &status, 0);
-    died = died || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+    waitpid(children[worker], &status, 0);
+    const std::string end = early_end(status);
+    if (end.empty()) continue;
+    died = true;
+    if (broken == 0)
+      std::cout << "a worker ended early, " << end << living(lives, lived, worker, options.jobs) << '\n';
   }
   for (const auto& [site, totals] : tally) {
     say(site, totals);
@@ -355,7 +383,6 @@ int main(int argc, char** argv) try {
     quiet = quiet || !why.empty();
     if (!why.empty()) std::cout << site << ": " << why << '\n';
   }
-  if (died && broken == 0) std::cout << "a worker ended early\n";
   return broken > 0 || died || done != lives.size() || quiet ? 1 : 0;
 } catch (const std::exception& problem) {
   std::fprintf(stderr, "simulate: ended by a defect: %s\n", problem.what());
