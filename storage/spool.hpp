@@ -24,6 +24,12 @@ class Spool {
   /// holds already may be left out. The same batch again is harmless. exhausted: disk full; nothing of it is there.
   /// conflict: another batch with this sequence is pending. invalid: a place's content is neither given nor held.
   virtual Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) = 0;
+  /// Puts these batches in the place of all pending ones of the experience, as a whole or not at all, and durable
+  /// when it returns. `contents` as for `append`. not_found: none is pending. invalid: no batch, one of another
+  /// experience, two of one sequence, or a content that is neither given nor held. exhausted, unavailable: the
+  /// pending ones are as they were.
+  virtual Result<void> replace(ExperienceId experience, const std::vector<Batch>& batches,
+                               const std::vector<Bytes>& contents) = 0;
   /// Returns the batches that are still to be acknowledged, oldest first; read at start.
   virtual Result<std::vector<Batch>> pending() const = 0;
   /// Returns a content's bytes. not_found; corrupt: its bytes have changed on the disk.

@@ -94,6 +94,11 @@ Result<Bytes> read_whole(const std::filesystem::path& path) {
   return bytes;
 }
 
+Result<void> rename_if_there(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0 && errno != ENOENT) return fail(system_error(from, "rename"));
+  return sync_directory(to.parent_path());
+}
+
 Result<void> remove_durably(const std::filesystem::path& file) {
   if (::unlink(file.c_str()) != 0 && errno != ENOENT) return fail(system_error(file, "remove"));
   return sync_directory(file.parent_path());

@@ -1,40 +1,20 @@
 #include "storage/spool/file_spool.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "core/network/codec.hpp"
 #include "storage/spool/durable_file.hpp"
 #include "storage/spool/record.hpp"
+#include "storage/spool/replacement.hpp"
 #include "storage/spool/stops_file.hpp"
 
 namespace weft::storage {
 namespace {
 
-constexpr std::string_view kEnding = ".batch";
 constexpr std::string_view kStops = "stops";
-constexpr std::size_t kDigits = 16;
-
-/// Returns "<16 hex digits of the order of appending>.batch".
-std::string file_name(std::uint64_t order) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string name(kDigits, '0');
-  for (std::size_t at = kDigits; at-- > 0; order >>= 4U) name[at] = digits[order & 15U];
-  return name.append(kEnding);
-}
-
-std::optional<std::uint64_t> order_from_name(const std::string& name) {
-  if (name.size() != kDigits + kEnding.size() || !name.ends_with(kEnding)) return std::nullopt;
-  std::uint64_t order = 0;
-  const char* const end = name.data() + kDigits;
-  const auto [rest, failed] = std::from_chars(name.data(), end, order, 16);
-  if (failed != std::errc{} || rest != end) return std::nullopt;
-  return order;
-}
 
 class FileSpool final : public Spool {
  public:
@@ -45,16 +25,17 @@ class FileSpool final : public Spool {
     std::error_code failed;
     std::filesystem::create_directories(directory_, failed);
     if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot make it: " + failed.message());
-    const std::filesystem::directory_iterator entries(directory_, failed);
-    if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot read it: " + failed.message());
+    if (auto done = finish_replacement(); !done) return done;
     std::vector<std::uint64_t> orders;
-    for (const auto& entry : entries) {
-      if (entry.path().extension() == ".tmp") {
+    for (const auto& entry : std::filesystem::directory_iterator(directory_, failed)) {
+      const std::string name = entry.path().filename().string();
+      if (name.ends_with(".tmp") || number_of(name, kStagedEnding)) {
         if (auto done = remove_durably(entry.path()); !done) return done;
-      } else if (const auto order = order_from_name(entry.path().filename().string())) {
+      } else if (const auto order = number_of(name, kBatchEnding)) {
         orders.push_back(*order);
       }
     }
+    if (failed) return fail(ErrorCode::unavailable, directory_.string() + ": cannot read it: " + failed.message());
     std::sort(orders.begin(), orders.end());
     for (const std::uint64_t order : orders) {
       if (auto done = recover_file(order); !done) return done;
@@ -67,15 +48,32 @@ class FileSpool final : public Spool {
     for (const auto& [order, kept] : kept_) {
       if (auto repeat = compare(kept.batch, batch)) return *repeat;
     }
-    auto record = make_record(batch, contents, [&](const ContentHash& hash) -> SharedBytes {
-      Result<Bytes> bytes = content(hash);
-      return bytes ? std::make_shared<const Bytes>(std::move(*bytes)) : nullptr;
-    });
+    auto record = make_record(batch, contents, [&](const ContentHash& hash) { return held(hash); });
     if (!record) return fail(record.error());
     const std::uint64_t order = next_++;  // also after a failure: a name is used once
     if (auto done = write_durably(path_of(order), encode(*record)); !done) return done;
     keep(order, *record);
     return {};
+  }
+
+  Result<void> replace(ExperienceId experience, const std::vector<Batch>& batches,
+                       const std::vector<Bytes>& contents) override {
+    Replacement replacement;
+    for (const auto& [order, kept] : kept_)
+      if (kept.batch.experience == experience) replacement.removed.push_back(order);
+    if (replacement.removed.empty()) return none_pending(experience);
+    auto records = make_records(experience, batches, contents, [&](const ContentHash& hash) { return held(hash); });
+    if (!records) return fail(records.error());
+    for (std::size_t i = 0; i < records->size(); ++i) replacement.added.push_back(next_++);
+    if (auto staged = stage(replacement, *records); !staged) {
+      for (const std::uint64_t order : replacement.added)
+        (void)remove_durably(directory_ / numbered(order, kStagedEnding));  // else at the next start
+      return staged;
+    }
+    // Decided: whatever comes between, the next start goes on with it.
+    for (const std::uint64_t order : replacement.removed) kept_.erase(order);
+    for (std::size_t i = 0; i < records->size(); ++i) keep(replacement.added[i], (*records)[i]);
+    return carry_out(directory_, replacement);
   }
 
   Result<std::vector<Batch>> pending() const override {
@@ -134,7 +132,35 @@ class FileSpool final : public Spool {
     std::vector<ContentHash> contents;  ///< sorted; their bytes stay in the file
   };
 
-  std::filesystem::path path_of(std::uint64_t order) const { return directory_ / file_name(order); }
+  std::filesystem::path path_of(std::uint64_t order) const { return directory_ / numbered(order, kBatchEnding); }
+
+  SharedBytes held(const ContentHash& hash) const {
+    Result<Bytes> bytes = content(hash);
+    return bytes ? std::make_shared<const Bytes>(std::move(*bytes)) : nullptr;
+  }
+
+  /// Writes the files that are to be added beside the others, then the one that decides for them.
+  Result<void> stage(const Replacement& replacement, const std::vector<SpoolRecord>& records) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const std::filesystem::path staged = directory_ / numbered(replacement.added[i], kStagedEnding);
+      if (auto done = write_durably(staged, encode(records[i])); !done) return done;
+    }
+    return write_durably(directory_ / kReplacementFile, encode(replacement));
+  }
+
+  /// Carries out a replacement that was decided and interrupted.
+  Result<void> finish_replacement() {
+    const std::filesystem::path path = directory_ / kReplacementFile;
+    if (std::error_code failed; !std::filesystem::exists(path, failed) && !failed) return {};
+    auto bytes = read_whole(path);
+    if (!bytes) return fail(bytes.error());
+    const auto replacement = decode_replacement(*bytes);
+    if (!replacement) {
+      return fail(replacement.error().code, path.string() + ": " + replacement.error().message +
+                                                "; remove it to keep the run as it was before it was refined");
+    }
+    return carry_out(directory_, *replacement);
+  }
 
   void keep(std::uint64_t order, const SpoolRecord& record) {
     Kept kept{record.batch, {}};

@@ -1,5 +1,8 @@
 #include "storage/spool/memory_spool.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace weft::storage {
 namespace {
 
@@ -23,6 +26,19 @@ class MemorySpool final : public Spool {
     if (!record) return fail(record.error());
     if (auto error = disk_->faults.strike("memory spool")) return fail(std::move(*error));
     disk_->records.push_back(std::move(*record));
+    return {};
+  }
+
+  Result<void> replace(ExperienceId experience, const std::vector<Batch>& batches,
+                       const std::vector<Bytes>& contents) override {
+    const auto is_of_it = [&](const SpoolRecord& record) { return record.batch.experience == experience; };
+    if (std::ranges::none_of(disk_->records, is_of_it)) return none_pending(experience);
+    auto records = make_records(experience, batches, contents,
+                                [&](const ContentHash& hash) { return find_content(*disk_, hash); });
+    if (!records) return fail(records.error());
+    if (auto error = disk_->faults.strike("memory spool")) return fail(std::move(*error));
+    std::erase_if(disk_->records, is_of_it);
+    std::ranges::move(*records, std::back_inserter(disk_->records));
     return {};
   }
 

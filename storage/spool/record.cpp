@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 
 #include "core/byte_reader.hpp"
@@ -56,11 +57,40 @@ Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& co
                                       " of place " + to_string(missing->id) + " is neither given nor held");
 }
 
+Result<std::vector<SpoolRecord>> make_records(ExperienceId experience, const std::vector<Batch>& batches,
+                                              const std::vector<Bytes>& contents,
+                                              const std::function<SharedBytes(const ContentHash&)>& held) {
+  const std::string of = "spool: to replace experience " + to_string(experience) + ": ";
+  if (batches.empty()) return fail(ErrorCode::invalid, of + "no batch is given");
+  std::map<ContentHash, SharedBytes> given;
+  for (const Bytes& content : contents) given.emplace(hash_bytes(content), std::make_shared<const Bytes>(content));
+  const auto find = [&](const ContentHash& hash) {
+    const auto found = given.find(hash);
+    return found == given.end() ? held(hash) : found->second;
+  };
+  std::set<std::uint64_t> sequences;
+  std::vector<SpoolRecord> records;
+  for (const Batch& batch : batches) {
+    if (batch.experience != experience)
+      return fail(ErrorCode::invalid, of + "a batch is of experience " + to_string(batch.experience));
+    if (!sequences.insert(batch.sequence).second)
+      return fail(ErrorCode::invalid, of + "two batches have the sequence " + std::to_string(batch.sequence));
+    auto record = make_record(batch, {}, find);
+    if (!record) return fail(record.error());
+    records.push_back(*std::move(record));
+  }
+  return records;
+}
+
 std::optional<Result<void>> compare(const Batch& pending, const Batch& batch) {
   if (pending.experience != batch.experience || pending.sequence != batch.sequence) return std::nullopt;
   if (hash(pending) == hash(batch)) return Result<void>{};
   return fail(ErrorCode::conflict, "spool: batch " + std::to_string(batch.sequence) + " of experience " +
                                        to_string(batch.experience) + " is pending with another hash");
+}
+
+tl::unexpected<Error> none_pending(ExperienceId experience) {
+  return fail(ErrorCode::not_found, "spool: no batch of experience " + to_string(experience) + " is pending");
 }
 
 Bytes encode(const SpoolRecord& record) {

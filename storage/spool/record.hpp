@@ -24,9 +24,18 @@ struct SpoolRecord {
 Result<SpoolRecord> make_record(const Batch& batch, const std::vector<Bytes>& contents,
                                 const std::function<SharedBytes(const ContentHash&)>& held);
 
+/// Makes the records of batches that are to take the place of all others of the experience, as `Spool::replace` says;
+/// each is given of `contents` what it needs.
+Result<std::vector<SpoolRecord>> make_records(ExperienceId experience, const std::vector<Batch>& batches,
+                                              const std::vector<Bytes>& contents,
+                                              const std::function<SharedBytes(const ContentHash&)>& held);
+
 /// Compares `batch`, about to be appended, with a pending one: none when they have different keys, success when it is
 /// a repeat, conflict when the same sequence holds something else.
 std::optional<Result<void>> compare(const Batch& pending, const Batch& batch);
+
+/// Returns that nothing of the experience is pending.
+tl::unexpected<Error> none_pending(ExperienceId experience);
 
 /// Returns the record's bytes on disk, docs/formats/spool.md.
 Bytes encode(const SpoolRecord& record);

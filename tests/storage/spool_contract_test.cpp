@@ -135,6 +135,54 @@ TEST_P(SpoolContract, WhyTheRobotStandsComesBackUntilThatIsOver) {
   }
 }
 
+/// Returns the run's delivery as it is after it was refined: another content for the first place.
+sample::Delivery refined(const sample::Delivery& delivery) {
+  sample::Delivery better = delivery;
+  better.contents[0].push_back(7);
+  better.batch.places[0].content.hash = hash_bytes(better.contents[0]);
+  return better;
+}
+
+TEST_P(SpoolContract, ARunIsReplacedAsAWhole) {
+  sample::Run run(1, 1);
+  sample::Run other(2, 2);
+  const auto first = run.next(2);
+  const auto foreign = other.next(1);
+  const auto second = run.next(2);
+  for (const auto* delivery : {&first, &foreign, &second}) append(*delivery);
+  const auto better = refined(first);
+  const auto replaced = spool_->replace(run.experience(), {better.batch, second.batch}, {better.contents[0]});
+  ASSERT_TRUE(replaced) << replaced.error().message;
+  for (int opening = 0; opening < 2; ++opening, restart()) {
+    EXPECT_EQ(pending_hashes(), (std::vector{hash(foreign.batch), hash(better.batch), hash(second.batch)}));
+    EXPECT_EQ(spool_->content(hash_bytes(better.contents[0])).value(), better.contents[0]);
+    EXPECT_EQ(spool_->content(hash_bytes(first.contents[1])).value(), first.contents[1]) << "still needed";
+    EXPECT_FALSE(spool_->content(hash_bytes(first.contents[0]))) << "what it replaced is gone";
+  }
+  ASSERT_TRUE(spool_->acknowledged(run.experience(), 2));
+  EXPECT_EQ(pending_hashes(), std::vector{hash(foreign.batch)});
+}
+
+TEST_P(SpoolContract, AReplacementThatIsRefusedChangesNothing) {
+  sample::Run run(1, 1);
+  const auto first = run.next(2);
+  append(first);
+  const auto better = refined(first);
+  const auto foreign = sample::Run(2, 2).next(1);
+  const auto expect = [&](ErrorCode code, ExperienceId of, const std::vector<Batch>& batches,
+                          const std::vector<Bytes>& contents) {
+    const auto replaced = spool_->replace(of, batches, contents);
+    ASSERT_FALSE(replaced);
+    EXPECT_EQ(replaced.error().code, code) << replaced.error().message;
+    EXPECT_EQ(pending_hashes(), std::vector{hash(first.batch)});
+  };
+  expect(ErrorCode::invalid, run.experience(), {}, {});
+  expect(ErrorCode::invalid, run.experience(), {better.batch}, {});
+  expect(ErrorCode::invalid, run.experience(), {better.batch, better.batch}, better.contents);
+  expect(ErrorCode::invalid, run.experience(), {foreign.batch}, foreign.contents);
+  expect(ErrorCode::not_found, {77}, {better.batch}, better.contents);
+}
+
 INSTANTIATE_TEST_SUITE_P(Spools, SpoolContract, testing::Values(Kind::memory, Kind::file),
                          [](const auto& instance) { return instance.param == Kind::memory ? "memory" : "file"; });
 
