@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "agents/perception/harris.hpp"
 #include "agents/perception/opencv_view.hpp"
 #include "agents/perception/tracking_levels.hpp"
 
@@ -98,15 +99,22 @@ void centre_windows(const TrackingImage& image, int border_px, std::vector<Eigen
     if (within.contains(centres[i])) corners[i] = {centres[i].x, centres[i].y};
 }
 
-}  // namespace
-
-std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config) {
-  const cv::Mat& grey = image.levels().image;
+/// Returns FAST corners; the fewer there are, the fainter ones.
+std::vector<cv::KeyPoint> fast_corners(const cv::Mat& grey, const CornerConfig& config) {
   std::vector<cv::KeyPoint> found;
   for (int threshold = config.threshold;; threshold = std::max(threshold / 2, config.lowest)) {
     cv::FAST(grey, found, threshold, true);
     if (threshold <= config.lowest || found.size() >= static_cast<std::size_t>(3 * config.count)) break;
   }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> find_corners(const TrackingImage& image, const CornerConfig& config) {
+  const cv::Mat& grey = image.levels().image;
+  const std::vector<cv::KeyPoint> found =
+      config.detector == CornerDetector::harris ? harris_corners(grey, {}) : fast_corners(grey, config);
   const float border = static_cast<float>(config.border_px);
   std::vector<std::vector<cv::KeyPoint>> cells(static_cast<std::size_t>(config.columns * config.rows));
   for (const cv::KeyPoint& k : found) {

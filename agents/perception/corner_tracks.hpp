@@ -30,7 +30,10 @@ class TrackingImage {
 /// whole.
 TrackingImage prepare_tracking(const Image& image, int window_px, int levels);
 
+enum class CornerDetector { fast, harris };
+
 struct CornerConfig {
+  CornerDetector detector = CornerDetector::fast;
   int count = 160;     ///< wanted
   int threshold = 16;  ///< grey levels of the FAST test (Rosten & Drummond 2006); halved down to `lowest`
   int lowest = 4;      ///< when the floor is pale
