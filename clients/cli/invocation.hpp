@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clients/cli/anchor.hpp"
+#include "clients/cli/polygon.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -96,15 +97,16 @@ struct Invocation {
   std::vector<std::string> passed;         ///< calibrate: as it stands, for `weft-agent calibrate`
   Rule rule;                               ///< rule add: all but its spans; rule remove: its name
   std::vector<std::string> stretches;      ///< rule add: its spans
+  Polygon polygon;                         ///< rule add: where on a registered plan
   std::string to_place;                    ///< edge close, edge open: where it leads
   bool both = false;                       ///< edge close, edge open: in both directions
   unsigned priority = 0;                   ///< goal send
   bool no_return = false;                  ///< goal send
   std::optional<Eigen::Vector2d> to_plan;  ///< goal send: a point of a registered plan
-  std::string plan;                        ///< goal send, map export: which registered plan; empty: the only one
-  bool no_plan = false;                    ///< map export: in no plan's frame
-  bool removes = false;                    ///< map register: remove it
-  double sigma_m = 0.05;                   ///< map register: of each pick
+  std::string plan;       ///< goal send, map export, rule add: which registered plan; empty: the only one
+  bool no_plan = false;   ///< map export: in no plan's frame
+  bool removes = false;   ///< map register: remove it
+  double sigma_m = 0.05;  ///< map register: of each pick
   bool json = false;
 
   std::vector<std::string> servers;

@@ -49,6 +49,16 @@ Result<std::optional<Registration>> of_floor_plan(const std::vector<Registration
 
 }  // namespace
 
+Result<Registration> registration_of(const std::vector<Registration>& known, const std::string& plan) {
+  if (!plan.empty()) return of_name(known, plan);
+  if (known.size() == 1) return known.front();
+  if (known.empty()) {
+    return fail(ErrorCode::not_found,
+                "no floor plan is registered to the map: weft map register PLAN.yaml --pick LABEL=X,Y");
+  }
+  return fail(ErrorCode::refused, "several floor plans are registered: say which with --plan; " + known_plans(known));
+}
+
 std::string plan_name(const std::string& file) {
   const std::filesystem::path name = std::filesystem::path(file).filename();
   const std::string ending = ending_of(file);

@@ -24,6 +24,10 @@ Result<Registered> registered(const Window& network, const Registration& registr
 /// Returns the name under which a plan's file is registered: that of the file without its folder and its .yaml.
 std::string plan_name(const std::string& file);
 
+/// Returns the registration of that plan; no name: the only one. not_found: there is none; refused: there are
+/// several.
+Result<Registration> registration_of(const std::vector<Registration>& known, const std::string& plan);
+
 /// Chooses the registration in whose frame a picture or a file is wanted; none: it has a frame of its own. not_found:
 /// the plan named is not registered; refused: its file has changed since, or several plans are registered and none is
 /// named.
