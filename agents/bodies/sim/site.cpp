@@ -183,6 +183,14 @@ CameraSetup camera_in(const Table& table) {
   return c;
 }
 
+void read_exposure(const Table& table, ExposureSetup& exposure) {
+  exposure.exposes_itself = table.boolean("exposes_itself", exposure.exposes_itself);
+  exposure.mean_grey = table.number("mean_grey", exposure.mean_grey, 20.0, 230.0);
+  exposure.longest_exposure_s =
+      1e-3 * table.number("longest_exposure_ms", 1e3 * exposure.longest_exposure_s, 0.1, 100.0);
+  exposure.most_gain = table.number("most_gain", exposure.most_gain, 1.0, 1000.0);
+}
+
 /// Reads the forward camera; it takes images as often as the floor's camera, if it does not say otherwise.
 ForwardCameraSetup forward_camera_in(const Table& table, const CameraSetup& floor) {
   ForwardCameraSetup c;
@@ -196,10 +204,7 @@ ForwardCameraSetup forward_camera_in(const Table& table, const CameraSetup& floo
   c.forward_m = table.number("forward_m", c.forward_m, -2.0, 2.0);
   c.left_m = table.number("left_m", c.left_m, -2.0, 2.0);
   c.pitch_rad = table.number("pitch_rad", c.pitch_rad, -0.5, 0.5);
-  c.exposes_itself = table.boolean("exposes_itself", c.exposes_itself);
-  c.mean_grey = table.number("mean_grey", c.mean_grey, 20.0, 230.0);
-  c.longest_exposure_s = 1e-3 * table.number("longest_exposure_ms", 1e3 * c.longest_exposure_s, 0.1, 100.0);
-  c.most_gain = table.number("most_gain", c.most_gain, 1.0, 1000.0);
+  read_exposure(table, c);
   c.headlight = table.number("headlight", c.headlight, 0.0, 100.0);
   c.fps = table.number("fps", floor.fps, 1.0, 200.0);
   c.fps_at_rest = table.number("fps_at_rest", floor.fps_at_rest, 0.1, 200.0);

@@ -65,16 +65,20 @@ struct CameraSetup {
   double fps = 30.0, fps_at_rest = 2.0;
 };
 
-/// Describes a camera that looks ahead over the floor; agents are told its focal length and mount, and no more.
-struct ForwardCameraSetup {
-  int width = 320, height = 240;
-  double focal_px = 386.0;  ///< 45 degrees of view, as the camera of Krajnik et al. 2018
-  double k1 = -0.05;
-  double height_m = 0.35, forward_m = 0.15, left_m = 0.0, pitch_rad = -0.05;  ///< pitch down from level
+/// Describes how a camera that looks around in a hall exposes itself.
+struct ExposureSetup {
   bool exposes_itself = true;
   double mean_grey = 110.0;          ///< that it exposes for
   double longest_exposure_s = 0.02;  ///< from there on it amplifies
   double most_gain = 40.0;
+};
+
+/// Describes a camera that looks ahead over the floor; agents are told its focal length and mount, and no more.
+struct ForwardCameraSetup : ExposureSetup {
+  int width = 320, height = 240;
+  double focal_px = 386.0;  ///< 45 degrees of view, as the camera of Krajnik et al. 2018
+  double k1 = -0.05;
+  double height_m = 0.35, forward_m = 0.15, left_m = 0.0, pitch_rad = -0.05;  ///< pitch down from level
   double headlight = 0.0;  ///< light on what is 2 m ahead, 1: as the floor's mean
   double fps = 30.0, fps_at_rest = 2.0;
 };
