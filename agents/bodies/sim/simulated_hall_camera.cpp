@@ -18,6 +18,7 @@ class SimulatedHallCamera final : public SimulatedCamera {
         name_(setup.name),
         given_(setup.given),
         true_(setup.actual),
+        meters_as_seen_(setup.meters_as_seen),
         exposure_(setup.exposure, site.disturbances.exposure_s),
         camera_(true_, setup.options, std::move(hall), site.movers, HallLight(site, light)) {}
 
@@ -41,7 +42,7 @@ class SimulatedHallCamera final : public SimulatedCamera {
     shot.noise_grey = site_.disturbances.noise_grey * std::sqrt(exposure_.amplified());
     shot.noise_seed = moment.noise_seed;
     HallImage taken = camera_.take(shot);
-    exposure_.taken(taken.mean_light * moment.brightness);
+    exposure_.taken(meters_as_seen_ ? taken.mean_grey / exposure_.gain() : taken.mean_light * moment.brightness);
     return {true_.width, true_.height, std::make_shared<const Bytes>(std::move(taken.grey))};
   }
   std::optional<Exposure> exposed() const override { return exposed_; }
@@ -60,6 +61,7 @@ class SimulatedHallCamera final : public SimulatedCamera {
   std::string name_;
   CameraModel given_;
   CameraModel true_;
+  bool meters_as_seen_;
   ExposureControl exposure_;
   Exposure exposed_;  // the last image
   HallCamera camera_;

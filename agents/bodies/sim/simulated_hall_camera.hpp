@@ -13,6 +13,7 @@ struct HallCameraSetup {
   CameraModel given;   ///< as agents are told it
   CameraModel actual;  ///< as it is
   ExposureSetup exposure;
+  bool meters_as_seen = false;  ///< exposes for the image as it came out: a lamp in it is white and no more
   HallCameraOptions options;
 };
 
