@@ -76,7 +76,6 @@ NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceI
   page.labels = network.labels();
   page.aparts = network.aparts();
   for (const auto& [name, rule] : network.rules()) page.rules.push_back(rule);
-  for (const auto& [plan, registration] : network.registrations()) page.registrations.push_back(registration);
   page.is_last = true;
   return page;
 }
@@ -104,7 +103,6 @@ std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities
   for (const auto& [label, place] : page.labels) room().labels.emplace(label, place);
   for (const Apart& apart : page.aparts) room().aparts.push_back(apart);
   for (const Rule& rule : page.rules) room().rules.push_back(rule);
-  for (const Registration& registration : page.registrations) room().registrations.push_back(registration);
   return pieces;
 }
 
