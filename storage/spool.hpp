@@ -26,8 +26,9 @@ class Spool {
   virtual Result<void> append(const Batch& batch, const std::vector<Bytes>& contents) = 0;
   /// Puts these batches in the place of all pending ones of the experience, as a whole or not at all, and durable
   /// when it returns. `contents` as for `append`. not_found: none is pending. invalid: no batch, one of another
-  /// experience, two of one sequence, or a content that is neither given nor held. exhausted, unavailable: the
-  /// pending ones are as they were.
+  /// experience, two of one sequence, or a content that is neither given nor held. exhausted: the pending ones
+  /// are as they were. unavailable: they are, or these are pending already and get their files at the next start;
+  /// `pending` tells which.
   virtual Result<void> replace(ExperienceId experience, const std::vector<Batch>& batches,
                                const std::vector<Bytes>& contents) = 0;
   /// Returns the batches that are still to be acknowledged, oldest first; read at start.

@@ -33,7 +33,7 @@ Wait Dispatcher::barred_wait(const RobotId& robot, const RouteAssignment& assign
       .robot = robot, .at = passage.begins, .needs = {}, .held_by = {}, .since = *assignment.waits_since, .rule = {}};
   if (const auto at = first_barred(routes_.rules(), route, from, passage.keeps_limits)) {
     wait.needs = route.places[*at];
-    // As `first_barred` asks: from where the route begins, beside which the robot may stand.
+    // The passage begins where it does for `first_barred`: on the route, beside which the robot may stand.
     const Passage begun{.begins = route.places[from], .keeps_limits = passage.keeps_limits};
     const Rule* const rule = routes_.rules().barrier(route.places[*at - 1], wait.needs, begun);
     if (rule != nullptr) wait.rule = rule->name;

@@ -7,6 +7,7 @@
 
 #include "core/network/codec.hpp"
 #include "storage/spool/durable_file.hpp"
+#include "storage/spool/file_names.hpp"
 #include "storage/spool/record.hpp"
 #include "storage/spool/replacement.hpp"
 #include "storage/spool/stops_file.hpp"
@@ -58,6 +59,7 @@ class FileSpool final : public Spool {
 
   Result<void> replace(ExperienceId experience, const std::vector<Batch>& batches,
                        const std::vector<Bytes>& contents) override {
+    if (auto done = finish_replacement(); !done) return done;  // one that the disk has kept from its end
     Replacement replacement;
     for (const auto& [order, kept] : kept_)
       if (kept.batch.experience == experience) replacement.removed.push_back(order);
@@ -70,7 +72,7 @@ class FileSpool final : public Spool {
         (void)remove_durably(directory_ / numbered(order, kStagedEnding));  // else at the next start
       return staged;
     }
-    // Decided: whatever comes between, the next start goes on with it.
+    // It is decided: whatever comes between, the next start goes on with it.
     for (const std::uint64_t order : replacement.removed) kept_.erase(order);
     for (std::size_t i = 0; i < records->size(); ++i) keep(replacement.added[i], (*records)[i]);
     return carry_out(directory_, replacement);

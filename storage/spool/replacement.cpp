@@ -1,14 +1,14 @@
 #include "storage/spool/replacement.hpp"
 
-#include <charconv>
-#include <system_error>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "storage/spool/durable_file.hpp"
 
 namespace weft::storage {
 namespace {
 
-constexpr std::size_t kDigits = 16;
 constexpr std::string_view kHead = "weft-replace 1\n";
 constexpr std::string_view kRemove = "remove ";
 constexpr std::string_view kAdd = "add ";
@@ -17,28 +17,12 @@ constexpr std::string_view kEnd = "end\n";
 /// Takes a line "<word><16 hex digits>" off the text; none: it begins otherwise.
 std::optional<std::uint64_t> take(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return std::nullopt;
-  const auto order = number_of(text.substr(word.size(), kDigits + 1), "\n");
-  if (order) text.remove_prefix(word.size() + kDigits + 1);
+  const auto order = number_of(text.substr(word.size(), kFileDigits + 1), "\n");
+  if (order) text.remove_prefix(word.size() + kFileDigits + 1);
   return order;
 }
 
 }  // namespace
-
-std::string numbered(std::uint64_t order, std::string_view ending) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string name(kDigits, '0');
-  for (std::size_t at = kDigits; at-- > 0; order >>= 4U) name[at] = digits[order & 15U];
-  return name.append(ending);
-}
-
-std::optional<std::uint64_t> number_of(std::string_view name, std::string_view ending) {
-  if (name.size() != kDigits + ending.size() || !name.ends_with(ending)) return std::nullopt;
-  std::uint64_t order = 0;
-  const char* const end = name.data() + kDigits;
-  const auto [rest, failed] = std::from_chars(name.data(), end, order, 16);
-  if (failed != std::errc{} || rest != end) return std::nullopt;
-  return order;
-}
 
 Bytes encode(const Replacement& replacement) {
   std::string text(kHead);
