@@ -95,7 +95,7 @@ void MosaicAdjustment::adjust_all_poses() {
   if (++graph_pieces_ == config_.graph_pieces) is_graph_done_ = true;
   for (std::size_t i = 0; i < poses.size(); ++i) mosaic_.places[i].map_from_place = poses[i];
   if (!is_graph_done_) return;
-  // Of the two windows around a place the later one has it nearer to its middle, in that one's first half.
+  // A later window counts from its first quarter on, where it has places nearer to its middle than the one before.
   for (const WindowFit& window : windows_) {
     const std::size_t from = window.first == 0 ? 0 : window.attitudes.size() / 4;
     for (std::size_t i = from; i < window.attitudes.size(); ++i)
