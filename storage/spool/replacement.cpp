@@ -9,13 +9,13 @@
 namespace weft::storage {
 namespace {
 
-constexpr std::string_view kHead = "weft-replace 1\n";
-constexpr std::string_view kRemove = "remove ";
-constexpr std::string_view kAdd = "add ";
-constexpr std::string_view kEnd = "end\n";
+constexpr std::string_view kReplacementHead = "weft-replace 1\n";
+constexpr std::string_view kRemovedLine = "remove ";
+constexpr std::string_view kAddedLine = "add ";
+constexpr std::string_view kReplacementEnd = "end\n";
 
 /// Takes a line "<word><16 hex digits>" off the text; none: it begins otherwise.
-std::optional<std::uint64_t> take(std::string_view& text, std::string_view word) {
+std::optional<std::uint64_t> take_order(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return std::nullopt;
   const auto order = number_of(text.substr(word.size(), kFileDigits + 1), "\n");
   if (order) text.remove_prefix(word.size() + kFileDigits + 1);
@@ -25,25 +25,25 @@ std::optional<std::uint64_t> take(std::string_view& text, std::string_view word)
 }  // namespace
 
 Bytes encode(const Replacement& replacement) {
-  std::string text(kHead);
-  for (const std::uint64_t order : replacement.removed) text.append(kRemove).append(numbered(order, "\n"));
-  for (const std::uint64_t order : replacement.added) text.append(kAdd).append(numbered(order, "\n"));
-  text += kEnd;
+  std::string text(kReplacementHead);
+  for (const std::uint64_t order : replacement.removed) text.append(kRemovedLine).append(numbered(order, "\n"));
+  for (const std::uint64_t order : replacement.added) text.append(kAddedLine).append(numbered(order, "\n"));
+  text += kReplacementEnd;
   return {text.begin(), text.end()};
 }
 
 Result<Replacement> decode_replacement(ByteView bytes) {
   const std::string whole(bytes.begin(), bytes.end());
   std::string_view text = whole;
-  if (!text.starts_with(kHead)) {
+  if (!text.starts_with(kReplacementHead)) {
     return text.starts_with("weft-replace ") ? fail(ErrorCode::newer, "of a later format than 1")
                                              : fail(ErrorCode::corrupt, "does not begin with weft-replace 1");
   }
-  text.remove_prefix(kHead.size());
+  text.remove_prefix(kReplacementHead.size());
   Replacement replacement;
-  while (const auto order = take(text, kRemove)) replacement.removed.push_back(*order);
-  while (const auto order = take(text, kAdd)) replacement.added.push_back(*order);
-  if (text != kEnd) return fail(ErrorCode::corrupt, "not understood after the files that it names");
+  while (const auto order = take_order(text, kRemovedLine)) replacement.removed.push_back(*order);
+  while (const auto order = take_order(text, kAddedLine)) replacement.added.push_back(*order);
+  if (text != kReplacementEnd) return fail(ErrorCode::corrupt, "not understood after the files that it names");
   return replacement;
 }
 
