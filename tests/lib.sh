@@ -12,6 +12,27 @@ step() {
   fi
 }
 
+# step_in_time MINUTES NAME PROGRAM...: a step that is left out when fewer than MINUTES remain before WEFT_DEADLINE
+# (seconds since 1970), and ended there when it takes longer than it should; both are said and counted as skipped, so that
+# a slow machine tells what it got through. Without a deadline it always runs, to its end.
+step_in_time() {
+  local minutes=$1 name=$2 began=$SECONDS left status; shift 2
+  [ -n "${WEFT_DEADLINE:-}" ] || { step "$name" "$@"; return; }
+  left=$((WEFT_DEADLINE - $(date +%s)))
+  if [ "$left" -lt $((minutes * 60)) ]; then
+    skipped=$((skipped + 1)); echo "--- $name: SKIPPED, takes up to $minutes min and $((left / 60)) are left"; return
+  fi
+  echo "--- $name"
+  timeout --kill-after=10 "$left" "$@"; status=$?
+  if [ "$status" -eq 0 ]; then
+    passed=$((passed + 1)); echo "--- $name: passed, $((SECONDS - began)) s"
+  elif [ "$status" -eq 124 ]; then
+    skipped=$((skipped + 1)); echo "--- $name: SKIPPED, not done after $((left / 60)) min, all that were left"
+  else
+    failed=$((failed + 1)); failures+=("$name"); echo "--- $name: FAILED, $((SECONDS - began)) s"; return 1
+  fi
+}
+
 # build_preset PRESET [TARGET...]: configures and builds, warnings are errors.
 build_preset() {
   local preset=$1; shift
