@@ -119,16 +119,15 @@ Snapshot with(const Snapshot& snapshot, const Batch& batch) {
     experience.sealed = true;
     experience.seal_reason = batch.seal_reason;
   }
-  return {next(snapshot.revision()), draft.take(),
-          snapshot.shared_labels(),  snapshot.shared_aparts(),
-          snapshot.shared_rules(),   snapshot.shared_registrations()};
+  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels(), snapshot.shared_aparts(),
+          snapshot.shared_rules()};
 }
 
 Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place) {
   Snapshot::Labels labels = snapshot.labels();
   labels[label] = place;
-  return {next(snapshot.revision()), snapshot.experiences(),  share(std::move(labels)),
-          snapshot.shared_aparts(),  snapshot.shared_rules(), snapshot.shared_registrations()};
+  return {next(snapshot.revision()), snapshot.experiences(), share(std::move(labels)), snapshot.shared_aparts(),
+          snapshot.shared_rules()};
 }
 
 Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std::string& reason) {
@@ -138,9 +137,8 @@ Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std:
     sealed.sealed = true;
     sealed.seal_reason = reason;
   }
-  return {next(snapshot.revision()), draft.take(),
-          snapshot.shared_labels(),  snapshot.shared_aparts(),
-          snapshot.shared_rules(),   snapshot.shared_registrations()};
+  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels(), snapshot.shared_aparts(),
+          snapshot.shared_rules()};
 }
 
 }  // namespace weft

@@ -235,8 +235,7 @@ Snapshot one_on(const Snapshot& snapshot, Snapshot::Rules rules) {
           snapshot.experiences(),
           snapshot.shared_labels(),
           snapshot.shared_aparts(),
-          std::make_shared<const Snapshot::Rules>(std::move(rules)),
-          snapshot.shared_registrations()};
+          std::make_shared<const Snapshot::Rules>(std::move(rules))};
 }
 
 }  // namespace
