@@ -34,8 +34,7 @@ struct ShadeRays {
   float pixel = 0.0F;                                    ///< width of what a ray stands for, over the distance
   float headlight = 0.0F;                                ///< on what is 2 m ahead
   const ShadedFace* face = nullptr;
-  float* grey = nullptr;         ///< out
-  const float* wider = nullptr;  ///< factors on `pixel`; null: 1
+  float* grey = nullptr;  ///< out
 };
 
 using ShadeFace = void (*)(const ShadeRays& rays);
