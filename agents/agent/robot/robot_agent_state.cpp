@@ -30,8 +30,7 @@ Standing RobotAgent::standing() const {
           .searches = localise_.describe(),
           .route_waits_for = follow_.waits_for(),
           .notice = diagnostics_.notice(),
-          .safety = condition_.safety.reason(config_.name),
-          .refines = teach_.refines()};
+          .safety = condition_.safety.reason(config_.name)};
 }
 
 msg::RobotState RobotAgent::state() const {

@@ -27,8 +27,7 @@ Bench::Bench()
       server(some_robot()),
       session(msg::Hello{}, Random(3), now),
       spooler(std::move(*Spooler::open(*spool, SpoolerConfig{}, some_robot(), now))),
-      map({}, 1, now),
-      refining({*navigator, map, spooler, outbox}, now) {}
+      map({}, 1, now) {}
 
 void Bench::fetch_map(bool with_contents) {
   for (const SteadyTime end = now + 5s; now < end; now += 250ms) {
