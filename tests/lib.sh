@@ -14,19 +14,24 @@ step() {
 
 # step_in_time MINUTES NAME PROGRAM...: a step that is left out when fewer than MINUTES remain before WEFT_DEADLINE
 # (seconds since 1970), and ended there when it takes longer than it should; both are said and counted as skipped, so that
-# a slow machine tells what it got through. Without a deadline it always runs, to its end.
+# a slow machine tells what it got through. A program that is ended and knows of a failure by then exits with less than
+# 130 (interrupted, or by a signal) and fails. Without a deadline the step always runs, to its end.
 step_in_time() {
-  local minutes=$1 name=$2 began=$SECONDS left status; shift 2
+  local minutes=$1 name=$2 began=$SECONDS left status running; shift 2
   [ -n "${WEFT_DEADLINE:-}" ] || { step "$name" "$@"; return; }
   left=$((WEFT_DEADLINE - $(date +%s)))
-  if [ "$left" -lt $((minutes * 60)) ]; then
+  if [ "$left" -lt $((minutes * 60)) ] || [ "$left" -lt 1 ]; then
     skipped=$((skipped + 1)); echo "--- $name: SKIPPED, takes up to $minutes min and $((left / 60)) are left"; return
   fi
   echo "--- $name"
-  timeout --kill-after=10 "$left" "$@"; status=$?
+  # A group of its own, which an interrupt of the terminal does not reach: it is passed on.
+  timeout --preserve-status --kill-after=10 "$left" env --default-signal=INT,QUIT "$@" & running=$!
+  trap 'kill "$running"; wait "$running"; exit 130' INT TERM
+  wait "$running"; status=$?
+  trap - INT TERM
   if [ "$status" -eq 0 ]; then
     passed=$((passed + 1)); echo "--- $name: passed, $((SECONDS - began)) s"
-  elif [ "$status" -eq 124 ]; then
+  elif [ "$status" -ge 130 ] && [ $((SECONDS - began)) -ge $((left - 1)) ]; then  # interrupted, or by a signal
     skipped=$((skipped + 1)); echo "--- $name: SKIPPED, not done after $((left / 60)) min, all that were left"
   else
     failed=$((failed + 1)); failures+=("$name"); echo "--- $name: FAILED, $((SECONDS - began)) s"; return 1
