@@ -54,12 +54,15 @@ endfunction()
 # unit tests, threads_tests those with threads. drives: renders whole drives; too long for a sanitizer. Under a
 # sanitizer a program runs as a whole, in two shards for two cores: starting it takes longer there than most tests do.
 # WHOLE: in every build, as what its tests share takes long to make.
+# Their own files are optimised a little, what they test like the product: half of what a build compiles are tests.
+set(WEFT_TEST_OPTIMISATION -O1 CACHE STRING "How a release optimises the tests' own files")
 add_custom_target(unit_tests)
 add_custom_target(threads_tests)
 function(weft_test name)
   cmake_parse_arguments(TEST "THREADS;WHOLE" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE weft_flags ${TEST_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${WEFT_TEST_OPTIMISATION}>)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT TEST_LABEL)
     set(TEST_LABEL unit)
