@@ -75,7 +75,7 @@ function(weft_test name)
     string(APPEND TEST_LABEL -threads)  # matches both -L unit and -L threads
   endif()
   if(NOT WEFT_SANITIZE AND NOT TEST_WHOLE)
-    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 300)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 1200)
     return()
   endif()
   foreach(shard 0 1)
