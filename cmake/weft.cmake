@@ -53,9 +53,10 @@ endfunction()
 # tests in ctest. THREADS: what it tests is used by several; its label ends in -threads. Target unit_tests builds the
 # unit tests, threads_tests those with threads. drives: renders whole drives; too long for a sanitizer. Under a
 # sanitizer a program runs as a whole, in two shards for two cores: starting it takes longer there than most tests do.
-# WHOLE: in every build, as what its tests share takes long to make.
+# WHOLE: in every build, as what its tests share takes long to make. WEFT_SLOW_START: all unit tests.
 # Their own files are optimised a little, what they test like the product: half of what a build compiles are tests.
 set(WEFT_TEST_OPTIMISATION -O1 CACHE STRING "How a release optimises the tests' own files")
+option(WEFT_SLOW_START "To start a program takes seconds on this machine, as its memory is slow" OFF)
 add_custom_target(unit_tests)
 add_custom_target(threads_tests)
 function(weft_test name)
@@ -74,7 +75,7 @@ function(weft_test name)
     add_dependencies(threads_tests ${name})
     string(APPEND TEST_LABEL -threads)  # matches both -L unit and -L threads
   endif()
-  if(NOT WEFT_SANITIZE AND NOT TEST_WHOLE)
+  if(NOT WEFT_SANITIZE AND NOT TEST_WHOLE AND NOT (WEFT_SLOW_START AND TEST_LABEL MATCHES unit))
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT 1200)
     return()
   endif()
