@@ -1,5 +1,5 @@
-# ease_memory: on a machine where the first touch of a page of memory takes more than 5 us (most take less than 2; a
-# virtual one whose host is short of memory up to 400), keeps a sixth of the memory that is free, at most 4 GB, as huge
+# ease_memory: on a machine where the first touch of a page of memory takes 2 us and more (most take less than 1; a
+# virtual one whose host is short of memory 4 to 450), keeps a sixth of the memory that is free, at most 4 GB, as huge
 # pages, and names the library that gives them to compilers in WEFT_HUGE_PAGES (huge_pages.c): they take a third of the
 # time there. Needs root; without it, and wherever it fails, nothing changes. Ends with the shell that called it.
 ease_memory() {
@@ -7,7 +7,7 @@ ease_memory() {
   mkdir -p build/memory
   cc -O2 tests/memory/fault_cost.c -o build/memory/fault_cost && cost=$(build/memory/fault_cost) || return 0
   echo "--- memory: the first touch of a page takes $cost us"
-  [ "$cost" -gt 5 ] && [ "$(id -u)" -eq 0 ] && [ -w /proc/sys/vm/nr_hugepages ] || return 0
+  [ "$cost" -ge 2 ] && [ "$(id -u)" -eq 0 ] && [ -w /proc/sys/vm/nr_hugepages ] || return 0
   cc -O2 -shared -fPIC tests/memory/huge_pages.c -o build/memory/huge_pages.so || return 0
   kept=$(cat /proc/sys/vm/nr_hugepages)
   wanted_kb=$(awk '/MemAvailable/ { kb = $2 / 6; print int(kb < 4194304 ? kb : 4194304) }' /proc/meminfo)
