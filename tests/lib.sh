@@ -62,7 +62,7 @@ run_ctest() {
     if [ $((WEFT_DEADLINE - $(date +%s))) -lt 60 ]; then skipped=$((skipped + 1)); echo "--- tests ($preset): SKIPPED, no time is left"; return; fi
     stop=(--stop-time "$(date -d "@$WEFT_DEADLINE" +%H:%M:%S)")
   fi
-  LSAN_OPTIONS="suppressions=$PWD/tests/leaks.txt:print_suppressions=0" ctest --test-dir "build/$preset" -j 2 --output-on-failure --output-junit "$report" "${stop[@]}" "$@" >"$log" 2>&1
+  LSAN_OPTIONS="suppressions=$PWD/tests/leaks.txt:print_suppressions=0" ctest --test-dir "build/$preset" -j 2 --timeout 3600 --output-on-failure --output-junit "$report" "${stop[@]}" "$@" >"$log" 2>&1
   grep -E 'Failed|Timeout|\*\*\*|Skipped|^[0-9]+% tests' "$log" | grep -v '^ *$' | tail -n 60
   count() { head -n 12 "$report" | grep -oE "$1=\"[0-9]+\"" | head -n 1 | grep -oE '[0-9]+'; }
   if [ ! -s "$report" ] || [ "$(count tests)" -eq 0 ]; then
