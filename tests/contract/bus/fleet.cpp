@@ -101,7 +101,7 @@ void Fleet::turn() {
 }
 
 bool Fleet::until(const std::function<bool()>& holds) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(3);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > limit) return false;
     turn();

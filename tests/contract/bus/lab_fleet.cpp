@@ -53,7 +53,7 @@ std::unique_ptr<bus::Link> LabTest::start_robot(const std::string& listen, const
 }
 
 bool until(const std::function<bool()>& holds) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(3);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > limit) return false;
     usleep(2000);
