@@ -59,13 +59,14 @@ run_ctest() {
   rm -f "$report"
   echo "--- tests ($preset $*)"
   if [ -n "${WEFT_DEADLINE:-}" ]; then
-    if [ $((WEFT_DEADLINE - $(date +%s))) -lt 60 ]; then skipped=$((skipped + 1)); echo "--- tests ($preset): SKIPPED, no time is left"; return; fi
+    if [ $((WEFT_DEADLINE - $(date +%s))) -lt 120 ]; then skipped=$((skipped + 1)); echo "--- tests ($preset): SKIPPED, no time is left"; return; fi
     stop=(--stop-time "$(date -d "@$WEFT_DEADLINE" +%H:%M:%S)")
   fi
   LSAN_OPTIONS="suppressions=$PWD/tests/leaks.txt:print_suppressions=0" ctest --test-dir "build/$preset" -j 2 --timeout 3600 --output-on-failure --output-junit "$report" "${stop[@]}" "$@" >"$log" 2>&1
   grep -E 'Failed|Timeout|\*\*\*|Skipped|^[0-9]+% tests' "$log" | grep -v '^ *$' | tail -n 60
   count() { head -n 12 "$report" | grep -oE "$1=\"[0-9]+\"" | head -n 1 | grep -oE '[0-9]+'; }
   if [ ! -s "$report" ] || [ "$(count tests)" -eq 0 ]; then
+    if grep -q 'The stop time has been passed' "$log"; then skipped=$((skipped + 1)); echo "--- tests ($preset $*): SKIPPED, no time was left"; return; fi
     echo "no test ran; the log is $log"; failed=$((failed + 1)); failures+=("tests ($preset)"); return 1
   fi
   if grep -q 'The stop time has been passed' "$log"; then
