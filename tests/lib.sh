@@ -42,7 +42,7 @@ step_in_time() {
 build_preset() {
   local preset=$1 huge=() status; shift
   [ -z "${WEFT_HUGE_PAGES:-}" ] || huge=(env "LD_PRELOAD=$WEFT_HUGE_PAGES" GLIBC_TUNABLES=glibc.malloc.hugetlb=2)
-  cmake --preset "$preset" -DWEFT_WERROR=ON -DWEFT_SLOW_START="${WEFT_HUGE_PAGES:+ON}" >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; return 1; }
+  cmake --preset "$preset" -DWEFT_WERROR=ON -DWEFT_SLOW_START="${WEFT_SLOW_MEMORY:+ON}" >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; return 1; }
   rm -f build-configure.log
   if [ -t 1 ]; then "${huge[@]}" ninja -C "build/$preset" "$@"; return; fi
   NINJA_STATUS='[%f/%t, %e s] ' "${huge[@]}" ninja -C "build/$preset" "$@" |

@@ -1,6 +1,6 @@
 // A library to preload (LD_PRELOAD) that gives GCC's C++ compiler and clang-tidy memory in huge pages, their own code
 // included: one fault and one entry of the TLB for 2 MB instead of 512. Every other program that it is loaded into is
-// left as it is. What is asked for is the same, so what is compiled is the same.
+// left as it is. What is asked for is the same, so what is compiled is the same. For programs of one thread.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stddef.h>
