@@ -23,4 +23,10 @@ std::string short_number(double number) {
   return text.data();
 }
 
+std::string fixed_number(double number, int digits) {
+  std::array<char, 400> text{};  // the largest double has 309 digits before the point
+  std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+  return text.data();
+}
+
 }  // namespace weft

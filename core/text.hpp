@@ -10,6 +10,9 @@ std::string one_line(std::string text);
 /// Writes a number as people do: 5, not 5.000000; six digits at most.
 std::string short_number(double number);
 
+/// Writes a number with so many digits behind the point.
+std::string fixed_number(double number, int digits);
+
 /// Returns the text without the UTF-8 byte order mark that some editors put first. Every reader of text begins so.
 std::string_view without_byte_order_mark(std::string_view text);
 

@@ -20,6 +20,7 @@
 #include "server/recognise/recognition.hpp"
 #include "server/requests/operator_requests.hpp"
 #include "server/routes/routes.hpp"
+#include "server/site/site_frames.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
 #include "server/windows/window_publisher.hpp"
@@ -54,8 +55,9 @@ class FleetMapServer final : public Service {
         dispatcher_(context_, fleet_, traffic_, routes_, arrivals_, random.fork(2), std::move(stored.goals),
                     std::move(stored.routes), now.steady),
         standstills_(context_, fleet_, dispatcher_),
-        requests_(context_, fleet_, traffic_, dispatcher_),
-        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_),
+        site_frames_(context_),
+        requests_(context_, fleet_, traffic_, dispatcher_, site_frames_),
+        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       writer_.note(
@@ -88,6 +90,7 @@ class FleetMapServer final : public Service {
     answers_.tick(now.steady);
     traffic_.tick(now);
     routes_.tick(now);
+    site_frames_.tick(now);
     settle(now);
     return out_.take();
   }
@@ -96,8 +99,8 @@ class FleetMapServer final : public Service {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
          {fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(), recognition_.next(),
-          dispatcher_.next(), standstills_.next(), requests_.next(), answers_.next(), traffic_.next(),
-          routes_.next()}) {
+          dispatcher_.next(), standstills_.next(), requests_.next(), answers_.next(), traffic_.next(), routes_.next(),
+          site_frames_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -290,6 +293,7 @@ class FleetMapServer final : public Service {
   Arrivals arrivals_;
   Dispatcher dispatcher_;
   Standstills standstills_;
+  SiteFrames site_frames_;
   OperatorRequests requests_;
   Answers answers_;
   std::map<PeerId, std::string> clients_;

@@ -39,6 +39,7 @@ MapDigest digest_of(const Snapshot& snapshot) {
   map.labels = snapshot.labels().size();
   map.aparts = snapshot.aparts().size();
   map.rules = snapshot.rules().size();
+  map.registrations = snapshot.registrations().size();
   ByteWriter bytes;
   for (const auto& [id, experience] : snapshot.experiences()) {
     map.edges += experience->chain.size();
@@ -53,6 +54,7 @@ MapDigest digest_of(const Snapshot& snapshot) {
     put(apart.other, bytes);
   }
   for (const auto& [name, rule] : snapshot.rules()) bytes.raw(encode(rule));
+  for (const auto& [plan, registration] : snapshot.registrations()) bytes.raw(encode(registration));
   const ContentHash hash = hash_bytes(bytes.view());
   std::ranges::copy(hash.bytes, map.digest.bytes.begin());
   return map;
@@ -61,7 +63,8 @@ MapDigest digest_of(const Snapshot& snapshot) {
 std::string to_text(const MapDigest& map) {
   return count_of(map.experiences, "experience") + ", " + count_of(map.places, "place") + ", " +
          count_of(map.edges, "edge") + ", " + count_of(map.labels, "label") + ", " + count_of(map.rules, "rule") +
-         " and " + count_of(map.aparts, "pair") + " of stretches apart";
+         ", " + count_of(map.registrations, "registration") + " and " + count_of(map.aparts, "pair") +
+         " of stretches apart";
 }
 
 }  // namespace weft::storage

@@ -10,7 +10,9 @@ namespace weft::storage {
 struct MapDigest {
   Revision revision;
   std::uint64_t experiences = 0, places = 0, edges = 0, labels = 0, aparts = 0, rules = 0;
-  Digest digest;  ///< SHA-256 over the canonical bytes of places and edges, then labels, aparts and rules
+  std::uint64_t registrations = 0;
+  Digest
+      digest;  ///< SHA-256 over the canonical bytes of places and edges, then labels, aparts, rules and registrations
   bool operator==(const MapDigest&) const = default;
 };
 MapDigest digest_of(const Snapshot& snapshot);

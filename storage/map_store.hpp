@@ -14,6 +14,7 @@
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
 #include "core/network/passes.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
@@ -48,6 +49,12 @@ struct PutApart {
 /// Lays down a rule, in the place of an earlier rule of its name, or no longer: then only the name counts.
 struct PutRule {
   Rule rule;
+  bool holds = true;
+};
+/// Registers a floor plan, in the place of an earlier registration of its name, or no longer: then only the name
+/// counts.
+struct PutRegistration {
+  Registration registration;
   bool holds = true;
 };
 struct SealExperience {
@@ -107,13 +114,13 @@ inline constexpr std::uint64_t kLargestPreparation = 512ULL << 20U;
 
 using RevisionNote = msg::RevisionNote;
 
-/// Describes one atomic step. Batches, labels, aparts, rules, seals and what goes out and comes back change the
-/// network: together they make one revision, whose note is `note` or, when that has no kind, made from the changes. A
-/// rollback is alone in its step.
+/// Describes one atomic step. Batches, labels, aparts, rules, registrations, seals and what goes out and comes back
+/// change the network: together they make one revision, whose note is `note` or, when that has no kind, made from the
+/// changes. A rollback is alone in its step.
 struct Transaction {
-  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, SealExperience, TakeOut,
-                           BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot, PutHold, PutEvent,
-                           PutPreparation, PutPasses>>
+  std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, PutRegistration,
+                           SealExperience, TakeOut, BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot,
+                           PutHold, PutEvent, PutPreparation, PutPasses>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -124,10 +131,11 @@ struct RevisionChanges {
   Removal added;  ///< by batches
   Removal taken_out;
   Removal brought_back;
-  std::vector<Place> known_anew;  ///< places that it had as they were learned
-  std::set<std::string> labels;   ///< that it set, or took away
-  std::set<Apart> aparts;         ///< that it vouched for, or did no longer
-  std::set<std::string> rules;    ///< by name, that it laid down, or took away
+  std::vector<Place> known_anew;        ///< places that it had as they were learned
+  std::set<std::string> labels;         ///< that it set, or took away
+  std::set<Apart> aparts;               ///< that it vouched for, or did no longer
+  std::set<std::string> rules;          ///< by name, that it laid down, or took away
+  std::set<std::string> registrations;  ///< by their plans, the same
 };
 
 /// Holds everything a server needs to resume. Contents stay on disk.

@@ -85,6 +85,14 @@ void NetworkBuilder::add_rule(const Rule& rule, bool holds) {
   }
 }
 
+void NetworkBuilder::add_registration(const Registration& registration, bool holds) {
+  if (holds) {
+    registrations_.insert_or_assign(registration.plan, registration);
+  } else {
+    registrations_.erase(registration.plan);
+  }
+}
+
 void NetworkBuilder::add_damage(std::string what) {
   damage_.push_back(std::move(what));
 }
@@ -286,8 +294,12 @@ Snapshot NetworkBuilder::build(Revision revision, const Snapshot& rest) {
     shared[id] = std::make_shared<const Experience>(std::move(experience));
   }
   const Snapshot network(revision, std::move(shared), rest.shared_labels());
-  return {revision, network.experiences(), labels_of(network), aparts_of(network),
-          std::make_shared<const Snapshot::Rules>(rules_)};
+  return {revision,
+          network.experiences(),
+          labels_of(network),
+          aparts_of(network),
+          std::make_shared<const Snapshot::Rules>(rules_),
+          std::make_shared<const Snapshot::Registrations>(registrations_)};
 }
 
 std::shared_ptr<const Snapshot::Aparts> NetworkBuilder::aparts_of(const Snapshot& network) const {

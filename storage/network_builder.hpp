@@ -49,6 +49,8 @@ class NetworkBuilder {
   void add_apart(const Apart& apart, bool holds);
   /// Sets a rule, or takes that of its name away, in the order of revisions. Part of the map whatever its places are.
   void add_rule(const Rule& rule, bool holds);
+  /// Does the same with the registration of a plan.
+  void add_registration(const Registration& registration, bool holds);
   void add_damage(std::string what);
 
   /// Returns the network: everything that is there and was not taken out, without edges and labels of places that are
@@ -96,6 +98,7 @@ class NetworkBuilder {
   Snapshot::Labels labels_;
   std::set<Apart> aparts_;
   Snapshot::Rules rules_;
+  Snapshot::Registrations registrations_;
   std::set<PlaceId> damaged_places_;
   std::vector<std::string> damage_;
 };

@@ -95,6 +95,19 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutRegistration& put) {
+    const std::string name = "registration of plan " + put.registration.plan;
+    if (put.registration.plan.empty()) {
+      return fail(ErrorCode::invalid, "a registration of a plan without a name cannot be kept: give it one");
+    }
+    for (const Pick& pick : put.holds ? put.registration.picks : std::vector<Pick>()) {
+      if (is_stored(pick.place.experience, pick.place.index)) continue;
+      return fail(ErrorCode::conflict, name + ": place " + to_string(pick.place) + " is not stored");
+    }
+    plan_.changes_network = true;
+    return true;
+  }
+
   Result<bool> operator()(const TakeOut& out) { return moved(out.what); }
   Result<bool> operator()(const BringBack& back) { return moved(back.what); }
 
@@ -301,6 +314,9 @@ Needs needs_of(const Transaction& transaction) {
       [&](const PutRule& put) {
         for (const Span& span : put.rule.spans) needs.experiences.insert({span.from.experience, span.to.experience});
       },
+      [&](const PutRegistration& put) {
+        for (const Pick& pick : put.registration.picks) needs.experiences.insert(pick.place.experience);
+      },
       [&](const SealExperience& seal) { needs.experiences.insert(seal.experience); },
       [&](const TakeOut& out) { needs_of(out.what, needs); },
       [&](const BringBack& back) { needs_of(back.what, needs); },
@@ -365,6 +381,10 @@ RevisionNote note_of(const Transaction& transaction, Revision newest) {
       },
       [&](const PutApart& put) { add("apart", to_string(put.apart) + (put.holds ? "" : " are so no longer")); },
       [&](const PutRule& put) { add("rule", put.rule.name + (put.holds ? ": " + to_string(put.rule) : " goes")); },
+      [&](const PutRegistration& put) {
+        const Registration& registration = put.registration;
+        add("register", put.holds ? to_string(registration) : "plan " + registration.plan + " goes");
+      },
       [&](const SealExperience& seal) { add("seal", to_string(seal.experience) + ": " + seal.reason); },
       [&](const TakeOut& out) { add("out", count_of(out.what)); },
       [&](const BringBack& back) { add("back", count_of(back.what)); },

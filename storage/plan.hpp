@@ -48,8 +48,8 @@ struct Plan {
 /// Returns the plan for a transaction. invalid: a content's bytes are not its hash's, a batch has sequence 0 or
 /// places that are not of its experience. conflict: a batch out of order or repeated with another hash, places that
 /// do not continue the experience, a content that is neither stored nor in the transaction, a label, apart, rule,
-/// seal, removal or new knowledge of something that is not stored, or was deleted for good. not_found: a rollback to
-/// an older revision than is kept.
+/// registration, seal, removal or new knowledge of something that is not stored, or was deleted for good. not_found:
+/// a rollback to an older revision than is kept.
 Result<Plan> make_plan(const Transaction& transaction, const Facts& facts);
 
 /// Checks that a map is kept. not_found: one of that revision cannot be seen any more; `what` asks for it.

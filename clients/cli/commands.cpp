@@ -65,6 +65,7 @@ constexpr std::array kAskings{
     Asking{Command::edge_open, run_rules, kAMinute},
     Asking{Command::hold, run_operator, kAMinute},
     Asking{Command::unhold, run_operator, kAMinute},
+    Asking{Command::map_register, run_register, kAMinute},
 };
 
 const Asking* asking_for(Command command) {

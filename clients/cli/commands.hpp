@@ -60,13 +60,16 @@ Exit run_map_work(Session& session, const Invocation& invocation, const Output& 
 Exit run_apart(Session& session, const Invocation& invocation, const Output& output);
 /// Asks for the aparts of the map as it was at that revision; 0: as it is.
 Result<std::vector<Apart>> aparts_at(Session& session, const Invocation& invocation, Revision revision);
-/// Asks for what comes with the last page of the map as it was at that revision, its aparts and rules; 0: as it is.
+/// Asks for what comes with the last page of the map as it was at that revision, its aparts, rules and
+/// registrations; 0: as it is.
 Result<NetworkPage> last_page_at(Session& session, const Invocation& invocation, Revision revision);
 /// Makes the request for what is to be done to the map. invalid: what the command line names is nothing that could be
 /// meant.
 Result<msg::OperatorRequest> map_work(const Invocation& invocation);
 /// Lays down, lists and takes away rules, and closes single edges by rules.
 Exit run_rules(Session& session, const Invocation& invocation, const Output& output);
+/// Registers a floor plan, removes its registration, or shows what is registered.
+Exit run_register(Session& session, const Invocation& invocation, const Output& output);
 /// Makes the request of a command on rules. invalid: what the command line names is no stretch.
 Result<msg::OperatorRequest> rule_request(const Invocation& invocation);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);

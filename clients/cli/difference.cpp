@@ -25,13 +25,31 @@ Map merged(const Map& from, const Map& to) {
   return both;
 }
 
+/// Compares what has a name: which came, changed and went.
+template <class T>
+void compare_named(const std::vector<T>& from, const std::vector<T>& to, std::string T::*name,
+                   std::vector<std::string>& added, std::vector<std::string>& changed,
+                   std::vector<std::string>& removed) {
+  for (const T& one : to) {
+    const auto before = std::ranges::find(from, one.*name, name);
+    if (before == from.end()) {
+      added.push_back(one.*name);
+    } else if (*before != one) {
+      changed.push_back(one.*name);
+    }
+  }
+  for (const T& one : from) {
+    if (std::ranges::find(to, one.*name, name) == to.end()) removed.push_back(one.*name);
+  }
+}
+
 }  // namespace
 
 bool NetworkDifference::empty() const {
   return places_added.empty() && places_removed.empty() && places_anew.empty() && stitches_added.empty() &&
          stitches_removed.empty() && labels_added.empty() && labels_moved.empty() && labels_removed.empty() &&
          aparts_added.empty() && aparts_removed.empty() && rules_added.empty() && rules_changed.empty() &&
-         rules_removed.empty();
+         rules_removed.empty() && plans_added.empty() && plans_changed.empty() && plans_removed.empty();
 }
 
 NetworkDifference compare(const Window& from, const Window& to) {
@@ -75,20 +93,12 @@ void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to
 }
 
 void compare_rules(const std::vector<Rule>& from, const std::vector<Rule>& to, NetworkDifference& found) {
-  const auto of_name = [](const std::vector<Rule>& rules, const std::string& name) {
-    return std::ranges::find(rules, name, &Rule::name);
-  };
-  for (const Rule& rule : to) {
-    const auto before = of_name(from, rule.name);
-    if (before == from.end()) {
-      found.rules_added.push_back(rule.name);
-    } else if (*before != rule) {
-      found.rules_changed.push_back(rule.name);
-    }
-  }
-  for (const Rule& rule : from) {
-    if (of_name(to, rule.name) == to.end()) found.rules_removed.push_back(rule.name);
-  }
+  compare_named(from, to, &Rule::name, found.rules_added, found.rules_changed, found.rules_removed);
+}
+
+void compare_registrations(const std::vector<Registration>& from, const std::vector<Registration>& to,
+                           NetworkDifference& found) {
+  compare_named(from, to, &Registration::plan, found.plans_added, found.plans_changed, found.plans_removed);
 }
 
 Window united(const Window& from, const Window& to) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/network/apart.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/window.hpp"
 
 namespace weft::cli {
@@ -16,6 +17,8 @@ struct NetworkDifference {
   std::vector<std::string> labels_added, labels_moved, labels_removed;
   std::vector<Apart> aparts_added, aparts_removed;                     ///< windows have none: `compare_aparts`
   std::vector<std::string> rules_added, rules_changed, rules_removed;  ///< the same: `compare_rules`
+  /// Names plans; the same: `compare_registrations`.
+  std::vector<std::string> plans_added, plans_changed, plans_removed;
   bool empty() const;
 };
 NetworkDifference compare(const Window& from, const Window& to);
@@ -24,6 +27,10 @@ NetworkDifference compare(const Window& from, const Window& to);
 void compare_aparts(const std::vector<Apart>& from, const std::vector<Apart>& to, NetworkDifference& found);
 /// Compares rules by name.
 void compare_rules(const std::vector<Rule>& from, const std::vector<Rule>& to, NetworkDifference& found);
+
+/// Compares registrations by their plans.
+void compare_registrations(const std::vector<Registration>& from, const std::vector<Registration>& to,
+                           NetworkDifference& found);
 
 /// Joins both for laying out and drawing: places and edges of either; where both have one, that of `to`.
 Window united(const Window& from, const Window& to);

@@ -86,6 +86,7 @@ Exit send(Session& session, const Invocation& invocation, const Output& output) 
   request.robot = invocation.robot;
   request.priority = static_cast<std::uint8_t>(invocation.priority);
   request.no_return = invocation.no_return;
+  if (invocation.to_plan) request.on_plan = msg::PointOnPlan{invocation.plan, *invocation.to_plan};
   request.goal = session.new_goal();
   const GoalId id = request.goal;
   Result<msg::OperatorReply> reply = session.ask(std::move(request), patience(invocation));

@@ -78,7 +78,8 @@ void Grammar::files() {
 void Grammar::goals() {
   CLI::App* const goal = group("goal", "Goals and their lives");
   CLI::App* const send = add(*goal, "send", "Send a robot to a label; prints the goal's id", Command::goal_send);
-  send->add_option("--to", into_.name, "Where: a label of the map")->type_name("LABEL")->required();
+  send->add_option("--to", into_.name, "Where: a label of the map")->type_name("LABEL");
+  to_plan(*send);
   send->add_option("--robot", into_.robot, "Which; otherwise the idle one with the shortest way")->type_name("ROBOT");
   send->add_option("--priority", into_.priority, "Class 0 to 9, 9 the most urgent [0]")
       ->type_name("N")

@@ -40,6 +40,12 @@ class Grammar {
   void past(CLI::App& map);
   static CLI::Option* revision(CLI::App& sub, const char* name, Revision& into, const char* help);
   void anchors(CLI::App& sub);
+  CLI::Option* anchor_option(CLI::App& sub, const char* name, const char* help);
+
+  // grammar_register.cpp
+  void registering(CLI::App& map);
+  /// Lets a goal be a point of a registered floor plan.
+  void to_plan(CLI::App& send);
 
   // grammar_map_work.cpp
   /// Adds the commands that edit the map. Each makes one revision, which `map undo --revision` takes back.

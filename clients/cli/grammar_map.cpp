@@ -13,7 +13,8 @@ void Grammar::map() {
   CLI::App* const draw =
       add(*map, "draw", "Draw the network: runs, stitches, labels, and what each line means", Command::map_draw);
   draw->add_option("OUT", into_.file, "A file, *.png or *.svg")->type_name("")->required();
-  draw->add_option("--floor-plan", into_.floor_plan, "Draw it upon a floor plan: a map_server file, with its PGM")
+  draw->add_option("--floor-plan", into_.floor_plan,
+                   "Draw it upon a floor plan: a map_server file, with its PGM; registered, or with --anchor")
       ->type_name("MAP.yaml");
   anchors(*draw);
   CLI::Option* const robots = draw->add_flag("--robots", into_.draws_robots,
@@ -50,6 +51,13 @@ void Grammar::map() {
                    "With *.tum: which, by its name, or its id or the beginning of that")
       ->type_name("NAME");
   anchors(*exported);
+  CLI::Option* const plan =
+      exported
+          ->add_option("--plan", into_.plan,
+                       "In the frame of that registered floor plan [*.geojson and *.tum: of the only one]")
+          ->type_name("NAME");
+  exported->add_flag("--no-plan", into_.no_plan, "In a frame of its own, all parts, although a plan is registered")
+      ->excludes(plan);
   revision(*exported, "--at", into_.at, "As the network was at that revision");
   CLI::App* const import =
       add(*map, "import", "Add the network of pose graphs; nobody drives there", Command::map_import);
@@ -57,6 +65,7 @@ void Grammar::map() {
   import->add_option("--as", into_.name, rule("The import's name, under which it is a repeat"))
       ->type_name("NAME")
       ->required();
+  registering(*map);
   past(*map);
   edits(*map);
   upkeep(*map);
@@ -81,17 +90,24 @@ CLI::Option* Grammar::revision(CLI::App& sub, const char* name, Revision& into, 
 }
 
 void Grammar::anchors(CLI::App& sub) {
-  sub.add_option_function<std::vector<std::string>>(
-         "--anchor",
-         [this](const std::vector<std::string>& given) {
-           for (const std::string& text : given) {
-             Result<Anchor> anchor = parse_anchor(text);
-             if (!anchor) throw CLI::ValidationError("--anchor " + anchor.error().message);
-             into_.anchors.push_back(*std::move(anchor));
-           }
-         },
-         "Where a label lies in the site's frame, metres and radians; repeatable. One needs a heading; several "
-         "are fitted by their positions")
+  anchor_option(
+      sub, "--anchor",
+      "Where a label lies in the site's frame, metres and radians; repeatable. One needs a heading; several "
+      "are fitted by their positions");
+}
+
+CLI::Option* Grammar::anchor_option(CLI::App& sub, const char* name, const char* help) {
+  return sub
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [this, name](const std::vector<std::string>& given) {
+            for (const std::string& text : given) {
+              Result<Anchor> anchor = parse_anchor(text);
+              if (!anchor) throw CLI::ValidationError(std::string(name) + " " + anchor.error().message);
+              into_.anchors.push_back(*std::move(anchor));
+            }
+          },
+          help)
       ->type_name("LABEL=X,Y[,HEADING]");
 }
 

@@ -26,6 +26,20 @@ void Grammar::rules() {
       ->type_name("M")
       ->check(CLI::Range(0.0, kRuleWithin_m).description(""))
       ->needs(label);
+  CLI::Option* const polygon =
+      added
+          ->add_option_function<std::string>(
+              "--polygon",
+              [this](const std::string& text) {
+                Result<Polygon> read = parse_polygon(text);
+                if (!read) throw CLI::ValidationError("--polygon " + read.error().message);
+                into_.polygon = *std::move(read);
+              },
+              "Where: on the places that lie within these corners of a registered floor plan, as the map is now")
+          ->type_name("X,Y;X,Y;...");
+  added->add_option("--plan", into_.plan, "With --polygon: which plan [the only one that is registered]")
+      ->type_name("NAME")
+      ->needs(polygon);
   added->add_flag("--one-direction", into_.rule.one_direction, "With closed: only from A towards B");
   only_say(*added);
   add(*rules, "list", "All rules, and on how many places each holds", Command::rule_list);

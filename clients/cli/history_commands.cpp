@@ -94,11 +94,13 @@ void print(const NetworkDifference& found, const Output& output) {
   table.add({"stitches", count(found.stitches_added.size()), count(found.stitches_removed.size())});
   table.add({"aparts", count(found.aparts_added.size()), count(found.aparts_removed.size())});
   table.add({"rules", names(found.rules_added), names(found.rules_removed)});
+  table.add({"plans", names(found.plans_added), names(found.plans_removed)});
   table.add({"labels", names(found.labels_added), names(found.labels_removed)});
   table.print(output.out);
   if (!found.places_anew.empty()) output.out << "places known anew: " << found.places_anew.size() << '\n';
   if (!found.labels_moved.empty()) output.out << "labels moved: " << names(found.labels_moved) << '\n';
   if (!found.rules_changed.empty()) output.out << "rules changed: " << names(found.rules_changed) << '\n';
+  if (!found.plans_changed.empty()) output.out << "plans registered anew: " << names(found.plans_changed) << '\n';
   for (const Apart& apart : found.aparts_added) output.out << "apart: " << to_string(apart) << '\n';
   for (const Apart& apart : found.aparts_removed) output.out << "apart no longer: " << to_string(apart) << '\n';
   if (found.empty()) output.out << "the same map\n";
@@ -129,6 +131,7 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
   if (!page_from) return report(page_from.error(), invocation.json, output);
   compare_aparts(page_from->aparts, page_to->aparts, found);
   compare_rules(page_from->rules, page_to->rules, found);
+  compare_registrations(page_from->registrations, page_to->registrations, found);
   if (!invocation.file.empty()) {
     const std::string only = *is_whole ? "" : "; only runs that differ";
     if (const Result<void> drawn = draw_difference(*from, *to, only, invocation.file); !drawn)
@@ -151,7 +154,11 @@ Exit diff(Session& session, const Invocation& invocation, const Output& output) 
         {"rules",
          {{"came", list(found.rules_added)},
           {"went", list(found.rules_removed)},
-          {"changed", list(found.rules_changed)}}}};
+          {"changed", list(found.rules_changed)}}},
+        {"plans",
+         {{"came", list(found.plans_added)},
+          {"went", list(found.plans_removed)},
+          {"changed", list(found.plans_changed)}}}};
     output.out << printed(document) << '\n';
   } else {
     print(found, output);

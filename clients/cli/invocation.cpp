@@ -34,6 +34,9 @@ Result<void> check_names(const Invocation& invocation) {
   if (!invocation.new_name.empty()) {
     if (Result<void> good = check_name("label", invocation.new_name); !good) return good;
   }
+  if (!invocation.plan.empty()) {
+    if (Result<void> good = check_name("plan", invocation.plan); !good) return good;
+  }
   const bool names_label = invocation.command == Command::localise && !invocation.place.empty() &&
                            !parse_place_id(invocation.place).has_value();
   return names_label ? check_name("label", invocation.place) : Result<void>();

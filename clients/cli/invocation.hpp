@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clients/cli/anchor.hpp"
+#include "clients/cli/polygon.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -63,7 +64,8 @@ struct Invocation {
     edge_close,
     edge_open,
     hold,
-    unhold
+    unhold,
+    map_register
   };
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all
@@ -73,8 +75,8 @@ struct Invocation {
   std::string goal;                ///< an id, the unique beginning of one, or (why) a robot's name
   std::string file;                ///< to read (--along) or to write
   std::vector<std::string> files;  ///< to read
-  std::string floor_plan;          ///< map draw: a map_server file; empty: none
-  std::vector<Anchor> anchors;     ///< map draw, map export: where labels lie in the site
+  std::string floor_plan;          ///< map draw, map register: a map_server file; empty: none
+  std::vector<Anchor> anchors;     ///< map draw, map export, map register: where labels lie in the site
   std::string experience;          ///< map export: a name, an id or its beginning
   bool draws_robots = false;       ///< map draw: robots too, and what they hold
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
@@ -86,19 +88,25 @@ struct Invocation {
   std::string store;               ///< map restore: the server's directory
   bool accept_damage = false;      ///< map restore: of a damaged snapshot what is sound
   bool verifies = false;           ///< map snapshot: see whether it restores
-  bool lists = false;              ///< map apart: say which stretches are
+  bool lists = false;              ///< map apart, map register: say which are
   std::vector<std::string> apart;  ///< map apart: the two stretches
   bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;
-  bool as_text = false;                ///< file convert: clouds as text
-  std::vector<std::string> passed;     ///< calibrate: as it stands, for `weft-agent calibrate`
-  Rule rule;                           ///< rule add: all but its spans; rule remove: its name
-  std::vector<std::string> stretches;  ///< rule add: its spans
-  std::string to_place;                ///< edge close, edge open: where it leads
-  bool both = false;                   ///< edge close, edge open: in both directions
-  unsigned priority = 0;               ///< goal send
-  bool no_return = false;              ///< goal send
+  bool as_text = false;                    ///< file convert: clouds as text
+  std::vector<std::string> passed;         ///< calibrate: as it stands, for `weft-agent calibrate`
+  Rule rule;                               ///< rule add: all but its spans; rule remove: its name
+  std::vector<std::string> stretches;      ///< rule add: its spans
+  Polygon polygon;                         ///< rule add: where on a registered plan
+  std::string to_place;                    ///< edge close, edge open: where it leads
+  bool both = false;                       ///< edge close, edge open: in both directions
+  unsigned priority = 0;                   ///< goal send
+  bool no_return = false;                  ///< goal send
+  std::optional<Eigen::Vector2d> to_plan;  ///< goal send: a point of a registered plan
+  std::string plan;       ///< goal send, map export, rule add: which registered plan; empty: the only one
+  bool no_plan = false;   ///< map export: in no plan's frame
+  bool removes = false;   ///< map register: remove it
+  double sigma_m = 0.05;  ///< map register: of each pick
   bool json = false;
 
   std::vector<std::string> servers;

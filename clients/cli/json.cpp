@@ -97,6 +97,7 @@ json to_json(const msg::RobotRow& row, const Names& names) {
   object["knows_limits"] = row.description.knows_limits;
   object["power"] = row.power.header.sender ? to_json(row.power) : json();
   object["held"] = row.held_by.empty() ? json() : json(row.held_by);
+  object["on_plan"] = row.plan.empty() ? json() : json{{"plan", row.plan}, {"pose", to_json(row.plan_from_robot)}};
   object["standstill"] = row.standstill.empty() ? json() : json(row.standstill);
   return object;
 }

@@ -3,6 +3,7 @@
 #include "clients/cli/export.hpp"
 #include "clients/cli/files.hpp"
 #include "clients/cli/map_draw.hpp"
+#include "clients/cli/registered.hpp"
 #include "clients/cli/run_names.hpp"
 #include "clients/cli/table.hpp"
 
@@ -38,10 +39,25 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   return Exit::done;
 }
 
-Result<Laid> lay(Window network, const Invocation& invocation) {
+/// Moves the network into the frame of a registered floor plan, if one is wanted.
+Result<std::optional<Laid>> lay_on_plan(Session& session, const Window& network, const Invocation& invocation) {
+  const Result<NetworkPage> page = last_page_at(session, invocation, network.revision);
+  if (!page) return fail(page.error());
+  const Result<std::optional<Registration>> wanted = wanted_registration(page->registrations, invocation);
+  if (!wanted) return fail(wanted.error());
+  if (!wanted->has_value()) return std::nullopt;
+  Result<Registered> on_plan = registered(network, **wanted);
+  if (!on_plan) return fail(on_plan.error());
+  return Laid{std::move(on_plan->network), std::move(on_plan->layout), std::move(on_plan->caption)};
+}
+
+Result<Laid> lay(Session& session, Window network, const Invocation& invocation) {
   const std::vector<Anchor>& anchors = invocation.anchors;
   const bool wants_poses = invocation.command == Command::map_draw || has_poses(invocation.file);
   if (!wants_poses) return Laid{std::move(network), {}, {}};
+  Result<std::optional<Laid>> on_plan = lay_on_plan(session, network, invocation);
+  if (!on_plan) return fail(on_plan.error());
+  if (on_plan->has_value()) return **std::move(on_plan);
   Layout layout = lay_out(network);
   if (anchors.empty()) return Laid{std::move(network), std::move(layout), {}};
   Result<Anchored> held = anchored(network, layout, anchors);
@@ -53,9 +69,12 @@ Result<Laid> lay(Window network, const Invocation& invocation) {
 /// Checks that the parts of the command line go together. invalid: what does not.
 Result<void> check(const Invocation& invocation) {
   const bool draws = invocation.command == Command::map_draw;
-  if (draws && invocation.anchors.empty() != invocation.floor_plan.empty()) {
+  if (draws && !invocation.anchors.empty() && invocation.floor_plan.empty()) {
+    return fail(ErrorCode::invalid, "--anchor goes with --floor-plan: it says where the network lies on that");
+  }
+  if (!draws && !invocation.plan.empty() && (!invocation.anchors.empty() || !has_poses(invocation.file))) {
     return fail(ErrorCode::invalid,
-                "--floor-plan and --anchor go together: the network has no place on a floor of its own");
+                invocation.file + ": --plan goes with files that have poses, and without --anchor");
   }
   if (!draws && !invocation.anchors.empty() && !has_poses(invocation.file)) {
     return fail(ErrorCode::invalid, invocation.file + ": JSON has no poses, --anchor means nothing there");
@@ -83,7 +102,7 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
   if (!robots) return report(robots.error(), invocation.json, output);
   Result<Window> network = network_at(session, invocation, {invocation.at, {}}, output);
   if (!network) return report(network.error(), invocation.json, output);
-  Result<Laid> laid = lay(*std::move(network), invocation);
+  Result<Laid> laid = lay(session, *std::move(network), invocation);
   if (!laid) return report(laid.error(), invocation.json, output);
   if (invocation.command == Command::map_draw)
     return run_map_draw(session, *std::move(laid), robots->robots, invocation, output);

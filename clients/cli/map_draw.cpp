@@ -98,7 +98,7 @@ void say_written(const Window& network, const std::string& caption, const nlohma
                              {"revision", network.revision.value},
                              {"places", network.places.size()},
                              {"edges", network.edges.size()}};
-  if (!caption.empty()) document["anchors"] = caption;
+  if (!caption.empty()) document[invocation.anchors.empty() ? "on_plan" : "anchors"] = caption;
   document.update(more);
   output.out << printed(document) << '\n';
 }

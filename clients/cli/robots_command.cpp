@@ -2,6 +2,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <numbers>
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/table.hpp"
@@ -15,6 +16,14 @@ std::string where(const msg::RobotState& state) {
     return "lost by " + to_string(state.place);
   if (!state.localised) return "unknown";
   return to_string(state.place) + " +" + fixed(distance_m(state.place_from_robot), 2) + " m";
+}
+
+/// Returns where the robot stands on a registered floor plan: "hall 12.40,3.10 90 deg".
+std::string on_plan(const msg::RobotRow& row) {
+  if (row.plan.empty()) return "-";
+  const Pose2& pose = row.plan_from_robot;
+  return row.plan + " " + fixed(pose.x, 2) + "," + fixed(pose.y, 2) + " " +
+         fixed(pose.heading * 180.0 / std::numbers::pi, 0) + " deg";
 }
 
 std::string doing(const msg::RobotState& state) {
@@ -75,11 +84,14 @@ Exit run_robots(Session& session, const Invocation& invocation, const Output& ou
     return Exit::done;
   }
   Table table;
+  const bool is_on_plan = std::ranges::any_of(rows, [](const msg::RobotRow& row) { return !row.plan.empty(); });
   table.add({"ROBOT", "MODE", "PLACE", "DOES", "HEARD", "SENT", "HOLDS", "CHARGE", "REASON"});
+  if (is_on_plan) table.into_last(3, "ON PLAN");
   for (const msg::RobotRow& row : rows) {
     table.add({row.description.name, row.is_heard ? msg::to_string(row.state.mode) : "silent", where(row.state),
                doing(row.state), fixed(row.silent_s, 1) + " s ago", sent_to(row), held_by(row.state), charge(row),
                why(row)});
+    if (is_on_plan) table.into_last(3, on_plan(row));
   }
   table.print(output.out);
   for (const std::string& text : standstills(rows)) output.out << "standstill: " << text << '\n';

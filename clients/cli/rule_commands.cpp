@@ -1,6 +1,7 @@
 #include <charconv>
 
 #include "clients/cli/commands.hpp"
+#include "clients/cli/registered.hpp"
 #include "clients/cli/table.hpp"
 #include "core/text.hpp"
 
@@ -87,6 +88,19 @@ nlohmann::json document_of(const msg::RuleRow& row) {
   return document;
 }
 
+/// Asks for the map and what is registered, and finds what of it lies within the polygon.
+Result<std::vector<Span>> spans_on_plan(Session& session, const Invocation& invocation, const Output& output) {
+  const Result<Window> network = network_at(session, invocation, {}, output);
+  if (!network) return fail(network.error());
+  const Result<NetworkPage> page = last_page_at(session, invocation, network->revision);
+  if (!page) return fail(page.error());
+  const Result<Registration> plan = registration_of(page->registrations, invocation.plan);
+  if (!plan) return fail(plan.error());
+  const Result<Registered> on_plan = registered(*network, *plan);
+  if (!on_plan) return fail(on_plan.error());
+  return spans_within(on_plan->layout, invocation.polygon);
+}
+
 Exit list(Session& session, const Invocation& invocation, const Output& output) {
   msg::Query query;
   query.kind = msg::Query::Kind::rules;
@@ -131,8 +145,11 @@ Result<msg::OperatorRequest> rule_request(const Invocation& invocation) {
     if (!span) return no_place(text, "stretch E:I..J, E:I..F:J or place E:I");
     request.rule.spans.push_back(*span);
   }
-  if (request.kind == Kind::rule_put && request.rule.spans.empty() && request.rule.label.empty()) {
-    return fail(ErrorCode::invalid, "rule " + request.rule.name + " holds nowhere: name --place A..B or --label L");
+  const bool is_somewhere = !request.rule.spans.empty() || !request.rule.label.empty() || !invocation.polygon.empty();
+  if (request.kind == Kind::rule_put && !is_somewhere) {
+    return fail(ErrorCode::invalid, "rule " + request.rule.name +
+                                        " holds nowhere: name --place A..B, --label L or "
+                                        "--polygon X,Y;X,Y;X,Y");
   }
   return request;
 }
@@ -141,6 +158,17 @@ Exit run_rules(Session& session, const Invocation& invocation, const Output& out
   if (invocation.command == Command::rule_list) return list(session, invocation, output);
   Result<msg::OperatorRequest> request = rule_request(invocation);
   if (!request) return report(request.error(), invocation.json, output);
+  if (!invocation.polygon.empty()) {
+    Result<std::vector<Span>> spans = spans_on_plan(session, invocation, output);
+    if (!spans) return report(spans.error(), invocation.json, output);
+    request->rule.spans.insert(request->rule.spans.end(), spans->begin(), spans->end());
+    if (const std::size_t count = request->rule.spans.size(); count > kRuleSpans) {
+      const std::string message = "rule " + request->rule.name + " names " + std::to_string(count) +
+                                  " stretches with those within the polygon, at most " + std::to_string(kRuleSpans) +
+                                  "; make several rules of it";
+      return report(Error{ErrorCode::invalid, message}, invocation.json, output);
+    }
+  }
   const Result<msg::OperatorReply> reply = session.ask(*std::move(request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
   return show(*reply, invocation, output);

@@ -53,7 +53,9 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.network.edges, part->second.network.edges);
     append(all.network.aparts, part->second.network.aparts);
     append(all.network.rules, part->second.network.rules);
+    append(all.network.registrations, part->second.network.registrations);
     append(all.rules, part->second.rules);
+    append(all.registrations, part->second.registrations);
     append(all.experiences, part->second.experiences);
     all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
   }

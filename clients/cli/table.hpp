@@ -10,6 +10,10 @@ namespace weft::cli {
 class Table {
  public:
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  /// Puts a cell into the last row, before that column.
+  void into_last(std::size_t column, std::string cell) {
+    rows_.back().insert(rows_.back().begin() + static_cast<std::ptrdiff_t>(column), std::move(cell));
+  }
   void print(std::ostream& out) const {
     std::vector<std::size_t> widths;
     for (const std::vector<std::string>& row : rows_) {

@@ -42,7 +42,7 @@ bool TaughtMap::take(const agents::LearnedPlace& learned_place) {
   Snapshot::Experiences experiences = snapshot_.experiences();
   experiences[learned_place.place.experience] = std::make_shared<const Experience>(std::move(learned));
   snapshot_ = Snapshot(Revision{snapshot_.revision().value + 1}, std::move(experiences), snapshot_.shared_labels(),
-                       snapshot_.shared_aparts(), snapshot_.shared_rules());
+                       snapshot_.shared_aparts(), snapshot_.shared_rules(), snapshot_.shared_registrations());
   look_at_all();
   return true;
 }

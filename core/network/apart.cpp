@@ -38,11 +38,9 @@ Result<void> check_stretch(const Snapshot& snapshot, const Stretch& stretch) {
 }
 
 Snapshot one_on(const Snapshot& snapshot, Snapshot::Aparts aparts) {
-  return {{snapshot.revision().value + 1},
-          snapshot.experiences(),
-          snapshot.shared_labels(),
-          std::make_shared<const Snapshot::Aparts>(std::move(aparts)),
-          snapshot.shared_rules()};
+  return {{snapshot.revision().value + 1}, snapshot.experiences(),
+          snapshot.shared_labels(),        std::make_shared<const Snapshot::Aparts>(std::move(aparts)),
+          snapshot.shared_rules(),         snapshot.shared_registrations()};
 }
 
 }  // namespace

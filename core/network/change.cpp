@@ -119,15 +119,16 @@ Snapshot with(const Snapshot& snapshot, const Batch& batch) {
     experience.sealed = true;
     experience.seal_reason = batch.seal_reason;
   }
-  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels(), snapshot.shared_aparts(),
-          snapshot.shared_rules()};
+  return {next(snapshot.revision()), draft.take(),
+          snapshot.shared_labels(),  snapshot.shared_aparts(),
+          snapshot.shared_rules(),   snapshot.shared_registrations()};
 }
 
 Snapshot with_label(const Snapshot& snapshot, const std::string& label, const PlaceId& place) {
   Snapshot::Labels labels = snapshot.labels();
   labels[label] = place;
-  return {next(snapshot.revision()), snapshot.experiences(), share(std::move(labels)), snapshot.shared_aparts(),
-          snapshot.shared_rules()};
+  return {next(snapshot.revision()), snapshot.experiences(),  share(std::move(labels)),
+          snapshot.shared_aparts(),  snapshot.shared_rules(), snapshot.shared_registrations()};
 }
 
 Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std::string& reason) {
@@ -137,8 +138,9 @@ Snapshot with_seal(const Snapshot& snapshot, ExperienceId experience, const std:
     sealed.sealed = true;
     sealed.seal_reason = reason;
   }
-  return {next(snapshot.revision()), draft.take(), snapshot.shared_labels(), snapshot.shared_aparts(),
-          snapshot.shared_rules()};
+  return {next(snapshot.revision()), draft.take(),
+          snapshot.shared_labels(),  snapshot.shared_aparts(),
+          snapshot.shared_rules(),   snapshot.shared_registrations()};
 }
 
 }  // namespace weft

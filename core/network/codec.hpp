@@ -4,6 +4,7 @@
 #include "core/network/goal.hpp"
 #include "core/network/network.hpp"
 #include "core/network/passes.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/rule.hpp"
 
 namespace weft {
@@ -16,6 +17,7 @@ Bytes encode(const Batch& batch);
 Bytes encode(const Goal& goal);
 Bytes encode(const Route& route);
 Bytes encode(const Rule& rule);
+Bytes encode(const Registration& registration);
 Bytes encode(const std::vector<Pass>& passes);
 
 /// Read canonical bytes. corrupt: short, trailing, or impossible values; the message names the field and the offset.
@@ -26,6 +28,7 @@ Result<Batch> decode_batch(ByteView bytes);
 Result<Goal> decode_goal(ByteView bytes);
 Result<Route> decode_route(ByteView bytes);
 Result<Rule> decode_rule(ByteView bytes);
+Result<Registration> decode_registration(ByteView bytes);
 Result<std::vector<Pass>> decode_passes(ByteView bytes);
 
 /// Returns the SHA-256 of the bytes.

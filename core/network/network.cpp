@@ -57,12 +57,14 @@ void index_stitches(Experience& experience) {
 Snapshot::Snapshot() : Snapshot({}, {}, std::make_shared<const Labels>()) {}
 
 Snapshot::Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
-                   std::shared_ptr<const Aparts> aparts, std::shared_ptr<const Rules> rules)
+                   std::shared_ptr<const Aparts> aparts, std::shared_ptr<const Rules> rules,
+                   std::shared_ptr<const Registrations> registrations)
     : revision_(revision),
       experiences_(std::move(experiences)),
       labels_(std::move(labels)),
       aparts_(aparts ? std::move(aparts) : std::make_shared<const Aparts>()),
-      rules_(rules ? std::move(rules) : std::make_shared<const Rules>()) {}
+      rules_(rules ? std::move(rules) : std::make_shared<const Rules>()),
+      registrations_(registrations ? std::move(registrations) : std::make_shared<const Registrations>()) {}
 
 const Experience* Snapshot::experience(ExperienceId id) const {
   const auto found = experiences_.find(id);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/ids.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/relation.hpp"
 #include "core/network/rule.hpp"
 #include "core/shared_row.hpp"
@@ -105,11 +106,14 @@ class Snapshot {
   using Labels = std::map<std::string, PlaceId>;
   using Aparts = std::vector<Apart>;
   using Rules = std::map<std::string, Rule>;
+  using Registrations = std::map<std::string, Registration>;
 
   Snapshot();
-  /// Takes `aparts` sorted, each `ordered`; null: none, as of rules.
+  /// Takes `aparts` sorted, each `ordered`; null: none, as of rules and
+  /// registrations.
   Snapshot(Revision revision, Experiences experiences, std::shared_ptr<const Labels> labels,
-           std::shared_ptr<const Aparts> aparts = nullptr, std::shared_ptr<const Rules> rules = nullptr);
+           std::shared_ptr<const Aparts> aparts = nullptr, std::shared_ptr<const Rules> rules = nullptr,
+           std::shared_ptr<const Registrations> registrations = nullptr);
 
   Revision revision() const { return revision_; }
   const Experiences& experiences() const { return experiences_; }
@@ -123,6 +127,10 @@ class Snapshot {
   /// nor digests.
   const Rules& rules() const { return *rules_; }
   std::shared_ptr<const Rules> shared_rules() const { return rules_; }
+  /// Returns the floor plans that operators have registered, by name; stays whatever becomes of the places. Part of
+  /// neither windows nor digests.
+  const Registrations& registrations() const { return *registrations_; }
+  std::shared_ptr<const Registrations> shared_registrations() const { return registrations_; }
 
   const Experience* experience(ExperienceId id) const;
   const Place* place(const PlaceId& id) const;
@@ -141,6 +149,7 @@ class Snapshot {
   std::shared_ptr<const Labels> labels_;
   std::shared_ptr<const Aparts> aparts_;
   std::shared_ptr<const Rules> rules_;
+  std::shared_ptr<const Registrations> registrations_;
 };
 
 template <class Visit>

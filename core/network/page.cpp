@@ -23,9 +23,9 @@ bool differ(const Shared& first, const Shared& second) {
 }
 
 /// Tells which experiences pages are made of: all, or with `other` those that differ in the two.
-class Pick {
+class Selection {
  public:
-  explicit Pick(const Snapshot* other) : other_(other) {}
+  explicit Selection(const Snapshot* other) : other_(other) {}
   bool operator()(const ExperienceId& id, const Shared& experience) const {
     if (other_ == nullptr) return true;
     const auto there = other_->experiences().find(id);
@@ -51,20 +51,20 @@ void put_place(const Experience& experience, const Place& place, NetworkPage& pa
 }  // namespace
 
 NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities) {
-  const Pick is_picked(other);
+  const Selection is_selected(other);
   NetworkPage page;
   page.revision = network.revision();
   const bool is_first = after == PlaceId{};
   if (is_first) {
     for (const auto& [id, experience] : network.experiences()) {
-      if (is_picked(id, experience)) page.total += experience->places.size();
+      if (is_selected(id, experience)) page.total += experience->places.size();
     }
   }
   for (auto at = network.experiences().lower_bound(after.experience); at != network.experiences().end(); ++at) {
     const Experience& experience = *at->second;
     const bool is_begun = !is_first && at->first == after.experience;
     // What an earlier page began with was picked then.
-    if (!is_begun && !is_picked(at->first, at->second)) continue;
+    if (!is_begun && !is_selected(at->first, at->second)) continue;
     const auto behind = [&](const PlaceId& id, const Place& place) { return id < place.id; };
     auto place = is_begun ? std::upper_bound(experience.places.begin(), experience.places.end(), after, behind)
                           : experience.places.begin();
@@ -76,6 +76,7 @@ NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceI
   page.labels = network.labels();
   page.aparts = network.aparts();
   for (const auto& [name, rule] : network.rules()) page.rules.push_back(rule);
+  for (const auto& [plan, registration] : network.registrations()) page.registrations.push_back(registration);
   page.is_last = true;
   return page;
 }
@@ -103,6 +104,7 @@ std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities
   for (const auto& [label, place] : page.labels) room().labels.emplace(label, place);
   for (const Apart& apart : page.aparts) room().aparts.push_back(apart);
   for (const Rule& rule : page.rules) room().rules.push_back(rule);
+  for (const Registration& registration : page.registrations) room().registrations.push_back(registration);
   return pieces;
 }
 

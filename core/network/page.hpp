@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/network/apart.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/rule.hpp"
 #include "core/network/window.hpp"
 
@@ -15,12 +16,13 @@ namespace weft {
 /// more than this at once.
 struct NetworkPage {
   Revision revision;
-  std::vector<Place> places;              ///< in the order of their ids
-  std::vector<Edge> edges;                ///< those whose second end is one of `places`
-  std::map<std::string, PlaceId> labels;  ///< all of the network's, with the last page
-  std::vector<Apart> aparts;              ///< the same
-  std::vector<Rule> rules;                ///< the same
-  std::uint64_t total = 0;                ///< places on all pages, with the first one
+  std::vector<Place> places;                ///< in the order of their ids
+  std::vector<Edge> edges;                  ///< those whose second end is one of `places`
+  std::map<std::string, PlaceId> labels;    ///< all of the network's, with the last page
+  std::vector<Apart> aparts;                ///< the same
+  std::vector<Rule> rules;                  ///< the same
+  std::vector<Registration> registrations;  ///< the same
+  std::uint64_t total = 0;                  ///< places on all pages, with the first one
   bool is_last = false;
 };
 
@@ -32,7 +34,8 @@ inline constexpr PlaceId kBehindAll{{~std::uint64_t{0}}, ~std::uint32_t{0}};
 /// the last page.
 NetworkPage page_of(const Snapshot& network, const Snapshot* other, const PlaceId& after, std::size_t entities);
 
-/// Cuts a page into pieces of at most `entities` places, edges, labels, aparts and rules each; at least one piece.
+/// Cuts a page into pieces of at most `entities` places, edges, labels, aparts, rules and registrations each; at
+/// least one piece.
 std::vector<NetworkPage> pieces_of(const NetworkPage& page, std::size_t entities);
 
 /// Puts pages together again, in their order.
@@ -50,7 +53,7 @@ class PagedNetwork {
   std::uint64_t done() const { return window_.places.size(); }
   std::uint64_t total() const { return total_; }
   /// Returns the window that the pages make, once it is whole. Edges that lead to places on no page are left out;
-  /// labels are not. Aparts and rules are no part of a window.
+  /// labels are not. Aparts, rules and registrations are no part of a window.
   Window take();
 
  private:

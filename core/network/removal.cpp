@@ -174,10 +174,12 @@ Snapshot without(const Snapshot& snapshot, const Removal& removal) {
   std::erase_if(aparts, [&](const Apart& apart) { return !is_served(thinned, apart); });
   const bool all_labels = labels.size() == snapshot.labels().size();
   const bool all_aparts = aparts.size() == snapshot.aparts().size();
-  return {thinned.revision(), thinned.experiences(),
+  return {thinned.revision(),
+          thinned.experiences(),
           all_labels ? snapshot.shared_labels() : std::make_shared<const Snapshot::Labels>(std::move(labels)),
           all_aparts ? snapshot.shared_aparts() : std::make_shared<const Snapshot::Aparts>(std::move(aparts)),
-          snapshot.shared_rules()};
+          snapshot.shared_rules(),
+          snapshot.shared_registrations()};
 }
 
 }  // namespace weft

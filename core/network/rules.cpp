@@ -235,7 +235,8 @@ Snapshot one_on(const Snapshot& snapshot, Snapshot::Rules rules) {
           snapshot.experiences(),
           snapshot.shared_labels(),
           snapshot.shared_aparts(),
-          std::make_shared<const Snapshot::Rules>(std::move(rules))};
+          std::make_shared<const Snapshot::Rules>(std::move(rules)),
+          snapshot.shared_registrations()};
 }
 
 }  // namespace

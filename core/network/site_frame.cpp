@@ -75,6 +75,17 @@ bool lie_apart(const std::vector<SitePick>& picks) {
   return false;
 }
 
+/// Returns how surely the picks foretell where another one lies: what they leave of the position, and of the heading
+/// at its distance from their middle.
+double sigma_of_foretold(const Pose2& plan_from_layout, const Chosen& picks, const SitePick& another) {
+  const Moments m = moments_of(picks);
+  const double spread = spread_of(plan_from_layout, picks);
+  const double grown = std::max(1.0, spread * std::sqrt(m.weight / static_cast<double>(picks.size())));
+  const double away = (in_layout(another) - m.layout).squaredNorm();
+  const double turned = m.spread > 0.0 ? away / m.spread : 0.0;
+  return std::hypot(another.sigma_m, spread, grown * std::sqrt(1.0 / m.weight + turned));
+}
+
 /// Returns the index in `chosen` of the pick that contradicts the others most; none: none does.
 std::optional<std::size_t> contradicting(const Chosen& chosen) {
   std::optional<std::size_t> worst;
@@ -83,8 +94,7 @@ std::optional<std::size_t> contradicting(const Chosen& chosen) {
     Chosen others = chosen;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     const Pose2 without = fit(others);
-    const double sigma = std::hypot(chosen[i]->sigma_m, spread_of(without, others));
-    const double sigmas = off(without, *chosen[i]) / sigma;
+    const double sigmas = off(without, *chosen[i]) / sigma_of_foretold(without, others, *chosen[i]);
     if (sigmas <= most) continue;
     most = sigmas;
     worst = i;
@@ -92,17 +102,26 @@ std::optional<std::size_t> contradicting(const Chosen& chosen) {
   return worst;
 }
 
-Result<SiteFrame> held_by_one(const SitePick& only) {
-  if (!only.heading) {
-    return fail(ErrorCode::invalid, "one pick needs a heading: " + only.name +
-                                        "=X,Y,HEADING; or pick a second place " + "at least 1 m away");
+/// Returns the frame by the headings of picks that lie too near to one another to tell it by their positions; none:
+/// no pick has a heading.
+std::optional<SiteFrame> held_by_headings(const std::vector<SitePick>& picks) {
+  double sine = 0.0;
+  double cosine = 0.0;
+  Chosen chosen;
+  for (const SitePick& pick : picks) {
+    chosen.push_back(&pick);
+    if (!pick.heading) continue;
+    sine += std::sin(*pick.heading - pick.layout_from_place.heading);
+    cosine += std::cos(*pick.heading - pick.layout_from_place.heading);
   }
+  if (sine == 0.0 && cosine == 0.0) return std::nullopt;
+  const Moments m = moments_of(chosen);
+  const Pose2 turned{0.0, 0.0, std::atan2(sine, cosine)};
+  const Eigen::Vector2d moved = m.plan - turned * m.layout;
   SiteFrame frame;
-  const double turn = *only.heading - only.layout_from_place.heading;
-  const Eigen::Vector2d moved = only.on_plan - Pose2{0.0, 0.0, turn} * in_layout(only);
-  frame.plan_from_layout = {moved.x(), moved.y(), wrap_angle(turn)};
-  frame.off_m = {0.0};
-  frame.sigma_m = only.sigma_m;
+  frame.plan_from_layout = {moved.x(), moved.y(), turned.heading};
+  for (const SitePick& pick : picks) frame.off_m.push_back(off(frame.plan_from_layout, pick));
+  frame.sigma_m = 1.0 / std::sqrt(m.weight);
   return frame;
 }
 
@@ -114,9 +133,13 @@ Result<SiteFrame> fit_site_frame(const std::vector<SitePick>& picks) {
     if (!(pick.sigma_m >= 0.001 && pick.sigma_m <= 10.0))
       return fail(ErrorCode::invalid, "pick " + pick.name + ": its sigma must be from 0.001 to 10 m");
   }
-  if (picks.size() == 1) return held_by_one(picks.front());
-  if (!lie_apart(picks))
-    return fail(ErrorCode::invalid, "the picks lie within 1 m of one another: pick places that lie further apart");
+  if (!lie_apart(picks)) {
+    if (const std::optional<SiteFrame> frame = held_by_headings(picks)) return *frame;
+    if (picks.size() > 1)
+      return fail(ErrorCode::invalid, "the picks lie within 1 m of one another: pick places that lie further apart");
+    return fail(ErrorCode::invalid, "one pick needs a heading: " + picks.front().name +
+                                        "=X,Y,HEADING; or pick a second place at least 1 m away");
+  }
 
   Chosen chosen;
   for (const SitePick& pick : picks) chosen.push_back(&pick);

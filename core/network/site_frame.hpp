@@ -27,14 +27,14 @@ struct SiteFrame {
   std::vector<double> off_m;          ///< by pick: how far it lies from where it was picked; of those left out too
   std::vector<std::size_t> left_out;  ///< picks that contradict all others, the worst first
   double sigma_m = 0.0;               ///< of the position in the middle of the picks
-  std::optional<double> sigma_rad;    ///< of the heading; none: it was stated, by a single pick
+  std::optional<double> sigma_rad;    ///< of the heading; none: it was stated by picks
 };
 
 /// Fits the rotation and translation that bring the picks closest to their points on the plan: Umeyama 1991 in the
-/// plane, weighted by 1 / sigma^2 and without scale. One pick needs a heading. Of four or more, one that lies further
-/// than four sigma from where the others say is left out, and so on while three are left; `sigma` is the pick's and
-/// the spread of the others together. invalid: no pick, one without a heading, none two of which lie `kPicksApart_m`
-/// apart, or a sigma out of its bound.
+/// plane, weighted by 1 / sigma^2 and without scale. One pick, or several within a metre, need a heading. Of four or
+/// more, one that lies further than four sigma from where the others say is left out, and so on while three are left;
+/// `sigma` is the pick's, the spread of the others and how surely these foretell it together. invalid: no pick, none
+/// two of which lie `kPicksApart_m` apart and none with a heading, or a sigma out of its bound.
 Result<SiteFrame> fit_site_frame(const std::vector<SitePick>& picks);
 
 inline constexpr double kPicksApart_m = 1.0;

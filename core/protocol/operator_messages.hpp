@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/rule.hpp"
 #include "core/protocol/peers.hpp"
@@ -76,6 +78,12 @@ struct MapWork {
   std::string file;         ///< snapshot: where on the server's machine
 };
 
+/// Names a point of a registered floor plan.
+struct PointOnPlan {
+  std::string plan;  ///< empty: the only one that is registered
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+};
+
 /// Asks the server to do something. A repeat (same sender, same request) gets the same answer and is done once.
 struct OperatorRequest {
   enum class Kind : std::uint8_t {
@@ -111,7 +119,9 @@ struct OperatorRequest {
     rule_remove = 29,  ///< by its name
     hold = 30,         ///< a robot or the places of a rule: releases stop growing
     unhold = 31,
-    goal_hand_over = 32  ///< from a robot that is not heard to any other
+    goal_hand_over = 32,  ///< from a robot that is not heard to any other
+    plan_register = 33,   ///< a floor plan, in the place of an earlier registration of its name
+    plan_remove = 34      ///< the registration of a plan, by its name; none: the only one
   };
   Header header;
   std::uint64_t request = 0;  ///< the client's number for it, random
@@ -129,7 +139,9 @@ struct OperatorRequest {
   bool is_sure = false;  ///< clear: also when the robot is heard
   Rule rule;             ///< rule_put; rule_remove: its name alone
   std::uint8_t priority = 0;
-  bool no_return = false;  ///< goal_send, as Goal has them
+  bool no_return = false;              ///< goal_send, as Goal has them
+  Registration registration;           ///< plan_register; plan_remove: the plan's name alone
+  std::optional<PointOnPlan> on_plan;  ///< goal_send: where to, instead of by label
 };
 
 struct OperatorReply {

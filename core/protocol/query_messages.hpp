@@ -7,6 +7,7 @@
 
 #include "core/network/goal.hpp"
 #include "core/network/page.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/rule.hpp"
 #include "core/protocol/robot_messages.hpp"
 
@@ -23,7 +24,8 @@ struct Query {
     log = 5,
     network = 6,
     experiences = 7,
-    rules = 8
+    rules = 8,
+    registrations = 9
   };
   Header header;
   std::uint64_t request = 0;
@@ -82,6 +84,8 @@ struct RobotRow {
   std::string standstill;  ///< that it is in or waits behind, and what would help; empty: there is none
   RobotPower power;        ///< the last that it said; no sender: it has said nothing
   std::string held_by;     ///< who holds it (weft hold); empty: nobody
+  std::string plan;        ///< the registered floor plan on which it stands; empty: none, or it is not known where
+  Pose2 plan_from_robot;   ///< with a plan
 };
 
 struct MapInfo {
@@ -120,6 +124,24 @@ struct RuleRow {
   std::string problem;       ///< why it holds on none, or on fewer than it names; empty: it does
 };
 
+/// Holds one registered floor plan, and how the map lies on it, for people.
+struct RegistrationRow {
+  Registration registration;
+  /// Tells what became of a pick.
+  enum class PickState : std::uint8_t { counts = 1, left_out = 2, gone = 3 };
+  struct PickRow {
+    PickState state = PickState::counts;
+    double off_m = 0.0;  ///< from where it was picked
+  };
+  std::vector<PickRow> picks;    ///< in the order of the registration's; none while it is worked out
+  std::uint64_t places = 0;      ///< that lie on the plan
+  std::uint64_t all_places = 0;  ///< of the map; those of parts without picks have no pose on the plan
+  double scale = 1.0;            ///< metres of the plan for one of the map, which fit best; never applied
+  double sigma_m = 0.0;          ///< of the position in the middle of the picks
+  std::string text;              ///< all of that in words
+  std::string problem;           ///< why no place lies on the plan; empty: they do
+};
+
 /// Foretells when a robot comes to its goal, in seconds from now.
 struct Arrival {
   GoalId goal;
@@ -144,6 +166,7 @@ struct QueryReply {
   NetworkPage network;            ///< a piece of one page in each part
   std::vector<ExperienceRow> experiences;
   std::vector<RuleRow> rules;
+  std::vector<RegistrationRow> registrations;
   Outcome outcome = Outcome::done;  ///< else nothing but `message` counts: why there is no answer, and what to do
   std::string message;
 };

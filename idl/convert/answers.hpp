@@ -79,6 +79,10 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.text("standstill", value.standstill, wire.standstill(), kTextLength);
   if (io.is_there(bool(value.power.header.sender), wire.has_power())) io.in("power", value.power, wire.power());
   io.text("held_by", value.held_by, wire.held_by(), kNameLength);
+  io.text("plan", value.plan, wire.plan(), kNameLength);
+  io.finite("plan_x_m", value.plan_from_robot.x, wire.plan_x_m());
+  io.finite("plan_y_m", value.plan_from_robot.y, wire.plan_y_m());
+  io.finite("plan_heading_rad", value.plan_from_robot.heading, wire.plan_heading_rad());
 }
 
 template <class Io>
@@ -121,14 +125,15 @@ void describe(Io& io, Value<Io, msg::MapInfo>& value, Wire<Io, idl::MapInfo>& wi
 template <class Io>
 void describe(Io& io, Value<Io, NetworkPage>& value, Wire<Io, idl::NetworkPage>& wire) {
   io.any(value.revision, wire.revision());
-  io.require_at_most(
-      wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size() + wire.rules().size(),
-      msg::kPatchEntities, "places, edges, labels, aparts and rules", " together");
+  io.require_at_most(wire.places().size() + wire.edges().size() + wire.labels().size() + wire.aparts().size() +
+                         wire.rules().size() + wire.registrations().size(),
+                     msg::kPatchEntities, "places, edges, labels, aparts, rules and registrations", " together");
   io.each("places", value.places, wire.places(), msg::kPatchEntities);
   io.each("edges", value.edges, wire.edges(), msg::kPatchEntities);
   labels(io, value.labels, wire.labels(), msg::kPatchEntities);
   io.each("aparts", value.aparts, wire.aparts(), msg::kPatchEntities);
   io.each("rules", value.rules, wire.rules(), msg::kPatchEntities);
+  io.each("registrations", value.registrations, wire.registrations(), kMostRegistrations);
   io.any(value.total, wire.total());
   io.any(value.is_last, wire.is_last());
 }
@@ -137,6 +142,25 @@ template <class Io>
 void describe(Io& io, Value<Io, msg::RuleRow>& value, Wire<Io, idl::RuleRow>& wire) {
   io.in("rule", value.rule, wire.rule());
   io.any(value.places, wire.places());
+  io.text("problem", value.problem, wire.problem(), kTextLength);
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RegistrationRow::PickRow>& value, Wire<Io, idl::PickRow>& wire) {
+  using State = msg::RegistrationRow::PickState;
+  io.choice("state", value.state, wire.state(), State::counts, State::gone);
+  io.not_negative("off_m", value.off_m, wire.off_m());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::RegistrationRow>& value, Wire<Io, idl::RegistrationRow>& wire) {
+  io.in("registration", value.registration, wire.registration());
+  io.each("picks", value.picks, wire.picks(), kMostPicks);
+  io.any(value.places, wire.places());
+  io.any(value.all_places, wire.all_places());
+  io.not_negative("scale", value.scale, wire.scale());
+  io.not_negative("sigma_m", value.sigma_m, wire.sigma_m());
+  io.text("text", value.text, wire.text(), kTextLength);
   io.text("problem", value.problem, wire.problem(), kTextLength);
 }
 
@@ -164,6 +188,7 @@ void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryRepl
   io.in("network", value.network, wire.network());
   io.each("experiences", value.experiences, wire.experiences(), kRows);
   io.each("rules", value.rules, wire.rules(), kRows);
+  io.each("registrations", value.registrations, wire.registrations(), kMostRegistrations);
   io.choice("outcome", value.outcome, wire.outcome(), msg::Outcome::done, msg::Outcome::failed);
   io.text("message", value.message, wire.message(), kTextLength);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -130,6 +131,40 @@ void describe(Io& io, Value<Io, Rule>& value, Wire<Io, idl::Rule>& wire) {
   io.text("label", value.label, wire.label(), kNameLength);
   io.not_negative("within_m", value.within_m, wire.within_m());
   io.require(value.within_m <= kRuleWithin_m, "within_m", "must be at most 1000");
+}
+
+/// Describes a point that lies within reach of its origin.
+template <class Io, class Vector>
+void point(Io& io, std::string_view field, Vector& value, Wire<Io, double>& x, Wire<Io, double>& y) {
+  io.finite(field, value.x(), x);
+  io.finite(field, value.y(), y);
+  io.require(std::abs(value.x()) <= kPlanReach_m && std::abs(value.y()) <= kPlanReach_m, field,
+             "must be within 1000000 m");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Pick>& value, Wire<Io, idl::Pick>& wire) {
+  io.text("name", value.name, wire.name(), kNameLength);
+  io.some("place", value.place, wire.place());
+  point(io, "in_place", value.in_place, wire.in_place_x_m(), wire.in_place_y_m());
+  point(io, "on_plan", value.on_plan, wire.on_plan_x_m(), wire.on_plan_y_m());
+  io.finite("sigma_m", value.sigma_m, wire.sigma_m());
+  io.require(value.sigma_m >= kLeastPickSigma_m && value.sigma_m <= kMostPickSigma_m, "sigma_m",
+             "must be from 0.001 to 10");
+  if (io.is_there(value.heading.has_value(), wire.has_heading())) {
+    if constexpr (Io::kReads) {
+      io.finite("heading_rad", value.heading.emplace(), wire.heading_rad());
+    } else {
+      io.finite("heading_rad", value.heading.value_or(0.0), wire.heading_rad());
+    }
+  }
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Registration>& value, Wire<Io, idl::Registration>& wire) {
+  io.text("plan", value.plan, wire.plan(), kNameLength);
+  io.any(value.plan_hash, wire.plan_hash());
+  io.each("picks", value.picks, wire.picks(), kMostPicks);
 }
 
 template <class Io>

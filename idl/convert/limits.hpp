@@ -53,6 +53,8 @@ inline constexpr Bound kBounds[] = {
     {"places of a route", kRoutePlaces},
     {"speed limits of a route", kRouteLimits},
     {"spans of a rule", kRuleSpans},
+    {"registered plans of a map", kMostRegistrations},
+    {"picks of a registered plan", kMostPicks},
     {"points of a line to teach along", kLinePoints},
     {"hops of a window", kHops},
     {"places of a window", kWindowCap},

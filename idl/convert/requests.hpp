@@ -19,11 +19,17 @@ void describe(Io& io, Value<Io, msg::MapWork>& value, Wire<Io, idl::MapWork>& wi
 }
 
 template <class Io>
+void describe(Io& io, Value<Io, msg::PointOnPlan>& value, Wire<Io, idl::PointOnPlan>& wire) {
+  io.text("plan", value.plan, wire.plan(), kNameLength);
+  point(io, "point", value.point, wire.x_m(), wire.y_m());
+}
+
+template <class Io>
 void describe(Io& io, Value<Io, msg::OperatorRequest>& value, Wire<Io, idl::OperatorRequest>& wire) {
   using Kind = msg::OperatorRequest::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::goal_hand_over);
+  io.choice("kind", value.kind, wire.kind(), Kind::goal_send, Kind::plan_remove);
   io.text("who", value.who, wire.who(), kNameLength);
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.text("label", value.label, wire.label(), kNameLength);
@@ -39,6 +45,14 @@ void describe(Io& io, Value<Io, msg::OperatorRequest>& value, Wire<Io, idl::Oper
   io.in("rule", value.rule, wire.rule());
   io.at_most("priority", value.priority, wire.priority(), kHighestPriority);
   io.any(value.no_return, wire.no_return());
+  io.in("registration", value.registration, wire.registration());
+  if (io.is_there(value.on_plan.has_value(), wire.has_on_plan())) {
+    if constexpr (Io::kReads) {
+      io.in("on_plan", value.on_plan.emplace(), wire.on_plan());
+    } else {
+      io.in("on_plan", value.on_plan.value_or(msg::PointOnPlan{}), wire.on_plan());
+    }
+  }
 }
 
 template <class Io>
@@ -65,7 +79,7 @@ void describe(Io& io, Value<Io, msg::Query>& value, Wire<Io, idl::Query>& wire) 
   using Kind = msg::Query::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::rules);
+  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::registrations);
   io.any(value.goal, wire.goal());
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.any(value.newest, wire.newest());

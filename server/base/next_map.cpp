@@ -6,6 +6,7 @@
 
 #include "core/network/apart.hpp"
 #include "core/network/change.hpp"
+#include "core/network/registrations.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/rules.hpp"
 
@@ -16,9 +17,9 @@ template <class Change>
 constexpr bool kChangesMap =
     std::is_same_v<Change, storage::AppendBatch> || std::is_same_v<Change, storage::PutPlaces> ||
     std::is_same_v<Change, storage::PutLabel> || std::is_same_v<Change, storage::PutApart> ||
-    std::is_same_v<Change, storage::PutRule> || std::is_same_v<Change, storage::SealExperience> ||
-    std::is_same_v<Change, storage::TakeOut> || std::is_same_v<Change, storage::BringBack> ||
-    std::is_same_v<Change, storage::RollBack>;
+    std::is_same_v<Change, storage::PutRule> || std::is_same_v<Change, storage::PutRegistration> ||
+    std::is_same_v<Change, storage::SealExperience> || std::is_same_v<Change, storage::TakeOut> ||
+    std::is_same_v<Change, storage::BringBack> || std::is_same_v<Change, storage::RollBack>;
 
 /// Makes one change upon the map in memory; none where places come back that only the store has.
 struct Applied {
@@ -39,6 +40,9 @@ struct Applied {
   }
   std::optional<Snapshot> operator()(const storage::PutRule& put) const {
     return put.holds ? with_rule(map, put.rule) : without_rule(map, put.rule.name);
+  }
+  std::optional<Snapshot> operator()(const storage::PutRegistration& put) const {
+    return put.holds ? with_registration(map, put.registration) : without_registration(map, put.registration.plan);
   }
   template <class Other>
   std::optional<Snapshot> operator()(const Other& /*change*/) const {

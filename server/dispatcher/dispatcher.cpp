@@ -90,7 +90,10 @@ msg::OperatorReply Dispatcher::send(const msg::OperatorRequest& request, const s
   GoalBook::Step step = {.state = GoalState::pending, .cause = "asked for", .who = who};
   const Snapshot& snapshot = context_.snapshots.current();
   const auto label = snapshot.labels().find(request.label);
-  if (label == snapshot.labels().end()) {
+  if (request.place && request.on_plan) {
+    goal.to = request.place;
+    goal.priority = std::max(goal.priority, routes_.rules().priority(goal.to));
+  } else if (label == snapshot.labels().end()) {
     step.state = GoalState::rejected;
     step.cause = "the map has no label " + request.label + known_labels(snapshot);
   } else {

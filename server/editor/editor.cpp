@@ -24,6 +24,12 @@ storage::Transaction transaction_of(const Edit& edit, const std::string& who) {
     put.name = name;
     transaction.changes.emplace_back(storage::PutRule{.rule = std::move(put), .holds = rule.has_value()});
   }
+  for (const auto& [plan, registration] : edit.registrations) {
+    Registration put = registration.value_or(Registration{});
+    put.plan = plan;
+    transaction.changes.emplace_back(
+        storage::PutRegistration{.registration = std::move(put), .holds = registration.has_value()});
+  }
   transaction.changes.emplace_back(storage::PutEvent{{.at = {},
                                                       .kind = "map." + edit.kind,
                                                       .robot = {},
@@ -52,6 +58,9 @@ const char* edit_name(Kind kind) {
     case Kind::hold:
     case Kind::unhold:
       return "rule";
+    case Kind::plan_register:
+    case Kind::plan_remove:
+      return "register";
     default:
       return "quarantine";
   }
@@ -69,6 +78,8 @@ Result<Edit> Editor::edit_for(const msg::OperatorRequest& request) const {
     if (request.kind == Kind::label_rename) return renaming_label(snapshot, request.label, request.new_label);
     if (request.kind == Kind::rule_put) return putting_rule(snapshot, request.rule);
     if (request.kind == Kind::rule_remove) return removing_rule(snapshot, request.rule.name);
+    if (request.kind == Kind::plan_register) return putting_registration(snapshot, request.registration);
+    if (request.kind == Kind::plan_remove) return removing_registration(snapshot, request.registration.plan);
     if (request.kind == Kind::hold) return holding_places_of(snapshot, request.robot);
     if (request.kind == Kind::unhold) return freeing_places_of(snapshot, request.robot);
     const bool is_revision = request.kind == Kind::undo && work.revision.value != 0;

@@ -17,17 +17,17 @@ class Editor {
   Editor(Context& context, Traffic& traffic, Dispatcher& dispatcher)
       : context_(context), traffic_(traffic), dispatcher_(dispatcher) {}
 
-  /// Does a rollback, an undo, a quarantine, an apart, a rule, or removes or renames a label.
+  /// Does a rollback, an undo, a quarantine, an apart, a rule, a registration, or removes or renames a label.
   msg::OperatorReply on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
   /// Makes the edit. It is durable, and served, when this returns.
   msg::OperatorReply commit(const Edit& edit, const std::string& who, Now now);
   /// Returns the places that robots hold, and that routes under way and their goals need.
   std::set<PlaceId> in_use() const;
   bool holds_what_is_out() const { return traffic_.holds_what_is_out(); }
-
- private:
+  /// Returns what the request would do to the map as it is, or why it is refused.
   Result<Edit> edit_for(const msg::OperatorRequest& request) const;
 
+ private:
   Context& context_;
   Traffic& traffic_;
   Dispatcher& dispatcher_;

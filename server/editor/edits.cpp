@@ -7,6 +7,7 @@
 
 #include "core/names.hpp"
 #include "core/network/imported.hpp"
+#include "core/network/registrations.hpp"
 #include "core/network/rules.hpp"
 
 namespace weft::server {
@@ -82,6 +83,25 @@ void undo_rule(const std::string& name, const Snapshot& now, const Snapshot& the
   if (rule_of(name, then) == is && was != is) edit.rules[name] = was;
 }
 
+std::optional<Registration> registration_of(const std::string& plan, const Snapshot& snapshot) {
+  const auto found = snapshot.registrations().find(plan);
+  return found == snapshot.registrations().end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Turns round what the revision made of the registration, if it is still so.
+void undo_registration(const std::string& plan, const Snapshot& now, const Snapshot& then, const Snapshot& before,
+                       Edit& edit) {
+  const std::optional<Registration> is = registration_of(plan, now);
+  const std::optional<Registration> was = registration_of(plan, before);
+  if (registration_of(plan, then) == is && was != is) edit.registrations[plan] = was;
+}
+
+std::string known_plans(const Snapshot& snapshot) {
+  std::string text;
+  for (const auto& [plan, registration] : snapshot.registrations()) text += (text.empty() ? "" : ", ") + plan;
+  return text.empty() ? "it has none" : "known: " + text;
+}
+
 std::string known_rules(const Snapshot& snapshot) {
   constexpr std::size_t kListed = 10;
   if (snapshot.rules().empty()) return "it has none";
@@ -134,6 +154,9 @@ std::string to_text(const Edit& edit) {
   }
   for (const auto& [name, rule] : edit.rules) {
     parts.push_back("rule " + name + (rule ? " (" + to_string(*rule) + ")" : " gone"));
+  }
+  for (const auto& [plan, registration] : edit.registrations) {
+    parts.push_back(registration ? to_string(*registration) : "plan " + plan + " registered no longer");
   }
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
@@ -264,6 +287,34 @@ Result<Edit> freeing_places_of(const Snapshot& snapshot, const std::string& name
   return fail(ErrorCode::not_found, "nobody holds " + name + ": weft rule list shows what is held, weft robots who");
 }
 
+Result<Edit> putting_registration(const Snapshot& snapshot, const Registration& registration) {
+  if (const Result<void> good = check(snapshot, registration); !good) return fail(good.error());
+  if (registration_of(registration.plan, snapshot) == registration) {
+    return fail(ErrorCode::conflict,
+                "plan " + registration.plan + " is registered so already: weft map register --show shows it");
+  }
+  Edit edit;
+  edit.registrations[registration.plan] = registration;
+  edit.cause = "plan " + registration.plan + " registered";
+  return edit;
+}
+
+Result<Edit> removing_registration(const Snapshot& snapshot, const std::string& plan) {
+  const Snapshot::Registrations& known = snapshot.registrations();
+  if (plan.empty() && known.size() > 1) {
+    return fail(ErrorCode::refused, "several plans are registered: name the one to remove; " + known_plans(snapshot));
+  }
+  const std::string name = plan.empty() && known.size() == 1 ? known.begin()->first : plan;
+  if (!known.contains(name)) {
+    return fail(ErrorCode::not_found,
+                "the map has no registered plan" + (name.empty() ? "" : " " + name) + "; " + known_plans(snapshot));
+  }
+  Edit edit;
+  edit.registrations[name] = std::nullopt;
+  edit.cause = "plan " + name + " removed";
+  return edit;
+}
+
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision) {
   const Result<storage::RevisionChanges> changes = store.changes_of(revision);
   if (!changes) return fail(changes.error());
@@ -283,8 +334,8 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
   append(out, changes->brought_back);
   edit.out = present(snapshot, out);
   edit.back = absent(snapshot, changes->taken_out);
-  const bool needs_maps =
-      !changes->labels.empty() || !changes->aparts.empty() || !changes->rules.empty() || !changes->known_anew.empty();
+  const bool needs_maps = !changes->labels.empty() || !changes->aparts.empty() || !changes->rules.empty() ||
+                          !changes->registrations.empty() || !changes->known_anew.empty();
   if (needs_maps) {
     const Result<Snapshot> then = store.snapshot_at(revision, snapshot);
     if (!then) return fail(then.error());
@@ -294,6 +345,7 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
     for (const std::string& label : changes->labels) undo_label(label, snapshot, *then, *before, edit);
     for (const Apart& apart : changes->aparts) undo_apart(apart, snapshot, *then, *before, edit);
     for (const std::string& name : changes->rules) undo_rule(name, snapshot, *then, *before, edit);
+    for (const std::string& plan : changes->registrations) undo_registration(plan, snapshot, *then, *before, edit);
   }
   if (edit.empty()) {
     return fail(ErrorCode::not_found, "nothing of " + edit.cause +

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/network/apart.hpp"
+#include "core/network/registration.hpp"
 #include "core/network/removal.hpp"
 #include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
@@ -17,16 +18,17 @@ namespace weft::server {
 struct Edit {
   Removal out;
   Removal back;
-  std::vector<Place> known_anew;                     ///< places as they are known from now on
-  std::map<std::string, PlaceId> labels;             ///< a place of no experience: the label goes
-  std::map<Apart, bool> aparts;                      ///< false: vouched for no longer
-  std::map<std::string, std::optional<Rule>> rules;  ///< none: the rule goes
-  Revision to;                                       ///< not 0: a rollback, and nothing else
-  std::string kind;                                  ///< for the log
-  std::string cause;                                 ///< what was asked for, in words
+  std::vector<Place> known_anew;                                     ///< places as they are known from now on
+  std::map<std::string, PlaceId> labels;                             ///< a place of no experience: the label goes
+  std::map<Apart, bool> aparts;                                      ///< false: vouched for no longer
+  std::map<std::string, std::optional<Rule>> rules;                  ///< none: the rule goes
+  std::map<std::string, std::optional<Registration>> registrations;  ///< by plan; none: it goes
+  Revision to;                                                       ///< not 0: a rollback, and nothing else
+  std::string kind;                                                  ///< for the log
+  std::string cause;                                                 ///< what was asked for, in words
   bool empty() const {
     return out.empty() && back.empty() && known_anew.empty() && labels.empty() && aparts.empty() && rules.empty() &&
-           to.value == 0;
+           registrations.empty() && to.value == 0;
   }
 };
 
@@ -56,6 +58,10 @@ Result<Edit> removing_rule(const Snapshot& snapshot, const std::string& name);
 /// Returns the rule that holds robots on the places of the rule of that name, until it is removed.
 Result<Edit> holding_places_of(const Snapshot& snapshot, const std::string& name);
 Result<Edit> freeing_places_of(const Snapshot& snapshot, const std::string& name);
+/// Registers a floor plan, in the place of a registration of its name. Errors as `check`; conflict: it is so already.
+Result<Edit> putting_registration(const Snapshot& snapshot, const Registration& registration);
+/// Removes the registration of a plan; no name: of the only one. refused: there are several.
+Result<Edit> removing_registration(const Snapshot& snapshot, const std::string& plan);
 /// Turns round what a revision changed. refused: a rollback that is not the newest revision.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);

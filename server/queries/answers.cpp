@@ -7,6 +7,7 @@
 #include "core/network/rules.hpp"
 #include "server/base/outcome.hpp"
 #include "server/queries/experience_rows.hpp"
+#include "server/queries/registration_rows.hpp"
 
 namespace weft::server {
 namespace {
@@ -44,6 +45,8 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
       return experiences();
     case msg::Query::Kind::rules:
       return rules();
+    case msg::Query::Kind::registrations:
+      return registrations();
     case msg::Query::Kind::info:
       break;
   }
@@ -108,6 +111,7 @@ Answers::Parts Answers::robots(SteadyTime now) const {
     row.standstill = clipped(standstills_.text_of(id));
     row.held_by = robot.held_by;
     if (robot.power) row.power = *robot.power;
+    put_on_plan(site_frames_, row);
     parts.back().robots.push_back(std::move(row));
   }
   return parts;
@@ -196,6 +200,15 @@ Answers::Parts Answers::rules() const {
     parts.back().rules.push_back({.rule = rule,
                                   .places = static_cast<std::uint32_t>(extent.places.size()),
                                   .problem = clipped(std::move(extent.problem))});
+  }
+  return parts;
+}
+
+Answers::Parts Answers::registrations() const {
+  Parts parts;
+  for (msg::RegistrationRow& row : registration_rows(context_.snapshots.current(), site_frames_)) {
+    parts.emplace_back();
+    parts.back().registrations.push_back(std::move(row));
   }
   return parts;
 }

@@ -10,6 +10,7 @@
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/past_maps.hpp"
+#include "server/site/site_frames.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
 
@@ -19,7 +20,8 @@ namespace weft::server {
 class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
-          const Standstills& standstills, const Dispatcher& dispatcher, const Intake& intake)
+          const Standstills& standstills, const Dispatcher& dispatcher, const Intake& intake,
+          const SiteFrames& site_frames)
       : context_(context),
         fleet_(fleet),
         traffic_(traffic),
@@ -27,6 +29,7 @@ class Answers {
         standstills_(standstills),
         dispatcher_(dispatcher),
         intake_(intake),
+        site_frames_(site_frames),
         past_maps_(context) {}
 
   void on_query(const msg::Query& query, SteadyTime now);
@@ -43,6 +46,7 @@ class Answers {
   Result<Parts> log(const msg::Query& query) const;
   Result<Parts> experiences() const;
   Parts rules() const;
+  Parts registrations() const;
   Result<Parts> network(const msg::Query& query, SteadyTime now);
   msg::MapInfo info() const;
   std::string occupies(const RobotId& robot) const;
@@ -54,6 +58,7 @@ class Answers {
   const Standstills& standstills_;
   const Dispatcher& dispatcher_;
   const Intake& intake_;
+  const SiteFrames& site_frames_;
   PastMaps past_maps_;
 };
 

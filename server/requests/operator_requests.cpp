@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/network/way_on.hpp"
+#include "core/text.hpp"
 #include "server/base/outcome.hpp"
 
 namespace weft::server {
@@ -51,6 +52,7 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
   }
   switch (request.kind) {
     case Kind::goal_send:
+      if (request.on_plan) return send_to_plan(key, request, who, now);
       answer(key, dispatcher_.send(request, who, now));
       return;
     case Kind::goal_cancel:
@@ -91,7 +93,13 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::label_rename:
     case Kind::rule_put:
     case Kind::rule_remove:
+    case Kind::plan_remove:
       answer(key, editor_.on_request(request, who, now));
+      return;
+    case Kind::plan_register:
+      if (std::optional<msg::OperatorReply> at_once = registering_.begin(key, request, who, now)) {
+        answer(key, *std::move(at_once));
+      }
       return;
     case Kind::hold:
     case Kind::unhold:
@@ -114,6 +122,7 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
 void OperatorRequests::tick(Now now) {
   commands_.tick(now.steady);
   answer_overdue(now.steady);
+  for (auto& [key, reply] : registering_.tick(now)) answer(key, std::move(reply));
   for (auto& [key, reply] : jobs_.tick(now)) {
     if (reply.outcome != msg::Outcome::under_way) {
       answer(key, std::move(reply));
@@ -128,6 +137,7 @@ void OperatorRequests::tick(Now now) {
 std::optional<SteadyTime> OperatorRequests::next() const {
   std::optional<SteadyTime> next = jobs_.next();
   if (!next) next = commands_.next();
+  if (const auto due = registering_.next()) next = next ? std::min(*next, *due) : *due;
   for (const auto& [key, group] : group_commands_) next = next ? std::min(*next, group.answer_by) : group.answer_by;
   return next;
 }
@@ -266,6 +276,21 @@ void OperatorRequests::label_here(const Key& key, const msg::OperatorRequest& re
   command.name = request.label;
   asked_by_[key] = who;
   send_for(key, std::move(command), now.steady);
+}
+
+/// Sends a robot to the place that lies nearest to a point of a floor plan; a repeat of a goal is one whatever has
+/// become of the plan since.
+void OperatorRequests::send_to_plan(const Key& key, const msg::OperatorRequest& request, const std::string& who,
+                                    Now now) {
+  msg::OperatorRequest sent = request;
+  const Eigen::Vector2d& point = request.on_plan->point;
+  sent.label = fixed_number(point.x(), 2) + "," + fixed_number(point.y(), 2);
+  if (!request.goal || dispatcher_.book().find(request.goal) == nullptr) {
+    const Result<PlaceId> place = site_frames_.nearest(request.on_plan->plan, point);
+    if (!place) return answer(key, outcome_of(place.error()), place.error().message);
+    sent.place = *place;
+  }
+  answer(key, dispatcher_.send(sent, who, now));
 }
 
 void OperatorRequests::clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {

@@ -14,6 +14,8 @@
 #include "server/fleet/fleet.hpp"
 #include "server/jobs/jobs.hpp"
 #include "server/requests/commands.hpp"
+#include "server/requests/registering.hpp"
+#include "server/site/site_frames.hpp"
 
 namespace weft::server {
 
@@ -21,12 +23,15 @@ namespace weft::server {
 /// is answered when the robot has answered.
 class OperatorRequests {
  public:
-  OperatorRequests(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher)
+  OperatorRequests(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher,
+                   const SiteFrames& site_frames)
       : context_(context),
         fleet_(fleet),
         dispatcher_(dispatcher),
+        site_frames_(site_frames),
         editor_(context, traffic, dispatcher),
         jobs_(context, editor_),
+        registering_(context, editor_),
         commands_(context) {}
 
   /// Does the request once; `who` is the client's name.
@@ -84,6 +89,7 @@ class OperatorRequests {
 
   void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void send_to_plan(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void hold_or_free(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -106,8 +112,10 @@ class OperatorRequests {
   Context& context_;
   Fleet& fleet_;
   Dispatcher& dispatcher_;
+  const SiteFrames& site_frames_;
   Editor editor_;
   Jobs jobs_;
+  Registering registering_;
   Commands commands_;
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;

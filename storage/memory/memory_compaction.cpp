@@ -102,10 +102,11 @@ class MemoryCompaction {
     });
   }
 
-  /// Deletes labels, rules, and words on what is apart that no kept map needs.
+  /// Deletes labels, rules, registrations, and words on what is apart that no kept map needs.
   void thin_latest() {
     std::map<std::string, LatestRetention> labels;
     std::map<std::string, LatestRetention> rules;
+    std::map<std::string, LatestRetention> registrations;
     std::map<Apart, LatestRetention> aparts;
     std::vector<MemoryDisk::Step> kept;
     for (auto step = disk_.history.rbegin(); step != disk_.history.rend(); ++step) {
@@ -114,6 +115,10 @@ class MemoryCompaction {
       }
       if (const auto* const put = std::get_if<PutRule>(&step->change)) {
         if (!rules.try_emplace(put->rule.name, retention_).first->second.keeps(step->revision.value)) continue;
+      }
+      if (const auto* const put = std::get_if<PutRegistration>(&step->change)) {
+        const std::string& plan = put->registration.plan;
+        if (!registrations.try_emplace(plan, retention_).first->second.keeps(step->revision.value)) continue;
       }
       if (const auto* const put = std::get_if<PutApart>(&step->change)) {
         const bool is_latest = aparts.try_emplace(put->apart, retention_).first->second.keeps(step->revision.value);

@@ -55,6 +55,7 @@ class Writer {
   void operator()(const PutLabel& put) const { remember(put); }
   void operator()(const PutApart& put) const { remember(PutApart{ordered(put.apart), put.holds}); }
   void operator()(const PutRule& put) const { remember(put); }
+  void operator()(const PutRegistration& put) const { remember(put); }
   void operator()(const SealExperience& seal) const { remember(MemoryDisk::Seal{seal.experience, seal.reason}); }
   void operator()(const TakeOut& out) const { remember(out); }
   void operator()(const BringBack& back) const { remember(back); }
@@ -129,6 +130,9 @@ class Replay {
   }
   void operator()(const PutRule& put) {
     if (is_in_) builder_.add_rule(put.rule, put.holds);
+  }
+  void operator()(const PutRegistration& put) {
+    if (is_in_) builder_.add_registration(put.registration, put.holds);
   }
   void operator()(const TakeOut& out) {
     if (is_in_) builder_.move(out.what, false, at_);
@@ -305,6 +309,9 @@ class MemoryStore final : public MapStore {
       if (const auto* put = std::get_if<PutLabel>(&step.change)) changes.labels.insert(put->label);
       if (const auto* put = std::get_if<PutApart>(&step.change)) changes.aparts.insert(put->apart);
       if (const auto* put = std::get_if<PutRule>(&step.change)) changes.rules.insert(put->rule.name);
+      if (const auto* put = std::get_if<PutRegistration>(&step.change)) {
+        changes.registrations.insert(put->registration.plan);
+      }
       const std::vector<Place>* const known = known_anew(step);
       if (known != nullptr) changes.known_anew.insert(changes.known_anew.end(), known->begin(), known->end());
     }

@@ -36,7 +36,7 @@ struct MemoryDisk {
   std::uint64_t content_bytes = 0;
   struct Step {
     Revision revision;
-    std::variant<Batch, Seal, PutPlaces, PutLabel, PutApart, PutRule, TakeOut, BringBack> change;
+    std::variant<Batch, Seal, PutPlaces, PutLabel, PutApart, PutRule, PutRegistration, TakeOut, BringBack> change;
   };
   std::vector<Step> history;           ///< in order of commit
   std::vector<RevisionNote> notes;     ///< of revision 1, 2, ...

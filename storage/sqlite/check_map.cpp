@@ -268,6 +268,34 @@ class RuleCheck final : public MapCheck<RuleRow> {
   }
 };
 
+struct RegistrationRow {
+  std::string plan;
+  std::uint64_t revision = 0;
+  Result<Registration> registration;
+};
+
+/// Checks registrations by themselves: places that one names may be deleted for good, as those of a rule.
+class RegistrationCheck final : public MapCheck<RegistrationRow> {
+ public:
+  using MapCheck::MapCheck;
+
+ private:
+  RegistrationRow read(const Query& row) override {
+    ++done_;
+    return {row.text(0), row.number(1), decode_guarded(row.blob(2), decode_registration)};
+  }
+  Result<void> look(const RegistrationRow& row, Findings& findings) override {
+    const std::string name = "registration of plan " + row.plan;
+    check_revision(row.revision, name, findings);
+    if (!row.registration) {
+      findings.push_back(name + ": " + row.registration.error().message);
+    } else if (row.registration->plan != row.plan) {
+      findings.push_back(name + ": the row of another plan");
+    }
+    return {};
+  }
+};
+
 struct ApartRow {
   Apart apart;
   std::uint64_t revision = 0;
@@ -391,6 +419,7 @@ Result<void> add_map_checks(const Parts& parts, CheckParts& to) {
         {"one_experience", "one_first", "one_last", "other_experience", "other_first", "other_last", "revision"}, "");
   }
   if (done) done = add<RuleCheck>(parts, to, "rule", {"name", "revision"}, "row");
+  if (done) done = add<RegistrationCheck>(parts, to, "registration", {"plan", "revision"}, "row");
   if (done) {
     done = add<MovedPlacesCheck>(parts, to, "moved_places", {"revision", "experience", "first_place", "is_back"},
                                  "last_place");

@@ -223,11 +223,11 @@ class DeletePlacesAnew final : public CompactPart {
   std::uint64_t done_ = 0;
 };
 
-/// Deletes meanings of a label, or rules of a name, that have been replaced by a later one in every kept map. From
-/// the newest to the oldest.
+/// Deletes meanings of a label, or rules and registrations of a name, that have been replaced by a later one in every
+/// kept map. From the newest to the oldest.
 class DeleteNamed final : public CompactPart {
  public:
-  enum class What : std::uint8_t { labels, rules };
+  enum class What : std::uint8_t { labels, rules, registrations };
   DeleteNamed(What what, Scan scan, Statement drop) : what_(what), scan_(std::move(scan)), drop_(std::move(drop)) {}
 
   Result<bool> step(Compaction& compaction) override {
@@ -388,6 +388,8 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
   auto drop_label = need(database.prepare("DELETE FROM label WHERE label = ? AND revision = ?"));
   auto rules = need(Scan::make(database, "rule", {"name", "revision"}, "", Scan::Order::down));
   auto drop_rule = need(database.prepare("DELETE FROM rule WHERE name = ? AND revision = ?"));
+  auto registrations = need(Scan::make(database, "registration", {"plan", "revision"}, "", Scan::Order::down));
+  auto drop_registration = need(database.prepare("DELETE FROM registration WHERE plan = ? AND revision = ?"));
   auto drop_apart = need(database.prepare(
       "DELETE FROM apart WHERE one_experience = ? AND one_first = ? AND one_last = ? AND other_experience = ?"
       " AND other_first = ? AND other_last = ? AND revision = ?"));
@@ -401,6 +403,8 @@ Result<void> add_map_compaction(const Parts& parts, CompactParts& to) {
   to.push_back(std::make_unique<DeletePlacesAnew>(std::move(*anew), std::move(*anew_lookup), std::move(*drop_anew)));
   to.push_back(std::make_unique<DeleteNamed>(DeleteNamed::What::labels, std::move(*labels), std::move(*drop_label)));
   to.push_back(std::make_unique<DeleteNamed>(DeleteNamed::What::rules, std::move(*rules), std::move(*drop_rule)));
+  to.push_back(std::make_unique<DeleteNamed>(DeleteNamed::What::registrations, std::move(*registrations),
+                                             std::move(*drop_registration)));
   to.push_back(std::make_unique<DeleteAparts>(std::move(*drop_apart)));
   to.push_back(std::make_unique<DeleteMoves>(std::move(*drop_moved_places), std::move(*drop_moved_stitches)));
   return {};

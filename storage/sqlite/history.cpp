@@ -150,6 +150,11 @@ Result<RevisionChanges> load_changes(const Database& database, Revision revision
         database, "SELECT name FROM rule WHERE revision = ?",
         [&](const Query& row) { changes.rules.insert(row.text(0)); }, revision.value);
   }
+  if (done) {
+    done = for_each_row(
+        database, "SELECT plan FROM registration WHERE revision = ?",
+        [&](const Query& row) { changes.registrations.insert(row.text(0)); }, revision.value);
+  }
   if (!done) return fail(done.error());
   return changes;
 }

@@ -121,6 +121,20 @@ Result<void> load_rules(const Database& database, const Lineage& lineage, Networ
       });
 }
 
+Result<void> load_registrations(const Database& database, const Lineage& lineage, NetworkBuilder& builder) {
+  return for_each_row(database, "SELECT plan, holds, row, revision FROM registration ORDER BY revision",
+                      [&](const Query& row) {
+                        if (!lineage.contains(row.number(3))) return;
+                        const auto registration = decode_guarded(row.blob(2), decode_registration);
+                        if (!registration) {
+                          builder.add_damage("registration of plan " + row.text(0) + ": " +
+                                             registration.error().message + "; register it again");
+                          return;
+                        }
+                        builder.add_registration(*registration, row.number(1) != 0);
+                      });
+}
+
 Result<void> load_moves(const Database& database, const Scope& scope, const Lineage& lineage,
                         NetworkBuilder& builder) {
   auto done = for_each_row(
@@ -200,6 +214,7 @@ Result<void> load_network(const Database& database, const Scope& scope, const Li
   if (done) done = load_labels(database, lineage, builder);
   if (done) done = load_aparts(database, lineage, builder);
   if (done) done = load_rules(database, lineage, builder);
+  if (done) done = load_registrations(database, lineage, builder);
   return done;
 }
 

@@ -194,6 +194,14 @@ CREATE TABLE rule (
   PRIMARY KEY (name, revision)
 ) WITHOUT ROWID;
 
+CREATE TABLE registration (
+  plan     TEXT NOT NULL,
+  revision INTEGER NOT NULL,
+  holds    INTEGER NOT NULL,
+  row      BLOB NOT NULL,
+  PRIMARY KEY (plan, revision)
+) WITHOUT ROWID;
+
 CREATE TABLE hold (robot BLOB PRIMARY KEY NOT NULL, who TEXT NOT NULL) WITHOUT ROWID;
 
 CREATE TABLE passes (

@@ -42,6 +42,8 @@ Result<Statements> Statements::prepare(const Database& database) {
        "INSERT OR REPLACE INTO apart (one_experience, one_first, one_last, other_experience, other_first, other_last,"
        " revision, holds) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"},
       {&Statements::put_rule, "INSERT OR REPLACE INTO rule (name, revision, holds, row) VALUES (?, ?, ?, ?)"},
+      {&Statements::put_registration,
+       "INSERT OR REPLACE INTO registration (plan, revision, holds, row) VALUES (?, ?, ?, ?)"},
       {&Statements::seal, "UPDATE experience SET sealed = 1, seal_reason = ? WHERE id = ?"},
       {&Statements::put_revision,
        "INSERT INTO revision (id, base, at_ns, kind, who, cause) VALUES (?, ?, ?, ?, ?, ?)"},

@@ -32,6 +32,7 @@ std::vector<Table> tables() {
       {"label", "history", {"label", "revision"}, "length(label) + 24"},
       {"apart", "history", apart, "64"},
       {"rule", "history", {"name", "revision"}, "length(name) + length(row) + 16"},
+      {"registration", "history", {"plan", "revision"}, "length(plan) + length(row) + 16"},
       {"moved_places", "history", {"revision", "experience", "first_place", "is_back"}, "32"},
       {"moved_stitch", "history", stitch, "40"},
       {"deleted_places", "history", {"experience", "first_place"}, "20"},

@@ -63,6 +63,14 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutRegistration& put) const {
+    const Bytes bytes = guard_row(encode(put.registration));
+    Query query(statements_.put_registration);
+    query << std::string_view(put.registration.plan) << row_.revision.value << std::uint64_t{put.holds}
+          << ByteView(bytes);
+    return query.run();
+  }
+
   Result<void> operator()(const SealExperience& seal) const {
     Query query(statements_.seal);
     query << std::string_view(seal.reason) << seal.experience.value;

@@ -111,6 +111,10 @@ Rule rule() {
           3.5};
 }
 
+Registration registration() {
+  return {"hall", id_of<ContentHash>(0x90), {{"dock", place_id(1, 5), {0.25, -0.5}, {12.5, 3.25}, 0.125, 1.5}}};
+}
+
 msg::Event event() {
   return {WallTime(Duration(1'700'000'000'000'000'001)),
           "goal.assigned",
@@ -170,14 +174,26 @@ msg::QueryReply query_reply() {
   made.request = 31;
   made.part = 0;
   made.parts = 2;
-  made.robots = {{description(), state(), 0.5, true, "cyclonedds", "0.1.0", -0.001,
-                  "0000000000000001:5 to 0000000000000002:0", 70'000, 4'000'000,
+  made.robots = {{description(),
+                  state(),
+                  0.5,
+                  true,
+                  "cyclonedds",
+                  "0.1.0",
+                  -0.001,
+                  "0000000000000001:5 to 0000000000000002:0",
+                  70'000,
+                  4'000'000,
                   msg::RobotWait{place_id(0xabcdef, 0),
                                  place_id(0xabcdef, 2),
                                  {example_addressee()},
                                  WallTime(std::chrono::seconds(1'700'000'100)),
                                  "dock-shut"},
-                  "r1 and r2 wait for one another", power(), "anna"}};
+                  "r1 and r2 wait for one another",
+                  power(),
+                  "anna",
+                  "hall",
+                  {3.5, -2.25, 0.75}}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};
@@ -205,6 +221,7 @@ msg::QueryReply query_reply() {
   made.network.labels = {{"dock", place_id(2, 1)}};
   made.network.aparts = {{{ExperienceId{0xabcdef}, 3, 9}, {ExperienceId{0xfedcba}, 0, 4}}};
   made.network.rules = {rule()};
+  made.network.registrations = {registration()};
   made.network.total = 400;
   made.network.is_last = true;
   made.experiences = {{ExperienceId{0xabcdef},
@@ -220,6 +237,14 @@ msg::QueryReply query_reply() {
                        {ExperienceId{0xfedcba}},
                        1}};
   made.rules = {{rule(), 37, "no label 'dock'"}};
+  made.registrations = {{registration(),
+                         {{msg::RegistrationRow::PickState::left_out, 1.125}},
+                         812,
+                         1000,
+                         0.984375,
+                         0.03125,
+                         "held by one pick",
+                         "the picks lie within 1 m"}};
   made.arrivals = {{id_of<GoalId>(0x30), 130.5, 110.25, 180.75}};
   made.outcome = msg::Outcome::refused;
   made.message = "the map has no revision 900";
@@ -348,7 +373,9 @@ void add_operating(std::vector<Example>& all) {
                                       true,
                                       rule(),
                                       7,
-                                      true}});
+                                      true,
+                                      registration(),
+                                      msg::PointOnPlan{"hall", {4.5, -6.5}}}});
   all.push_back({"operator_reply", Role::server,
                  msg::OperatorReply{header(),
                                     example_addressee(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/network/registrations.hpp"
 #include "core/network/rules.hpp"
 
 namespace weft::storage::sample {
@@ -72,14 +73,30 @@ RandomHistory::Step RandomHistory::draw_rule(const Snapshot& now, const PlaceId&
   return {{{PutRule{rule}}, {}}, with_rule(now, rule)};
 }
 
+RandomHistory::Step RandomHistory::draw_registration(const Snapshot& now, const PlaceId& place) {
+  Registration registration;
+  registration.plan = "plan" + std::to_string(random_.below(3));
+  if (now.registrations().contains(registration.plan) && random_.below(2) == 0) {
+    return {{{PutRegistration{registration, false}}, {}}, without_registration(now, registration.plan)};
+  }
+  Pick pick;
+  pick.name = "some";
+  pick.place = place;
+  pick.on_plan.x() = 0.25 * static_cast<double>(random_.below(100));
+  pick.heading = 0.5;
+  registration.picks = {pick};
+  return {{{PutRegistration{registration}}, {}}, with_registration(now, registration)};
+}
+
 std::optional<RandomHistory::Step> RandomHistory::draw(const Snapshot& now, Revision oldest) {
   const std::uint64_t kind = random_.below(10);
   const PlaceId some = pick(now);
   if (kind < 5 || !some.experience) return draw_batch(now, some);
   if (kind == 5) {
-    const std::uint64_t word = random_.below(4);
+    const std::uint64_t word = random_.below(5);
     if (word < 2) return draw_apart(now, some);
     if (word == 2) return draw_rule(now, some);
+    if (word == 3) return draw_registration(now, some);
     const std::string label = "label" + std::to_string(random_.below(3));
     return Step{{{PutLabel{label, some}}, {}}, with_label(now, label, some)};
   }

@@ -10,8 +10,8 @@
 namespace weft::storage::sample {
 
 /// Draws what a fleet and its operators do to a map, step by step: batches of several runs that are stitched, labels,
-/// rules, aparts, what is taken out and brought back, rollbacks to `oldest` or later. Same seed and same maps, same
-/// steps.
+/// rules, registrations, aparts, what is taken out and brought back, rollbacks to `oldest` or later. Same seed and
+/// same maps, same steps.
 class RandomHistory {
  public:
   explicit RandomHistory(std::uint64_t seed) : random_(seed) {}
@@ -26,6 +26,7 @@ class RandomHistory {
  private:
   PlaceId pick(const Snapshot& now);
   std::optional<Step> draw_batch(const Snapshot& now, const PlaceId& joined);
+  Step draw_registration(const Snapshot& now, const PlaceId& place);
   Step draw_rule(const Snapshot& now, const PlaceId& place);
   std::optional<Step> draw_apart(const Snapshot& now, const PlaceId& one);
   Step draw_removal(const Snapshot& now, const PlaceId& place);

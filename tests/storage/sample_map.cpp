@@ -132,6 +132,8 @@ std::vector<std::string> describe(const Snapshot& snapshot) {
   }
   for (const auto& [label, place] : snapshot.labels()) lines.push_back("label " + label + " " + to_string(place));
   for (const auto& [name, rule] : snapshot.rules()) lines.push_back("rule " + name + text(encode(rule)));
+  for (const auto& [plan, registration] : snapshot.registrations())
+    lines.push_back("plan " + plan + text(encode(registration)));
   for (const Apart& apart : snapshot.aparts()) lines.push_back("apart " + to_string(apart));
   return lines;
 }

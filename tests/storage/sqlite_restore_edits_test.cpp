@@ -37,6 +37,7 @@ struct EditedStore {
   sample::Delivery taught = old.next(8);
   Edge stitch = sample::stitch({ExperienceId{0x11}, 2}, {ExperienceId{0x22}, 1});
   Apart apart{{ExperienceId{0x11}, 4, 7}, {ExperienceId{0x22}, 3, 5}};
+  Registration registration{"hall", {}, {{"dock", {ExperienceId{0x11}, 4}}}};
   Rule rule{.name = "shut", .spans = {{{ExperienceId{0x11}, 4}, {ExperienceId{0x11}, 7}}}, .label = "dock"};
 };
 
@@ -97,6 +98,12 @@ const std::vector<EditKind>& edit_kinds() {
        [](EditedStore& of) {
          of.commit({{PutRule{of.rule}}});
          of.commit({{PutRule{of.rule, false}}});
+       }},
+      {"Registered", [](EditedStore& of) { of.commit({{PutRegistration{of.registration}}}); }},
+      {"RegisteredNoLonger",
+       [](EditedStore& of) {
+         of.commit({{PutRegistration{of.registration}}});
+         of.commit({{PutRegistration{of.registration, false}}});
        }},
       {"Learned", learn_better},
       {"Sealed",

@@ -131,6 +131,14 @@ TEST_F(SqliteUpkeep, CheckNamesARuleOfAnotherName) {
   commit({{PutRule{{.name = "shut", .label = "dock"}}}});
   expect_found("UPDATE rule SET name = 'other'", "rule other: the row of another rule");
 }
+TEST_F(SqliteUpkeep, CheckNamesADamagedRegistration) {
+  commit({{PutRegistration{{.plan = "hall"}}}});
+  expect_found("UPDATE registration SET row = zeroblob(length(row))", "registration of plan hall");
+}
+TEST_F(SqliteUpkeep, CheckNamesARegistrationOfAnotherPlan) {
+  commit({{PutRegistration{{.plan = "hall"}}}});
+  expect_found("UPDATE registration SET plan = 'yard'", "registration of plan yard: the row of another plan");
+}
 TEST_F(SqliteUpkeep, CheckNamesAMissingBatch) {
   expect_found("DELETE FROM batch WHERE experience = 17 AND sequence = 12", "batch 13 of experience");
 }

@@ -32,6 +32,9 @@ class JsonDocuments(Fleet):
         line = (ROOT / 'deploy/sites/demo/r1.line').read_text().splitlines()
         (cls.folder / 'r1.line').write_text('\n'.join(line[:12]) + '\n')
         (cls.folder / 'two.g2o').write_text('EDGE_SE2 0 1 0.5 0 0 100 0 0 100 0 100\nEDGE_SE2 5 6 0.5 0 0 100 0 0 100 0 100\n')
+        (cls.folder / 'hall.pgm').write_text('P2\n8 6\n255\n' + '254 ' * 48 + '\n')
+        (cls.folder / 'hall.yaml').write_text('image: hall.pgm\nresolution: 5.0\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\n'
+                                              'occupied_thresh: 0.65\nfree_thresh: 0.196\n')
         common = ('--domain', cls.domain, '--dds', cls.vendor)
         server = cls.enterClassContext(Running(cls.folder / 'server.log', BIN / 'weft-server', '--store', cls.folder / 'map', *common))
         assert server.says('ready'), server.text()
@@ -119,6 +122,18 @@ class JsonDocuments(Fleet):
         done('map apart', '--list')
         done('map apart', f'{one}:0..1', f'{one}:5..6')
         done('map apart', '--list')
+        plan = self.folder / 'hall.yaml'
+        done('map register', '--show')
+        done('map register', plan, '--pick', f'{LABEL}=12,4,0.5', '--dry-run')
+        done('map register', plan, '--pick', f'{LABEL}=12,4,0.5')
+        done('map register', '--show')
+        done('robots')
+        done('map diff', done('map info')['revision'] - 1)
+        done('map export', self.folder / 'm.geojson')
+        done('map draw', self.folder / 'p.svg', '--floor-plan', plan)
+        done('rule add', 'wet', '--kind', 'closed', '--polygon', '11.5,3.5;12.5,3.5;12.5,4.5;11.5,4.5')
+        done('rule remove', 'wet')
+        done('map register', 'hall', '--remove')
         done('rule list')
         done('rule add', 'slow', '--kind', 'speed=0.3', '--label', LABEL, '--within', 1, '--place', f'{one}:0..3')
         done('rule list')
@@ -168,6 +183,8 @@ class JsonDocuments(Fleet):
                       ('map', 'import', '/nowhere/m.g2o', '--as', 'x'), ('map', 'diff', 4711),
                       ('map', 'rollback', 4711), ('map', 'undo', 'nowhere'), ('map', 'undo', '--revision', 4711),
                       ('map', 'quarantine', place), ('map', 'apart', f'{place}..1', f'{NOBODY}:5..6'), ('map', 'replace', 'nowhere'),
+                      ('map', 'register', '/nowhere/x.yaml', '--pick', 'x=1,2'), ('map', 'register', '--remove'),
+                      ('goal', 'send', '--to-plan', '1,2'),
                       ('map', 'compact', '--before', 4711), ('map', 'snapshot', '/nowhere/s'),
                       ('map', 'restore', '/nowhere/s', '--store', self.folder / 'x'), ('goal', 'send', '--to', 'nowhere'),
                       ('goal', 'show', 'abcdef'), ('goal', 'watch', 'abcdef'), ('goal', 'cancel', 'abcdef'), ('goal', 'why', 'abcdef'),

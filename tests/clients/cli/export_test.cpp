@@ -121,7 +121,7 @@ TEST(DrawUponAPlan, WhatIsWrongWithThePlanIsSaid) {
   EXPECT_NE(jpg.err.find("is neither PGM nor PNG"), std::string::npos);
   EXPECT_NE(draw(floor_plan("image: plan.pgm\n")).err.find("plan.yaml:1: the key resolution is missing"),
             std::string::npos);
-  EXPECT_EQ(fleet.weft({"map", "draw", at("on.png"), "--floor-plan", floor_plan(kPlan)}).exit, Exit::usage);
+  EXPECT_EQ(fleet.weft({"map", "draw", at("on.png"), "--floor-plan", floor_plan(kPlan)}).exit, Exit::refused);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "clients/cli/layout.hpp"
+#include "core/network/rule.hpp"
+#include "core/result.hpp"
+
+namespace weft::cli {
+
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/// Reads "X,Y;X,Y;X,Y", metres in a floor plan's frame. invalid: the text is anything else, or encloses nothing;
+/// names what is wrong.
+Result<Polygon> parse_polygon(std::string_view text);
+
+/// Returns whether the point lies within the polygon, counted by edges crossed.
+bool contains(const Polygon& polygon, const Eigen::Vector2d& point);
+
+/// Returns the stretches of runs that lie within the polygon, of places laid out in the plan's frame. not_found: no
+/// place does; invalid: they are more than one rule can name.
+Result<std::vector<Span>> spans_within(const Layout& layout, const Polygon& polygon);
+
+inline constexpr std::size_t kMostCorners = 100;
+
+}  // namespace weft::cli

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/clients/cli/fleet.hpp"
+
+/// Registers floor plans to the map as operators ask, and places robots, files and goals on them.
+namespace weft::cli::test {
+namespace {
+
+bool mentions(const std::string& text, const std::string& what) {
+  return text.find(what) != std::string::npos;
+}
+
+/// Writes a plan of 40 m by 30 m whose lower left corner lies at (-10, -5).
+std::string plan_file(const std::string& name = "hall.yaml") {
+  const std::filesystem::path image = folder() / "hall.pgm";
+  std::ofstream(image) << "P2\n8 6\n255\n"
+                       << [] {
+                            std::string pixels;
+                            for (int i = 0; i < 48; ++i) pixels += "254 ";
+                            return pixels;
+                          }();
+  const std::filesystem::path file = folder() / name;
+  std::ofstream(file) << "image: hall.pgm\nresolution: 5.0\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\n"
+                         "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  return file.string();
+}
+
+struct RegisterCommand : testing::Test {
+  Said put(const std::string& pick = "dock=12,4,0.5") {
+    return fleet.weft({"map", "register", plan, "--pick", pick});
+  }
+
+  Fleet fleet;
+  std::string plan = plan_file();
+};
+
+TEST_F(RegisterCommand, IsShownLoggedComparedAndRemoved) {
+  EXPECT_TRUE(mentions(fleet.weft({"map", "register", "--show"}).out, "no floor plan is registered"));
+  const std::uint64_t before = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  const Said dry = fleet.weft({"map", "register", plan, "--pick", "dock=12,4,0.5", "--dry-run"});
+  EXPECT_TRUE(mentions(dry.out, "nothing was changed")) << dry.err;
+  const Said said = put();
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_TRUE(mentions(said.out, "held by one pick")) << said.out;
+  fleet.run(std::chrono::seconds(3));
+  const auto rows = fleet.weft({"map", "register", "--show", "--json"}).json()["registrations"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["plan"], "hall");
+  EXPECT_EQ(rows[0]["picks"][0]["name"], "dock");
+  EXPECT_EQ(rows[0]["picks"][0]["state"], "counts");
+  EXPECT_TRUE(rows[0]["problem"].is_null());
+  EXPECT_TRUE(mentions(fleet.weft({"map", "register", "--show"}).out, "plan hall: held by one pick"));
+  EXPECT_EQ(fleet.weft({"map", "log", "--json", "--most", "1"}).json()["revisions"][0]["kind"], "register");
+  const auto diff = fleet.weft({"map", "diff", std::to_string(before), "--json"}).json();
+  EXPECT_EQ(diff["plans"]["came"], nlohmann::json::array({"hall"}));
+  EXPECT_TRUE(mentions(fleet.weft({"map", "diff", std::to_string(before)}).out, "hall"));
+  EXPECT_EQ(fleet.weft({"map", "register", "hall", "--remove"}).exit, Exit::done);
+  EXPECT_TRUE(mentions(fleet.weft({"map", "register", "--remove"}).err, "the map has no registered plan"));
+}
+
+TEST_F(RegisterCommand, PlacesRobotsOnThePlan) {
+  Puppet& r1 = fleet.add_robot("r1");
+  r1.state.localised = true;
+  r1.state.place = {fleet.first, 30};
+  ASSERT_EQ(put().exit, Exit::done);
+  fleet.run(std::chrono::seconds(3));
+  const auto on_plan = fleet.weft({"robots", "--json"}).json()["robots"][0]["on_plan"];
+  EXPECT_EQ(on_plan["plan"], "hall");
+  EXPECT_NEAR(on_plan["pose"]["x"].get<double>(), 12.0, 1e-6);
+  EXPECT_NEAR(on_plan["pose"]["y"].get<double>(), 4.0, 1e-6);
+  EXPECT_NEAR(on_plan["pose"]["heading"].get<double>(), 0.5, 1e-6);
+  EXPECT_TRUE(mentions(fleet.weft({"robots"}).out, "hall 12.00,4.00 29 deg"));
+}
+
+TEST_F(RegisterCommand, ExportsAndDrawsInThePlansFrame) {
+  const std::string graph = (folder() / "registered.geojson").string();
+  const std::string picture = (folder() / "registered.svg").string();
+  const Said without = fleet.weft({"map", "draw", picture, "--floor-plan", plan});
+  EXPECT_TRUE(mentions(without.err, "plan hall is not registered")) << without.err;
+  EXPECT_TRUE(mentions(without.err, "--anchor")) << without.err;
+  ASSERT_EQ(put().exit, Exit::done);
+  const Said exported = fleet.weft({"map", "export", graph});
+  EXPECT_TRUE(mentions(exported.out, "in the frame of plan hall, held by one pick")) << exported.out << exported.err;
+  std::ifstream in(graph);
+  bool has_dock = false;
+  for (const auto& feature : nlohmann::json::parse(in)["features"]) {
+    if (feature["geometry"]["type"] != "Point") continue;
+    const double x = feature["geometry"]["coordinates"][0];
+    const double y = feature["geometry"]["coordinates"][1];
+    has_dock = has_dock || (std::abs(x - 12.0) < 1e-4 && std::abs(y - 4.0) < 1e-4);
+  }
+  EXPECT_TRUE(has_dock);
+  EXPECT_FALSE(mentions(fleet.weft({"map", "export", graph, "--no-plan"}).out, "plan hall"));
+  EXPECT_TRUE(mentions(fleet.weft({"map", "export", graph, "--plan", "yard"}).err, "plan yard is not registered"));
+  EXPECT_TRUE(mentions(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).out, "in the frame of plan hall"));
+  std::ofstream(plan, std::ios::app) << "# edited\n";
+  EXPECT_TRUE(mentions(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).err, "is not the file that was"));
+}
+
+TEST_F(RegisterCommand, SendsAGoalToAPointOfThePlan) {
+  ASSERT_EQ(put().exit, Exit::done);
+  fleet.run(std::chrono::seconds(3));
+  const Said sent = fleet.weft({"goal", "send", "--to-plan", "12.1,4", "--no-return", "--json"});
+  EXPECT_EQ(sent.exit, Exit::done) << sent.err;
+  const auto goal = fleet.weft({"goal", "list", "--json"}).json()["goals"][0];
+  EXPECT_EQ(goal["to"], "12.10,4.00");
+  EXPECT_EQ(goal["place"], to_string(PlaceId{fleet.first, 30}));
+  const Said far = fleet.weft({"goal", "send", "--to-plan", "400,4"});
+  EXPECT_EQ(far.exit, Exit::refused);
+  EXPECT_TRUE(mentions(far.err, "no place lies within 0.5 m of 400.00,4.00")) << far.err;
+  EXPECT_TRUE(mentions(fleet.weft({"goal", "send", "--to-plan", "12"}).err, "is no point: write X,Y"));
+  EXPECT_TRUE(mentions(fleet.weft({"goal", "send"}).err, "--to LABEL or --to-plan X,Y"));
+}
+
+TEST_F(RegisterCommand, LaysARuleDownForAPolygonOfThePlan) {
+  const std::vector<std::string> add = {
+      "rule", "add", "wet", "--kind", "closed", "--polygon", "11.6,3.6;12.4,3.6;12.4,4.4;11.6,4.4"};
+  EXPECT_TRUE(mentions(fleet.weft(add).err, "no floor plan is registered"));
+  ASSERT_EQ(put().exit, Exit::done);
+  const Said said = fleet.weft(add);
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  const std::vector<Span> spans = fleet.service->snapshot().rules().at("wet").spans;
+  const bool has_dock = std::ranges::any_of(spans, [&](const Span& span) {
+    return span.from.experience == fleet.first && span.from.index <= 30 && 30 <= span.to.index;
+  });
+  EXPECT_TRUE(has_dock);
+  const Said nothing = fleet.weft({"rule", "add", "dry", "--kind", "closed", "--polygon", "90,90;91,90;91,91"});
+  EXPECT_TRUE(mentions(nothing.err, "no place of the map lies within it")) << nothing.err;
+}
+
+TEST_F(RegisterCommand, WhatCannotBeMeantIsRefusedHere) {
+  EXPECT_TRUE(mentions(put("none=12,4,0").err, "--pick none: the map has no such label"));
+  EXPECT_TRUE(mentions(put("dock=120,4,0").err, "--pick dock=120,4 lies outside of "));
+  EXPECT_TRUE(mentions(put("dock=120,4,0").err, "x -10.00 to 30.00 and y -5.00 to 25.00 m"));
+  EXPECT_TRUE(mentions(put("dock").err, "--pick 'dock' is no anchor"));
+  EXPECT_TRUE(
+      mentions(fleet.weft({"map", "register", plan}).err, "PLAN and --pick LABEL=X,Y, or --show, or --remove"));
+  EXPECT_TRUE(mentions(fleet.weft({"map", "register", "/nowhere.yaml", "--pick", "dock=1,2"}).err, "/nowhere.yaml"));
+  EXPECT_TRUE(mentions(put("dock=12,4").err, "one pick needs a heading: dock=X,Y,HEADING"));
+}
+
+}  // namespace
+}  // namespace weft::cli::test
