@@ -64,6 +64,26 @@ CameraModel given_camera_from(const CameraSetup& setup, const Disturbances& dist
   return camera;
 }
 
+CameraModel given_ceiling_camera_from(const CeilingCameraSetup& setup, const Disturbances& disturbances,
+                                      const std::string& robot) {
+  CameraModel camera;
+  camera.id = robot + "/ceiling";
+  camera.width = setup.width;
+  camera.height = setup.height;
+  camera.fx = camera.fy = setup.focal_px;
+  camera.cx = setup.cx_px;
+  camera.cy = setup.cy_px;
+  camera.lens = setup.lens;
+  if (setup.lens == LensModel::equidistant) {
+    camera.distortion = {setup.k1, setup.k2, setup.k3, setup.k4, 0.0};
+  } else {
+    camera.distortion = {setup.k1, setup.k2, setup.p1, setup.p2, setup.k3};
+  }
+  camera.robot_from_camera = upward_mount(setup, false);
+  camera.sigma = stated_sigma(disturbances, setup.focal_px);
+  return camera;
+}
+
 CameraModel true_camera_from(const CameraModel& given, const Disturbances& disturbances, double sinks_m,
                              Random random) {
   CameraError error;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "agents/bodies/sim/ceiling.hpp"
 #include "core/geometry/pose2.hpp"
 
 /// Describes how a site has changed since the robots were taught: [change] of a site file.
@@ -52,10 +53,12 @@ struct Change {
   int stock_times = 1;         ///< so often has that share changed, one time after the other
   double lamps_failed = 0.0;   ///< share of the lamps that are dark, which ones by the seed
   double ambient = 1.0;        ///< share that is left of the light from everywhere
+  double skylight = 1.0;       ///< factor on the light of skylights
   double sinks_m = 0.0;        ///< bodies stand lower: under load, on worn tyres
   std::vector<CastShadow> shadows;
   std::vector<WetArea> wet;
   std::vector<PaintedLine> lines;
+  std::vector<Duct> ducts;  ///< new ones
 
   bool operator==(const Change&) const = default;
 };

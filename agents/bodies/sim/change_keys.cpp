@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/bodies/sim/ceiling_keys.hpp"
+
 namespace weft::agents::sim {
 namespace {
 
@@ -54,7 +56,7 @@ PaintedLine line_in(const Table& table) {
 
 }  // namespace
 
-Change change_in(const Table& table, Change c) {
+Change change_in(const Table& table, Change c, double ceiling_m) {
   c.from_day = static_cast<std::uint64_t>(table.integer("from_day", 0, 0, INT64_MAX));
   c.light = 0.01 * table.number("light_percent", 100 * c.light, 5.0, 400.0);
   c.light_warmth = table.number("light_warmth", c.light_warmth, -1.0, 1.0);
@@ -67,10 +69,12 @@ Change change_in(const Table& table, Change c) {
   c.stock_times = static_cast<int>(table.integer("stock_times", c.stock_times, 1, 1000));
   c.lamps_failed = 0.01 * table.number("lamps_failed_percent", 100 * c.lamps_failed, 0.0, 100.0);
   c.ambient = 0.01 * table.number("ambient_percent", 100 * c.ambient, 0.0, 100.0);
+  c.skylight = 0.01 * table.number("skylight_percent", 100 * c.skylight, 0.0, 10'000.0);
   c.sinks_m = 1e-3 * table.number("sinks_mm", 1e3 * c.sinks_m, 0.0, 100.0);
   for (const Table& each : table.tables("shadow", 0, 1000)) c.shadows.push_back(shadow_in(each));
   for (const Table& each : table.tables("wet", 0, 1000)) c.wet.push_back(wet_in(each));
   for (const Table& each : table.tables("line", 0, 1000)) c.lines.push_back(line_in(each));
+  for (const Table& each : table.tables("duct", 0, 100)) c.ducts.push_back(duct_in(each, ceiling_m));
   return c;
 }
 

@@ -4,7 +4,8 @@
 
 namespace weft::agents::sim {
 
-/// Reads [change] onto `preset`, whose arrays it adds to; keys that are missing leave it as it is (but from_day: 0).
-Change change_in(const config::Table& table, Change preset);
+/// Reads [change] of a hall that high onto `preset`, whose arrays it adds to; keys that are missing leave it as it is
+/// (but from_day: 0).
+Change change_in(const config::Table& table, Change preset, double ceiling_m);
 
 }  // namespace weft::agents::sim

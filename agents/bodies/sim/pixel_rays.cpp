@@ -12,11 +12,16 @@ PixelRays::PixelRays(const CameraModel& camera) {
     }
   }
   const cv::Matx33d matrix(camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0);
-  const cv::Mat distortion(1, 5, CV_64F, const_cast<double*>(camera.distortion.data()));
   std::vector<cv::Point2d> rays;
   // OpenCV's rather than the agents' own inversion: a fault in theirs must show, not cancel.
-  cv::undistortPoints(pixels, rays, matrix, distortion, cv::noArray(), cv::noArray(),
-                      cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 60, 1e-9));
+  const cv::TermCriteria precisely(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 60, 1e-9);
+  if (camera.lens == LensModel::equidistant) {
+    const cv::Mat distortion(1, 4, CV_64F, const_cast<double*>(camera.distortion.data()));
+    cv::fisheye::undistortPoints(pixels, rays, matrix, distortion, cv::noArray(), cv::noArray(), precisely);
+  } else {
+    const cv::Mat distortion(1, 5, CV_64F, const_cast<double*>(camera.distortion.data()));
+    cv::undistortPoints(pixels, rays, matrix, distortion, cv::noArray(), cv::noArray(), precisely);
+  }
   for (const cv::Point2d& ray : rays) {
     x.push_back(static_cast<float>(ray.x));
     y.push_back(static_cast<float>(ray.y));

@@ -127,8 +127,14 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
     cameras_.push_back(
         {make_forward_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
-  constexpr double apart = 0.4;  // of a period: two cameras do not see at the same moment
-  if (cameras_.size() > 1) cameras_.back().last_s = -apart * cameras_.back().period_s(false);
+  if (looks(Gaze::up)) {
+    const CeilingCameraSetup& camera = site_.ceiling_camera;
+    cameras_.push_back(
+        {make_ceiling_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+  }
+  constexpr double apart = 0.4;  // of a period: no two cameras see at the same moment
+  for (std::size_t i = 1; i < cameras_.size(); ++i)
+    cameras_[i].last_s = -apart * static_cast<double>(i) * cameras_[i].period_s(false);
 }
 
 Rig SimBody::rig() const {
@@ -301,6 +307,7 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
   }
   SimBodyConfig now = config;
   if (now.day < now.site.change.from_day) now.site.change = {};
+  if (start->ceiling_camera) now.site.ceiling_camera = *start->ceiling_camera;
   auto floor = make_site_floor(now.site, now.floors_dir, now.warn);
   if (!floor) {
     return fail(floor.error());

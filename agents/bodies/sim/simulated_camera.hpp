@@ -52,5 +52,8 @@ std::unique_ptr<SimulatedCamera> make_floor_camera(const Site& site, const Camer
 std::unique_ptr<SimulatedCamera> make_forward_camera(const Site& site, const CameraOwner& owner,
                                                      const std::shared_ptr<const FloorSource>& floor,
                                                      const Photographed& photographed, Random light);
+std::unique_ptr<SimulatedCamera> make_ceiling_camera(const Site& site, const CameraOwner& owner,
+                                                     const std::shared_ptr<const FloorSource>& floor,
+                                                     const Photographed& photographed, Random light);
 
 }  // namespace weft::agents::sim

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/ceiling_camera_keys.hpp"
+#include "agents/bodies/sim/ceiling_keys.hpp"
 #include "agents/bodies/sim/change_keys.hpp"
 #include "agents/bodies/sim/changes.hpp"
 #include "agents/bodies/sim/floor/materials.hpp"
@@ -121,10 +123,12 @@ void add_names_and_lamps(const Table& root, Site& site) {
 /// Returns where a robot's cameras look, each way once.
 std::vector<Gaze> looks_in(const Table& table) {
   std::vector<Gaze> looks;
-  for (const std::string& word : table.texts("looks", std::vector<std::string>{to_string(Gaze::down)}, 1, 2)) {
-    const bool is_known = word == to_string(Gaze::down) || word == to_string(Gaze::ahead);
-    if (!is_known) table.refuse("looks", "a camera looks \"down\" or \"ahead\", not \"" + word + "\"");
-    const Gaze gaze = word == to_string(Gaze::ahead) ? Gaze::ahead : Gaze::down;
+  for (const std::string& word : table.texts("looks", std::vector<std::string>{to_string(Gaze::down)}, 1, 3)) {
+    Gaze gaze = Gaze::down;
+    if (word == to_string(Gaze::ahead)) gaze = Gaze::ahead;
+    if (word == to_string(Gaze::up)) gaze = Gaze::up;
+    if (word != to_string(gaze))
+      table.refuse("looks", "a camera looks \"down\", \"ahead\" or \"up\", not \"" + word + "\"");
     if (std::find(looks.begin(), looks.end(), gaze) != looks.end()) {
       table.refuse("looks", "two cameras look " + word + "; give each way once");
     }
@@ -141,6 +145,8 @@ void add_robots(const Table& root, Site& site) {
     robot.site_from_robot = pose_in(table);
     robot.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 0, INT64_MAX));
     robot.looks = looks_in(table);
+    if (table.has("ceiling_camera"))
+      robot.ceiling_camera = ceiling_camera_in(table.table("ceiling_camera"), site.ceiling_camera);
     if (robot.name.find_first_of("\"\\\n\r\t") != std::string::npos) {
       table.refuse("name", "must not hold quotes, backslashes or control characters");
     }
@@ -196,10 +202,7 @@ ForwardCameraSetup forward_camera_in(const Table& table, const CameraSetup& floo
   c.forward_m = table.number("forward_m", c.forward_m, -2.0, 2.0);
   c.left_m = table.number("left_m", c.left_m, -2.0, 2.0);
   c.pitch_rad = table.number("pitch_rad", c.pitch_rad, -0.5, 0.5);
-  c.exposes_itself = table.boolean("exposes_itself", c.exposes_itself);
-  c.mean_grey = table.number("mean_grey", c.mean_grey, 20.0, 230.0);
-  c.longest_exposure_s = 1e-3 * table.number("longest_exposure_ms", 1e3 * c.longest_exposure_s, 0.1, 100.0);
-  c.most_gain = table.number("most_gain", c.most_gain, 1.0, 1000.0);
+  read_exposure(table, c);
   c.headlight = table.number("headlight", c.headlight, 0.0, 100.0);
   c.fps = table.number("fps", floor.fps, 1.0, 200.0);
   c.fps_at_rest = table.number("fps_at_rest", floor.fps_at_rest, 0.1, 200.0);
@@ -211,6 +214,7 @@ HallSetup hall_in(const Table& table) {
   h.ceiling_m = table.number("ceiling_m", h.ceiling_m, 2.0, 40.0);
   h.ceiling_grey = table.number("ceiling_grey", h.ceiling_grey, 5.0, 250.0);
   h.wall_grey = table.number("wall_grey", h.wall_grey, 5.0, 250.0);
+  h.ceiling = ceiling_in(table);
   return h;
 }
 
@@ -226,6 +230,7 @@ Mover mover_in(const Table& table, Mover::Kind kind) {
   }
   m.speed_m_s = table.number("speed_m_s", kind == Mover::Kind::person ? 1.0 : 1.5, 0.0, 5.0);
   m.begins_m = table.number("begins_m", 0.0, 0.0, 10'000.0);
+  if (kind == Mover::Kind::forklift) m.forks_m = table.number("forks_m", m.forks_m, m.forks_m, 12.0);
   return m;
 }
 
@@ -324,7 +329,7 @@ void add_change(const Table& table, Site& site) {
   } else {
     table.refuse("wear", worn.error().message);
   }
-  site.change = change_in(table, site.change);
+  site.change = change_in(table, site.change, site.hall.ceiling_m);
   if (2.0 * site.change.sinks_m > site.camera.height_m) {
     table.refuse("sinks_mm", "must be at most half of camera.height_m");
   }
@@ -340,6 +345,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.floor = floor_in(root.table("floor"));
   site.camera = camera_in(root.table("camera"));
   site.forward_camera = forward_camera_in(root.table("forward_camera"), site.camera);
+  site.ceiling_camera = ceiling_camera_in(root.table("ceiling_camera"), {});
   site.hall = hall_in(root.table("hall"));
   for (const Table& table : root.tables("person", 0, 100))
     site.movers.push_back(mover_in(table, Mover::Kind::person));
@@ -352,6 +358,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   add_walls(root, site);
   add_pillars(root, site);
   add_names_and_lamps(root, site);
+  add_overhead_in(root, site);
   if (root.has("battery")) site.battery = battery_in(root.table("battery"), site.stations);
   add_robots(root, site);
   add_change(root.table("change"), site);

@@ -7,7 +7,10 @@
 
 #include "agents/bodies/battery.hpp"
 #include "agents/bodies/body.hpp"
+#include "agents/bodies/sim/ceiling.hpp"
+#include "agents/bodies/sim/ceiling_camera_setup.hpp"
 #include "agents/bodies/sim/change.hpp"
+#include "agents/bodies/sim/exposure_setup.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
 
@@ -43,6 +46,7 @@ struct RobotStart {
   Pose2 site_from_robot;
   std::uint64_t seed = 0;                  ///< added to the run's seed: other wheels, another calibration
   std::vector<Gaze> looks = {Gaze::down};  ///< a camera each
+  std::optional<CeilingCameraSetup> ceiling_camera = {};  ///< its own; none: the site's
 };
 
 struct FloorSetup {
@@ -66,15 +70,11 @@ struct CameraSetup {
 };
 
 /// Describes a camera that looks ahead over the floor; agents are told its focal length and mount, and no more.
-struct ForwardCameraSetup {
+struct ForwardCameraSetup : ExposureSetup {
   int width = 320, height = 240;
   double focal_px = 386.0;  ///< 45 degrees of view, as the camera of Krajnik et al. 2018
   double k1 = -0.05;
   double height_m = 0.35, forward_m = 0.15, left_m = 0.0, pitch_rad = -0.05;  ///< pitch down from level
-  bool exposes_itself = true;
-  double mean_grey = 110.0;          ///< that it exposes for
-  double longest_exposure_s = 0.02;  ///< from there on it amplifies
-  double most_gain = 40.0;
   double headlight = 0.0;  ///< light on what is 2 m ahead, 1: as the floor's mean
   double fps = 30.0, fps_at_rest = 2.0;
 };
@@ -83,6 +83,7 @@ struct ForwardCameraSetup {
 struct HallSetup {
   double ceiling_m = 7.0;
   double ceiling_grey = 95.0, wall_grey = 125.0;  ///< under mean light
+  CeilingSetup ceiling;
 };
 
 /// Describes somebody who walks or drives to and fro.
@@ -92,6 +93,7 @@ struct Mover {
   std::vector<SitePoint> way;
   double speed_m_s = 1.0;
   double begins_m = 0.0;  ///< along the way when a body's time begins
+  double forks_m = 0.15;  ///< a forklift's, above the floor
 };
 
 struct BaseSetup {
@@ -148,7 +150,11 @@ struct Site {
   std::vector<RobotStart> robots;
   CameraSetup camera;
   ForwardCameraSetup forward_camera;
+  CeilingCameraSetup ceiling_camera;
   HallSetup hall;
+  std::vector<Duct> ducts;
+  std::vector<Pipe> pipes;
+  std::vector<Skylight> skylights;
   std::vector<Mover> movers;
   BaseSetup base;
   HandSetup hand;

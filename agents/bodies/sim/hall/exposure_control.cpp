@@ -10,7 +10,7 @@ constexpr double kForgetsAfterS = 2.0;
 
 }  // namespace
 
-ExposureControl::ExposureControl(const ForwardCameraSetup& setup, double exposure_s)
+ExposureControl::ExposureControl(const ExposureSetup& setup, double exposure_s)
     : setup_(setup), nominal_s_(exposure_s) {}
 
 /// Returns the exposure time, s, that the site is lit for. A camera whose images are not to blur has images as light

@@ -10,7 +10,7 @@ namespace weft::agents::sim {
 /// longest time by amplifying: noise grows with it. While somebody tells it how to expose it does that instead.
 class ExposureControl {
  public:
-  ExposureControl(const ForwardCameraSetup& setup, double exposure_s);
+  ExposureControl(const ExposureSetup& setup, double exposure_s);
 
   /// Says that an image is about to be taken.
   void comes(double time_s);
@@ -29,7 +29,7 @@ class ExposureControl {
  private:
   double lit_for_s() const;
 
-  ForwardCameraSetup setup_;
+  ExposureSetup setup_;
   double nominal_s_;
   double asked_ = 1.0;
   std::optional<Exposure> told_;

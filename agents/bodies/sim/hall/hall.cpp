@@ -5,6 +5,9 @@
 namespace weft::agents::sim {
 
 Hall::Hall(const Site& site, const FloorSource& floor, const Photographed& photographed)
-    : quads_(interior_of(site)), scene_(quads_), textures_(floor, site.floor.seed, photographed) {}
+    : quads_(interior_of(site)),
+      scene_(quads_),
+      textures_(floor, site.floor.seed, photographed,
+                site.hall.ceiling.kind == CeilingKind::plain ? std::nullopt : std::optional(draw_mural(site))) {}
 
 }  // namespace weft::agents::sim

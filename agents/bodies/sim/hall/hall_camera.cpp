@@ -2,62 +2,45 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 
 #include "agents/bodies/sim/hall/movers.hpp"
-#include "agents/bodies/sim/pixel_rays.hpp"
+#include "agents/perception/lens.hpp"
 #include "core/random.hpp"
 
 namespace weft::agents::sim {
 namespace {
 
-constexpr int kBlock = kHallBand;  // pixels a side that one packet looks through
-static_assert(kBlock * kBlock == kRays);
 constexpr std::size_t kNoise = 1U << 18U;
-// Places within the pixel, each at its own moment: orthogonal to time and to each other.
-constexpr std::array<float, kHallSamples> kRight = {0.25F, -0.25F, -0.25F, 0.25F};
-constexpr std::array<float, kHallSamples> kDown = {-0.125F, 0.375F, -0.375F, 0.125F};
-
-/// Finds the pixel of the i-th ray of a block.
-struct BlockPixels {
-  int columns;
-  std::size_t at(std::size_t block, std::size_t i) const {
-    const auto across = static_cast<std::size_t>(columns / kBlock);
-    const std::size_t row = block / across * kBlock + i / kBlock;
-    return row * static_cast<std::size_t>(columns) + block % across * kBlock + i % kBlock;
-  }
-};
 
 }  // namespace
 
 HallCamera::HallCamera(const CameraModel& camera, const HallCameraOptions& options, std::shared_ptr<const Hall> hall,
                        std::vector<Mover> movers, const HallLight& light)
-    : camera_(camera), options_(options), hall_(std::move(hall)), movers_(std::move(movers)), light_(light) {
-  assert(camera_.width % kBlock == 0 && camera_.height % kBlock == 0);
-  const PixelRays rays(camera_);
-  const BlockPixels pixels{camera_.width};
-  const double corner = std::hypot(camera_.width / 2.0, camera_.height / 2.0);
-  for (std::size_t block = 0; block < rays.x.size() / kRays; ++block) {
-    for (std::size_t i = 0; i < kRays; ++i) {
-      const std::size_t pixel = pixels.at(block, i);
-      ray_x_.push_back(rays.x[pixel]);
-      ray_y_.push_back(rays.y[pixel]);
-      off_axis2_.push_back(ray_x_.back() * ray_x_.back() + ray_y_.back() * ray_y_.back());
-      length_.push_back(std::sqrt(1.0F + off_axis2_.back()));
-      const auto width = static_cast<std::size_t>(camera_.width);
-      const std::size_t row = pixel / width;
-      const double r =
-          std::hypot(static_cast<double>(pixel - row * width) - camera_.cx, static_cast<double>(row) - camera_.cy) /
-          corner;
-      vignette_.push_back(static_cast<float>(1.0 - options_.vignetting * r * r));
-    }
-  }
-  seen_.resize(ray_x_.size());
+    : camera_(camera),
+      options_(options),
+      hall_(std::move(hall)),
+      movers_(std::move(movers)),
+      light_(light),
+      rays_(camera, options.vignetting, options.widest_rad),
+      carried_(rays_, camera, options.carried),
+      bloom_(static_cast<std::size_t>(camera.width / kHallBand), static_cast<std::size_t>(camera.height / kHallBand),
+             options.bloom) {
+  seen_.resize(rays_.length.size());
+  for (std::size_t block = 0; block < seen_.size() / kRays; ++block) is_dark_.push_back(sees_nothing(block));
   Random random(0x68616c6cULL);
   for (std::size_t i = 0; i < kNoise + static_cast<std::size_t>(camera_.width); ++i)
     noise_.push_back(static_cast<float>(random.normal()));
   set_light(light);
+}
+
+/// Returns whether no light comes through a block of pixels: beyond the lens's circle, or behind what is carried.
+bool HallCamera::sees_nothing(std::size_t block) const {
+  for (std::size_t from = block * kRays; from < (block + 1) * kRays; ++from) {
+    const bool is_covered = !carried_.cover.empty() && carried_.cover[from] >= 1.0F;
+    if (rays_.vignette[from] > 0.0F && !is_covered) return false;
+  }
+  return true;
 }
 
 void HallCamera::set_light(const HallLight& light) {
@@ -80,14 +63,18 @@ std::vector<ShadedFace> HallCamera::faces_of(const std::vector<Quad>& quads,
 void HallCamera::shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from,
                        std::uint32_t which) {
   std::array<float, kShaded> grey{};
+  // A pixel of a pinhole camera covers as much of a plane across its axis anywhere; one of a fisheye as much of a
+  // sphere.
+  const bool is_fisheye = camera_.lens == LensModel::equidistant;
   for (std::size_t half = 0; half < kRays; half += kShaded) {
     std::uint32_t left = which >> half & ((1U << kShaded) - 1U);
     while (left != 0) {
       const std::int32_t quad = rays.quad[half + static_cast<std::size_t>(std::countr_zero(left))];
       shade_face_({rays.x.data() + half, rays.y.data() + half, rays.z.data() + half, rays.u.data() + half,
-                   rays.v.data() + half, rays.distance.data() + half, length_.data() + from + half,
-                   off_axis2_.data() + from + half, 0.5F / static_cast<float>(camera_.fx),
-                   static_cast<float>(options_.headlight), &faces[static_cast<std::size_t>(quad)], grey.data()});
+                   rays.v.data() + half, rays.distance.data() + half, rays_.length.data() + from + half,
+                   rays_.off_axis2.data() + from + half, 0.5F / static_cast<float>(camera_.fx),
+                   static_cast<float>(options_.headlight), &faces[static_cast<std::size_t>(quad)], grey.data(),
+                   is_fisheye ? rays_.length.data() + from + half : nullptr});
       for (std::size_t i = 0; i < kShaded; ++i) {
         if ((left >> i & 1U) == 0 || rays.quad[half + i] != quad) continue;
         seen_[from + half + i] += grey[i];
@@ -102,8 +89,7 @@ std::array<HallCamera::Sample, kHallSamples> HallCamera::samples_from(
   std::array<Sample, kHallSamples> samples;
   for (std::size_t k = 0; k < kHallSamples; ++k) {
     samples[k] = {site_from_camera[k].translation.cast<float>(),
-                  site_from_camera[k].rotation.toRotationMatrix().cast<float>(),
-                  kRight[k] / static_cast<float>(camera_.fx), kDown[k] / static_cast<float>(camera_.fy)};
+                  site_from_camera[k].rotation.toRotationMatrix().cast<float>(), k};
   }
   return samples;
 }
@@ -111,25 +97,24 @@ std::array<HallCamera::Sample, kHallSamples> HallCamera::samples_from(
 void HallCamera::look(const HallShot& shot, const Moving& moving) {
   std::array<Sample, kHallSamples> samples = samples_from(shot.site_from_camera);
   std::fill(seen_.begin(), seen_.end(), 0.0F);
-  const auto blocks_across = static_cast<std::size_t>(camera_.width / kBlock);
+  const auto blocks_across = static_cast<std::size_t>(camera_.width / kHallBand);
   // Block by block: what its four looks need is at hand.
-  for (std::size_t block = 0; block < ray_x_.size() / kRays; ++block) {
+  for (std::size_t block = 0; block < seen_.size() / kRays; ++block) {
     if (!shot.bands.empty() && block % blocks_across == 0) samples = samples_from(shot.bands[block / blocks_across]);
+    if (is_dark_[block]) continue;
     for (const Sample& sample : samples) look_through(block * kRays, sample, moving);
   }
 }
 
 void HallCamera::look_through(std::size_t from, const Sample& sample, const Moving& moving) {
   RayPacket rays;
-  std::array<float, kRays> x{};
-  std::array<float, kRays> y{};
-  std::copy_n(ray_x_.data() + from, kRays, x.data());
-  std::copy_n(ray_y_.data() + from, kRays, y.data());
+  const float* const x = rays_.x[sample.look].data() + from;
+  const float* const y = rays_.y[sample.look].data() + from;
   const Eigen::Matrix3f& turn = sample.site_from_camera;
   for (std::size_t i = 0; i < kRays; ++i) {
-    rays.x[i] = turn(0, 0) * (x[i] + sample.right) + turn(0, 1) * (y[i] + sample.down) + turn(0, 2);
-    rays.y[i] = turn(1, 0) * (x[i] + sample.right) + turn(1, 1) * (y[i] + sample.down) + turn(1, 2);
-    rays.z[i] = turn(2, 0) * (x[i] + sample.right) + turn(2, 1) * (y[i] + sample.down) + turn(2, 2);
+    rays.x[i] = turn(0, 0) * x[i] + turn(0, 1) * y[i] + turn(0, 2);
+    rays.y[i] = turn(1, 0) * x[i] + turn(1, 1) * y[i] + turn(1, 2);
+    rays.z[i] = turn(2, 0) * x[i] + turn(2, 1) * y[i] + turn(2, 2);
   }
   hall_->scene().cast(sample.eye, rays);
   constexpr std::size_t middle = 5;
@@ -164,26 +149,53 @@ bool HallCamera::Moving::may_be_met(const Eigen::Vector3f& eye, const Eigen::Vec
   });
 }
 
-HallImage HallCamera::develop(const HallShot& shot) const {
+/// Turns what the looks through each pixel saw into the light that arrives there; returns its mean.
+double HallCamera::gather_light(const HallShot& shot) {
+  double sum = 0.0;
+  for (std::size_t from = 0; from < seen_.size(); ++from) {
+    seen_[from] = seen_[from] * (1.0F / kHallSamples) * rays_.vignette[from];
+    sum += static_cast<double>(seen_[from]);
+  }
+  if (!carried_.cover.empty()) {
+    Quad here;  // level, at the camera
+    here.corner = shot.site_from_camera.front().translation.cast<float>();
+    here.up = Eigen::Vector3f::UnitY();
+    const float light = light_.on(std::vector{here}, nullptr).front().at.front();
+    for (std::size_t from = 0; from < seen_.size(); ++from)
+      seen_[from] += rays_.vignette[from] * light * carried_.grey[from] - carried_.cover[from] * seen_[from];
+  }
+  bloom_.scatter(seen_);
+  return sum / static_cast<double>(seen_.size());
+}
+
+HallImage HallCamera::develop(const HallShot& shot) {
   HallImage image;
+  image.mean_light = gather_light(shot);
   image.grey.resize(seen_.size());
   const BlockPixels pixels{camera_.width};
   const auto gain = static_cast<float>(shot.gain);
   const auto noise_grey = static_cast<float>(shot.noise_grey);
   Random random(shot.noise_seed);
-  double sum = 0.0;
+  std::uint64_t sum = 0;
   for (std::size_t block = 0; block < seen_.size() / kRays; ++block) {
     const float* const noise = noise_.data() + random.below(kNoise);
     for (std::size_t i = 0; i < kRays; ++i) {
-      const std::size_t from = block * kRays + i;
-      const float light = seen_[from] * (1.0F / kHallSamples) * vignette_[from];
-      sum += static_cast<double>(light);
+      const float light = seen_[block * kRays + i];
       const float grey = std::clamp(gain * light + noise_grey * noise[i] + 0.5F, 0.0F, 255.0F);
-      image.grey[pixels.at(block, i)] = static_cast<std::uint8_t>(grey);
+      const auto pixel = static_cast<std::uint8_t>(grey);
+      image.grey[pixels.at(block, i)] = pixel;
+      sum += pixel;
     }
   }
-  image.mean_light = sum / static_cast<double>(seen_.size());
+  image.mean_grey = static_cast<double>(sum) / static_cast<double>(seen_.size());
   return image;
+}
+
+double HallCamera::distance_m(const Pose3& site_from_camera, int column, int row) const {
+  const Eigen::Vector2d ray = normalised_from_pixel(camera_, {column, row});
+  const Eigen::Vector3d way = site_from_camera.rotation * Eigen::Vector3d(ray.x(), ray.y(), 1.0).normalized();
+  return static_cast<double>(
+      hall_->scene().distance_m(site_from_camera.translation.cast<float>(), way.cast<float>()));
 }
 
 HallImage HallCamera::take(const HallShot& shot) {

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "agents/bodies/sim/hall/bloom.hpp"
+#include "agents/bodies/sim/hall/carried.hpp"
 #include "agents/bodies/sim/hall/hall.hpp"
+#include "agents/bodies/sim/hall/sampled_rays.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "core/bytes.hpp"
 
 namespace weft::agents::sim {
-
-inline constexpr std::size_t kHallSamples = 4;
-inline constexpr int kHallBand = 4;  ///< rows of an image that are taken together
 
 /// Describes the circumstances in which one image is taken.
 struct HallShot {
@@ -28,11 +28,15 @@ struct HallShot {
 struct HallImage {
   Bytes grey;               ///< 8 bit, row-major
   double mean_light = 0.0;  ///< grey levels it would have had at gain 1, not cut off at white
+  double mean_grey = 0.0;   ///< as it came out
 };
 
 struct HallCameraOptions {
   double vignetting = 0.0;  ///< loss in the corners
   double headlight = 0.0;   ///< of a lamp beside the camera: light on what is 2 m before it, 1 being the floor's mean
+  double widest_rad = 0.0;  ///< off the axis, beyond which the lens lets no light in; 0: it fills the sensor
+  double bloom = 0.0;       ///< share of light that scatters in the lens, about what is bright
+  std::vector<Quad> carried = {};  ///< by the robot, in its frame, before the camera
 };
 
 /// Renders what a camera that looks around in a hall sees: each pixel is the mean of four rays, at four moments of
@@ -46,6 +50,8 @@ class HallCamera {
   void set_light(const HallLight& light);
 
   HallImage take(const HallShot& shot);
+  /// Returns how far away what stands still is along a pixel's ray, metres; infinite: there is nothing. For judges.
+  double distance_m(const Pose3& site_from_camera, int column, int row) const;
 
  private:
   /// Holds the things that move, where they are when an image is taken.
@@ -66,13 +72,15 @@ class HallCamera {
   struct Sample {
     Eigen::Vector3f eye = Eigen::Vector3f::Zero();
     Eigen::Matrix3f site_from_camera = Eigen::Matrix3f::Identity();
-    float right = 0.0F, down = 0.0F;  ///< of the pixel's middle, normalised
+    std::size_t look = 0;  ///< which of them
   };
   std::array<Sample, kHallSamples> samples_from(const std::array<Pose3, kHallSamples>& site_from_camera) const;
   void look(const HallShot& shot, const Moving& moving);
   void look_through(std::size_t from, const Sample& sample, const Moving& moving);
   void shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from, std::uint32_t which);
-  HallImage develop(const HallShot& shot) const;
+  bool sees_nothing(std::size_t block) const;
+  double gather_light(const HallShot& shot);
+  HallImage develop(const HallShot& shot);
 
   CameraModel camera_;
   HallCameraOptions options_;
@@ -81,10 +89,11 @@ class HallCamera {
   HallLight light_;
   std::vector<ShadedFace> faces_;
   ShadeFace shade_face_ = shade_face();
-  std::vector<float> ray_x_, ray_y_;       ///< normalised, without distortion; in blocks of 4 x 4 pixels
-  std::vector<float> off_axis2_, length_;  ///< of such a ray
-  std::vector<float> vignette_;
-  std::vector<float> seen_;  ///< of the image being made, in blocks
+  SampledRays rays_;
+  Carried carried_;
+  Bloom bloom_;
+  std::vector<bool> is_dark_;  ///< of a block: no ray through it needs to be cast
+  std::vector<float> seen_;    ///< of the image being made, in blocks
   std::vector<float> noise_;
 };
 

@@ -34,6 +34,13 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
     as_written.push_back({at.cast<float>(), static_cast<float>(lamp.brightness), 1.0F});
     lamps_.push_back({at.cast<float>(), static_cast<float>(lamp.brightness) * shines, shines});
   }
+  constexpr double as_a_lamp_m2 = 2.0;
+  for (const Skylight& skylight : site.skylights) {
+    const Pose2& pose = skylight.site_from_skylight;
+    const Eigen::Vector3d at(pose.x, pose.y, site.hall.ceiling_m - 0.1);
+    const double brightness = skylight.brightness * skylight.length_m * skylight.width_m / as_a_lamp_m2;
+    skylights_.push_back({at.cast<float>(), static_cast<float>(brightness), 1.0F});
+  }
   std::swap(lamps_, as_written);
   double sum = 0.0;
   int count = 0;
@@ -46,17 +53,21 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
   // The mean is measured without it: a hall at night is dark, and not another day.
   change_ = static_cast<float>(site.change.light);
   ambient_ *= static_cast<float>(site.change.ambient);
+  sky_ = static_cast<float>(site.change.skylight);
+  for (LampNow& skylight : skylights_) skylight.brightness *= sky_;
 }
 
 float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const {
   constexpr float above_m = 0.02F;  // off the surface itself
   const Eigen::Vector3f from = point + above_m * normal;
   float sum = ambient_;
-  for (const LampNow& lamp : lamps_) {
-    const float light = lamp.brightness * falloff(lamp.at, point, normal);
-    if (light < 0.003F) continue;
-    const Eigen::Vector3f under = lamp.at - 0.1F * Eigen::Vector3f::UnitZ();
-    if (in_the_way == nullptr || !in_the_way->is_hidden(from, under)) sum += light;
+  for (const std::vector<LampNow>* lamps : {&lamps_, &skylights_}) {
+    for (const LampNow& lamp : *lamps) {
+      const float light = lamp.brightness * falloff(lamp.at, point, normal);
+      if (light < 0.003F) continue;
+      const Eigen::Vector3f under = lamp.at - 0.1F * Eigen::Vector3f::UnitZ();
+      if (in_the_way == nullptr || !in_the_way->is_hidden(from, under)) sum += light;
+    }
   }
   return sum * per_mean_ * change_;
 }
@@ -85,8 +96,13 @@ std::vector<QuadLight> HallLight::on(std::span<const Quad> quads, const QuadScen
       all.push_back(of_lamp(quad));
       continue;
     }
-    const Eigen::Vector3f normal = quad.normal();
     QuadLight light;
+    if (quad.stuff == Stuff::skylight) {
+      light.at.fill(kLampGrey * sky_ * change_);
+      all.push_back(light);
+      continue;
+    }
+    const Eigen::Vector3f normal = quad.normal();
     constexpr float inset = 0.04F;  // a corner that touches its neighbour would lie in its shadow
     for (std::size_t corner = 0; corner < 4; ++corner) {
       const float u = corner % 2 == 0 ? inset : 1.0F - inset;

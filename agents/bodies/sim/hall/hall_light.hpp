@@ -16,8 +16,8 @@ struct QuadLight {
   std::array<float, 4> at{};
 };
 
-/// Lights a hall by the lamps of one run (lamps_now); of the ambient light `Change::ambient` is left. Things that
-/// stand in the way throw shadows.
+/// Lights a hall by the lamps of one run (lamps_now) and by its skylights, which are as bright as `Change::skylight`
+/// says; of the ambient light `Change::ambient` is left. Things that stand in the way throw shadows.
 class HallLight {
  public:
   HallLight(const Site& site, Random random);
@@ -35,9 +35,11 @@ class HallLight {
   QuadLight of_lamp(const Quad& lamp) const;
 
   std::vector<LampNow> lamps_;
+  std::vector<LampNow> skylights_;
   float ambient_ = 1.0F;
   float per_mean_ = 1.0F;
   float change_ = 1.0F;
+  float sky_ = 1.0F;  ///< of the skylights, against the site file
 };
 
 }  // namespace weft::agents::sim

@@ -3,41 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/bodies/sim/hall/ceiling_surface.hpp"
+#include "agents/bodies/sim/hall/overhead.hpp"
+#include "agents/bodies/sim/hall/panels.hpp"
 #include "agents/bodies/sim/hall/stock.hpp"
 #include "core/random.hpp"
 
 namespace weft::agents::sim {
 namespace {
-
-constexpr double kPanelM = 2.0;
-constexpr double kBeyondM = 1.0;  // of the bounds, where the hall's own walls stand
-
-/// Cuts a large face into panels, each of another piece of its texture: light is told at their corners.
-void add_panels(const Quad& whole, std::vector<Quad>& quads) {
-  const auto columns = std::max(1, static_cast<int>(std::ceil(whole.across.norm() / kPanelM)));
-  const auto rows = std::max(1, static_cast<int>(std::ceil(whole.up.norm() / kPanelM)));
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      Quad panel = whole;
-      panel.across = whole.across / static_cast<float>(columns);
-      panel.up = whole.up / static_cast<float>(rows);
-      panel.corner = whole.corner + static_cast<float>(column) * panel.across + static_cast<float>(row) * panel.up;
-      panel.pattern = static_cast<std::uint32_t>(quads.size());
-      quads.push_back(panel);
-    }
-  }
-}
-
-Quad face(const Eigen::Vector3d& corner, const Eigen::Vector3d& across, const Eigen::Vector3d& up, Stuff stuff,
-          double grey) {
-  Quad quad;
-  quad.corner = corner.cast<float>();
-  quad.across = across.cast<float>();
-  quad.up = up.cast<float>();
-  quad.stuff = stuff;
-  quad.grey = static_cast<float>(grey);
-  return quad;
-}
 
 /// Adds signs, doors and panels on a wall face, a centimetre before it, no higher than 3.5 m.
 void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
@@ -77,33 +50,13 @@ void add_shell(const Site& site, std::vector<Quad>& quads) {
   const Eigen::Vector3d along(0, d, 0);
   const Eigen::Vector3d up(0, 0, h);
   add_panels(face({x0, y0, 0}, across, along, Stuff::floor, f.brightness), quads);
-  add_panels(face({x0, y0 + d, h}, across, -along, Stuff::ceiling, site.hall.ceiling_grey), quads);
+  add_ceiling(site, face({x0, y0 + d, h}, across, -along, Stuff::ceiling, site.hall.ceiling_grey), quads);
   const Random walls(f.seed ^ 0x77616c6cULL);
   const double grey = site.hall.wall_grey;
   add_wall(face({x0, y0, 0}, along, up, Stuff::wall, grey), Random(walls).fork(1), quads);
   add_wall(face({x0 + w, y0, 0}, -across, up, Stuff::wall, grey), Random(walls).fork(2), quads);
   add_wall(face({x0 + w, y0 + d, 0}, -along, up, Stuff::wall, grey), Random(walls).fork(3), quads);
   add_wall(face({x0, y0 + d, 0}, across, up, Stuff::wall, grey), Random(walls).fork(4), quads);
-}
-
-/// Adds beams across the hall every five metres, and the lamps' boxes.
-void add_overhead(const Site& site, std::vector<Quad>& quads) {
-  const FloorSetup& f = site.floor;
-  Quad beam;
-  beam.stuff = Stuff::steel;
-  beam.grey = 85.0F;
-  for (double x = f.x_min + 2.5; x < f.x_max; x += 5.0)
-    add_box({{x, 0.5 * (f.y_min + f.y_max), site.hall.ceiling_m - 0.35},
-             0.0,
-             0.2,
-             f.y_max - f.y_min + 2 * kBeyondM,
-             0.35},
-            beam, quads);
-  for (const Lamp& lamp : site.lamps) {
-    const double z = std::min(lamp.height_m, site.hall.ceiling_m - 0.05);
-    const Eigen::Vector3d corner(lamp.x - 0.6, lamp.y + 0.15, z);
-    quads.push_back(face(corner, {1.2, 0, 0}, {0, -0.3, 0}, Stuff::lamp, 128.0));
-  }
 }
 
 }  // namespace

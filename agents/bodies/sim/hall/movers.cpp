@@ -1,5 +1,6 @@
 #include "agents/bodies/sim/hall/movers.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace weft::agents::sim {
@@ -36,15 +37,18 @@ void add_person(const Pose2& pose, std::uint32_t who, double walked_m, std::vect
   shape.add(0.0, 0.0, 1.5, 0.2, 0.17, 0.24, look(Stuff::clothing, 120.0F, who + 11));
 }
 
-void add_forklift(const Pose2& pose, std::uint32_t who, std::vector<Quad>& quads) {
+void add_forklift(const Pose2& pose, std::uint32_t who, double forks_m, std::vector<Quad>& quads) {
+  constexpr double lowered_mast_m = 2.3;
+  constexpr double pallet_m = 0.15;
+  const double mast_m = std::max(lowered_mast_m, forks_m + 1.2);
   const Shape shape{pose, quads};
   shape.add(-0.3, 0.0, 0.15, 1.6, 1.1, 0.75, look(Stuff::vehicle, 150.0F, who));
   shape.add(-0.8, 0.0, 0.9, 0.6, 1.0, 0.5, look(Stuff::vehicle, 70.0F, who + 1));
   for (const double side : {-0.5, 0.5})
-    shape.add(0.55, side * 0.7, 0.0, 0.12, 0.1, 2.3, look(Stuff::steel, 50.0F, who));
+    shape.add(0.55, side * 0.7, 0.0, 0.12, 0.1, mast_m, look(Stuff::steel, 50.0F, who));
   shape.add(-0.4, 0.0, 2.1, 1.1, 1.0, 0.06, look(Stuff::vehicle, 60.0F, who + 2));
-  shape.add(1.15, 0.0, 0.15, 1.0, 0.9, 0.144, look(Stuff::pallet, 100.0F, who));
-  shape.add(1.15, 0.0, 0.3, 1.0, 0.9, 0.9, look(Stuff::load, 115.0F, who * 13 + 5));
+  shape.add(1.15, 0.0, forks_m, 1.0, 0.9, 0.144, look(Stuff::pallet, 100.0F, who));
+  shape.add(1.15, 0.0, forks_m + pallet_m, 1.0, 0.9, 0.9, look(Stuff::load, 115.0F, who * 13 + 5));
 }
 
 double length_of(const std::vector<SitePoint>& way) {
@@ -80,7 +84,7 @@ void add_mover(const Mover& mover, std::uint32_t who, double time_s, std::vector
   if (mover.kind == Mover::Kind::person) {
     add_person(pose, who, mover.speed_m_s * time_s + mover.begins_m, quads);
   } else {
-    add_forklift(pose, who, quads);
+    add_forklift(pose, who, mover.forks_m, quads);
   }
 }
 

@@ -186,6 +186,29 @@ cv::Mat clouds(std::initializer_list<Cloud> of, int side, Random& random) {
   return sum;
 }
 
+/// Draws sheet metal with scratches, dents, drops of paint and rivets here and there.
+cv::Mat sheet_metal(int side, Random& random) {
+  cv::Mat look = clouds({{4, 3.0}, {9, 5.0}, {60, 9.0}}, side, random);
+  const auto at = [&] { return static_cast<int>(random.below(static_cast<std::uint64_t>(side))); };
+  for (int i = 0; i < 40; ++i) {
+    const cv::Point from(at(), at());
+    const cv::Point to = from + cv::Point(static_cast<int>(random.uniform(-50.0, 50.0)),
+                                          static_cast<int>(random.uniform(-12.0, 12.0)));
+    cv::line(look, from, to, cv::Scalar(random.uniform(85.0, 165.0)), 1, cv::LINE_AA);
+  }
+  for (int i = 0; i < 110; ++i) {
+    const auto radius = 1 + static_cast<int>(random.below(3));
+    cv::circle(look, {at(), at()}, radius, cv::Scalar(random.chance(0.7) ? random.uniform(60.0, 100.0) : 165.0),
+               cv::FILLED, cv::LINE_AA);
+  }
+  for (int i = 0; i < 6; ++i) {
+    const cv::Point label(at(), at());
+    cv::rectangle(look, {label.x, label.y, 24, 14}, cv::Scalar(190.0), cv::FILLED);
+    cv::rectangle(look, {label.x + 3, label.y + 4, 15, 2}, cv::Scalar(70.0), cv::FILLED);
+  }
+  return look;
+}
+
 cv::Mat look_of(Stuff stuff, int side, Random& random) {
   switch (stuff) {
     case Stuff::wall: {  // blocks, 0.4 x 0.2 m, and stains
@@ -219,6 +242,8 @@ cv::Mat look_of(Stuff stuff, int side, Random& random) {
       for (int y = 20; y < side; y += 60) cv::rectangle(look, {0, y, side, 10}, cv::Scalar(40.0), cv::FILLED);
       return look;
     }
+    case Stuff::duct:
+      return sheet_metal(side, random);
     default:
       return clouds({{1, 2.0}}, side, random);
   }

@@ -6,8 +6,22 @@
 namespace weft::agents::sim {
 
 /// Names the material of a surface; each has textures of its own.
-enum class Stuff : std::uint8_t { floor, wall, ceiling, steel, load, pallet, sign, vehicle, clothing, lamp };
-inline constexpr std::size_t kStuffs = 10;
+enum class Stuff : std::uint8_t {
+  floor,
+  wall,
+  ceiling,
+  steel,
+  load,
+  pallet,
+  sign,
+  vehicle,
+  clothing,
+  lamp,
+  duct,     ///< galvanised or painted sheet metal
+  mural,    ///< what a whole ceiling shows, by its place (hall/mural.hpp)
+  skylight  ///< shines; its grey is 128 times its brightness
+};
+inline constexpr std::size_t kStuffs = 13;
 
 /// Describes a parallelogram of the hall, site frame, metres. It is seen from both sides and lit on the one that
 /// `across` x `up` points to.
@@ -31,5 +45,7 @@ struct BoxSides {
   double length_m = 1.0, width_m = 1.0, height_m = 1.0;  ///< length along the heading
 };
 void add_box(const BoxSides& box, const Quad& look, std::vector<Quad>& quads);
+/// Adds a box that may be looked at from below: its bottom, too.
+void add_closed_box(const BoxSides& box, const Quad& look, std::vector<Quad>& quads);
 
 }  // namespace weft::agents::sim

@@ -83,6 +83,15 @@ void QuadScene::cast(const Eigen::Vector3f& eye, RayPacket& packet) const {
   }
 }
 
+float QuadScene::distance_m(const Eigen::Vector3f& eye, const Eigen::Vector3f& way) const {
+  RayPacket packet;
+  packet.x.fill(way.x());
+  packet.y.fill(way.y());
+  packet.z.fill(way.z());
+  cast(eye, packet);
+  return packet.quad[0] < 0 ? std::numeric_limits<float>::infinity() : packet.distance[0] * way.norm();
+}
+
 bool QuadScene::is_hidden(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const {
   constexpr float margin_m = 1e-3F;
   const Eigen::Vector3f way = to - from;

@@ -29,6 +29,8 @@ class QuadScene {
   QuadScene& operator=(QuadScene&&) noexcept;
 
   void cast(const Eigen::Vector3f& eye, RayPacket& packet) const;
+  /// Returns how far away the first thing is that a ray along `way` meets, metres; infinite: it meets none.
+  float distance_m(const Eigen::Vector3f& eye, const Eigen::Vector3f& way) const;
   /// Returns whether anything is between the two points, 1 mm from either end left out.
   bool is_hidden(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 

@@ -34,7 +34,8 @@ struct ShadeRays {
   float pixel = 0.0F;                                    ///< width of what a ray stands for, over the distance
   float headlight = 0.0F;                                ///< on what is 2 m ahead
   const ShadedFace* face = nullptr;
-  float* grey = nullptr;  ///< out
+  float* grey = nullptr;         ///< out
+  const float* wider = nullptr;  ///< factors on `pixel`; null: 1
 };
 
 using ShadeFace = void (*)(const ShadeRays& rays);

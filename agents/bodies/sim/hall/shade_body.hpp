@@ -77,7 +77,8 @@ using Ints [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
   // Four rays share a pixel; at a slant it covers more (about the root of the slant, as across it does not).
   const Floats slant = 1.0F / (0.25F + 0.75F * facing);
   const Floats distance = load(rays.distance + at);
-  const Floats pixel_m = rays.pixel * distance * slant;
+  Floats pixel_m = rays.pixel * distance * slant;
+  if (rays.wider != nullptr) pixel_m *= load(rays.wider + at);
   const Floats u = load(rays.u + at);
   const Floats v = load(rays.v + at);
   const Floats lower = face.light[0] + u * (face.light[1] - face.light[0]);

@@ -36,7 +36,9 @@ Texture::Texture(int side, std::vector<std::uint8_t> texels) : top_(std::countr_
   }
 }
 
-Textures::Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed) {
+Textures::Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed,
+                   std::optional<Mural> ceiling) {
+  constexpr std::uint64_t ducts = 6;  // what hangs is seen piece by piece, side by side
   for (std::size_t i = 0; i < kStuffs; ++i) {
     const auto stuff = static_cast<Stuff>(i);
     const auto given = photographed.find(stuff);
@@ -48,10 +50,26 @@ Textures::Textures(const FloorSource& floor, std::uint64_t seed, const Photograp
       of_[i] = draw_signs(seed);
     } else if (stuff == Stuff::floor) {
       of_[i].push_back(floor_texture(floor));
-    } else {
+    } else if (stuff == Stuff::duct) {
+      for (std::uint64_t k = 0; k < ducts; ++k) of_[i].push_back(draw_plain(stuff, seed + i + 1000 * k));
+    } else if (stuff != Stuff::mural) {
       of_[i].push_back(draw_plain(stuff, seed + i));
     }
   }
+  if (!ceiling) return;
+  ceiling_x0_ = ceiling->x0;
+  ceiling_y0_ = ceiling->y0;
+  ceiling_texel_m_ = ceiling->texel_m;
+  of_[static_cast<std::size_t>(Stuff::mural)].push_back({ceiling->side, std::move(ceiling->texels)});
+}
+
+/// Places a part of the ceiling on its picture; its `across` goes along x and its `up` along y, apart from a slope.
+void Textures::place_on_ceiling(const Quad& quad, ShadedFace& face) const {
+  face.per_m = static_cast<float>(1.0 / ceiling_texel_m_);
+  face.per_u = quad.across.x() * face.per_m;
+  face.per_v = quad.up.y() * face.per_m;
+  face.at_u = (quad.corner.x() - static_cast<float>(ceiling_x0_)) * face.per_m;
+  face.at_v = (quad.corner.y() - static_cast<float>(ceiling_y0_)) * face.per_m;
 }
 
 ShadedFace Textures::of(const Quad& quad) const {
@@ -71,6 +89,10 @@ ShadedFace Textures::of(const Quad& quad) const {
     face.per_v = -side;
     face.at_v = side;
     face.per_m = side / std::max(across_m, up_m);
+    return face;
+  }
+  if (quad.stuff == Stuff::mural) {
+    place_on_ceiling(quad, face);
     return face;
   }
   face.per_m = 1.0F / static_cast<float>(kTexelM);

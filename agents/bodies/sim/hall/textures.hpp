@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "agents/bodies/sim/floor/source.hpp"
+#include "agents/bodies/sim/hall/mural.hpp"
 #include "agents/bodies/sim/hall/quad.hpp"
 #include "agents/bodies/sim/hall/shade.hpp"
 
@@ -37,13 +39,18 @@ class Textures {
   static constexpr double kTexelM = 0.005;
 
   /// Draws all but what was photographed; `floor` is what the site's floor cameras see, too.
-  Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed);
+  /// `ceiling`: what faces of Stuff::mural show; none: there are no such faces.
+  Textures(const FloorSource& floor, std::uint64_t seed, const Photographed& photographed,
+           std::optional<Mural> ceiling = std::nullopt);
 
   /// Returns a quad's face without its light. Valid as long as this is.
   ShadedFace of(const Quad& quad) const;
 
  private:
+  void place_on_ceiling(const Quad& quad, ShadedFace& face) const;
+
   std::array<std::vector<Texture>, kStuffs> of_;
+  double ceiling_x0_ = 0.0, ceiling_y0_ = 0.0, ceiling_texel_m_ = 1.0;
 };
 
 /// Returns whether a stuff's pictures fill their quads.

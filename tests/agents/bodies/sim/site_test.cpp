@@ -419,7 +419,7 @@ TEST(Site, AWayThatIsNoneIsRefused) {
   EXPECT_THAT(refused("[[person]]\nway = [0.5, 0.5, 4.0, 1, 2]\n"), HasSubstr("an x and a y"));
   EXPECT_THAT(refused("[[person]]\nway = [1, 1, 1, 1]\n"), HasSubstr("less than 0.1 m apart"));
   EXPECT_THAT(refused("[forward_camera]\nwidth_px = 322\n"), HasSubstr("multiple of 4"));
-  EXPECT_THAT(refused("looks = [\"rear\"]\n"), HasSubstr("looks \"down\" or \"ahead\", not \"rear\""));
+  EXPECT_THAT(refused("looks = [\"rear\"]\n"), HasSubstr("looks \"down\", \"ahead\" or \"up\", not \"rear\""));
 }
 
 }  // namespace
