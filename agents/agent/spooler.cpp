@@ -6,6 +6,10 @@
 namespace weft::agents {
 
 namespace {
+/// Ends the reason of a seal until the run is refined: it is read where this agent ended before, or its disk did not
+/// take the refined run.
+constexpr const char* kUnrefined = ", handed in before it was refined";
+
 bool has(const Batch& batch, const PlaceId& place) {
   return batch.experience == place.experience && !batch.places.empty() &&
          batch.places.front().id.index <= place.index && place.index <= batch.places.back().id.index;
@@ -14,41 +18,6 @@ bool has(const Batch& batch, const PlaceId& place) {
 
 Spooler::Spooler(storage::Spool& spool, const SpoolerConfig& config, RobotId self)
     : spool_(&spool), config_(config), self_(self) {}
-
-Result<Spooler> Spooler::open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now) {
-  Spooler spooler(spool, config, self);
-  Result<std::vector<Batch>> pending = spool.pending();
-  if (!pending) return fail(pending.error());
-  for (Batch& batch : *pending) {
-    spooler.pending_.push_back({.batch = std::move(batch), .send_at = now, .wait = config.retry});
-  }
-  if (Result<void> sealed = spooler.seal_what_a_crash_left_open(now); !sealed) return fail(sealed.error());
-  return spooler;
-}
-
-Result<void> Spooler::seal_what_a_crash_left_open(SteadyTime now) {
-  std::map<ExperienceId, Batch> seals;
-  for (const Pending& pending : pending_) {
-    const Batch& last = pending.batch;
-    seals.erase(last.experience);
-    if (last.seal) continue;
-    Batch seal;
-    seal.experience = last.experience;
-    seal.sequence = last.sequence + 1;
-    seal.robot = last.robot;
-    seal.name = last.name;
-    seal.method = last.method;
-    seal.seal = true;
-    seal.seal_reason =
-        last.places.empty() ? "the agent was restarted" : "the agent was restarted while it was being taught";
-    seals.emplace(last.experience, std::move(seal));
-  }
-  for (auto& [experience, seal] : seals) {
-    if (Result<void> appended = spool_->append(seal, {}); !appended) return appended;
-    pending_.push_back({.batch = std::move(seal), .send_at = now, .wait = config_.retry});
-  }
-  return {};
-}
 
 std::optional<PlaceId> Spooler::newest_durable(ExperienceId experience) const {
   const auto found = newest_durable_.find(experience);
@@ -96,17 +65,23 @@ Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
 Result<void> Spooler::flush(Open& open, SteadyTime now) {
   const ExperienceId experience = open.batch.experience;
   if (Result<void> spooled = flush_what_it_names(open.batch, now); !spooled) {
-    open_.erase(experience);
+    give_up(experience);
     return spooled;
   }
   return spool(open, now);
+}
+
+/// Ends an open experience that the spool does not take any more: what it has of it is handed in as it is.
+void Spooler::give_up(ExperienceId experience) {
+  held_.erase(experience);
+  open_.erase(experience);
 }
 
 Result<void> Spooler::spool(Open& open, SteadyTime now) {
   Batch& batch = open.batch;
   if (batch.places.empty() && batch.learned.empty() && !batch.seal) return {};
   if (Result<void> appended = spool_->append(batch, open.contents); !appended) {
-    open_.erase(ExperienceId(batch.experience));
+    give_up(batch.experience);
     return appended;
   }
   pending_.push_back({.batch = batch, .send_at = now, .wait = config_.retry});
@@ -155,10 +130,17 @@ Result<void> Spooler::learned(std::vector<Place> places, std::vector<Bytes> cont
 }
 
 Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
-  std::erase_if(open_, [](const auto& entry) { return entry.second.places == 0; });
+  std::erase_if(open_, [this](const auto& entry) {
+    if (entry.second.places == 0) held_.erase(entry.first);
+    return entry.second.places == 0;
+  });
   for (auto& [experience, open] : open_) {
     open.batch.seal = true;
     open.batch.seal_reason = reason;
+    if (const auto held = held_.find(experience); held != held_.end()) {
+      held->second = reason;
+      open.batch.seal_reason += kUnrefined;
+    }
   }
   return flush(now);
 }
@@ -215,9 +197,10 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   return heard;
 }
 
-/// Returns whether a batch has to wait until the server has all that its edges name.
+/// Returns whether a batch has to wait: it is held back, or the server does not have all that its edges name.
 bool Spooler::waits(const Pending& pending) const {
   const Batch& batch = pending.batch;
+  if (held_.contains(batch.experience)) return true;
   return std::any_of(batch.edges.begin(), batch.edges.end(), [&](const Edge& edge) {
     return edge.id.a.experience != batch.experience &&
            std::any_of(pending_.begin(), pending_.end(),

@@ -9,6 +9,7 @@
 #include "agents/agent/agent.hpp"
 #include "agents/agent/chunks.hpp"
 #include "agents/navigation/navigator.hpp"
+#include "agents/navigation/run_refiner.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
@@ -27,13 +28,24 @@ struct SpoolerConfig {
 /// Takes what teaching keeps to the server. A batch is in the robot's own spool before it is sent, and is sent again
 /// until the server has it on disk. Of an experience that is not sealed, the last batch stays in the spool even when
 /// acknowledged: it is from there that a restarted agent knows what it has to seal. A batch with an edge to a place
-/// of another experience that is under way is spooled after it, and sent when the server has it.
+/// of another experience that is under way is spooled after it, and sent when the server has it. An experience may be
+/// held back until it is refined: its batches are spooled as ever, and none is sent. Nothing but the seal marks it on
+/// disk: it is spooled with the reason that holds if this agent ends before, so that the next one hands in what is
+/// there.
 class Spooler {
  public:
   /// Reads what is pending; experiences that a crash left open are sealed. Errors of the spool are passed on.
   static Result<Spooler> open(storage::Spool& spool, const SpoolerConfig& config, RobotId self, SteadyTime now);
 
   void begin(ExperienceId experience, const std::string& name);
+  /// Holds an experience back that has just begun.
+  void hold(ExperienceId experience) { held_.emplace(experience, std::string()); }
+  bool is_held(ExperienceId experience) const { return held_.contains(experience); }
+  /// Holds it back no longer: it is handed in as it is.
+  void release(ExperienceId experience) { held_.erase(experience); }
+  /// Puts the refined run in the place of a held and sealed one, and releases it. conflict: it is not held, or not
+  /// sealed. Other errors: of the amendments or the spool; it is released as it is in the spool.
+  Result<void> hand_in(ExperienceId experience, RunAmendments amendments);
   /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
   /// experience ends before this batch; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
@@ -89,6 +101,7 @@ class Spooler {
   Result<void> flush_what_it_names(const Batch& batch, SteadyTime now);
   Result<void> spool(Open& open, SteadyTime now);
   bool waits(const Pending& pending) const;
+  void give_up(ExperienceId experience);
   void queue_contents(Pending& pending, SteadyTime now);
   void drop(ExperienceId experience, std::uint64_t through);
 
@@ -98,6 +111,7 @@ class Spooler {
   std::map<ExperienceId, Open> open_;
   std::optional<Open> learned_places_;  ///< the experience of what is learned
   std::deque<Pending> pending_;
+  std::map<ExperienceId, std::string> held_;        ///< with the reason of the seal that each gets when it is refined
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;
   std::map<ExperienceId, PlaceId> newest_durable_;  ///< of those that may still grow, or did last

@@ -13,9 +13,14 @@ std::string reason_of_waiting(const Standing& standing) {
   return given.empty() ? standing.condition.stands_for : given;
 }
 
+/// Returns what is said of a robot that has nothing more urgent to say.
+std::string beside(const Standing& standing) {
+  return standing.refines.empty() ? standing.notice : standing.refines;
+}
+
 std::string reason_of_idling(const Standing& standing) {
   if (!standing.teaching_failure.empty()) return standing.teaching_failure;
-  return standing.searches.empty() ? standing.notice : standing.searches;
+  return standing.searches.empty() ? beside(standing) : standing.searches;
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ std::string reason_of(const Standing& standing) {
     case msg::RobotMode::off:
       break;
   }
-  return standing.notice;
+  return beside(standing);
 }
 
 }  // namespace weft::agents

@@ -19,6 +19,7 @@ struct Standing {
   const std::string& route_waits_for;   ///< why its route is not followed yet
   std::string notice;                   ///< of what people should look at
   std::string safety{};                 ///< how its base's safety keeps it from driving; empty: it does not
+  std::string refines{};                ///< how far it is with what it was taught; empty: it refines nothing
 };
 
 msg::RobotMode mode_of(const Standing& standing);

@@ -11,12 +11,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "agents/perception/motion.hpp"
 #include "agents/perception/view.hpp"
 #include "core/bytes.hpp"
 #include "core/diagnostic.hpp"
+#include "core/network/network.hpp"
 #include "core/network/relation.hpp"
 #include "core/network/window.hpp"
 #include "core/result.hpp"
@@ -137,10 +139,35 @@ struct Stop {
 };
 using Steering = tl::expected<Twist, Stop>;
 
-/// Describes a new relation for an edge of one's own unsealed experience.
-struct Amendment {
+/// Describes a place of a taught run that is to be refined, as it was kept. Places come in the order of their
+/// indices.
+template <class Content>
+struct ExperiencePlace {
+  PlaceId id;
+  std::shared_ptr<const Content> content;
+  /// Holds what was kept with the place: odometry from the one before, stitches to earlier places of the same run and
+  /// to places of others, whose contents are not among those given.
+  std::vector<Edge> edges;
+};
+
+/// Describes a new relation for an edge of a run that is not handed in yet.
+struct AmendedEdge {
   EdgeId edge;
   Relation a_from_b;
+};
+
+/// Describes a new content for a place of a run that is not handed in yet.
+template <class Content>
+struct AmendedPlace {
+  PlaceId place;
+  Content content;
+};
+
+/// Holds all that refining changes of a run; what is not named stays as it was taught.
+template <class Content>
+struct Amendments {
+  std::vector<AmendedEdge> edges;
+  std::vector<AmendedPlace<Content>> places;
 };
 
 /// Describes another robot, on another day, beside where a view was taken.
@@ -262,10 +289,19 @@ concept Diagnoses = Method<M> && requires(const M& m, const typename M::Odometry
   { m.diagnose(odometry) } -> std::same_as<std::vector<Diagnostic>>;
 };
 
-/// Describes a method that improves its own unsealed experience at its end.
+/// Describes a method that refines what it was taught, when the run is over and before it is handed in. Nobody but
+/// the robot has such a run until it is refined. The result depends on the run alone.
 template <class M>
-concept Refines = Method<M> && requires(const M& m, const std::vector<ChartPlace<typename M::Content>>& experience) {
-  { m.refine(experience) } -> std::same_as<std::vector<Amendment>>;
+concept Refines = Method<M> && std::movable<typename M::Refinement> &&
+    requires(const M& m, const std::vector<ExperiencePlace<typename M::Content>>& experience,
+             typename M::Refinement& refinement) {
+  /// Returns the refinement of a run, about as dear as one piece. A run that cannot be refined has no pieces.
+  { m.begin_refine(experience) } -> std::same_as<typename M::Refinement>;
+  /// Does one piece, at most 50 ms on a robot's computer; false: it is done, also where nothing was to be done.
+  { m.refine(refinement) } -> std::same_as<bool>;
+  /// Returns how many pieces there are in all, at most.
+  { m.pieces(std::as_const(refinement)) } -> std::same_as<std::size_t>;
+  { m.refined(std::move(refinement)) } -> std::same_as<Amendments<typename M::Content>>;
 };
 
 }  // namespace weft::agents

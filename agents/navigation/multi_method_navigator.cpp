@@ -6,6 +6,7 @@
 
 #include "agents/navigation/method_navigators.hpp"
 #include "agents/navigation/method_switch.hpp"
+#include "agents/navigation/run_refiner.hpp"
 
 namespace weft::agents {
 namespace {
@@ -86,6 +87,12 @@ class MultiMethodNavigator final : public Navigator {
       one.navigator->leave_teach();
       one.teaches = {};
     }
+  }
+
+  std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {
+    const auto its = std::ranges::find_if(
+        navigators_, [&](const MethodNavigator& one) { return one.navigator->method() == method; });
+    return its == navigators_.end() ? nullptr : its->navigator->refiner(method);
   }
 
   /// Keeps a place of the first method: whoever names it knows which robots can go there.

@@ -55,6 +55,8 @@ struct Navigated {
   std::optional<ExposureWish> exposes = {};  ///< none: nothing new
 };
 
+class RunRefiner;  // agents/navigation/run_refiner.hpp
+
 struct TeachStart {
   ExperienceId experience;
   RobotId robot;
@@ -100,6 +102,9 @@ class Navigator {
   virtual bool is_taught() const = 0;
   /// Ends teaching where the last place was kept; nothing more is kept.
   virtual void leave_teach() = 0;
+  /// Returns what refines a run taught with that method (one of `teaches`) before it is handed in; null: it is handed
+  /// in as it is taught. This navigator outlives it.
+  virtual std::unique_ptr<RunRefiner> refiner(std::string_view method) const;
   /// Keeps a place here at the next view, whatever the spacing: a label is wanted. While teaching only.
   virtual void keep_place() = 0;
   /// Returns an experience of one place: where the robot stands, without being taught, joined to the map by stitches

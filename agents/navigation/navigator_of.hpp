@@ -14,6 +14,7 @@
 #include "agents/navigation/own_map.hpp"
 #include "agents/navigation/place_learner.hpp"
 #include "agents/navigation/place_trials.hpp"
+#include "agents/navigation/run_refinement.hpp"
 #include "agents/navigation/stitcher.hpp"
 #include "agents/navigation/teacher.hpp"
 
@@ -114,6 +115,11 @@ class NavigatorOf final : public Navigator {
   void leave_teach() override {
     teacher_.reset();
     finder_.reset();
+  }
+  std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {
+    if constexpr (Refines<M>)
+      if (method == M::name) return std::make_unique<RunRefinement<M>>(method_);
+    return Navigator::refiner(method);
   }
 
   void keep_place() override {

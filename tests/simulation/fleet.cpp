@@ -6,6 +6,7 @@
 #include "agents/navigation/navigator_of.hpp"
 #include "tests/simulation/stored_map.hpp"
 #include "tests/support/marks.hpp"
+#include "tests/support/refining_marks.hpp"
 
 namespace weft::simulation {
 namespace {
@@ -24,6 +25,12 @@ std::optional<agents::Signature> sign_marks(ByteView content) {
   const agents::MarksMethod method;
   const auto decoded = method.decode(content);
   return decoded ? method.sign(*decoded) : std::nullopt;
+}
+
+/// Returns the navigator of a robot that refines what it was taught, or of one that does not: every second one does.
+std::unique_ptr<agents::Navigator> make_navigator(bool refines) {
+  if (refines) return agents::make_navigator(agents::RefiningMarks(), agents::NavigationConfig());
+  return agents::make_navigator(agents::MarksMethod(), agents::NavigationConfig());
 }
 
 Site site_of(const FleetConfig& config, Random random) {
@@ -60,6 +67,7 @@ Fleet::Fleet(const FleetConfig& config)
     robot.body = std::make_unique<MarksBody>(site_, start, random_.fork(100 + i));
     ledger_.robots[robot.id].body = robot.body.get();
     ledger_.robots[robot.id].name = robot.name;
+    ledger_.robots[robot.id].refines = refines(i);
     start_robot(i);
   }
 }
@@ -117,7 +125,7 @@ void Fleet::start_robot(std::size_t index) {
   config.body = robot.body->kind();
   config.can_be_taught_along = true;
   config.footprint_radius_m = kFootprint_m;
-  auto navigator = agents::make_navigator(agents::MarksMethod(), agents::NavigationConfig());
+  auto navigator = make_navigator(refines(index));
   robot.agent =
       need(agents::start(config, std::move(navigator), *robot.spool, random_.fork(4), clock(robot)), "agent");
   robot.link = std::make_unique<bus::Link>(net_.attach(msg::Role::agent, robot.id));

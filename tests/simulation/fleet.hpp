@@ -52,6 +52,8 @@ class Fleet {
   void start_robot(std::size_t robot);
   bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
   std::size_t robots() const { return robots_.size(); }
+  /// Returns whether the robot refines what it was taught before it hands that in.
+  static bool refines(std::size_t robot) { return robot % 2 == 1; }
   void partition(std::size_t robot, bool cut);
   /// Makes the server stand still, or go on. It hears nothing until it goes on; what is sent to it waits.
   void hang_server(bool hangs);

@@ -53,7 +53,9 @@ void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
   if (const auto* request = std::get_if<msg::WindowRequest>(&message)) by.wants = request->definition;
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) by.progress = *progress;
   note_stops(by, message);
+  if (by.state.experience) runs_[by.state.experience].taught_in = by.state.header.incarnation;
   if (const auto* sent = std::get_if<msg::ExperienceBatch>(&message)) {
+    check_draft(by, *sent);
     const auto [known, first] = sent_[sent->batch.experience].emplace(sent->batch.sequence, sent->batch);
     if (!first && hash(known->second) != hash(sent->batch)) {
       broken("acknowledged",

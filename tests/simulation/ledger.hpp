@@ -37,6 +37,7 @@ class Ledger {
     std::uint32_t passed = 0;     ///< of `had`: freed in a version before it, which may come by the same place twice
     msg::RouteProgress progress;  ///< last one said
     double footprint_m = 0.0;     ///< as it describes itself
+    bool refines = false;         ///< what it was taught, before it hands that in
     bool led = false;             ///< when it last moved
     bool unheard = false;         ///< since a hand has put it down
     bool is_hung = false;         ///< its process stands still
@@ -86,6 +87,8 @@ class Ledger {
 
   /// Returns how often a robot was found to stand for long, and what was told of it was looked at.
   std::uint64_t stood() const { return stood_; }
+  /// Returns how many batches were handed in refined.
+  std::uint64_t refined() const { return refined_; }
   const std::vector<Violation>& violations() const { return violations_; }
   const std::vector<Violation>& told() const { return told_; }
   std::uint64_t acknowledged() const { return acknowledged_count_; }
@@ -115,6 +118,7 @@ class Ledger {
   bool is_at_work(const Robot& robot) const;
   bool counts(const Goal& goal, const std::set<RobotId>& busy) const;
   void note_stops(Robot& by, const msg::Message& sent);
+  void check_draft(const Robot& by, const msg::ExperienceBatch& sent);
   void check_stops(Robot& by, const agents::Sample& sample, const agents::Twist& command);
   void check_limits(const Robot& by);
   void check_driver(const RobotId& id, const Robot& robot);
@@ -137,6 +141,14 @@ class Ledger {
   std::vector<Violation> told_;
   std::map<PlaceId, Pose2> truth_;  ///< of every place that was ever sent
   std::map<ExperienceId, std::map<std::uint64_t, Batch>> sent_;
+  /// Describes a run of a robot that refines, as it was handed in so far.
+  struct Run {
+    std::uint64_t taught_in = 0;  ///< incarnation of the agent; 0: unknown
+    bool has_refined = false;     ///< relations
+    bool has_drafts = false;
+  };
+  std::map<ExperienceId, Run> runs_;
+  std::uint64_t refined_ = 0;  ///< batches
   std::map<ExperienceId, std::uint64_t> acknowledged_;
   std::uint64_t acknowledged_count_ = 0;
   bool is_edited_ = false;

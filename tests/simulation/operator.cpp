@@ -15,6 +15,10 @@ void Operator::pass(Duration time) {
 
 std::optional<msg::OperatorReply> Operator::ask(msg::OperatorRequest request, double give_up_s) {
   request.request = random_.next();
+  return repeat(request, give_up_s);
+}
+
+std::optional<msg::OperatorReply> Operator::repeat(const msg::OperatorRequest& request, double give_up_s) {
   const SteadyTime end = fleet_.now() + from_seconds(give_up_s);
   while (fleet_.now() < end) {
     fleet_.send(request);

@@ -54,12 +54,16 @@ class Operator {
     SteadyTime since{};  ///< its history has been as it is
   };
   std::optional<msg::OperatorReply> ask(msg::OperatorRequest request, double give_up_s = 120.0);
+  std::optional<msg::OperatorReply> repeat(const msg::OperatorRequest& request, double give_up_s);
   std::optional<msg::QueryReply> answer_to(msg::Query query);
   std::map<GoalId, std::vector<Goal>> look_at(std::vector<GoalId> goals);
   Revision quarantined();
   bool teach_all();
   bool find_all();
   bool teach_lesson(std::size_t robot);
+  /// Has the place named where the robot stands. A robot that refines answers when the run has arrived: its request
+  /// is added to `open`.
+  bool label_here(std::size_t robot, const std::string& label, std::vector<msg::OperatorRequest>& open);
   bool teach_piece(std::size_t robot, double from_m, double to_m, const std::vector<std::size_t>& through);
   void teach_stop(std::size_t robot);
   /// Teaches a robot some more. False: somebody stands in the way, or it has something to do.

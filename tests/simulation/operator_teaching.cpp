@@ -51,23 +51,40 @@ bool Operator::teach_lesson(std::size_t robot) {
   spots.push_back({lesson.to_m, "", {}});
 
   double at = lesson.from_m;
+  std::vector<msg::OperatorRequest> labels;
   for (const Spot& spot : spots) {
     if (!teach_piece(robot, at, spot.at_m, lesson.through)) return false;
     at = spot.at_m;
     if (spot.label.empty()) continue;
-    msg::OperatorRequest label;
-    label.kind = msg::OperatorRequest::Kind::label_here;
-    label.robot = fleet_.name(robot);
-    label.label = spot.label;
-    const auto reply = ask(label);
-    if (!reply || reply->outcome != msg::Outcome::done) return give_up("label " + spot.label, reply);
+    if (!label_here(robot, spot.label, labels)) return false;
     if (spot.station) stations_[spot.label] = *spot.station;
   }
   msg::OperatorRequest stop;
   stop.kind = msg::OperatorRequest::Kind::teach_stop;
   stop.robot = fleet_.name(robot);
   const auto reply = ask(stop);
-  return (reply && reply->outcome == msg::Outcome::done) || give_up("teach stop", reply);
+  if (!reply || reply->outcome != msg::Outcome::done) return give_up("teach stop", reply);
+  for (const msg::OperatorRequest& label : labels) {
+    const auto named = repeat(label, 120.0);
+    if (!named || named->outcome != msg::Outcome::done) return give_up("label " + label.label, named);
+  }
+  return true;
+}
+
+bool Operator::label_here(std::size_t robot, const std::string& label, std::vector<msg::OperatorRequest>& open) {
+  constexpr double until_kept_s = 6.0;
+  msg::OperatorRequest request;
+  request.kind = msg::OperatorRequest::Kind::label_here;
+  request.robot = fleet_.name(robot);
+  request.label = label;
+  if (!Fleet::refines(robot)) {
+    const auto reply = ask(request);
+    return (reply && reply->outcome == msg::Outcome::done) || give_up("label " + label, reply);
+  }
+  request.request = random_.next();
+  if (const auto reply = repeat(request, until_kept_s)) return give_up("label " + label + " of a draft", reply);
+  open.push_back(request);
+  return true;
 }
 
 bool Operator::teach_all() {

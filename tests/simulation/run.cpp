@@ -60,6 +60,7 @@ RunResult run(const RunConfig& config) {
   result.goals_sent = people.goals_sent();
   result.goals_accepted = people.goals_accepted();
   result.acknowledged = fleet.ledger().acknowledged();
+  result.refined = fleet.ledger().refined();
   result.ways_made = fleet.ways_made();
   result.stood = fleet.ledger().stood();
   result.led_back = people.led_back();

@@ -26,6 +26,7 @@ struct RunResult {
   std::uint64_t goals_sent = 0;
   std::uint64_t goals_accepted = 0;
   std::uint64_t acknowledged = 0;
+  std::uint64_t refined = 0;    ///< batches that were handed in refined
   std::uint64_t ways_made = 0;  ///< robots that were asked to make way, and standstills that ended
   std::uint64_t stood = 0;      ///< looks at a robot that stood for long with a goal
   std::uint64_t led_back = 0;   ///< robots that a hand led back to where they can set off

@@ -13,6 +13,7 @@ TEST_P(Simulation, TheSameSeedGivesTheSameLife) {
   const RunResult first = run(config);
   const RunResult second = run(config);
   EXPECT_GT(first.acknowledged, 0U);
+  EXPECT_GT(first.refined, 0U) << "every second robot refines what it was taught";
   EXPECT_EQ(first.messages, second.messages);
   EXPECT_EQ(first.trace, second.trace);
   for (const Violation& violation : first.violations) ADD_FAILURE() << violation.invariant << ": " << violation.what;

@@ -4,25 +4,39 @@ namespace weft::agents {
 
 void RunRecorder::begin() {
   uses_.navigator.begin_teach({.experience = run_.experience, .robot = uses_.robot, .others = run_.others});
-  uses_.spooler.begin(run_.experience, run_.name);
   const std::vector<std::string> methods = uses_.navigator.teaches();
+  begin(run_.experience, run_.name, methods.front());
   for (std::size_t i = 0; i < run_.others.size(); ++i) {
-    uses_.spooler.begin(run_.others[i], name_of_other(run_.name, methods[i + 1]));
+    begin(run_.others[i], name_of_other(run_.name, methods[i + 1]), methods[i + 1]);
   }
+}
+
+void RunRecorder::begin(ExperienceId experience, const std::string& name, const std::string& method) {
+  uses_.spooler.begin(experience, name);
+  uses_.refining.begin(experience, method);
 }
 
 Result<void> RunRecorder::keep(const std::vector<Kept>& kept, SteadyTime now) {
   for (const Kept& one : kept) {
     uses_.map.put(one.place.content.hash, one.content);
     if (Result<void> added = uses_.spooler.add(one, now); !added) return added;
+    uses_.refining.add(one);
     run_.count(one);
   }
   return {};
 }
 
+/// Seals all experiences of the run; those that are refined are held back further.
+Result<void> RunRecorder::close(const std::string& reason, SteadyTime now) {
+  const Result<void> sealed = uses_.spooler.seal(reason, now);
+  uses_.refining.end(run_.experience);
+  for (const ExperienceId other : run_.others) uses_.refining.end(other);
+  return sealed;
+}
+
 Result<void> RunRecorder::seal(SteadyTime now) {
   uses_.navigator.leave_teach();
-  const Result<void> sealed = uses_.spooler.seal("taught to its end", now);
+  const Result<void> sealed = close("taught to its end", now);
   if (!sealed) uses_.navigator.forget_taught(uses_.map.window());
   return sealed;
 }
@@ -30,10 +44,12 @@ Result<void> RunRecorder::seal(SteadyTime now) {
 void RunRecorder::break_off(SteadyTime now) {
   bool is_spooled = true;
   for (const Kept& last : uses_.navigator.end_teach(uses_.map.view())) {
-    is_spooled = bool(uses_.spooler.add(last, now)) && is_spooled;
+    const bool is_added = bool(uses_.spooler.add(last, now));
+    if (is_added) uses_.refining.add(last);
+    is_spooled = is_added && is_spooled;
   }
   uses_.navigator.leave_teach();
-  is_spooled = bool(uses_.spooler.seal("teaching broke off", now)) && is_spooled;
+  is_spooled = bool(close("teaching broke off", now)) && is_spooled;
   if (!is_spooled) uses_.navigator.forget_taught(uses_.map.window());
 }
 

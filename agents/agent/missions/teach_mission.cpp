@@ -24,7 +24,7 @@ bool TeachMission::start(const msg::AgentCommand& command, const CommandKey& key
     uses_.replies.refuse(key, run.error().message);
     return false;
   }
-  const RunRecorder::Uses recording{uses_.config.self, uses_.navigator, uses_.map, uses_.spooler};
+  const RunRecorder::Uses recording{uses_.config.self, uses_.navigator, uses_.map, uses_.spooler, refining_};
   const std::vector<SitePoint> along = line_of(command);
   teaching_.emplace(Teaching{.recorder = RunRecorder(recording, std::move(*run)),
                              .started_by = key,
@@ -124,6 +124,7 @@ void TeachMission::tick(SteadyTime now) {
   }
   if (teaching_.has_value() && teaching_->ending.has_value() && now >= teaching_->ending->deadline) end(now);
   requests_.tick(uses_.replies, now);
+  refining_.tick(now);
 }
 
 void TeachMission::begin() {
@@ -223,6 +224,7 @@ std::optional<SteadyTime> TeachMission::next() const {
   if (teaching_.has_value() && teaching_->preparation.has_value()) sooner(teaching_->preparation->next());
   if (teaching_.has_value() && teaching_->ending.has_value()) sooner(teaching_->ending->deadline);
   sooner(confirmation_.next());
+  sooner(refining_.next());
   return next;
 }
 

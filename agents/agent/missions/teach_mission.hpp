@@ -13,12 +13,14 @@
 #include "agents/agent/missions/upload_confirmation.hpp"
 #include "agents/agent/outbox.hpp"
 #include "agents/agent/replies.hpp"
+#include "agents/agent/run_refining.hpp"
 #include "agents/agent/spooler.hpp"
 #include "agents/navigation/navigator.hpp"
 
 namespace weft::agents {
 
-/// Carries out teaching, from the command to the sealed experience, and until the server has all of it.
+/// Carries out teaching, from the command to the sealed experience, its refinement, and until the server has all of
+/// it.
 class TeachMission {
  public:
   struct Uses {
@@ -30,7 +32,8 @@ class TeachMission {
     Replies& replies;
     Outbox& outbox;
   };
-  explicit TeachMission(const Uses& uses) : uses_(uses) {}
+  TeachMission(const Uses& uses, SteadyTime now)
+      : uses_(uses), refining_({uses.navigator, uses.map, uses.spooler, uses.outbox}, now) {}
 
   /// Returns whether a new run is going to be taught. False: it is refused, or goes on with the run that is taught.
   bool start(const msg::AgentCommand& command, const CommandKey& key, const Condition& condition, bool has_route,
@@ -50,6 +53,8 @@ class TeachMission {
   bool on_fix();
   /// Takes what a sample has led to.
   void step(const std::vector<Kept>& kept, bool hand_done, SteadyTime now);
+  /// Refines what was taught before, in the slack that a sample leaves.
+  void refine(SteadyTime now) { refining_.work(now); }
   void tick(SteadyTime now);
   /// Answers the end of teaching when its time has come; see UploadConfirmation.
   void confirm(SteadyTime now) { confirmation_.tick(uses_.spooler, uses_.replies, now); }
@@ -67,6 +72,8 @@ class TeachMission {
   bool is_active() const { return teaching_.has_value(); }
   /// Says what it waits for, for people, or "hand_done".
   std::string waits_for() const;
+  /// Says how far it is with refining what was taught before, for people; empty: there is nothing to refine.
+  std::string refines() const { return refining_.describe(); }
   /// Says why the last teaching ended by itself; empty: it did not.
   const std::string& failure() const { return failure_; }
   void forget_failure() { failure_.clear(); }
@@ -101,6 +108,7 @@ class TeachMission {
   msg::AgentReply done() const;
 
   Uses uses_;
+  RunRefining refining_;  ///< of what was taught until it is handed in
   std::optional<Teaching> teaching_;
   PlaceRequests requests_;
   UploadConfirmation confirmation_;

@@ -10,7 +10,8 @@
 namespace weft::agents {
 
 /// Answers the end of teaching when the server has acknowledged all of the run, so that whoever asked can go on with
-/// it; after 15 s it says that this is not yet so.
+/// it; after 15 s it says that this is not yet so. Of a run that is refined first these count from then on, but for
+/// 45 s in all.
 class UploadConfirmation {
  public:
   void await(TaughtRun run, const CommandKey& asked_by, SteadyTime now);
@@ -29,6 +30,7 @@ class UploadConfirmation {
     TaughtRun run;
     CommandKey asked_by;
     SteadyTime deadline{};
+    SteadyTime at_latest{};  ///< however long it is refined
   };
   std::optional<Awaited> awaited_;
 };

@@ -41,7 +41,7 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       stop_memory_(spool),
       reports_{.state = StateReporter(now), .power = {}},
       diagnostics_(navigator_->watched()),
-      teach_({config_, *navigator_, map_, spooler_, ids_, replies_, outbox_}),
+      teach_({config_, *navigator_, map_, spooler_, ids_, replies_, outbox_}, now),
       localise_({config_.name, *navigator_, map_, recogniser_, replies_}, now),
       follow_({*navigator_, map_, outbox_}),
       keep_place_({config_, *navigator_, map_, spooler_, ids_, replies_}) {

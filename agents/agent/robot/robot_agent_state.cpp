@@ -30,7 +30,8 @@ Standing RobotAgent::standing() const {
           .searches = localise_.describe(),
           .route_waits_for = follow_.waits_for(),
           .notice = diagnostics_.notice(),
-          .safety = condition_.safety.reason(config_.name)};
+          .safety = condition_.safety.reason(config_.name),
+          .refines = teach_.refines()};
 }
 
 msg::RobotState RobotAgent::state() const {

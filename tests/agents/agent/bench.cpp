@@ -27,7 +27,8 @@ Bench::Bench()
       server(some_robot()),
       session(msg::Hello{}, Random(3), now),
       spooler(std::move(*Spooler::open(*spool, SpoolerConfig{}, some_robot(), now))),
-      map({}, 1, now) {}
+      map({}, 1, now),
+      refining({*navigator, map, spooler, outbox}, now) {}
 
 void Bench::fetch_map(bool with_contents) {
   for (const SteadyTime end = now + 5s; now < end; now += 250ms) {

@@ -9,6 +9,7 @@
 #include "agents/agent/map_window.hpp"
 #include "agents/agent/recogniser.hpp"
 #include "agents/agent/replies.hpp"
+#include "agents/agent/run_refining.hpp"
 #include "agents/agent/spooler.hpp"
 #include "tests/agents/agent/rig.hpp"
 
@@ -41,6 +42,7 @@ class Bench {
   std::unique_ptr<storage::Spool> spool = storage::make_memory_spool(disk);
   Spooler spooler;
   MapWindow map;
+  RunRefining refining;
   Recogniser recogniser{1};
   ExperienceIds ids{Random(5)};
   std::optional<Route> route;

@@ -18,6 +18,34 @@ std::string sunk(double offset_m, std::string_view) {
          (offset_m < 0.0 ? "lower" : "higher");
 }
 
+/// Amends every relation within the run and every second place.
+class ScriptedRefiner final : public RunRefiner {
+ public:
+  explicit ScriptedRefiner(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+  Result<void> add(const Kept& kept) override {
+    for (const Edge& edge : kept.edges)
+      if (edge.id.a.experience == kept.place.id.experience)
+        amendments_.edges.push_back({edge.id, refined(edge.a_from_b)});
+    if (kept.place.id.index % 2 == 0) amendments_.places.push_back({kept.place.id, refined(kept.content)});
+    return {};
+  }
+  bool piece() override {
+    if (std::exchange(has_begun_, true)) ++done_;
+    return done_ < script_->pieces;
+  }
+  RefineProgress progress() const override { return {done_, has_begun_ ? script_->pieces : 0}; }
+  RunAmendments amendments() override {
+    for (const AmendedEdge& edge : script_->spoilt.edges) amendments_.edges.push_back(edge);
+    return std::move(amendments_);
+  }
+
+ private:
+  std::shared_ptr<Script> script_;
+  RunAmendments amendments_;
+  bool has_begun_ = false;
+  std::size_t done_ = 0;
+};
+
 class ScriptedNavigator final : public Navigator {
  public:
   explicit ScriptedNavigator(std::shared_ptr<Script> script) : script_(std::move(script)) {}
@@ -55,6 +83,10 @@ class ScriptedNavigator final : public Navigator {
   }
   bool is_taught() const override { return script_->teaching; }
   void leave_teach() override { script_->teaching = false; }
+  std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {
+    if (!script_->refines.contains(std::string(method))) return nullptr;
+    return std::make_unique<ScriptedRefiner>(script_);
+  }
   void keep_place() override { script_->keep_wanted = true; }
   OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& /*map*/) override {
     if (!script_->joins) return tl::unexpected(script_->joins.error());
@@ -136,6 +168,17 @@ std::vector<Patch> cut(const Patch& patch, std::size_t count) {
 
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script) {
   return std::make_unique<ScriptedNavigator>(std::move(script));
+}
+
+Relation refined(const Relation& taught) {
+  Metric2 better = std::get<Metric2>(taught);
+  better.a_from_b.x += 0.01;
+  return better;
+}
+
+Bytes refined(Bytes taught) {
+  taught.push_back(1);
+  return taught;
 }
 
 Bytes some_content(std::uint64_t seed, std::size_t size) {
@@ -228,6 +271,7 @@ void FakeServer::take(const msg::Chunk& chunk) {
 }
 
 std::vector<msg::Message> FakeServer::take(const Batch& batch) {
+  heard.push_back(batch);
   if (batch.sequence > durable_through[batch.experience]) waiting_[{batch.experience, batch.sequence}] = batch;
   return advance(batch.experience);
 }

@@ -3,10 +3,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "agents/agent/agent.hpp"
+#include "agents/navigation/run_refiner.hpp"
 #include "core/network/network.hpp"
 #include "storage/content_coder.hpp"
 #include "storage/spool/memory_spool.hpp"
@@ -21,6 +23,9 @@ struct Script {
   std::size_t content_bytes = 100;
 
   std::vector<std::string> teaches{"marks"};  ///< a place of each is kept at once, the first's joined to the others'
+  std::set<std::string> refines;              ///< those of them that refine
+  std::size_t pieces = 5;                     ///< of each refinement, after the one that begins it
+  RunAmendments spoilt;                       ///< amendments beside the right ones
   std::vector<TeachStart> taught;
   bool teaching = false;
   bool keep_wanted = false;
@@ -40,6 +45,10 @@ struct Script {
   Result<TeachReport> way = fail(ErrorCode::refused, "nothing has been taught since its agent started");
 };
 std::unique_ptr<Navigator> make_navigator(std::shared_ptr<Script> script);
+
+/// Returns what the script's refinement makes of a relation within a run, and of a content.
+Relation refined(const Relation& taught);
+Bytes refined(Bytes taught);
 
 /// Plays the least server that an agent can work with. It takes what it is sent unless `keeps` says otherwise.
 class FakeServer {
@@ -63,6 +72,7 @@ class FakeServer {
   bool keeps_contents = true;  ///< proactively sent ones; otherwise it asks
   bool acknowledges = true;
   Snapshot snapshot;
+  std::vector<Batch> heard;  ///< each time that it was sent
   std::map<ContentHash, Bytes> contents;
   std::map<ExperienceId, std::uint64_t> durable_through;
   std::vector<ExperienceId> sealed;

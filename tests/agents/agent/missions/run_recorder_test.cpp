@@ -25,7 +25,7 @@ struct RecorderBench : Bench {
     kept.place = a_place(experience, 0, config.self, kept.content);
     return kept;
   }
-  RunRecorder recorder{{config.self, *navigator, map, spooler}, a_run()};
+  RunRecorder recorder{{config.self, *navigator, map, spooler, refining}, a_run()};
 };
 
 TEST(RunRecorder, SpoolsAnExperienceForEachMethodUnderItsName) {

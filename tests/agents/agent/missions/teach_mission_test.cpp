@@ -23,7 +23,7 @@ struct TeachBench : Bench {
     kept.place = a_place(script->taught.back().experience, 0, config.self, kept.content);
     return {kept};
   }
-  TeachMission mission{{config, *navigator, map, spooler, ids, replies, outbox}};
+  TeachMission mission{{config, *navigator, map, spooler, ids, replies, outbox}, now};
 };
 
 TEST(TeachMission, WithoutSeedAndLineBeginsAtTheFirstTick) {
