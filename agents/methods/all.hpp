@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "agents/methods/bearing/bearing.hpp"
+#include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/perception/rig.hpp"
 #include "core/config/config.hpp"
@@ -39,6 +40,6 @@ struct MethodList {
 };
 
 /// Lists every method that robots navigate by: whoever adds a method adds it here and nowhere else.
-using AllMethods = MethodList<Floor, Bearing>;
+using AllMethods = MethodList<Floor, Bearing, Ceiling>;
 
 }  // namespace weft::agents

@@ -230,4 +230,15 @@ DirectFit align_directly(const CameraModel& camera, const Image& a, const Image&
   return out;
 }
 
+std::optional<DirectFit> agreed_directly(const CameraModel& camera, const Image& a, const Image& b,
+                                         const AttitudePrior& prior, const PlanarState& start,
+                                         const DirectConfig& config) {
+  constexpr double least_correlation = 0.5;  // other places give 0.2 at most
+  constexpr std::size_t fewest_points = 150;
+  DirectFit found = align_directly(camera, a, b, prior, start, config);
+  if (!found.fit.converged || found.correlation < least_correlation || found.points < fewest_points)
+    return std::nullopt;
+  return found;
+}
+
 }  // namespace weft::agents

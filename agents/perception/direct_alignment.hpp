@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "agents/perception/camera_model.hpp"
@@ -29,5 +30,10 @@ struct DirectFit {
 /// and pale floors that leave no corners. Both images are whole and of the camera's size.
 DirectFit align_directly(const CameraModel& camera, const Image& a, const Image& b, const AttitudePrior& prior,
                          const PlanarState& start, const DirectConfig& config);
+
+/// Returns the same where both views agree so well that it is the motion; none: they do not correlate.
+std::optional<DirectFit> agreed_directly(const CameraModel& camera, const Image& a, const Image& b,
+                                         const AttitudePrior& prior, const PlanarState& start,
+                                         const DirectConfig& config);
 
 }  // namespace weft::agents

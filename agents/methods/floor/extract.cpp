@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/floor/image_of.hpp"
+#include "agents/methods/image_of.hpp"
 
 namespace weft::agents {
 

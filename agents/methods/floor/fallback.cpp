@@ -31,12 +31,9 @@ Described described(const CameraModel& camera, const BirdsEye& birds_eye, const 
 
 std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
                                           const AttitudePrior& prior, const PlanarState& expected) {
-  constexpr double least_correlation = 0.5;  // other places give 0.2 at most
-  constexpr std::size_t fewest_points = 150;
-  DirectFit found = align_directly(camera, keyframe, now, prior, expected, {});
-  if (!found.fit.converged || found.correlation < least_correlation || found.points < fewest_points)
-    return std::nullopt;
-  return SeenOtherwise{std::move(found.fit), found.points};
+  std::optional<DirectFit> found = agreed_directly(camera, keyframe, now, prior, expected, {});
+  if (!found) return std::nullopt;
+  return SeenOtherwise{std::move(found->fit), found->points};
 }
 
 std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,

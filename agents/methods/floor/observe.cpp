@@ -1,29 +1,15 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "agents/methods/floor/fallback.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/plane_bounds.hpp"
+#include "agents/perception/keyframe_account.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/plane/one_plane.hpp"
 
 namespace weft::agents {
 namespace {
-
-/// Returns the covariance of a_from_b * b_from_c of which only the first is uncertain.
-Eigen::Matrix3d carried(const Eigen::Matrix3d& of_a_from_b, const Pose2& b_from_c) {
-  const Eigen::Matrix3d transport = adjoint(b_from_c.inverse());
-  return transport * of_a_from_b * transport.transpose();
-}
-
-/// Returns a symmetric matrix with its negative eigenvalues set to zero.
-Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(0.5 * (matrix + matrix.transpose()));
-  const Eigen::Matrix3d& axes = parts.eigenvectors();
-  return axes * parts.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
-}
 
 /// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error back.
 Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
@@ -51,13 +37,6 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   s.keyframe_tracks = s.tracks.size();
 }
 
-/// Describes the attitude of any one view as far as it is known: the mount's tilt as far as it has been found, and
-/// vibration. Height cannot be seen in one camera's motion: it is held by the calibration.
-struct KnownAttitude {
-  Eigen::Vector3d mean;
-  Eigen::Matrix3d shared;  ///< covariance that all views have in common
-  Eigen::Matrix3d own;     ///< and each its own
-};
 KnownAttitude known_attitude(const FloorConfig& c, const Floor::Odometry& s) {
   const MountTilt tilt = s.mount->tilt();
   KnownAttitude known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
@@ -67,33 +46,13 @@ KnownAttitude known_attitude(const FloorConfig& c, const Floor::Odometry& s) {
   return known;
 }
 
-Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& covariance) {
-  return covariance.ldlt().solve(Eigen::Matrix3d::Identity());
-}
-
 AttitudePrior attitude_prior(const FloorConfig& c, const Floor::Odometry& s) {
-  const KnownAttitude known = known_attitude(c, s);
-  Matrix6d covariance;
-  covariance << known.shared + known.own, known.shared, known.shared, known.shared + known.own;
-  AttitudePrior prior;
-  prior.information = covariance.ldlt().solve(Matrix6d::Identity());
-  Vector6d pull;
-  pull << known.mean, known.mean;
-  pull = prior.information * pull;
-  prior.information.topLeftCorner<3, 3>() += s.keyframe_told;
-  pull.head<3>() += s.keyframe_pull;
-  prior.mean = prior.information.ldlt().solve(pull);
-  return prior;
+  return prior_of_views(known_attitude(c, s), s.keyframe_told, s.keyframe_pull);
 }
 
-/// Keeps what the newest view's fit has told of its attitude, for when it becomes the keyframe. Not all of it: fits
-/// of the same corners err alike, and what is passed on in full from keyframe to keyframe drags the tilt away (1.3 %
-/// of speed on pale floors).
+/// Keeps what the newest view's fit has told of its attitude, for when it becomes the keyframe.
 void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
-  constexpr double kToldShare = 0.8;
-  const KnownAttitude known = known_attitude(c, s);
-  s.keyframe_told =
-      kToldShare * positive_part(inverse_of(s.attitude_covariance) - inverse_of(known.shared + known.own));
+  s.keyframe_told = told_of_attitude(known_attitude(c, s), s.attitude_covariance);
   s.keyframe_pull = s.keyframe_told * s.attitude.vector();
 }
 
@@ -111,12 +70,6 @@ MountPrior mount_prior(const FloorConfig& c) {
   prior.vibration_tilt_rad = c.vibration_tilt_rad;
   prior.vibration_height_m = c.vibration_height_m;
   return prior;
-}
-
-void roll(const Motion& motion, std::optional<Pose2>& wheels) {
-  if (!motion.wheels.has_value()) wheels.reset();
-  if (wheels.has_value())
-    wheels = *wheels * se2_exp(Eigen::Vector3d(motion.wheels->distance_m, 0.0, motion.wheels->heading_rad));
 }
 
 struct Followed {
@@ -161,18 +114,10 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
-/// Returns a step's covariance. Composed step by step, the covariances come to the fit's as long as a keyframe lasts
-/// (what has been said too much, as of blind steps, cannot be taken back), and from keyframe to keyframe they add up.
-/// On top comes what all steps have in common (docs/decisions/024-odometry-candidates.md).
+/// Returns a step's covariance: what the keyframe accounts for, and what all steps have in common.
 Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const PlanarErrors& common,
                                 Floor::Odometry& s) {
-  // Fits of the same corners err alike, the more the worse corners are to be followed: blurred, or pale.
-  const double alike = 0.24 * std::clamp(fit.scale * fit.scale, 0.25, 5.0);
-  constexpr double heading_drift = 0.00033;  // rad over a metre, growing by its root, however sharp the floor
-  const Eigen::Matrix3d before = carried(s.keyframe_covariance, moved);
-  Eigen::Matrix3d covariance = positive_part(alike * fit.covariance.topLeftCorner<3, 3>() - before);
-  s.keyframe_covariance = before + covariance;
-  covariance(2, 2) += heading_drift * heading_drift * moved.translation().norm();
+  Eigen::Matrix3d covariance = own_step_covariance(fit, moved, s.keyframe_covariance);
   covariance += common * common.transpose();
   covariance += 1e-14 * Eigen::Matrix3d::Identity();  // standing still is certain, but not singular
   return covariance;

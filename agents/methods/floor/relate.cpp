@@ -8,6 +8,7 @@
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
+#include "agents/perception/plane/agreement.hpp"
 #include "agents/perception/plane/consensus.hpp"
 #include "agents/perception/plane/feature_pairs.hpp"
 #include "agents/perception/plane/geometry.hpp"
@@ -39,37 +40,6 @@ AttitudePrior prior_of(const FloorContent& a, const FloorContent& b) {
   sigma << a.attitude_sigma, b.attitude_sigma;
   prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   return prior;
-}
-
-struct Refined {
-  PlanarFit fit;
-  std::vector<PlanePair> pairs;     ///< inliers
-  std::vector<double> residual_px;  ///< of the inliers
-};
-
-/// Fits, takes every match that the fit explains, fits again: the gate narrows from the consensus to the noise.
-Refined refine(const FloorConfig& c, const FloorContent& a, const FloorContent& b, const std::vector<PlanePair>& all,
-               const std::vector<std::size_t>& start, const Pose2& a_from_b) {
-  Refined out;
-  for (const std::size_t i : start) out.pairs.push_back(all[i]);
-  PlanarState state{a_from_b, a.attitude, b.attitude};
-  const AttitudePrior prior = prior_of(a, b);
-  for (const double widened : {2.0, 1.0, 1.0}) {
-    out.fit = fit_planar_motion(a.camera, b.camera, out.pairs, prior, state);
-    state = out.fit.state;
-    out.pairs.clear();
-    out.residual_px.clear();
-    const Reprojector reproject_here(a.camera, b.camera, state);
-    for (const PlanePair& pair : all) {
-      const Reprojection there = reproject_here(pair);
-      const double error = focal_px(b.camera) * (pair.in_b - there.in_b).norm();
-      if (!there.in_front || error > widened * c.inlier_sigmas * pair.sigma_px) continue;
-      out.pairs.push_back(pair);
-      out.residual_px.push_back(error);
-    }
-    if (out.pairs.size() < 8) break;
-  }
-  return out;
 }
 
 /// Returns the fit's covariance, and where the cameras differ adds that of the mounts' position and heading, which no
@@ -108,40 +78,6 @@ std::optional<Diagnostic> height_offset_of(const AttitudePrior& prior, const Pla
                     kHeightNoticedM};
 }
 
-bool contains(const Polygon& anticlockwise, const Eigen::Vector2d& point) {
-  for (std::size_t i = 0; i < anticlockwise.size(); ++i) {
-    const Eigen::Vector2d& from = anticlockwise[i];
-    const Eigen::Vector2d side = anticlockwise[(i + 1) % anticlockwise.size()] - from;
-    if (side.x() * (point.y() - from.y()) - side.y() * (point.x() - from.x()) < 0.0) return false;
-  }
-  return !anticlockwise.empty();
-}
-
-/// Returns how much of the floor that both see the agreeing features cover, [0, about 1]. Where a patch of a floor
-/// looks like one elsewhere, they agree within that patch alone.
-double spread_of_agreement(const FloorConfig& c, const std::vector<Match>& matches, const Pose2& a_from_b,
-                           const std::vector<Eigen::Vector2d>& at_a, const std::vector<Eigen::Vector2d>& at_b,
-                           const Polygon& seen_by_a) {
-  std::vector<Eigen::Vector2d> shared;
-  for (const Eigen::Vector2d& point : at_b)
-    if (contains(seen_by_a, a_from_b * point)) shared.push_back(point);
-  std::vector<Eigen::Vector2d> agreeing;
-  for (const Match& match : matches)
-    if ((a_from_b * at_b[match.b] - at_a[match.a]).norm() < c.consensus_m) agreeing.push_back(at_b[match.b]);
-  const double whole = area_of(shared);
-  return whole > 0.0 ? area_of(agreeing) / whole : 0.0;
-}
-
-/// Returns the indices of a's features on the floor that b sees too.
-std::vector<std::uint32_t> shared_stretch(const std::vector<Eigen::Vector2d>& at_a, const Polygon& seen_by_b,
-                                          const Pose2& a_from_b) {
-  const Pose2 b_from_a = a_from_b.inverse();
-  std::vector<std::uint32_t> stretch;
-  for (std::uint32_t i = 0; i < at_a.size(); ++i)
-    if (contains(seen_by_b, b_from_a * at_a[i])) stretch.push_back(i);
-  return stretch;
-}
-
 }  // namespace
 
 OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
@@ -168,9 +104,9 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   std::vector<std::size_t> agreeing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     if ((consensus.a_from_b * at_b[matches[i].b] - at_a[matches[i].a]).norm() < c.consensus_m) agreeing.push_back(i);
-  const Refined refined =
-      refine(c, a, b, feature_pairs({a.camera, a.features}, {b.camera, b.features}, matches, c.feature_sigma_m),
-             agreeing, consensus.a_from_b);
+  const RefinedMotion refined = refine_motion(
+      {a.camera, b.camera}, feature_pairs({a.camera, a.features}, {b.camera, b.features}, matches, c.feature_sigma_m),
+      agreeing, prior_of(a, b), {consensus.a_from_b, a.attitude, b.attitude}, c.inlier_sigmas);
 
   const std::size_t inliers = refined.pairs.size();
   if (inliers < fewest) return refuse("few_inliers", inliers, fewest);
@@ -184,7 +120,7 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   const double overlap = share_of_b_seen_in_a(floor_a, floor_b, state.a_from_b);
   if (overlap < c.kappa) return refuse("little_overlap", overlap, c.kappa);
   if (!gate) {
-    const double spread = spread_of_agreement(c, matches, state.a_from_b, at_a, at_b, floor_a.footprint);
+    const double spread = spread_of_agreement(matches, state.a_from_b, at_a, at_b, floor_a.footprint, c.consensus_m);
     if (spread < c.least_spread) return refuse("little_spread", spread, c.least_spread);
   }
   double residual = 0.0;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/floor/image_of.hpp"
+#include "agents/methods/image_of.hpp"
 #include "agents/perception/revisited_view.hpp"
 #include "core/random.hpp"
 

@@ -43,6 +43,10 @@ class Counter {
     return static_cast<std::size_t>((squares_ < most_).count());
   }
 
+  /// Returns how much better than without any agreement the motion last counted is, by truncated distances: 1 for a
+  /// match that agrees to the point, 0 for one that does not (Lucas et al., II.C: sum min(D, t)).
+  double gained() const { return (1.0 - squares_.min(most_) / most_).sum(); }
+
  private:
   Eigen::ArrayX2d a_, b_;
   Eigen::ArrayXd squares_;
@@ -56,6 +60,7 @@ Consensus find_consensus(const ConsensusBounds& bounds, const std::vector<Match>
   Random random(0x666C6F6F72ULL);
   Counter counter(matches, at_a, at_b, bounds.within_m);
   Consensus best;
+  double most_gained = 0.0;
   auto hypotheses = static_cast<std::size_t>(bounds.hypotheses);
   const std::size_t most_tries = 20 * hypotheses;
   const std::size_t widening = hypotheses;  // the pool holds every match after as many tries
@@ -69,7 +74,13 @@ Consensus find_consensus(const ConsensusBounds& bounds, const std::vector<Match>
     ++k;
     const Pose2 pose = pose_of_two(at_a[m.a], at_a[n.a], at_b[m.b], at_b[n.b]);
     const std::size_t count = counter.count(pose);
-    if (count <= best.count) continue;
+    if (bounds.score == ConsensusScore::truncated) {
+      const double gained = counter.gained();
+      if (gained <= most_gained) continue;
+      most_gained = gained;
+    } else if (count <= best.count) {
+      continue;
+    }
     best = {pose, count};
     // Enough are drawn once a pair of right ones was missed with probability 1e-4 (Fischler & Bolles 1981); at least
     // 50, because the first ones come from a small pool.

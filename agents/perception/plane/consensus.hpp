@@ -8,10 +8,17 @@
 
 namespace weft::agents {
 
+/// Names what the best motion has most of.
+enum class ConsensusScore {
+  count,     ///< matches that agree
+  truncated  ///< least sum of squared distances, none counted for more than the bound (MSAC, Torr & Zisserman 2000)
+};
+
 struct ConsensusBounds {
   double within_m = 0.022;        ///< a match agrees that is off by less
   int hypotheses = 600;           ///< drawn at most
   double shortest_base_m = 0.15;  ///< between the two points that a motion is made of
+  ConsensusScore score = ConsensusScore::count;
 };
 
 struct Consensus {

@@ -1,0 +1,201 @@
+#include "agents/methods/ceiling/follow.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "agents/perception/lens.hpp"
+#include "agents/perception/plane/consensus.hpp"
+#include "agents/perception/plane/geometry.hpp"
+
+namespace weft::agents {
+namespace {
+
+/// Returns the tracks that are found in the newest view, and their pairs at no height yet; the best windows first.
+Followed found_again(const CameraModel& camera, const CeilingConfig& c, const Ceiling::Odometry& s,
+                     const TrackingImage& image, const PlanarState& expected, const HeightPrior& prior) {
+  std::vector<Eigen::Vector2d> from;
+  std::vector<Eigen::Vector2d> guess;
+  const Reprojector reproject_expected(camera, camera, expected);
+  for (const Ceiling::Tracked& t : s.tracks) {
+    from.push_back(t.pixel);
+    const std::optional<Height> height = height_of(prior, t.told);
+    const Reprojection there = reproject_expected(t.in_keyframe, height ? height->above_floor_m : prior.ceiling_m);
+    guess.push_back(there.in_front ? pixel_from_normalised(camera, there.in_b) : t.pixel);
+  }
+  const std::vector<Track> found = track_corners(s.newest, image, from, guess);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i].found) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return found[x].error < found[y].error; });
+  Followed out;
+  for (const std::size_t i : order) {
+    Ceiling::Tracked track = s.tracks[i];
+    track.pixel = found[i].pixel;
+    track.tells = {};
+    out.tracks.push_back(track);
+    out.pairs.push_back(
+        {track.in_keyframe, normalised_from_pixel(camera, track.pixel), c.track_sigma_px, track.counts});
+  }
+  return out;
+}
+
+/// Keeps the pairs for which `keep` holds, in both lists.
+template <class Keep>
+void retain(Followed& followed, const Keep& keep) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < followed.pairs.size(); ++i) {
+    if (!keep(i)) continue;
+    followed.pairs[kept] = followed.pairs[i];
+    followed.tracks[kept++] = followed.tracks[i];
+  }
+  followed.pairs.resize(kept);
+  followed.tracks.resize(kept);
+}
+
+/// Sets the height of each pair as it is known before this motion is; drops what is no part of a ceiling.
+void set_known_heights(const FollowedHeights& heights, Followed& followed) {
+  retain(followed, [&](std::size_t i) {
+    const std::optional<Height> height = height_of(heights.prior, followed.tracks[i].told);
+    if (!height) return false;
+    followed.pairs[i].above_floor_m = heights.one_plane ? heights.prior.ceiling_m : height->above_floor_m;
+    followed.pairs[i].above_floor_sigma_m = heights.one_plane ? 0.0 : height->sigma_m;
+    return true;
+  });
+}
+
+/// Returns the pairs that one rigid motion explains (Lucas et al., II.C, by two points in place of a homography):
+/// points of the level plane, within what a view's own tilt and the points' heights may put them aside.
+std::vector<bool> on_one_motion(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
+                                const PlanarState& expected, const std::vector<PlanePair>& pairs) {
+  const double ceiling_m = heights.prior.ceiling_m;
+  const double away_m = ceiling_m - camera.robot_from_camera.translation.z();
+  std::vector<Eigen::Vector2d> at_a;
+  std::vector<Eigen::Vector2d> at_b;
+  std::vector<Match> matches;
+  for (const PlanePair& pair : pairs) {
+    const auto i = static_cast<std::uint32_t>(at_a.size());
+    const auto level = [&](const Attitude& attitude, const Eigen::Vector2d& in_view) {
+      const Eigen::Matrix3d here = camera_from_plane(camera, attitude, pair.above_floor_m);
+      return Eigen::Vector2d(here.partialPivLu().solve(in_view.homogeneous()).hnormalized());
+    };
+    at_a.push_back(level(expected.attitude_a, pair.in_a));
+    at_b.push_back(level(expected.attitude_b, pair.in_b));
+    matches.push_back({i, i, 0});
+  }
+  // A height that is wrong by a share moves a point by that share of the travel; a tilt does as much.
+  constexpr double wrong_share = 0.4;
+  const double within_m = 2.0 * c.inlier_px * away_m / focal_px(camera) +
+                          wrong_share * expected.a_from_b.translation().norm() + 4.0 * c.vibration_tilt_rad * away_m;
+  const Consensus consensus = find_consensus(
+      {.within_m = within_m, .hypotheses = 100, .shortest_base_m = 0.1 * away_m, .score = ConsensusScore::truncated},
+      matches, at_a, at_b);
+  std::vector<bool> on(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) on[i] = (consensus.a_from_b * at_b[i] - at_a[i]).norm() < within_m;
+  return on;
+}
+
+/// Sets each pair's height by what a motion has left along its epipolar direction: a corner that seems to be of the
+/// ceiling is taken for one, which holds the motion's scale; one that hangs lends it none, as long as no keyframe
+/// before has told its height.
+void set_told_heights(const CameraModel& camera, const FollowedHeights& heights, Followed& followed) {
+  const HeightTeller teller(camera, followed.fit, heights.prior);
+  retain(followed, [&](std::size_t i) {
+    PlanePair& pair = followed.pairs[i];
+    Ceiling::Tracked& track = followed.tracks[i];
+    track.tells = teller.told_by(pair);
+    const ToldHeight all = together(track.told, track.tells);
+    const std::optional<Height> height = height_of(heights.prior, all);
+    if (!height) return false;
+    const bool on_ceiling = likely_on_ceiling(heights.prior, all) > 0.5;
+    if (on_ceiling) {
+      pair.above_floor_m = heights.prior.ceiling_m;
+      pair.above_floor_sigma_m = heights.prior.flat_sigma_m;
+    } else if (track.told.information > 0.0) {
+      const std::optional<Height> before = height_of(heights.prior, track.told);
+      pair.above_floor_m = before ? before->above_floor_m : height->above_floor_m;
+      pair.above_floor_sigma_m = before ? before->sigma_m : heights.prior.hangs_sigma_m;
+    } else {
+      pair.above_floor_m = height->above_floor_m;
+      pair.above_floor_sigma_m = heights.prior.hangs_sigma_m;
+    }
+    return true;
+  });
+}
+
+/// Returns the gauge: 1 once keyframes have told enough heights, which then hold the scale.
+double gauge_of(const CameraModel& camera, const FollowedHeights& heights, const Followed& followed) {
+  constexpr std::size_t enough = 12;
+  const HeightTeller teller(camera, followed.fit, heights.prior);
+  std::vector<ToldHeight> tell;
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < followed.pairs.size(); ++i) {
+    if (followed.tracks[i].told.information > 0.0) ++told;
+    tell.push_back(teller.told_by(followed.pairs[i]));
+  }
+  if (told >= enough) return 1.0;
+  return gauge_factor(tell, heights.prior.ceiling_m, camera.robot_from_camera.translation.z());
+}
+
+/// Keeps what the motion explains, whatever its height.
+void retain_agreeing(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
+                     Followed& followed) {
+  const HeightTeller teller(camera, followed.fit, heights.prior);
+  const double most_sigmas = c.inlier_px / c.track_sigma_px;
+  retain(followed, [&](std::size_t i) {
+    const PlanePair& pair = followed.pairs[i];
+    if (heights.one_plane || pair.above_floor_sigma_m == 0.0) return followed.fit.residual_px[i] < 2.0 * c.inlier_px;
+    return teller.across_sigmas(pair, pair.above_floor_m) < most_sigmas;
+  });
+}
+
+}  // namespace
+
+Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const Ceiling::Odometry& s,
+                        const TrackingImage& image, const FollowedHeights& heights, const AttitudePrior& prior,
+                        const PlanarState& expected) {
+  const auto fewest = static_cast<std::size_t>(c.fewest_tracks);
+  Followed out;
+  if (s.keyframe_tracks < fewest) {
+    out.refused = "low_contrast";
+    return out;
+  }
+  out = found_again(camera, c, s, image, expected, heights.prior);
+  const std::size_t found = out.pairs.size();
+  const auto are_too_few = [&] {
+    const bool few = out.pairs.size() < fewest ||
+                     static_cast<double>(out.pairs.size()) < c.fewest_tracks_share * static_cast<double>(found);
+    if (few) out.refused = "few_tracks";
+    return few;
+  };
+  set_known_heights(heights, out);
+  if (are_too_few()) return out;
+  if (!heights.one_plane) {
+    const std::vector<bool> on = on_one_motion(camera, c, heights, expected, out.pairs);
+    retain(out, [&](std::size_t i) { return on[i]; });
+    if (are_too_few()) return out;
+  }
+  PlanarState start = expected;
+  out.fit = fit_planar_motion(camera, camera, out.pairs, prior, start);
+  retain_agreeing(camera, c, heights, out);
+  if (are_too_few()) return out;
+  const double travel_m = out.fit.state.a_from_b.translation().norm();
+  const bool tells = !heights.one_plane && travel_m >= c.height_from_m;
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds && (tells || round == 0); ++round) {
+    out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
+    if (!tells) break;
+    const double factor = gauge_of(camera, heights, out);
+    out.fit.state.a_from_b.x *= factor;
+    out.fit.state.a_from_b.y *= factor;
+    set_told_heights(camera, heights, out);
+    if (are_too_few()) return out;
+    out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
+    retain_agreeing(camera, c, heights, out);
+    if (are_too_few()) return out;
+  }
+  if (!out.fit.converged) out.refused = "not_converged";
+  return out;
+}
+
+}  // namespace weft::agents

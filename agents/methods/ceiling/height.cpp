@@ -1,0 +1,140 @@
+#include "agents/methods/ceiling/height.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "agents/perception/lens.hpp"
+
+namespace weft::agents {
+namespace {
+
+double variance_of(const ToldHeight& told) {
+  return 1.0 / told.information;
+}
+
+double density(double off, double variance) {
+  return std::exp(-0.5 * off * off / variance) / std::sqrt(variance);
+}
+
+/// Returns the height of one that hangs, by a prior of the ceiling's height and how far things hang.
+Height hanging(const HeightPrior& prior, const ToldHeight& told) {
+  const double before = 1.0 / (prior.hangs_sigma_m * prior.hangs_sigma_m);
+  const double information = before + told.information;
+  const double mean = (before * prior.ceiling_m + told.information * told.above_floor_m) / information;
+  return {std::min(mean, prior.ceiling_m), std::sqrt(1.0 / information)};
+}
+
+}  // namespace
+
+ToldHeight together(const ToldHeight& one, const ToldHeight& other) {
+  const double both = one.information + other.information;
+  if (!(both > 0.0)) return {};
+  return {(one.information * one.above_floor_m + other.information * other.above_floor_m) / both, both};
+}
+
+HeightPrior height_prior(const CeilingConfig& config, double ceiling_m, double camera_m) {
+  const double lowest = std::min(camera_m + config.least_above_m, 0.5 * (camera_m + ceiling_m));
+  return {ceiling_m, config.flat_sigma_m, config.hangs_sigma_m, lowest};
+}
+
+double likely_on_ceiling(const HeightPrior& prior, const ToldHeight& told) {
+  if (!(told.information > 0.0)) return 0.5;
+  const double off = told.above_floor_m - prior.ceiling_m;
+  const double variance = variance_of(told);
+  const double flat = density(off, variance + prior.flat_sigma_m * prior.flat_sigma_m);
+  const double hangs = density(off, variance + prior.hangs_sigma_m * prior.hangs_sigma_m);
+  return flat / std::max(flat + hangs, 1e-300);
+}
+
+std::optional<Height> height_of(const HeightPrior& prior, const ToldHeight& told) {
+  if (told.information > 0.0) {
+    constexpr double beyond_sigmas = 4.0;
+    const double sigma = std::hypot(std::sqrt(variance_of(told)), prior.flat_sigma_m);
+    if (told.above_floor_m > prior.ceiling_m + beyond_sigmas * sigma) return std::nullopt;
+    if (told.above_floor_m + sigma < prior.lowest_m) return std::nullopt;
+  }
+  const double on = likely_on_ceiling(prior, told);
+  const Height hangs = hanging(prior, told);
+  const double mean = on * prior.ceiling_m + (1.0 - on) * hangs.above_floor_m;
+  const double apart = prior.ceiling_m - hangs.above_floor_m;
+  const double variance = on * prior.flat_sigma_m * prior.flat_sigma_m + (1.0 - on) * hangs.sigma_m * hangs.sigma_m +
+                          on * (1.0 - on) * apart * apart;
+  return Height{std::max(mean, prior.lowest_m), std::sqrt(variance)};
+}
+
+double HeightTeller::focal(const CameraModel& camera) {
+  return focal_px(camera);
+}
+
+ToldHeight HeightTeller::told_by(const PlanePair& pair) const {
+  constexpr int steps = 3;                 // a height moves a point by its inverse
+  constexpr double least_sensitive = 1.0;  // pixels a metre: less tells nothing within the prior
+  constexpr double scale_share = 0.01;     // of the distance: how well one keyframe's motion is known
+  const double highest = prior_.ceiling_m + 3.0 * prior_.hangs_sigma_m;
+  double height = prior_.ceiling_m;
+  ToldHeight told;
+  for (int i = 0; i < steps; ++i) {
+    const Reprojection there = reproject_(pair.in_a, height);
+    if (!there.in_front) return {};
+    const Eigen::Vector2d px_per_m = focal_px_ * there.by_height;
+    if (px_per_m.norm() < least_sensitive) return {};
+    const Eigen::Vector2d slope = pair.in_sigmas(px_per_m);
+    const double information = slope.squaredNorm();
+    if (!(information > 1e-12)) return {};
+    const Eigen::Vector2d off = pair.in_sigmas(focal_px_ * (pair.in_b - there.in_b));
+    height = std::clamp(height + slope.dot(off) / information, prior_.lowest_m - 0.1, highest);
+    const Eigen::Matrix<double, 1, 9> by_motion =
+        (focal_px_ / pair.sigma_px / information) * (slope.transpose() * pair.counts * there.jacobian);
+    const double motion = by_motion * covariance_ * by_motion.transpose();
+    const double scale = scale_share * (height - camera_m_);
+    told = {height, 1.0 / (1.0 / information + motion + scale * scale)};
+  }
+  return told;
+}
+
+double HeightTeller::across_sigmas(const PlanePair& pair, double above_floor_m) const {
+  constexpr double no_way = 1e6;
+  const Reprojection there = reproject_(pair.in_a, above_floor_m);
+  if (!there.in_front) return no_way;
+  const Eigen::Vector2d off = (focal_px_ / pair.sigma_px) * (pair.in_b - there.in_b);
+  const double along = there.by_height.norm();
+  if (along < 1e-9) return off.norm();
+  const Eigen::Vector2d epipolar = there.by_height / along;
+  return std::abs(epipolar.x() * off.y() - epipolar.y() * off.x());
+}
+
+double gauge_factor(std::span<const ToldHeight> heights, double ceiling_m, double camera_m) {
+  constexpr std::size_t fewest = 8;
+  constexpr double alike_share = 0.03;  // of the distance: heights that are counted as one
+  constexpr double frequent = 0.5;      // of the most frequent height's count
+  constexpr double most = 1.4;          // beyond, it is not this ceiling
+  std::vector<double> at;
+  for (const ToldHeight& told : heights)
+    if (told.information > 0.0) at.push_back(told.above_floor_m);
+  if (at.size() < fewest) return 1.0;
+  std::sort(at.begin(), at.end());
+  const double within = alike_share * (ceiling_m - camera_m);
+  const auto near = [&](double height) {
+    return std::pair(std::lower_bound(at.begin(), at.end(), height - within),
+                     std::upper_bound(at.begin(), at.end(), height + within));
+  };
+  const auto count = [&](double height) {
+    const auto [from, to] = near(height);
+    return static_cast<double>(to - from);
+  };
+  double largest = 0.0;
+  for (const double height : at) largest = std::max(largest, count(height));
+  // From above: the first height that is frequent lies at the upper edge of its peak, so the peak is climbed.
+  auto highest = std::find_if(at.rbegin(), at.rend(), [&](double h) { return count(h) >= frequent * largest; });
+  double peak = *highest;
+  for (auto below = highest; below != at.rend() && *below > *highest - 2.0 * within; ++below)
+    if (count(*below) > count(peak)) peak = *below;
+  const auto [from, to] = near(peak);
+  double sum = 0.0;
+  for (auto i = from; i != to; ++i) sum += *i;
+  const double mean = sum / static_cast<double>(to - from);
+  return std::clamp((ceiling_m - camera_m) / std::max(mean - camera_m, 1e-3), 1.0 / most, most);
+}
+
+}  // namespace weft::agents
