@@ -53,15 +53,31 @@ Result<void> sync_directory(const std::filesystem::path& directory) {
   return {};
 }
 
-Result<void> write_synchronised(const std::filesystem::path& path, ByteView bytes) {
-  const File file(path, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.is_open()) return fail(system_error(path, "create"));
-  if (!file.write_all(bytes)) return fail(system_error(path, "write"));
-  if (::fsync(file.number()) != 0) return fail(system_error(path, "synchronise"));
+Result<void> sync_file(const std::filesystem::path& path) {
+  const File file(path, O_WRONLY);
+  if (!file.is_open() || ::fsync(file.number()) != 0) return fail(system_error(path, "synchronise"));
   return {};
 }
 
+Result<void> write_synchronised(const std::filesystem::path& path, ByteView bytes) {
+  if (auto done = write_for_now(path, bytes); !done) return done;
+  return sync_file(path);
+}
+
 }  // namespace
+
+Result<void> write_for_now(const std::filesystem::path& path, ByteView bytes) {
+  const File file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  if (!file.is_open()) return fail(system_error(path, "create"));
+  if (!file.write_all(bytes)) return fail(system_error(path, "write"));
+  return {};
+}
+
+Result<void> make_durable(const std::filesystem::path& directory, const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files)
+    if (auto done = sync_file(file); !done) return done;
+  return sync_directory(directory);
+}
 
 Result<void> write_durably(const std::filesystem::path& file, ByteView bytes) {
   std::filesystem::path temporary = file;
@@ -96,11 +112,16 @@ Result<Bytes> read_whole(const std::filesystem::path& path) {
 
 Result<void> rename_if_there(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0 && errno != ENOENT) return fail(system_error(from, "rename"));
-  return sync_directory(to.parent_path());
+  return {};
+}
+
+Result<void> remove_if_there(const std::filesystem::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) return fail(system_error(file, "remove"));
+  return {};
 }
 
 Result<void> remove_durably(const std::filesystem::path& file) {
-  if (::unlink(file.c_str()) != 0 && errno != ENOENT) return fail(system_error(file, "remove"));
+  if (auto done = remove_if_there(file); !done) return done;
   return sync_directory(file.parent_path());
 }
 

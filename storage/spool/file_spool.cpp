@@ -143,10 +143,12 @@ class FileSpool final : public Spool {
 
   /// Writes the files that are to be added beside the others, then the one that decides for them.
   Result<void> stage(const Replacement& replacement, const std::vector<SpoolRecord>& records) {
+    std::vector<std::filesystem::path> staged;
     for (std::size_t i = 0; i < records.size(); ++i) {
-      const std::filesystem::path staged = directory_ / numbered(replacement.added[i], kStagedEnding);
-      if (auto done = write_durably(staged, encode(records[i])); !done) return done;
+      staged.push_back(directory_ / numbered(replacement.added[i], kStagedEnding));
+      if (auto done = write_for_now(staged.back(), encode(records[i])); !done) return done;
     }
+    if (auto done = make_durable(directory_, staged); !done) return done;
     return write_durably(directory_ / kReplacementFile, encode(replacement));
   }
 

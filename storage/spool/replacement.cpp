@@ -53,7 +53,8 @@ Result<void> carry_out(const std::filesystem::path& directory, const Replacement
     if (auto done = rename_if_there(staged, directory / numbered(order, kBatchEnding)); !done) return done;
   }
   for (const std::uint64_t order : replacement.removed)
-    if (auto done = remove_durably(directory / numbered(order, kBatchEnding)); !done) return done;
+    if (auto done = remove_if_there(directory / numbered(order, kBatchEnding)); !done) return done;
+  if (auto done = make_durable(directory, {}); !done) return done;
   return remove_durably(directory / kReplacementFile);
 }
 
