@@ -238,7 +238,7 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   Route route = route_of(goal, *choice);
   if (assignment.is_closed) route.id = new_route_id();
   if (!book_.write(goal, step, route, {}, now)) return;
-  assignment.route_lost = false;
+  assignment.find_again();
   assignment.cut_short = false;
   assignment.is_closed = false;
   assignment.noted_way = {};  // told anew, if it waits again

@@ -55,7 +55,7 @@ Dispatcher::Dispatcher(Context& context, Fleet& fleet, Traffic& traffic, Routes&
     if (is_over && !is_told(*goal.robot, *route)) continue;
     RouteAssignment assignment;
     assignment.goal = id;
-    assignment.ending = is_over;
+    if (is_over) assignment.standing = RouteAssignment::Standing::over;
     assignment.send_at = now;
     assignment.plan_at = now;
     assignment.given_at = now;
@@ -190,10 +190,10 @@ Result<std::string> Dispatcher::resume(const RobotId& robot, const std::string& 
 /// Ends the robot's goal when it is not over yet; what the robot holds is left to the caller.
 Result<void> Dispatcher::fail_goal(const RobotId& robot, const std::string& cause, const std::string& who, Now now) {
   const auto assignment = assignments_.find(robot);
-  if (assignment == assignments_.end() || assignment->second.ending) return {};
+  if (assignment == assignments_.end() || assignment->second.is_over()) return {};
   finish(robot, assignment->second, GoalState::failed, cause, who, now);
   const auto still = assignments_.find(robot);
-  if (still == assignments_.end() || still->second.ending) return {};
+  if (still == assignments_.end() || still->second.is_over()) return {};
   return fail(ErrorCode::unavailable, "the store takes nothing at the moment: try again");
 }
 

@@ -91,17 +91,23 @@ class Dispatcher {
  private:
   /// Holds what the server and a robot still have to settle about one route.
   struct RouteAssignment {
+    /// Is what the server and the robot have to settle first.
+    enum class Standing {
+      followed,  ///< nothing: the robot follows the route, or is to
+      lost,      ///< the robot has no such route any more: plan from where it stands
+      recalled,  ///< what the robot drives on has left the map: it is to forget the route, and stand
+      over,      ///< the goal is over, the robot is still to forget the route
+    };
+
     GoalId goal;
-    bool ending = false;                         ///< the goal is over, the robot is still to forget the route
+    Standing standing = Standing::followed;
     bool has_latest_order = false;               ///< it answered to this version and release
     std::optional<std::uint64_t> latest_report;  ///< sequence of its latest report on this version
     std::optional<SteadyTime> ordered_at;        ///< last order to follow it
     SteadyTime send_at;
     Duration wait{};
-    bool route_lost = false;  ///< the robot has no such route any more: plan from where it stands
-    bool cut_short = false;   ///< the route leads to its released point and no farther: the map has changed
-    bool recalled = false;    ///< what the robot drives on has left the map: it is to forget the route, and stand
-    bool is_closed = false;   ///< the robot takes no more orders for the route's id
+    bool cut_short = false;  ///< the route leads to its released point and no farther: the map has changed
+    bool is_closed = false;  ///< the robot takes no more orders for the route's id
     std::optional<SteadyTime> missing_since;
     SteadyTime plan_at;
     SteadyTime given_at;              ///< when it was given: the longer ago, the sooner its turn comes
@@ -115,6 +121,16 @@ class Dispatcher {
     bool stands_at_end = false;       ///< the robot said that it stands at the end of its latest order
     bool is_hand_over_asked = false;  ///< people were told that another robot could have the goal
     bool is_silence_told = false;     ///< and that its robot is not heard
+
+    bool is_lost() const { return standing == Standing::lost; }
+    bool is_over() const { return standing == Standing::over; }
+    /// Returns whether the robot is to forget the route.
+    bool is_to_end() const { return standing == Standing::recalled || standing == Standing::over; }
+    void lose() { standing = Standing::lost; }
+    /// Takes a loss back: the robot has the route after all.
+    void find_again() {
+      if (is_lost()) standing = Standing::followed;
+    }
   };
 
   // assign.cpp

@@ -55,7 +55,7 @@ void Dispatcher::held_or_freed(const RobotId& robot) {
 
 void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now) {
   Route route = *book_.route(assignment.goal);
-  if (assignment.ending || assignment.recalled) {
+  if (assignment.is_to_end()) {
     // To end it, the robot needs to know which, and why.
     route.places.clear();
     route.relations.clear();
@@ -92,9 +92,9 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   }
   RouteAssignment& assignment = found->second;
   // The order to end it is repeated by the clock, not by its reports.
-  if (assignment.ending || assignment.recalled || progress.version != route->version) return;
+  if (assignment.is_to_end() || progress.version != route->version) return;
   arrivals_.on_report(robot, *route, progress, now.steady);
-  assignment.route_lost = false;
+  assignment.find_again();
   assignment.missing_since.reset();
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
   assignment.has_latest_order = progress.released >= route->released;
@@ -161,7 +161,7 @@ void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalS
     assignments_.erase(robot);
     return;
   }
-  assignment.ending = true;
+  assignment.standing = RouteAssignment::Standing::over;
   assignment.wait = Duration{};
   send_order(robot, assignment, now.steady);
 }
@@ -179,16 +179,16 @@ void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route,
   const bool has_it = state.route == route.id;
   if (has_it) {
     assignment.missing_since.reset();
-    if (state.route_version == route.version) assignment.route_lost = false;
-    if (!assignment.route_lost) traffic_.follows(state.header.sender);
+    if (state.route_version == route.version) assignment.find_again();
+    if (!assignment.is_lost()) traffic_.follows(state.header.sender);
     return;
   }
   const bool had_it = assignment.latest_report && *assignment.latest_report < state.header.sequence;
-  if (assignment.route_lost) return;
+  if (assignment.is_lost()) return;
   if (!had_it && !has_to_send(state.header.sender, assignment)) return assignment.missing_since.reset();
   if (!assignment.missing_since) assignment.missing_since = now;
   if (now - *assignment.missing_since < (had_it ? kLostAfter : kIgnoredAfter)) return;
-  assignment.route_lost = true;
+  assignment.lose();
   if (!had_it) assignment.is_closed = true;
 }
 
@@ -226,7 +226,7 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
   RouteAssignment& assignment = found->second;
   assignment.is_hand_over_asked = false;
   const Route& route = *book_.route(assignment.goal);
-  if (assignment.ending) {
+  if (assignment.is_over()) {
     if (!has_forgotten(assignment, state, route, now.steady)) {
       // Cleared off its route, and not standing yet.
       if (!traffic_.holds_route(robot.id, route.id)) traffic_.stands(state, now);
@@ -237,37 +237,35 @@ void Dispatcher::on_state(const Robot& robot, Now now) {
     traffic_.stands(state, now);
     return;
   }
-  if (assignment.recalled) {
+  if (assignment.standing == RouteAssignment::Standing::recalled) {
     if (!has_forgotten(assignment, state, route, now.steady)) return;
-    assignment.recalled = false;
     assignment.is_closed = true;
-    assignment.route_lost = true;
+    assignment.lose();
     traffic_.stands(state, now);
   }
   if (!is_told(robot.id, route) && !traffic_.holds_route(robot.id, route.id)) {
     traffic_.stands(state, now);
     // It was moved before it could set off.
-    if (stands_elsewhere(state, route)) assignment.route_lost = true;
+    if (stands_elsewhere(state, route)) assignment.lose();
   } else {
     watch_for_loss(assignment, route, state, now.steady);
   }
   // It may have been put down elsewhere, also while it is stopped.
-  if (!state.route && (assignment.route_lost || assignment.missing_since)) traffic_.stands_without_route(state);
-  if (assignment.route_lost) replan(robot.id, assignment, now);
+  if (!state.route && (assignment.is_lost() || assignment.missing_since)) traffic_.stands_without_route(state);
+  if (assignment.is_lost()) replan(robot.id, assignment, now);
 }
 
 void Dispatcher::on_restart(const RobotId& robot) {
   const auto found = assignments_.find(robot);
-  if (found == assignments_.end() || found->second.ending) return;
-  found->second.route_lost = true;
-  found->second.recalled = false;
+  if (found == assignments_.end() || found->second.is_over()) return;
+  found->second.lose();
   found->second.has_latest_order = false;
   found->second.latest_report.reset();
 }
 
 bool Dispatcher::has_to_send(const RobotId& robot, const RouteAssignment& assignment) const {
-  if (assignment.ending || assignment.recalled) return true;
-  if (assignment.has_latest_order || assignment.route_lost) return false;
+  if (assignment.is_to_end()) return true;
+  if (assignment.has_latest_order || assignment.is_lost()) return false;
   const bool is_paused = book_.find(assignment.goal)->state == GoalState::paused;
   return !is_paused && is_told(robot, *book_.route(assignment.goal));
 }
@@ -293,8 +291,8 @@ void Dispatcher::tick(Now now) {
   }
   if (needs_plan() && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {
-    if (!assignment.ending) tell_silence(robot, assignment, now);
-    if (assignment.look_at_release && !assignment.route_lost) release(robot, assignment, now);
+    if (!assignment.is_over()) tell_silence(robot, assignment, now);
+    if (assignment.look_at_release && !assignment.is_lost()) release(robot, assignment, now);
     if (assignment.send_at <= now.steady && has_to_send(robot, assignment)) send_order(robot, assignment, now.steady);
   }
 }

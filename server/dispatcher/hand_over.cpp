@@ -19,7 +19,7 @@ std::string Dispatcher::keeps_goal(const RobotId& robot, const RouteAssignment& 
   const Goal& goal = *book_.find(assignment.goal);
   const std::string name = fleet_.name_of(robot);
   if (known != nullptr && !known->silent) return name + " is heard: weft goal cancel ends the goal";
-  if (assignment.ending || is_terminal(goal.state)) return std::string("it is over: ") + to_string(goal.state);
+  if (assignment.is_over() || is_terminal(goal.state)) return std::string("it is over: ") + to_string(goal.state);
   if (goal.kind != GoalKind::operator_asked) return "it is no operator's";
   if (goal.wanted) return "it was asked for " + name + " alone: weft goal cancel, and send another robot";
   if (goal.state == GoalState::paused) return "it is paused: weft resume " + name;

@@ -23,8 +23,8 @@ bool Dispatcher::needs_plan() const {
 
 /// Returns whether the robot follows its route and can be released farther.
 bool Dispatcher::is_led(const RouteAssignment& assignment) const {
-  const bool is_over = assignment.ending || assignment.route_lost || assignment.cut_short || assignment.recalled;
-  return !is_over && book_.find(assignment.goal)->state != GoalState::paused;
+  const bool is_followed = assignment.standing == RouteAssignment::Standing::followed && !assignment.cut_short;
+  return is_followed && book_.find(assignment.goal)->state != GoalState::paused;
 }
 
 /// Returns whether a goal waits for that robot alone.

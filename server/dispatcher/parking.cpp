@@ -93,7 +93,7 @@ std::vector<PlaceId> Dispatcher::free_spots(const RobotId& robot, const std::vec
   std::vector<PlaceId> free;
   for (const PlaceId& spot : spots) {
     const bool is_wanted = std::any_of(assignments_.begin(), assignments_.end(), [&](const auto& entry) {
-      const bool goes_on = entry.first != robot && !entry.second.ending && !stays(entry.first);
+      const bool goes_on = entry.first != robot && !entry.second.is_over() && !stays(entry.first);
       return goes_on && book_.find(entry.second.goal)->to == spot;
     });
     if (!is_wanted && std::ranges::all_of(traffic_.near(spot, robot), makes_way)) free.push_back(spot);
@@ -140,7 +140,7 @@ bool Dispatcher::send_by_itself(const Robot& robot, GoalKind kind, const Path& w
 void Dispatcher::give_up_taken_spots(Now now) {
   for (const auto& [id, robot] : fleet_.robots()) {
     const auto found = assignments_.find(id);
-    if (found == assignments_.end() || found->second.ending) continue;
+    if (found == assignments_.end() || found->second.is_over()) continue;
     const Goal& goal = *book_.find(found->second.goal);
     if (goal.kind != GoalKind::charge && goal.kind != GoalKind::park) continue;
     for (const RobotId& other : traffic_.near(goal.to, id)) {
@@ -161,9 +161,9 @@ bool Dispatcher::recall_from_parking(const Goal& goal, Now now) {
     const bool is_asked = !goal.wanted || *goal.wanted == id;
     if (own.kind != GoalKind::park || !is_asked || robot == nullptr) continue;
     // The one that was recalled before will be ready soon.
-    if (assignment.ending && own.state == GoalState::cancelled) return true;
+    if (assignment.is_over() && own.state == GoalState::cancelled) return true;
     const bool is_there = unreachable_reason(*robot).empty() && robot->state && robot->state->localised;
-    const bool may_go = !assignment.ending && is_there && why_held(id).empty() && own.state != GoalState::paused;
+    const bool may_go = !assignment.is_over() && is_there && why_held(id).empty() && own.state != GoalState::paused;
     if (may_go && why_recharging(*robot).empty()) parking.push_back(candidate_of(*robot));
   }
   if (parking.empty()) return false;

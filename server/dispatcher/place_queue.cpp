@@ -12,7 +12,7 @@ std::optional<RobotId> Dispatcher::who_comes_first_at(const Goal& goal, const st
                                                       Now now) {
   for (const auto& [robot, assignment] : assignments_) {
     const Goal& other = *book_.find(assignment.goal);
-    const bool goes_there = !assignment.ending && other.to == goal.to && other.kind != GoalKind::park;
+    const bool goes_there = !assignment.is_over() && other.to == goal.to && other.kind != GoalKind::park;
     if (goes_there && goal.wanted != robot && !stays(robot)) return robot;
   }
   for (const RobotId& robot : traffic_.near(goal.to, {})) {
@@ -25,7 +25,7 @@ std::optional<RobotId> Dispatcher::who_comes_first_at(const Goal& goal, const st
 /// Returns whether the robot stands idle where it has come to, or has yet to forget how.
 bool Dispatcher::is_at_rest(const RobotId& robot) const {
   const auto found = assignments_.find(robot);
-  return found == assignments_.end() ? stays(robot) == Stays::idle : found->second.ending;
+  return found == assignments_.end() ? stays(robot) == Stays::idle : found->second.is_over();
 }
 
 /// Returns why a goal that somebody is ready for is not given out yet; empty: it is.

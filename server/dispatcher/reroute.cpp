@@ -44,7 +44,7 @@ void Dispatcher::network_changed() {
 }
 
 void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now now) {
-  if (assignment.ending || assignment.recalled || assignment.route_lost) return;
+  if (assignment.standing != RouteAssignment::Standing::followed) return;
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
   std::optional<std::uint32_t> broken =
@@ -56,11 +56,11 @@ void Dispatcher::reroute(const RobotId& robot, RouteAssignment& assignment, Now 
     if (was_cut_short || !assignment.ruled_by.empty()) assignment.look_at_release = true;
     const bool is_limited_anew = limits_of(routes_.rules(), route.places) != route.limits;
     if (is_limited_anew && told) limit_anew(robot, assignment, now);
-    if (is_limited_anew && !told) assignment.route_lost = true;
+    if (is_limited_anew && !told) assignment.lose();
     return;
   }
   if (!told) {
-    assignment.route_lost = true;  // as if it had been moved: from where it says that it stands
+    assignment.lose();  // as if it had been moved: from where it says that it stands
   } else if (*broken > route.released) {
     replan_ahead(robot, assignment, now);
   } else {
@@ -158,7 +158,7 @@ void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, cons
 /// Has the robot stop, and plans from where it stands.
 void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
   const Goal& goal = *book_.find(assignment.goal);
-  assignment.recalled = true;
+  assignment.standing = RouteAssignment::Standing::recalled;
   assignment.wait = Duration{};
   // Told even when it cannot be written down: to stand is more urgent.
   std::ignore = book_.write(goal,

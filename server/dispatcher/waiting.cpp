@@ -45,10 +45,10 @@ std::vector<Wait> Dispatcher::waits() {
   std::vector<Wait> all;
   for (const auto& [robot, assignment] : assignments_) {
     const bool is_paused = book_.find(assignment.goal)->state == GoalState::paused;
-    if (assignment.ending || assignment.recalled || (assignment.route_lost && is_paused)) continue;
-    if (assignment.route_lost || assignment.cut_short) {
+    if (assignment.is_to_end() || (assignment.is_lost() && is_paused)) continue;
+    if (assignment.is_lost() || assignment.cut_short) {
       std::optional<Wait> wait =
-          assignment.route_lost ? wait_without_route(robot, assignment) : wait_at_barrier(robot, assignment);
+          assignment.is_lost() ? wait_without_route(robot, assignment) : wait_at_barrier(robot, assignment);
       if (wait) all.push_back(*std::move(wait));
       continue;
     }
@@ -99,9 +99,9 @@ std::optional<Stays> Dispatcher::stays(const RobotId& robot) const {
     return state.mode == msg::RobotMode::idle ? std::optional(Stays::idle) : std::nullopt;
   }
   const RouteAssignment& assignment = found->second;
-  if (assignment.ending) return std::nullopt;
+  if (assignment.is_over()) return std::nullopt;
   if (book_.find(assignment.goal)->state == GoalState::paused) return Stays::paused;
-  if (assignment.cut_short || assignment.route_lost) return Stays::no_way;
+  if (assignment.cut_short || assignment.is_lost()) return Stays::no_way;
   if (!assignment.ruled_by.empty() && assignment.stands_at_end) return Stays::ruled;
   return std::nullopt;
 }
