@@ -11,10 +11,12 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-/// Leaves half of the time to the samples: a piece is reckoned at the most it may take.
+/// Leaves half of the time to the samples, and nine tenths while the robot drives: a piece is reckoned at the most it
+/// may take.
 constexpr std::uint64_t kPiece_us = 50'000;
 constexpr std::uint64_t kMost_us_a_second = 500'000;
-constexpr std::uint64_t kMost_us_at_once = 2 * kPiece_us;
+constexpr std::uint64_t kMost_us_a_driven_second = 100'000;
+constexpr std::uint64_t kMost_us_at_once = kPiece_us;
 constexpr Duration kWithoutSample = 500ms;
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -24,7 +26,10 @@ std::string counted(std::size_t count, const std::string& what) {
 }  // namespace
 
 RunRefining::RunRefining(const Uses& uses, SteadyTime now)
-    : uses_(uses), budget_(kMost_us_a_second, kMost_us_at_once, now), by_itself_at_(now + kWithoutSample) {}
+    : uses_(uses),
+      budget_(kMost_us_a_second, kMost_us_at_once, now),
+      driven_budget_(kMost_us_a_driven_second, kMost_us_at_once, now),
+      by_itself_at_(now + kWithoutSample) {}
 
 void RunRefining::begin(ExperienceId experience, const std::string& method) {
   taught_.insert(experience);
@@ -55,9 +60,10 @@ bool RunRefining::may_work() const {
   return !drafts_.empty() && taught_.empty();
 }
 
-void RunRefining::work(SteadyTime now) {
+void RunRefining::work(bool is_driving, SteadyTime now) {
   by_itself_at_ = now + kWithoutSample;
-  while (may_work() && budget_.take(kPiece_us, now)) piece();
+  Budget& budget = is_driving ? driven_budget_ : budget_;
+  if (may_work() && budget.take(kPiece_us, now)) piece();
 }
 
 void RunRefining::tick(SteadyTime now) {
@@ -83,13 +89,13 @@ void RunRefining::hand_in(const Draft& draft) {
                            counted(amendments.places.size(), "place") + " amended";
   std::vector<AmendedPlace<Bytes>> places = amendments.places;
   const std::string run = "experience " + to_string(draft.experience);
-  if (const Result<void> done = uses_.spooler.hand_in(draft.experience, std::move(amendments)); !done) {
-    return uses_.outbox.note(run + " is handed in as the spool has it: " + done.error().message);
-  }
+  const Result<void> done = uses_.spooler.hand_in(draft.experience, std::move(amendments));
+  // Also after an error: the spool may have decided for them before.
   for (AmendedPlace<Bytes>& place : places) {
     const ContentHash hash = hash_bytes(place.content);
     uses_.map.put(hash, std::move(place.content));
   }
+  if (!done) return uses_.outbox.note(run + " is handed in as the spool has it: " + done.error().message);
   uses_.outbox.note(run + " is refined: " + what);
 }
 

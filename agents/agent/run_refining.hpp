@@ -36,8 +36,8 @@ class RunRefining {
   /// Takes note that teaching of the experience is over and that the spooler has sealed it, or has given it up.
   void end(ExperienceId experience);
 
-  /// Works in the slack that a sample leaves.
-  void work(SteadyTime now);
+  /// Works in the slack that a sample leaves, less while the robot drives.
+  void work(bool is_driving, SteadyTime now);
   /// Works if no sample has come for long.
   void tick(SteadyTime now);
   std::optional<SteadyTime> next() const;
@@ -58,6 +58,7 @@ class RunRefining {
   std::set<ExperienceId> taught_;  ///< by whatever method
   std::deque<Draft> drafts_;       ///< oldest first
   Budget budget_;                  ///< of time, in microseconds
+  Budget driven_budget_;           ///< the same, while the robot drives
   SteadyTime by_itself_at_;        ///< unless a sample comes before
 };
 

@@ -14,11 +14,10 @@ Result<void> Spooler::hand_in(ExperienceId experience, RunAmendments amendments)
   std::vector<Batch> draft;
   for (const Pending& pending : pending_)
     if (pending.batch.experience == experience) draft.push_back(pending.batch);
-  Result<RefinedRun> run = make_refined_run(std::move(draft), std::move(amendments), held->second);
-  if (!run) {
-    held_.erase(held);
-    return fail(run.error());
-  }
+  const std::string seal_reason = std::move(held->second);
+  held_.erase(held);  // whatever comes of it, it is sent
+  Result<RefinedRun> run = make_refined_run(std::move(draft), std::move(amendments), seal_reason);
+  if (!run) return fail(run.error());
   const Result<void> replaced = spool_->replace(experience, run->batches, run->contents);
   // Of a disk that failed the spool knows which of both it has.
   Result<std::vector<Batch>> there = replaced ? std::move(run->batches) : spool_->pending();
@@ -29,7 +28,6 @@ Result<void> Spooler::hand_in(ExperienceId experience, RunAmendments amendments)
     });
     if (batch.experience == experience && found != pending_.end()) found->batch = std::move(batch);
   }
-  held_.erase(held);
   return replaced;
 }
 

@@ -76,7 +76,8 @@ Result<msg::OperatorRequest> request_for(const Invocation& invocation) {
 Exit run_operator(Session& session, const Invocation& invocation, const Output& output) {
   Result<msg::OperatorRequest> request = request_for(invocation);
   if (!request) return report(request.error(), invocation.json, output);
-  const Result<msg::OperatorReply> reply = session.ask(std::move(*request), patience(invocation));
+  const auto say = [&](const msg::OperatorReply& now) { output.err << now.message << '\n'; };
+  const Result<msg::OperatorReply> reply = session.ask(std::move(*request), patience(invocation), say);
   if (!reply) return report(reply.error(), invocation.json, output);
   if (!invocation.json) {
     for (const std::string& line : reply->findings) output.out << line << '\n';  // of each robot

@@ -123,21 +123,23 @@ void OperatorRequests::tick(Now now) {
   commands_.tick(now.steady);
   answer_overdue(now.steady);
   for (auto& [key, reply] : registering_.tick(now)) answer(key, std::move(reply));
-  for (auto& [key, reply] : jobs_.tick(now)) {
-    if (reply.outcome != msg::Outcome::under_way) {
-      answer(key, std::move(reply));
-      continue;
-    }
-    reply.to = key.first;
-    reply.request = key.second;
-    context_.out.send(std::move(reply));
-  }
+  for (auto& [key, reply] : jobs_.tick(now)) tell(key, std::move(reply));
+  for (auto& [key, reply] : awaited_labels_.tick(now.steady)) tell(key, std::move(reply));
+}
+
+/// Answers, unless it is still under way: that is said, and not kept.
+void OperatorRequests::tell(const Key& key, msg::OperatorReply reply) {
+  if (reply.outcome != msg::Outcome::under_way) return answer(key, std::move(reply));
+  reply.to = key.first;
+  reply.request = key.second;
+  context_.out.send(std::move(reply));
 }
 
 std::optional<SteadyTime> OperatorRequests::next() const {
   std::optional<SteadyTime> next = jobs_.next();
   if (!next) next = commands_.next();
-  if (const auto due = registering_.next()) next = next ? std::min(*next, *due) : *due;
+  for (const auto due : {registering_.next(), awaited_labels_.next()})
+    if (due) next = next ? std::min(*next, *due) : *due;
   for (const auto& [key, group] : group_commands_) next = next ? std::min(*next, group.answer_by) : group.answer_by;
   return next;
 }

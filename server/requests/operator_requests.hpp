@@ -13,6 +13,7 @@
 #include "server/editor/editor.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/jobs/jobs.hpp"
+#include "server/requests/awaited_labels.hpp"
 #include "server/requests/commands.hpp"
 #include "server/requests/registering.hpp"
 #include "server/site/site_frames.hpp"
@@ -74,6 +75,7 @@ class OperatorRequests {
 
   void answer(const Key& key, msg::OperatorReply reply);
   void answer(const Key& key, msg::Outcome outcome, const std::string& message);
+  void tell(const Key& key, msg::OperatorReply reply);
   void command_one(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
 
   // These stop robots and let them go on (stopping.cpp).
@@ -101,13 +103,7 @@ class OperatorRequests {
   bool is_said_before_answer(const msg::RobotState& state) const;
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
   std::string what_the_end_lacks(const ExperienceId& run) const;
-  void label_kept_place(const Key& key, const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
-
-  struct PendingLabel {
-    Key key;
-    std::string label;
-    std::string who;
-  };
+  void label_kept_place(AwaitedLabels::Label label, const PlaceId& place, Now now);
 
   Context& context_;
   Fleet& fleet_;
@@ -120,11 +116,11 @@ class OperatorRequests {
   RequestLedger ledger_;
   std::map<Key, Waiting> waiting_;
   std::map<Key, GroupCommand> group_commands_;
-  std::map<std::uint64_t, Key> asked_for_;          ///< by command
-  std::map<Key, std::string> asked_by_;             ///< names, of those that wait for a kept place
-  std::map<RobotId, msg::Header> answered_;         ///< of the last answer to a command
-  std::map<RobotId, std::string> unstored_stops_;   ///< who asked; the goal is still to be paused
-  std::map<PlaceId, PendingLabel> pending_labels_;  ///< places that were kept and have not come yet
+  std::map<std::uint64_t, Key> asked_for_;         ///< by command
+  std::map<Key, std::string> asked_by_;            ///< names, of those that wait for a kept place
+  std::map<RobotId, msg::Header> answered_;        ///< of the last answer to a command
+  std::map<RobotId, std::string> unstored_stops_;  ///< who asked; the goal is still to be paused
+  AwaitedLabels awaited_labels_;
 };
 
 }  // namespace weft::server

@@ -41,7 +41,9 @@ void OperatorRequests::robot_answered(const msg::AgentCommand& command, const ms
   const Waiting done = std::move(waiting);
   waiting_.erase(found);
   if (command.kind == msg::AgentCommand::Kind::keep_place && reply.done) {
-    label_kept_place(key, command, reply, now);
+    AwaitedLabels::Label label{.key = key, .label = command.name, .who = std::move(asked_by_[key])};
+    asked_by_.erase(key);
+    label_kept_place(std::move(label), reply.place, now);
     return;
   }
   asked_by_.erase(key);
@@ -68,46 +70,30 @@ std::string OperatorRequests::what_the_end_lacks(const ExperienceId& run) const 
 }
 
 /// Sets the label of a place that the robot has kept, once that place is on disk.
-void OperatorRequests::label_kept_place(const Key& key, const msg::AgentCommand& command,
-                                        const msg::AgentReply& reply, Now now) {
-  std::string who = std::move(asked_by_[key]);
-  asked_by_.erase(key);
-  if (context_.snapshots.current().place(reply.place) == nullptr) {
-    pending_labels_[reply.place] = {.key = key, .label = command.name, .who = std::move(who)};
-    return;
-  }
-  const Result<void> done = put_label(command.name, reply.place, who, now);
+void OperatorRequests::label_kept_place(AwaitedLabels::Label label, const PlaceId& place, Now now) {
+  if (context_.snapshots.current().place(place) == nullptr)
+    return awaited_labels_.add(place, std::move(label), now.steady);
+  const Result<void> done = put_label(label.label, place, label.who, now);
   msg::OperatorReply answered;
   answered.outcome = done ? msg::Outcome::done : msg::Outcome::failed;
-  answered.message = done ? command.name + " is " + to_string(reply.place) : done.error().message;
-  answered.place = reply.place;
-  answer(key, std::move(answered));
+  answered.message = done ? label.label + " is " + to_string(place) : done.error().message;
+  answered.place = place;
+  answer(label.key, std::move(answered));
 }
 
 void OperatorRequests::joined(const Batch& batch, Now now) {
-  if (pending_labels_.empty()) return;
   for (const Place& place : batch.places) {
-    const auto found = pending_labels_.find(place.id);
-    if (found == pending_labels_.end()) continue;
-    const PendingLabel pending = std::move(found->second);
-    pending_labels_.erase(found);
-    msg::AgentCommand command;
-    command.name = pending.label;
-    msg::AgentReply reply;
-    reply.place = place.id;
-    asked_by_[pending.key] = pending.who;
-    label_kept_place(pending.key, command, reply, now);
+    for (AwaitedLabels::Label& label : awaited_labels_.take(place.id))
+      label_kept_place(std::move(label), place.id, now);
   }
 }
 
 void OperatorRequests::refused(const Batch& batch, const Error& why) {
   for (const Place& place : batch.places) {
-    const auto found = pending_labels_.find(place.id);
-    if (found == pending_labels_.end()) continue;
-    const PendingLabel pending = std::move(found->second);
-    pending_labels_.erase(found);
-    answer(pending.key, msg::Outcome::failed,
-           "the place that was kept for " + pending.label + " is not taken into the map: " + why.message);
+    for (const AwaitedLabels::Label& label : awaited_labels_.take(place.id)) {
+      answer(label.key, msg::Outcome::failed,
+             "the place that was kept for " + label.label + " is not taken into the map: " + why.message);
+    }
   }
 }
 

@@ -91,7 +91,7 @@ class FileSpool final : public Spool {
     });
     if (holder == kept_.end())
       return fail(ErrorCode::not_found, "spool: content " + to_string(hash) + " is not held");
-    auto bytes = read_whole(path_of(holder->first));
+    auto bytes = read_batch(holder->first);
     if (!bytes) return fail(bytes.error());
     auto record = decode_record(*bytes);
     if (!record) return fail(ErrorCode::corrupt, path_of(holder->first).string() + ": " + record.error().message);
@@ -135,6 +135,13 @@ class FileSpool final : public Spool {
   };
 
   std::filesystem::path path_of(std::uint64_t order) const { return directory_ / numbered(order, kBatchEnding); }
+
+  /// Reads the file of a batch, which still has its staged name where a replacement was decided and not carried out.
+  Result<Bytes> read_batch(std::uint64_t order) const {
+    const std::filesystem::path staged = directory_ / numbered(order, kStagedEnding);
+    std::error_code failed;
+    return read_whole(std::filesystem::exists(staged, failed) ? staged : path_of(order));
+  }
 
   SharedBytes held(const ContentHash& hash) const {
     Result<Bytes> bytes = content(hash);

@@ -162,6 +162,38 @@ TEST_F(OperatorRequests, LabelHereWaitsUntilTheKeptPlaceIsOnDisk) {
   EXPECT_EQ(site.service().snapshot().labels().at("dock"), run.place(4));
 }
 
+TEST_F(OperatorRequests, WhoeverWaitsForAKeptPlaceIsToldSoUntilItComes) {
+  msg::OperatorRequest here = site.request(Kind::label_here);
+  here.robot = "r1";
+  here.label = "dock";
+  site.say(here);
+  answer(command(), true, "", run.place(4));
+  site.say(site.state(r1, run.place(3)));
+  EXPECT_FALSE(reply());
+  site.pass(11s);
+  EXPECT_EQ(reply()->outcome, msg::Outcome::under_way);
+  EXPECT_THAT(reply()->message, HasSubstr("becomes dock when the robot hands it in"));
+  site.hand_in(r1, run.next(1));
+  EXPECT_EQ(reply()->outcome, msg::Outcome::done);
+}
+
+TEST_F(OperatorRequests, TwoLabelsOfOneKeptPlaceAreBothSetAndAnswered) {
+  for (const std::string label : {"dock", "charger"}) {
+    msg::OperatorRequest here = site.request(Kind::label_here);
+    here.robot = "r1";
+    here.label = label;
+    site.say(here);
+    answer(command(), true, "", run.place(4));
+  }
+  site.hand_in(r1, run.next(1));
+  const auto labels = site.service().snapshot().labels();
+  EXPECT_EQ(labels.at("dock"), run.place(4));
+  EXPECT_EQ(labels.at("charger"), run.place(4));
+  std::size_t done = 0;
+  for (const msg::OperatorReply& one : site.heard<msg::OperatorReply>()) done += one.outcome == msg::Outcome::done;
+  EXPECT_GE(done, 2U);
+}
+
 TEST_F(OperatorRequests, StopOvertakesAndResumeDoesNot) {
   msg::OperatorRequest localise = site.request(Kind::localise);
   localise.robot = "r1";

@@ -25,7 +25,7 @@ std::optional<msg::OperatorReply> Operator::repeat(const msg::OperatorRequest& r
     for (int i = 0; i < 8; ++i) {
       pass(std::chrono::milliseconds(250));
       for (const msg::OperatorReply& reply : fleet_.take_replies()) {
-        if (reply.request == request.request) return reply;
+        if (reply.request == request.request && reply.outcome != msg::Outcome::under_way) return reply;
       }
     }
   }

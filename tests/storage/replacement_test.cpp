@@ -115,6 +115,25 @@ TEST_F(ReplacementSteps, KilledAtAnyMomentOneOfBothIsThereAsAWhole) {
   }
 }
 
+TEST_F(ReplacementSteps, WhatTheDiskDoesNotCarryOutIsReadAllTheSame) {
+  const TemporaryDirectory directory;
+  auto spool = open_file_spool(directory.path());
+  ASSERT_TRUE(spool);
+  for (const auto& draft : drafts_) ASSERT_TRUE((*spool)->append(draft.batch, draft.contents));
+  const std::filesystem::path in_the_way = batch(directory.path(), 3);
+  std::filesystem::create_directory(in_the_way);
+  EXPECT_EQ(replace(**spool).error().code, ErrorCode::unavailable);
+  for (const auto& refined : refined_) {
+    for (const Bytes& content : refined.contents) {
+      const Result<Bytes> read = (*spool)->content(hash_bytes(content));
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(*read, content);
+    }
+  }
+  std::filesystem::remove(in_the_way);
+  EXPECT_EQ(pending(directory.path()), hashes(refined_));
+}
+
 TEST_F(ReplacementSteps, ADamagedDecisionIsNamed) {
   for (const std::string_view text : {"", "weft-replace 1\n", "weft-replace 1\nremove 1\nend\n",
                                       "weft-replace 1\nadd 0000000000000003\nremove 0000000000000001\nend\n"}) {

@@ -54,7 +54,7 @@ class TeachMission {
   /// Takes what a sample has led to.
   void step(const std::vector<Kept>& kept, bool hand_done, SteadyTime now);
   /// Refines what was taught before, in the slack that a sample leaves.
-  void refine(SteadyTime now) { refining_.work(now); }
+  void refine(bool is_driving, SteadyTime now) { refining_.work(is_driving, now); }
   void tick(SteadyTime now);
   /// Answers the end of teaching when its time has come; see UploadConfirmation.
   void confirm(SteadyTime now) { confirmation_.tick(uses_.spooler, uses_.replies, now); }

@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kConfirmedAtMost = 15s;
-constexpr Duration kConfirmedOrRefinedAtMost = 45s;
+constexpr Duration kConfirmedOrRefinedAtMost = 30s;  ///< clients wait for 40 s
 
 /// Returns whether something holds of an experience of the run.
 template <class Holds>

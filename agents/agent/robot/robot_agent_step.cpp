@@ -34,7 +34,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.blocked.take(condition_.allowed_command(), navigator_->estimate(), now);
   follow_.step(navigated, condition_.is_kept_standing(), now);
   move_window(now);
-  teach_.refine(now);
+  teach_.refine(follow_.is_under_way(), now);
   return finish(now);
 }
 

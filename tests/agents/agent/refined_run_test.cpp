@@ -71,7 +71,7 @@ TEST(RefinedRun, RefusesWhatTheServerWouldRefuse) {
   EXPECT_NE(refusal_of(one_edge(3, moved(1.0))).find("has no edge"), std::string::npos);
   EXPECT_NE(refusal_of(one_edge(1, moved(std::numeric_limits<double>::infinity()))).find("not finite"),
             std::string::npos);
-  EXPECT_NE(refusal_of(one_edge(1, Metric3{{}, Covariance6::Identity() * 1e-4})).find("another kind"),
+  EXPECT_NE(refusal_of(one_edge(1, Metric3{{}, Matrix6d(Matrix6d::Identity() * 1e-4)})).find("another kind"),
             std::string::npos);
   RunAmendments elsewhere;
   elsewhere.places.push_back({{kDraft, 9}, some_content(1, 10)});

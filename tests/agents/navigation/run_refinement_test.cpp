@@ -8,7 +8,7 @@
 namespace weft::agents {
 namespace {
 
-constexpr ExperienceId kRun{1};
+constexpr ExperienceId kTaught{1};
 
 RefiningMarks::Content a_content(std::uint32_t index) {
   RefiningMarks::Content content;
@@ -18,11 +18,11 @@ RefiningMarks::Content a_content(std::uint32_t index) {
 
 Kept a_kept(const RefiningMarks& method, std::uint32_t index) {
   Kept kept;
-  kept.place.id = {kRun, index};
+  kept.place.id = {kTaught, index};
   kept.content = method.encode(a_content(index));
   if (index == 0) return kept;
   Edge edge;
-  edge.id = {{kRun, index - 1}, {kRun, index}};
+  edge.id = {{kTaught, index - 1}, {kTaught, index}};
   edge.a_from_b = Metric2{Pose2{0.5, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4};
   kept.edges.push_back(edge);
   edge.id.a = {ExperienceId{2}, 7};
