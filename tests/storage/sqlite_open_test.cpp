@@ -92,7 +92,8 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "TABLE place_anew; DROP INDEX "
           "edge_by_b; DROP "
           "TABLE revision; DROP TABLE "
           "moved_places; DROP TABLE "
@@ -122,7 +123,8 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "TABLE place_anew; DROP INDEX "
           "edge_by_b; DROP "
           "TABLE deleted_places; DROP TABLE "
           "preparation;"
@@ -147,7 +149,8 @@ TEST(SqliteOpen, AStoreOfTheThirdSchemaIsMigratedAndItsContentsAreServed) {
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; DROP INDEX "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "TABLE place_anew; DROP INDEX "
           "edge_by_b; ALTER "
           "TABLE content DROP COLUMN sum; "
           "PRAGMA user_version = 3");
@@ -167,7 +170,8 @@ TEST(SqliteOpen, AStoreOfTheFourthSchemaIsMigratedAndItsPlacesCanBeKnownBetter) 
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP TABLE place_anew; PRAGMA "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "TABLE place_anew; PRAGMA "
           "user_version = 4");
   const auto store = open_sqlite(directory.path());
   ASSERT_TRUE(store) << store.error().message;

@@ -199,7 +199,8 @@ TEST_F(SqliteRestoreEdits, AnEditedSnapshotOfAnOlderSchemaIsBroughtUpToDateAndRe
                   "INSERT INTO older (revision, experience, first_place, is_back, last_place)"
                   " SELECT revision, experience, first_place, is_back, last_place FROM moved_places;"
                   "DROP TABLE moved_places; ALTER TABLE older RENAME TO moved_places;"
-                  "DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; PRAGMA user_version = 5"));
+                  "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; "
+                  "PRAGMA user_version = 5"));
   }
   EXPECT_EQ(restored(file), whole);
 }
