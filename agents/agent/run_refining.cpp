@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr std::uint64_t kPiece_us = 50'000;
 constexpr std::uint64_t kMost_us_a_second = 500'000;
 constexpr std::uint64_t kMost_us_a_driven_second = 100'000;
-constexpr std::uint64_t kMost_us_at_once = kPiece_us;
+constexpr std::uint64_t kMost_us_at_once = 2 * kPiece_us;  ///< what is saved up; a sample gets one piece
 constexpr Duration kWithoutSample = 500ms;
 
 std::string counted(std::size_t count, const std::string& what) {

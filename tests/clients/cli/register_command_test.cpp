@@ -86,8 +86,9 @@ TEST_F(RegisterCommand, ExportsAndDrawsInThePlansFrame) {
   const Said exported = fleet.weft({"map", "export", graph});
   EXPECT_TRUE(mentions(exported.out, "in the frame of plan hall, held by one pick")) << exported.out << exported.err;
   std::ifstream in(graph);
+  const auto document = nlohmann::json::parse(in);
   bool has_dock = false;
-  for (const auto& feature : nlohmann::json::parse(in)["features"]) {
+  for (const auto& feature : document["features"]) {
     if (feature["geometry"]["type"] != "Point") continue;
     const double x = feature["geometry"]["coordinates"][0];
     const double y = feature["geometry"]["coordinates"][1];
