@@ -46,12 +46,11 @@ const Pose2* PlacePoses::find(const PlaceId& place) const {
 }
 
 PartLayout::PartLayout(NetworkView network, const PlaceId& root) : network_(std::move(network)) {
-  open_.push({0.0, root, {}});
+  open_.push({0.0, root, root, {}});
 }
 
-bool PartLayout::step(std::size_t places) {
-  const std::size_t enough = poses_.size() + places;
-  while (!open_.empty() && poses_.size() < enough) {
+bool PartLayout::step(std::size_t ways) {
+  for (; ways > 0 && !open_.empty(); --ways) {
     const Open nearest = open_.top();
     open_.pop();
     if (poses_.find(nearest.place) != nullptr) continue;
@@ -60,7 +59,8 @@ bool PartLayout::step(std::size_t places) {
       const PlaceId next = other_end(edge, nearest.place);
       if (poses_.find(next) != nullptr || !network_.has(next)) return;
       const Relation relation = relation_from(edge, nearest.place);
-      open_.push({nearest.variance + variance_m2(relation), next, nearest.root_from_place * planar(relation)});
+      open_.push({nearest.variance + variance_m2(relation), next, nearest.place,
+                  nearest.root_from_place * planar(relation)});
     });
   }
   return !open_.empty();

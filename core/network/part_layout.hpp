@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,13 +55,15 @@ class PlacePoses {
 };
 
 /// Lays out the part of a network that is joined to one place, in that place's frame: each place along the chain of
-/// edges that leaves the least variance of its position (a spanning tree, by Dijkstra). What does not close round a
+/// edges that leaves the least variance of its position (a spanning tree, by Dijkstra), and of ways that leave the
+/// same the one over the lowest place, so that the network alone determines the layout. What does not close round a
 /// loop stays there.
 class PartLayout {
  public:
   PartLayout(NetworkView network, const PlaceId& root);
-  /// Lays up to so many places; returns whether more are left.
-  bool step(std::size_t places);
+  /// Looks at up to so many ways, each of which lays a place or leads to one that is laid already; returns whether
+  /// more are left.
+  bool step(std::size_t ways);
   const PlacePoses& root_from_place() const { return poses_; }
   PlacePoses take() { return std::move(poses_); }
 
@@ -68,9 +71,10 @@ class PartLayout {
   struct Open {
     double variance = 0.0;
     PlaceId place;
+    PlaceId from;  ///< the place before on the way
     Pose2 root_from_place;
     bool operator>(const Open& other) const {
-      return variance != other.variance ? variance > other.variance : other.place < place;
+      return std::tie(variance, place, from) > std::tie(other.variance, other.place, other.from);
     }
   };
   NetworkView network_;

@@ -128,9 +128,9 @@ SiteSolver::SiteSolver(NetworkView network, Registration registration) {
   }
 }
 
-bool SiteSolver::step(std::size_t places) {
+bool SiteSolver::step(std::size_t ways) {
   if (!layout_) return false;
-  if (layout_->step(places)) return true;
+  if (layout_->step(ways)) return true;
   finish(layout_->root_from_place());
   if (solution_.problem.empty()) solution_.layout_from_place = layout_->take();
   layout_.reset();

@@ -44,8 +44,8 @@ std::string to_text(const SiteSolution& solution);
 class SiteSolver {
  public:
   SiteSolver(NetworkView network, Registration registration);
-  /// Lays up to so many places; returns whether there is more to do.
-  bool step(std::size_t places);
+  /// Looks at up to so many ways from place to place; returns whether there is more to do.
+  bool step(std::size_t ways);
   /// Returns what was found, once nothing is left to do.
   SiteSolution take();
 

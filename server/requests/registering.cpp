@@ -43,7 +43,7 @@ Registering::Replies Registering::tick(Now now) {
     first.solver.emplace(view_of(context_.snapshots.shared_current()), first.request.registration);
     return replies;
   }
-  if (first.solver->step(kPlacesOfSitePiece)) return replies;
+  if (first.solver->step(kWaysOfSitePiece)) return replies;
   replies.emplace_back(first.key, finish(first, first.solver->take(), now));
   waiting_.pop_front();
   return replies;

@@ -78,7 +78,7 @@ void SiteFrames::tick(Now now) {
   next_piece_ = now.steady + kBetweenSitePieces;
   const Snapshot::Registrations& all = work_->map->registrations();
   if (work_->solver) {
-    if (work_->solver->step(kPlacesOfSitePiece)) return;
+    if (work_->solver->step(kWaysOfSitePiece)) return;
     work_->solved.emplace(work_->at->first, work_->solver->take());
     work_->solver.reset();
     ++work_->at;

@@ -8,8 +8,9 @@
 
 namespace weft::server {
 
-/// Is how many places are laid out in one piece of work: well under a tenth of what may be done between two messages.
-inline constexpr std::size_t kPlacesOfSitePiece = 2'000;
+/// Is how many ways from place to place are looked at in one piece of work: well under a tenth of what may be done
+/// between two messages.
+inline constexpr std::size_t kWaysOfSitePiece = 2'000;
 
 /// Works out where the map lies on the registered floor plans, anew for each revision, a piece at a time between
 /// messages. For people and their pictures: nothing of it is stored, and no robot drives by it.
