@@ -1,7 +1,10 @@
 #include "core/network/site_frame.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "core/text.hpp"
 
 namespace weft {
 namespace {
@@ -9,14 +12,21 @@ namespace {
 constexpr double kContradicts = 4.0;  // sigma
 constexpr std::size_t kFewestToJudge = 4;
 
-Eigen::Vector2d in_layout(const SitePick& pick) {
-  return pick.layout_from_place * pick.in_place;
-}
-double weight_of(const SitePick& pick) {
-  return 1.0 / (pick.sigma_m * pick.sigma_m);
-}
+/// Holds a pick with what the fits need of it, worked out once: of many picks there are many fits.
+struct Point {
+  const SitePick* pick = nullptr;
+  Eigen::Vector2d in_layout = Eigen::Vector2d::Zero();
+  double weight = 0.0;
+};
+using Chosen = std::vector<Point>;
 
-using Chosen = std::vector<const SitePick*>;
+Chosen points_of(const std::vector<SitePick>& picks) {
+  Chosen points;
+  for (const SitePick& pick : picks) {
+    points.push_back({&pick, pick.layout_from_place * pick.in_place, 1.0 / (pick.sigma_m * pick.sigma_m)});
+  }
+  return points;
+}
 
 /// Holds the picks' weighted middles, and the sums that say how one cloud turns and stretches into the other.
 struct Moments {
@@ -28,62 +38,90 @@ struct Moments {
   double spread = 0.0;  ///< of the layout: weighted sum of squares
 };
 
-Moments moments_of(const Chosen& picks) {
+Moments moments_of(const Chosen& points) {
   Moments m;
-  for (const SitePick* pick : picks) m.weight += weight_of(*pick);
-  for (const SitePick* pick : picks) {
-    m.layout += weight_of(*pick) / m.weight * in_layout(*pick);
-    m.plan += weight_of(*pick) / m.weight * pick->on_plan;
+  for (const Point& point : points) m.weight += point.weight;
+  for (const Point& point : points) {
+    m.layout += point.weight / m.weight * point.in_layout;
+    m.plan += point.weight / m.weight * point.pick->on_plan;
   }
-  for (const SitePick* pick : picks) {
-    const Eigen::Vector2d from = in_layout(*pick) - m.layout;
-    const Eigen::Vector2d to = pick->on_plan - m.plan;
-    m.cosine += weight_of(*pick) * from.dot(to);
-    m.sine += weight_of(*pick) * (from.x() * to.y() - from.y() * to.x());
-    m.spread += weight_of(*pick) * from.squaredNorm();
+  for (const Point& point : points) {
+    const Eigen::Vector2d from = point.in_layout - m.layout;
+    const Eigen::Vector2d to = point.pick->on_plan - m.plan;
+    m.cosine += point.weight * from.dot(to);
+    m.sine += point.weight * (from.x() * to.y() - from.y() * to.x());
+    m.spread += point.weight * from.squaredNorm();
   }
   return m;
 }
 
-Pose2 fit(const Chosen& picks) {
-  const Moments m = moments_of(picks);
-  const Pose2 turned{0.0, 0.0, std::atan2(m.sine, m.cosine)};
-  const Eigen::Vector2d moved = m.plan - turned * m.layout;
-  return {moved.x(), moved.y(), turned.heading};
+/// Returns the turn by so many radians that leaves the picks' middles upon one another.
+Pose2 turned_about_middle(const Moments& m, double heading) {
+  const Eigen::Vector2d moved = m.plan - Pose2{0.0, 0.0, heading} * m.layout;
+  return {moved.x(), moved.y(), heading};
 }
 
-double off(const Pose2& plan_from_layout, const SitePick& pick) {
-  return (plan_from_layout * in_layout(pick) - pick.on_plan).norm();
+Pose2 fit(const Moments& m) {
+  return turned_about_middle(m, std::atan2(m.sine, m.cosine));
+}
+
+/// Returns by how much the plan's point differs from where the frame puts each pick.
+std::vector<double> all_off(const Pose2& plan_from_layout, const Chosen& points) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(plan_from_layout.heading).toRotationMatrix();
+  const Eigen::Vector2d moved = plan_from_layout.translation();
+  std::vector<double> off_m;
+  off_m.reserve(points.size());
+  for (const Point& point : points) off_m.push_back((turn * point.in_layout + moved - point.pick->on_plan).norm());
+  return off_m;
 }
 
 /// Returns how far the points lie from where they were picked, each way; three degrees of freedom were fitted.
-double spread_of(const Pose2& plan_from_layout, const Chosen& picks) {
-  if (picks.size() < 2) return 0.0;
+double spread_of(const std::vector<double>& off_m) {
+  if (off_m.size() < 2) return 0.0;
   double sum = 0.0;
-  for (const SitePick* pick : picks) sum += std::pow(off(plan_from_layout, *pick), 2);
-  const auto free = static_cast<double>(2 * picks.size() - 3);
-  return std::sqrt(sum / free);
+  for (const double off : off_m) sum += off * off;
+  return std::sqrt(sum / static_cast<double>(2 * off_m.size() - 3));
 }
 
-bool lie_apart(const std::vector<SitePick>& picks) {
-  for (const SitePick& a : picks) {
-    const auto is_apart = [&](const SitePick& b) {
-      return (in_layout(a) - in_layout(b)).norm() >= kPicksApart_m && (a.on_plan - b.on_plan).norm() >= kPicksApart_m;
-    };
-    if (std::any_of(picks.begin(), picks.end(), is_apart)) return true;
+/// Describes the two picks that come nearest to lying `kPicksApart_m` apart both in the layout and on the plan.
+struct Farthest {
+  std::size_t a = 0;
+  std::size_t b = 0;
+  double in_layout_m = 0.0;
+  double on_plan_m = 0.0;
+  double apart_m() const { return std::min(in_layout_m, on_plan_m); }
+};
+
+Farthest farthest_of(const Chosen& points) {
+  Farthest farthest;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    for (std::size_t b = a + 1; b < points.size(); ++b) {
+      const Farthest pair{a, b, (points[a].in_layout - points[b].in_layout).norm(),
+                          (points[a].pick->on_plan - points[b].pick->on_plan).norm()};
+      if (farthest.b == 0 || pair.apart_m() > farthest.apart_m()) farthest = pair;
+    }
   }
-  return false;
+  return farthest;
+}
+
+tl::unexpected<Error> too_near(const std::vector<SitePick>& picks, const Farthest& pair) {
+  const bool is_one_spot = pair.in_layout_m == 0.0;
+  return fail(
+      ErrorCode::invalid,
+      "no two picks lie " + short_number(kPicksApart_m) + " m apart both in the map and on the plan; " +
+          picks[pair.a].name + " and " + picks[pair.b].name + " come nearest to it: they lie " +
+          (is_one_spot ? "at one spot of the map" : fixed_number(pair.in_layout_m, 2) + " m apart in the map") +
+          " and " + fixed_number(pair.on_plan_m, 2) + " m apart on the plan; pick places that lie further apart");
 }
 
 /// Returns how surely the picks foretell where another one lies: what they leave of the position, and of the heading
 /// at its distance from their middle.
-double sigma_of_foretold(const Pose2& plan_from_layout, const Chosen& picks, const SitePick& another) {
-  const Moments m = moments_of(picks);
-  const double spread = spread_of(plan_from_layout, picks);
-  const double grown = std::max(1.0, spread * std::sqrt(m.weight / static_cast<double>(picks.size())));
-  const double away = (in_layout(another) - m.layout).squaredNorm();
+double sigma_of_foretold(const Moments& m, const std::vector<double>& off_m, const Point& another) {
+  const double spread = spread_of(off_m);
+  const double grown = std::max(1.0, spread * std::sqrt(m.weight / static_cast<double>(off_m.size())));
+  const double away = (another.in_layout - m.layout).squaredNorm();
   const double turned = m.spread > 0.0 ? away / m.spread : 0.0;
-  return std::hypot(another.sigma_m, spread, grown * std::sqrt(1.0 / m.weight + turned));
+  return std::hypot(another.pick->sigma_m, spread, grown * std::sqrt(1.0 / m.weight + turned));
 }
 
 /// Returns the index in `chosen` of the pick that contradicts the others most; none: none does.
@@ -93,8 +131,10 @@ std::optional<std::size_t> contradicting(const Chosen& chosen) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     Chosen others = chosen;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const Pose2 without = fit(others);
-    const double sigmas = off(without, *chosen[i]) / sigma_of_foretold(without, others, *chosen[i]);
+    const Moments m = moments_of(others);
+    const Pose2 without = fit(m);
+    const double off_m = all_off(without, {chosen[i]}).front();
+    const double sigmas = off_m / sigma_of_foretold(m, all_off(without, others), chosen[i]);
     if (sigmas <= most) continue;
     most = sigmas;
     worst = i;
@@ -104,23 +144,19 @@ std::optional<std::size_t> contradicting(const Chosen& chosen) {
 
 /// Returns the frame by the headings of picks that lie too near to one another to tell it by their positions; none:
 /// no pick has a heading.
-std::optional<SiteFrame> held_by_headings(const std::vector<SitePick>& picks) {
+std::optional<SiteFrame> held_by_headings(const Chosen& points) {
   double sine = 0.0;
   double cosine = 0.0;
-  Chosen chosen;
-  for (const SitePick& pick : picks) {
-    chosen.push_back(&pick);
-    if (!pick.heading) continue;
-    sine += std::sin(*pick.heading - pick.layout_from_place.heading);
-    cosine += std::cos(*pick.heading - pick.layout_from_place.heading);
+  for (const Point& point : points) {
+    if (!point.pick->heading) continue;
+    sine += std::sin(*point.pick->heading - point.pick->layout_from_place.heading);
+    cosine += std::cos(*point.pick->heading - point.pick->layout_from_place.heading);
   }
   if (sine == 0.0 && cosine == 0.0) return std::nullopt;
-  const Moments m = moments_of(chosen);
-  const Pose2 turned{0.0, 0.0, std::atan2(sine, cosine)};
-  const Eigen::Vector2d moved = m.plan - turned * m.layout;
+  const Moments m = moments_of(points);
   SiteFrame frame;
-  frame.plan_from_layout = {moved.x(), moved.y(), turned.heading};
-  for (const SitePick& pick : picks) frame.off_m.push_back(off(frame.plan_from_layout, pick));
+  frame.plan_from_layout = turned_about_middle(m, std::atan2(sine, cosine));
+  frame.off_m = all_off(frame.plan_from_layout, points);
   frame.sigma_m = 1.0 / std::sqrt(m.weight);
   return frame;
 }
@@ -133,30 +169,29 @@ Result<SiteFrame> fit_site_frame(const std::vector<SitePick>& picks) {
     if (!(pick.sigma_m >= 0.001 && pick.sigma_m <= 10.0))
       return fail(ErrorCode::invalid, "pick " + pick.name + ": its sigma must be from 0.001 to 10 m");
   }
-  if (!lie_apart(picks)) {
-    if (const std::optional<SiteFrame> frame = held_by_headings(picks)) return *frame;
-    if (picks.size() > 1)
-      return fail(ErrorCode::invalid, "the picks lie within 1 m of one another: pick places that lie further apart");
+  const Chosen all = points_of(picks);
+  if (const Farthest farthest = farthest_of(all); !(farthest.apart_m() >= kPicksApart_m)) {
+    if (const std::optional<SiteFrame> frame = held_by_headings(all)) return *frame;
+    if (picks.size() > 1) return too_near(picks, farthest);
     return fail(ErrorCode::invalid, "one pick needs a heading: " + picks.front().name +
                                         "=X,Y,HEADING; or pick a second place at least 1 m away");
   }
 
-  Chosen chosen;
-  for (const SitePick& pick : picks) chosen.push_back(&pick);
+  Chosen chosen = all;
   SiteFrame frame;
   while (chosen.size() >= kFewestToJudge) {
     const std::optional<std::size_t> worst = contradicting(chosen);
     if (!worst) break;
-    frame.left_out.push_back(static_cast<std::size_t>(chosen[*worst] - picks.data()));
+    frame.left_out.push_back(static_cast<std::size_t>(chosen[*worst].pick - picks.data()));
     chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(*worst));
   }
-  frame.plan_from_layout = fit(chosen);
   const Moments m = moments_of(chosen);
+  frame.plan_from_layout = fit(m);
   if (m.spread > 0.0) frame.scale = std::hypot(m.cosine, m.sine) / m.spread;
-  for (const SitePick& pick : picks) frame.off_m.push_back(off(frame.plan_from_layout, pick));
+  frame.off_m = all_off(frame.plan_from_layout, all);
   // Scatter beyond the stated sigmas comes from the layout.
   const double stated = std::sqrt(static_cast<double>(chosen.size()) / m.weight);
-  const double grown = std::max(1.0, spread_of(frame.plan_from_layout, chosen) / stated);
+  const double grown = std::max(1.0, spread_of(all_off(frame.plan_from_layout, chosen)) / stated);
   frame.sigma_m = grown / std::sqrt(m.weight);
   if (m.spread > 0.0) frame.sigma_rad = grown / std::sqrt(m.spread);
   return frame;

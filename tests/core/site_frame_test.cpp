@@ -117,7 +117,15 @@ TEST(SiteFrame, PicksInOnePointAndSigmasOutOfBoundsAreRefused) {
   SitePick beside = pick;
   beside.on_plan.x() += 0.5;
   beside.layout_from_place.x += 0.5;
-  EXPECT_NE(fit_site_frame({pick, beside}).error().message.find("within 1 m"), std::string::npos);
+  beside.name = "gate";
+  const auto refusal = [&] { return fit_site_frame({pick, beside}).error().message; };
+  EXPECT_NE(refusal().find("dock and gate come nearest to it: they lie 0.50 m apart in the map and 0.50 m apart on"),
+            std::string::npos)
+      << refusal();
+  beside.on_plan.x() += 12.0;
+  EXPECT_NE(refusal().find("0.50 m apart in the map and 12.50 m apart on the plan"), std::string::npos) << refusal();
+  beside.layout_from_place = pick.layout_from_place;
+  EXPECT_NE(refusal().find("at one spot of the map and 12.50 m apart on the plan"), std::string::npos) << refusal();
   beside.sigma_m = 0.0;
   EXPECT_NE(fit_site_frame({pick, beside}).error().message.find("from 0.001 to 10 m"), std::string::npos);
   EXPECT_FALSE(fit_site_frame({}));

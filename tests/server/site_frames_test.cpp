@@ -64,7 +64,8 @@ TEST_F(ServerSiteFrames, AreStoredAndSurviveARestartAndAnUndo) {
 
 TEST_F(ServerSiteFrames, ThatDoNotHoldTheMapAreRefusedAndNothingIsStored) {
   EXPECT_THAT(put({"hall", {}, {pick(0, 1.0, 1.0)}}).message, HasSubstr("plan hall: one pick needs a heading"));
-  EXPECT_THAT(put({"hall", {}, {pick(0, 1.0, 1.0), pick(1, 1.5, 1.0)}}).message, HasSubstr("within 1 m"));
+  EXPECT_THAT(put({"hall", {}, {pick(0, 1.0, 1.0), pick(1, 1.5, 1.0)}}).message,
+              HasSubstr("no two picks lie 1 m apart"));
   EXPECT_THAT(put({"hall", {}, {pick(70, 1.0, 1.0)}}).message, HasSubstr("is not in the map"));
   EXPECT_THAT(put(hall, true).message, HasSubstr("nothing was changed"));
   EXPECT_THAT(registrations(), IsEmpty());
