@@ -20,7 +20,8 @@ bool tells(const std::string& text, const std::string& what) {
   return text.find(what) != std::string::npos;
 }
 
-/// Holds a run round a hall of 40 m by 20 m, a place each metre; a second run that nothing joins to it.
+/// Holds a run round a hall of 40 m by 20 m, a place each metre; a second run that nothing joins to it. Relations are
+/// exact.
 struct Hall {
   static constexpr std::uint32_t kPlaces = 120;
 
@@ -60,42 +61,92 @@ struct Hall {
     return made;
   }
 
+  /// Makes the relations as odometry finds them, 0.7 % of the length off each way, and closes the loop by a stitch
+  /// that is 5 cm off each way.
+  void drift(Random& random) {
+    Batch batch = run({1});
+    const auto sway = [&](Edge& edge, double sigma_m) {
+      Metric2& relation = std::get<Metric2>(edge.a_from_b);
+      relation.a_from_b.x += random.normal(0.0, sigma_m);
+      relation.a_from_b.y += random.normal(0.0, sigma_m);
+      relation.covariance.diagonal().head<2>().setConstant(sigma_m * sigma_m);
+    };
+    for (Edge& edge : batch.edges) sway(edge, 0.007 * at[1].x);
+    Edge stitch;
+    stitch.id = {{{1}, 0}, {{1}, kPlaces - 1}};
+    stitch.origin = Origin::stitch;
+    stitch.a_from_b = Metric2{at.back(), 1e-4 * Eigen::Matrix3d::Identity()};
+    sway(stitch, 0.05);
+    batch.edges.push_back(stitch);
+    map = std::make_shared<const Snapshot>(with({}, batch));
+  }
+
   SiteSolution solve(const std::vector<Pick>& picks) const { return solve_site(view_of(map), {"hall", {}, picks}); }
 
   std::vector<Pose2> at;
   std::shared_ptr<const Snapshot> map;
 };
 
-TEST(SiteSolver, FourToEightPicksWithFiveCentimetresOfNoiseHoldAMapOfFortyMetres) {
-  const Hall hall;
+/// Holds how far a map lies from where it is on the plan: as a whole, and each place of it.
+struct OffPlan {
+  double whole_m = 0.0;     ///< the mean of all places
+  double turned_rad = 0.0;  ///< likewise
+  std::vector<double> places_m;
+};
+
+OffPlan off_plan(const Hall& hall, const SiteSolution& solution) {
+  OffPlan off;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double turned = 0.0;
+  for (std::uint32_t i = 0; i < Hall::kPlaces; ++i) {
+    const Pose2 found = solution.plan_from_place({{1}, i}).value();
+    const Pose2 truly = kPlanFromHall * hall.at[i];
+    const Eigen::Vector2d away = found.translation() - truly.translation();
+    sum += away;
+    turned += wrap_angle(found.heading - truly.heading);
+    off.places_m.push_back(away.norm());
+  }
+  off.whole_m = sum.norm() / Hall::kPlaces;
+  off.turned_rad = std::abs(turned) / Hall::kPlaces;
+  return off;
+}
+
+TEST(SiteSolver, FourToEightPicksWithFiveCentimetresOfNoiseHoldAMapOfFortyMetresThatDrifts) {
   Random random(3001);
-  std::vector<double> off;
+  std::vector<double> whole;
   std::vector<double> turned;
+  std::vector<double> places;
   for (std::size_t trial = 0; trial < 500; ++trial) {
+    Hall hall;
+    hall.drift(random);
     std::vector<Pick> picks;
     const std::size_t count = 4 + trial % 5;
     for (std::size_t i = 0; i < count; ++i) {  // spread over the hall, as people do
       const auto place = static_cast<std::uint32_t>(i * Hall::kPlaces / count + random.below(Hall::kPlaces / count));
-      picks.push_back(hall.pick(place, 0.05 / std::numbers::sqrt2, random));
+      picks.push_back(hall.pick(place, 0.05, random));
     }
     const SiteSolution solution = hall.solve(picks);
     ASSERT_EQ(solution.problem, "");
-    const Eigen::Vector2d middle{20.0, 10.0};
-    const Pose2& found = solution.frame.plan_from_layout * hall.at[picks[0].place.index].inverse();
-    off.push_back((found * middle - kPlanFromHall * middle).norm());
-    turned.push_back(std::abs(wrap_angle(found.heading - kPlanFromHall.heading)));
+    const OffPlan off = off_plan(hall, solution);
+    whole.push_back(off.whole_m);
+    turned.push_back(off.turned_rad);
+    places.insert(places.end(), off.places_m.begin(), off.places_m.end());
   }
-  std::ranges::sort(off);
-  std::ranges::sort(turned);
-  EXPECT_LE(off[250], 0.03);
-  EXPECT_LE(off[490], 0.06);
+  for (std::vector<double>* const sorted : {&whole, &turned, &places}) std::ranges::sort(*sorted);
+  EXPECT_LE(whole[250], 0.03);
+  EXPECT_LE(whole[450], 0.06) << "of nine in ten; 98 of 100 lie within 0.07 m, with exact relations too";
+  EXPECT_LE(whole[490], 0.07);
   EXPECT_LE(turned[490], 0.3 * kOneDegree);
+  // A place is off by what drifted on the way to it, too: that stays in the layout.
+  EXPECT_LE(places[places.size() / 2], 0.05);
+  EXPECT_LE(places[places.size() * 98 / 100], 0.15);
 }
 
 TEST(SiteSolver, APickThatIsAMetreWrongAmongFiveIsNamedInAHundredOfAHundred) {
-  const Hall hall;
   Random random(3002);
   for (std::size_t trial = 0; trial < 100; ++trial) {
+    Hall hall;
+    hall.drift(random);
     std::vector<Pick> picks;
     for (std::size_t i = 0; i < 5; ++i)
       picks.push_back(hall.pick(static_cast<std::uint32_t>(24 * i + random.below(24)), 0.05, random));
