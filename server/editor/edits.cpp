@@ -96,6 +96,22 @@ void undo_registration(const std::string& plan, const Snapshot& now, const Snaps
   if (registration_of(plan, then) == is && was != is) edit.registrations[plan] = was;
 }
 
+/// Refuses an edit that would leave the map more registered plans than it may have.
+Result<void> check_registrations(const Snapshot& snapshot, const Edit& edit) {
+  const Snapshot::Registrations& known = snapshot.registrations();
+  std::size_t came = 0;
+  std::size_t went = 0;
+  for (const auto& [plan, registration] : edit.registrations) {
+    if (registration && !known.contains(plan)) ++came;
+    if (!registration && known.contains(plan)) ++went;
+  }
+  const std::size_t count = known.size() + came - went;
+  if (came <= went || count <= kMostRegistrations) return {};
+  return fail(ErrorCode::refused, "the map would have " + std::to_string(count) + " registered plans, at most " +
+                                      std::to_string(kMostRegistrations) +
+                                      ": remove one (weft map register PLAN --remove), then undo again");
+}
+
 std::string known_plans(const Snapshot& snapshot) {
   std::string text;
   for (const auto& [plan, registration] : snapshot.registrations()) text += (text.empty() ? "" : ", ") + plan;
@@ -352,6 +368,7 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
                                           " is left to undo: it has been undone, or later "
                                           "revisions changed the same; weft map log shows them");
   }
+  if (const Result<void> fits = check_registrations(snapshot, edit); !fits) return fail(fits.error());
   return edit;
 }
 

@@ -62,7 +62,8 @@ Result<Edit> freeing_places_of(const Snapshot& snapshot, const std::string& name
 Result<Edit> putting_registration(const Snapshot& snapshot, const Registration& registration);
 /// Removes the registration of a plan; no name: of the only one. refused: there are several.
 Result<Edit> removing_registration(const Snapshot& snapshot, const std::string& plan);
-/// Turns round what a revision changed. refused: a rollback that is not the newest revision.
+/// Turns round what a revision changed. refused: a rollback that is not the newest revision, or a plan that would
+/// come back to a map that has as many as it may.
 Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, Revision revision);
 Result<Edit> rolling_back(const Snapshot& snapshot, const storage::MapStore& store, Revision to);
 

@@ -33,7 +33,8 @@ bool SiteFrames::is_due() const {
 std::optional<SiteFrames::OnPlan> SiteFrames::pose(const PlaceId& place) const {
   const Snapshot::Registrations& known = context_.snapshots.current().registrations();
   for (const auto& [plan, solution] : solutions_) {
-    if (!known.contains(plan)) continue;
+    const auto registered = known.find(plan);
+    if (registered == known.end() || registered->second != solution.registration) continue;
     if (const std::optional<Pose2> pose = solution.plan_from_place(place)) return OnPlan{plan, *pose};
   }
   return std::nullopt;

@@ -25,7 +25,8 @@ class SiteFrames {
     std::string plan;
     Pose2 plan_from_place;
   };
-  /// Returns where a place lies, on the first plan by name on which it does; none: on none.
+  /// Returns where a place lies, on the first plan by name on which it does; none: on none, or it is still being
+  /// worked out by the picks that are registered now.
   std::optional<OnPlan> pose(const PlaceId& place) const;
   /// Finds the place nearest to a point of a plan; no name: of the only plan. refused: it is not known which plan is
   /// meant, or nothing lies on it; not_found: there is no such plan, or no place within `kNearGoal_m`.

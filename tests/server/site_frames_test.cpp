@@ -101,6 +101,51 @@ TEST_F(ServerSiteFrames, TellWhereARobotStands) {
   EXPECT_NEAR(row.plan_from_robot.heading, 1.5708, 1e-3);
 }
 
+TEST_F(ServerSiteFrames, ThatWereReplacedTellNoRobotsPlaceAnyMore) {
+  put(hall);
+  site.say(site.state(r1, run.place(20)));
+  ASSERT_EQ(site.row("r1").plan, "hall");
+  Registration corrected = hall;
+  for (Pick& pick : corrected.picks) pick.on_plan.x() += 5.0;
+  msg::OperatorRequest request = site.request(Kind::plan_register);
+  request.registration = corrected;
+  site.hush();
+  site.say(request);
+  for (int turns = 0; turns < 100 && !site.last<msg::OperatorReply>(); ++turns) site.pass(500us);
+  ASSERT_EQ(registrations().at("hall"), corrected);
+  EXPECT_EQ(site.row("r1").plan, "") << "it is being worked out";
+  site.pass(2s);
+  site.say(site.state(r1, run.place(20)));
+  EXPECT_EQ(site.row("r1").plan, "hall");
+  EXPECT_NEAR(site.row("r1").plan_from_robot.x, 15.0, 1e-6);
+}
+
+TEST_F(ServerSiteFrames, ThatAnUndoWouldBringBackAreRefusedWhereTheMapHasTheMost) {
+  for (std::size_t i = 0; i < kMostRegistrations; ++i) {
+    Registration one = hall;
+    one.plan = "hall" + std::to_string(i);
+    ASSERT_EQ(put(one).outcome, msg::Outcome::done);
+  }
+  msg::OperatorRequest remove = site.request(Kind::plan_remove);
+  remove.registration.plan = "hall7";
+  const Revision removed = ask(remove).revision;
+  ASSERT_EQ(put(hall).outcome, msg::Outcome::done);
+  const auto undo = [&] {
+    msg::OperatorRequest request = site.request(Kind::undo);
+    request.work.revision = removed;
+    return ask(request);
+  };
+  const msg::OperatorReply refused = undo();
+  EXPECT_EQ(refused.outcome, msg::Outcome::refused);
+  EXPECT_THAT(refused.message, HasSubstr("the map would have 21 registered plans, at most 20: remove one"));
+  EXPECT_THAT(registrations(), SizeIs(kMostRegistrations));
+  remove = site.request(Kind::plan_remove);
+  remove.registration.plan = "hall8";
+  ASSERT_EQ(ask(remove).outcome, msg::Outcome::done);
+  EXPECT_EQ(undo().outcome, msg::Outcome::done);
+  EXPECT_TRUE(registrations().contains("hall7"));
+}
+
 TEST_F(ServerSiteFrames, AreShownWithWhatBecameOfEachPick) {
   put(hall);
   const msg::QueryReply reply = site.read(msg::Query::Kind::registrations);
