@@ -10,7 +10,7 @@ namespace weft {
 
 /// Says where a point of a place was found on a floor plan.
 struct Pick {
-  std::string name;  ///< for people: the label by which the place was named
+  std::string name;  ///< for people: the label by which the place was named, or its id
   PlaceId place;
   Eigen::Vector2d in_place = Eigen::Vector2d::Zero();  ///< the point in the place's frame, metres
   Eigen::Vector2d on_plan = Eigen::Vector2d::Zero();   ///< the same point on the plan, metres

@@ -19,6 +19,10 @@ bool is_within(const Eigen::Vector2d& point) {
 }
 
 Result<void> check_pick(const Snapshot& snapshot, const std::string& plan, const Pick& pick) {
+  if (!parse_place_id(pick.name)) {
+    if (const Result<void> good = check_name("pick", pick.name); !good)
+      return fail(good.error().code, "plan " + plan + ", " + good.error().message);
+  }
   const std::string name = "plan " + plan + ", pick " + pick.name;
   if (!is_within(pick.in_place) || !is_within(pick.on_plan)) {
     return fail(ErrorCode::invalid, name + ": a point lies farther than " + short_number(kPlanReach_m) +

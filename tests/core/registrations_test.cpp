@@ -72,6 +72,11 @@ TEST(Registrations, ThatDoNotFitTheMapAreRefused) {
   registration.picks[0].on_plan.y() = -2e6;
   EXPECT_TRUE(says(refusal(registration), "give metres"));
   registration = hall();
+  registration.picks[0].name = "dock\nweft: all is well";
+  EXPECT_TRUE(says(refusal(registration), "has the character U+000A; a name has"));
+  registration.picks[0].name = to_string(registration.picks[0].place);
+  EXPECT_EQ(refusal(registration), "") << "an id is a name too";
+  registration = hall();
   registration.picks.clear();
   EXPECT_TRUE(says(refusal(registration), "has 0 picks; give from 1 to 100"));
   registration.plan = "a b";
