@@ -145,6 +145,12 @@ Result<msg::OperatorRequest> rule_request(const Invocation& invocation) {
     if (!span) return no_place(text, "stretch E:I..J, E:I..F:J or place E:I");
     request.rule.spans.push_back(*span);
   }
+  const bool is_directed = request.rule.kind == RuleKind::one_way || request.rule.one_direction;
+  if (is_directed && !invocation.polygon.empty()) {
+    return fail(ErrorCode::invalid, "rule " + request.rule.name +
+                                        ": --polygon has no direction, and such a rule needs one: name --place A..B, "
+                                        "from A towards B");
+  }
   const bool is_somewhere = !request.rule.spans.empty() || !request.rule.label.empty() || !invocation.polygon.empty();
   if (request.kind == Kind::rule_put && !is_somewhere) {
     return fail(ErrorCode::invalid, "rule " + request.rule.name +

@@ -60,6 +60,12 @@ TEST(RuleCommands, WhatCannotBeMeantIsRefusedHere) {
   EXPECT_TRUE(says(fleet.weft({"rule", "add", "x", "--kind", "closed"}).err, "holds nowhere"));
   EXPECT_TRUE(
       says(fleet.weft({"rule", "add", "x", "--kind", "closed", "--place", "dock"}).err, "'dock' is no stretch"));
+  for (const std::vector<std::string>& directed :
+       {std::vector<std::string>{"one_way"}, std::vector<std::string>{"closed", "--one-direction"}}) {
+    std::vector<std::string> add = {"rule", "add", "x", "--polygon", "0,0;9,0;9,9", "--kind"};
+    add.insert(add.end(), directed.begin(), directed.end());
+    EXPECT_TRUE(says(fleet.weft(add).err, "rule x: --polygon has no direction")) << directed[0];
+  }
   EXPECT_TRUE(says(fleet.weft({"edge", "close", "dock", "gate"}).err, "'dock' is no place"));
   const std::string a = to_string(fleet.first) + ":1";
   EXPECT_TRUE(says(fleet.weft({"edge", "close", a, a}).err, "leads to itself"));
