@@ -21,7 +21,8 @@ void Grammar::registering(CLI::App& map) {
                                  ->type_name("M")
                                  ->check(CLI::Range(kLeastPickSigma_m, kMostPickSigma_m).description(""))
                                  ->needs(picks);
-  CLI::Option* const show = sub->add_flag("--show", into_.lists, "Say what is registered, and how well it fits");
+  CLI::Option* const show =
+      sub->add_flag("--show", into_.lists, "Say what is registered, PLAN alone if it is given, and how well it fits");
   CLI::Option* const remove = sub->add_flag("--remove", into_.removes, "Register the plan no longer");
   show->excludes(picks)->excludes(remove)->excludes(sigma);
   remove->excludes(picks);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "clients/cli/commands.hpp"
 #include "clients/cli/files.hpp"
@@ -129,23 +130,38 @@ void print(const msg::RegistrationRow& row, const Output& output) {
                is_known ? words_of(row.picks[at].state) : "-"});
   }
   table.print(output.out);
+/// Returns the row of the plan that PLAN names, or all rows when it names none. not_found: the plan is not
+/// registered.
+Result<std::vector<msg::RegistrationRow>> rows_to_show(const std::vector<msg::RegistrationRow>& all,
+                                                       const std::string& file) {
+  if (file.empty()) return all;
+  std::vector<Registration> known;
+  for (const msg::RegistrationRow& row : all) known.push_back(row.registration);
+  const Result<Registration> wanted = registration_of(known, plan_name(file));
+  if (!wanted) return fail(wanted.error());
+  std::vector<msg::RegistrationRow> rows;
+  std::ranges::copy_if(all, std::back_inserter(rows),
+                       [&](const msg::RegistrationRow& row) { return row.registration.plan == wanted->plan; });
+  return rows;
+}
+
 }
 
 Exit show_registrations(Session& session, const Invocation& invocation, const Output& output) {
   msg::Query query;
   query.kind = msg::Query::Kind::registrations;
+  const Result<std::vector<msg::RegistrationRow>> rows = rows_to_show(reply->registrations, invocation.floor_plan);
+  if (!rows) return report(rows.error(), invocation.json, output);
   const Result<msg::QueryReply> reply = session.query(query, patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
   if (invocation.json) {
     nlohmann::json document = {{"registrations", nlohmann::json::array()}};
-    for (const msg::RegistrationRow& row : reply->registrations)
-      document["registrations"].push_back(document_of(row));
+    for (const msg::RegistrationRow& row : *rows) document["registrations"].push_back(document_of(row));
     output.out << printed(document) << '\n';
     return Exit::done;
   }
-  for (const msg::RegistrationRow& row : reply->registrations) print(row, output);
-  if (reply->registrations.empty())
-    output.out << "no floor plan is registered: weft map register PLAN.yaml --pick LABEL=X,Y\n";
+  for (const msg::RegistrationRow& row : *rows) print(row, output);
+  if (rows->empty()) output.out << "no floor plan is registered: weft map register PLAN.yaml --pick LABEL=X,Y\n";
   return Exit::done;
 }
 

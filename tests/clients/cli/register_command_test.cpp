@@ -63,6 +63,21 @@ TEST_F(RegisterCommand, IsShownLoggedComparedAndRemoved) {
 }
 
 TEST_F(RegisterCommand, PlacesRobotsOnThePlan) {
+TEST_F(RegisterCommand, ShowsThePlanThatIsNamedAlone) {
+  ASSERT_EQ(put().exit, Exit::done);
+  const std::string yard = plan_file("yard.yaml");
+  ASSERT_EQ(fleet.weft({"map", "register", yard, "--pick", "dock=12,4,0.5"}).exit, Exit::done);
+  fleet.run(std::chrono::seconds(3));
+  EXPECT_EQ(fleet.weft({"map", "register", "--show", "--json"}).json()["registrations"].size(), 2U);
+  const auto rows = fleet.weft({"map", "register", yard, "--show", "--json"}).json()["registrations"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["plan"], "yard");
+  EXPECT_FALSE(mentions(fleet.weft({"map", "register", "yard", "--show"}).out, "plan hall"));
+  const Said unknown = fleet.weft({"map", "register", "shed", "--show"});
+  EXPECT_EQ(unknown.exit, Exit::refused);
+  EXPECT_TRUE(mentions(unknown.err, "plan shed is not registered; known: hall, yard")) << unknown.err;
+}
+
   Puppet& r1 = fleet.add_robot("r1");
   r1.state.localised = true;
   r1.state.place = {fleet.first, 30};
