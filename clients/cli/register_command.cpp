@@ -3,12 +3,10 @@
 #include <iterator>
 
 #include "clients/cli/commands.hpp"
-#include "clients/cli/files.hpp"
 #include "clients/cli/plan_layer.hpp"
 #include "clients/cli/registered.hpp"
 #include "clients/cli/table.hpp"
 #include "core/names.hpp"
-#include "core/network/codec.hpp"
 #include "core/text.hpp"
 
 /// Holds the command that registers floor plans to the map, and shows and removes what is registered.
@@ -78,9 +76,9 @@ Result<msg::OperatorRequest> register_request(const Invocation& invocation, cons
   }
   const Result<formats::FloorPlan> plan = read_floor_plan(invocation.floor_plan, output.err);
   if (!plan) return fail(plan.error());
-  const Result<Bytes> bytes = read_file(invocation.floor_plan);
-  if (!bytes) return fail(bytes.error());
-  request.registration.plan_hash = hash_bytes(*bytes);
+  const Result<ContentHash> hash = plan_hash(invocation.floor_plan);
+  if (!hash) return fail(hash.error());
+  request.registration.plan_hash = *hash;
   for (const Anchor& given : invocation.anchors) {
     if (const Result<void> on = check_on_plan(*plan, invocation.floor_plan, given); !on) return fail(on.error());
     Result<Pick> pick = pick_of(given, invocation.sigma_m, page);
@@ -130,6 +128,8 @@ void print(const msg::RegistrationRow& row, const Output& output) {
                is_known ? words_of(row.picks[at].state) : "-"});
   }
   table.print(output.out);
+}
+
 /// Returns the row of the plan that PLAN names, or all rows when it names none. not_found: the plan is not
 /// registered.
 Result<std::vector<msg::RegistrationRow>> rows_to_show(const std::vector<msg::RegistrationRow>& all,
@@ -145,15 +145,13 @@ Result<std::vector<msg::RegistrationRow>> rows_to_show(const std::vector<msg::Re
   return rows;
 }
 
-}
-
 Exit show_registrations(Session& session, const Invocation& invocation, const Output& output) {
   msg::Query query;
   query.kind = msg::Query::Kind::registrations;
-  const Result<std::vector<msg::RegistrationRow>> rows = rows_to_show(reply->registrations, invocation.floor_plan);
-  if (!rows) return report(rows.error(), invocation.json, output);
   const Result<msg::QueryReply> reply = session.query(query, patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
+  const Result<std::vector<msg::RegistrationRow>> rows = rows_to_show(reply->registrations, invocation.floor_plan);
+  if (!rows) return report(rows.error(), invocation.json, output);
   if (invocation.json) {
     nlohmann::json document = {{"registrations", nlohmann::json::array()}};
     for (const msg::RegistrationRow& row : *rows) document["registrations"].push_back(document_of(row));

@@ -5,7 +5,7 @@
 
 #include "clients/cli/export.hpp"
 #include "clients/cli/files.hpp"
-#include "core/network/codec.hpp"
+#include "clients/cli/plan_layer.hpp"
 #include "core/network/site_solver.hpp"
 
 namespace weft::cli {
@@ -33,17 +33,18 @@ Result<Registration> of_name(const std::vector<Registration>& known, const std::
                                         ": weft map register " + plan + ".yaml --pick LABEL=X,Y");
 }
 
-/// Returns the registration of the plan that is drawn upon, whose file has to be the one that was registered.
+/// Returns the registration of the plan that is drawn upon, whose file and picture have to be those that were
+/// registered.
 Result<std::optional<Registration>> of_floor_plan(const std::vector<Registration>& known, const std::string& file) {
   const Result<Registration> found = of_name(known, plan_name(file));
   if (!found) {
     return fail(found.error().code,
                 file + ": " + found.error().message + ", or say with --anchor where the network lies on it");
   }
-  const Result<Bytes> bytes = read_file(file);
-  if (!bytes) return fail(bytes.error());
-  if (hash_bytes(*bytes) == found->plan_hash) return *found;
-  return fail(ErrorCode::refused, file + " is not the file that was registered as plan " + found->plan +
+  const Result<ContentHash> hash = plan_hash(file);
+  if (!hash) return fail(hash.error());
+  if (*hash == found->plan_hash) return *found;
+  return fail(ErrorCode::refused, file + ", or its picture, is not what was registered as plan " + found->plan +
                                       ": register it again, or draw upon that one");
 }
 

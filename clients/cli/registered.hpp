@@ -29,8 +29,8 @@ std::string plan_name(const std::string& file);
 Result<Registration> registration_of(const std::vector<Registration>& known, const std::string& plan);
 
 /// Chooses the registration in whose frame a picture or a file is wanted; none: it has a frame of its own. not_found:
-/// the plan named is not registered; refused: its file has changed since, or several plans are registered and none is
-/// named.
+/// the plan named is not registered; refused: its file or picture has changed since, or several plans are registered
+/// and none is named.
 Result<std::optional<Registration>> wanted_registration(const std::vector<Registration>& known,
                                                         const Invocation& invocation);
 

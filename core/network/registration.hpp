@@ -23,7 +23,7 @@ struct Pick {
 /// (core/network/site_solver.hpp), never stored, and nobody navigates by it.
 struct Registration {
   std::string plan;         ///< by the rule for labels (core/names.hpp); no other registration has it
-  ContentHash plan_hash{};  ///< SHA-256 of the plan's file
+  ContentHash plan_hash{};  ///< SHA-256 of the plan's file, then its image (clients/cli/plan_layer.hpp)
   std::vector<Pick> picks{};
   bool operator==(const Registration&) const = default;
 };

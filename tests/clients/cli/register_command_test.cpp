@@ -14,15 +14,16 @@ bool mentions(const std::string& text, const std::string& what) {
   return text.find(what) != std::string::npos;
 }
 
+/// Writes the picture of the plan, all of one shade.
+void write_picture(const std::string& shade) {
+  std::ofstream out(folder() / "hall.pgm");
+  out << "P2\n8 6\n255\n";
+  for (int i = 0; i < 48; ++i) out << shade << ' ';
+}
+
 /// Writes a plan of 40 m by 30 m whose lower left corner lies at (-10, -5).
 std::string plan_file(const std::string& name = "hall.yaml") {
-  const std::filesystem::path image = folder() / "hall.pgm";
-  std::ofstream(image) << "P2\n8 6\n255\n"
-                       << [] {
-                            std::string pixels;
-                            for (int i = 0; i < 48; ++i) pixels += "254 ";
-                            return pixels;
-                          }();
+  write_picture("254");
   const std::filesystem::path file = folder() / name;
   std::ofstream(file) << "image: hall.pgm\nresolution: 5.0\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\n"
                          "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
@@ -62,7 +63,6 @@ TEST_F(RegisterCommand, IsShownLoggedComparedAndRemoved) {
   EXPECT_TRUE(mentions(fleet.weft({"map", "register", "--remove"}).err, "the map has no registered plan"));
 }
 
-TEST_F(RegisterCommand, PlacesRobotsOnThePlan) {
 TEST_F(RegisterCommand, ShowsThePlanThatIsNamedAlone) {
   ASSERT_EQ(put().exit, Exit::done);
   const std::string yard = plan_file("yard.yaml");
@@ -78,6 +78,7 @@ TEST_F(RegisterCommand, ShowsThePlanThatIsNamedAlone) {
   EXPECT_TRUE(mentions(unknown.err, "plan shed is not registered; known: hall, yard")) << unknown.err;
 }
 
+TEST_F(RegisterCommand, PlacesRobotsOnThePlan) {
   Puppet& r1 = fleet.add_robot("r1");
   r1.state.localised = true;
   r1.state.place = {fleet.first, 30};
@@ -114,7 +115,20 @@ TEST_F(RegisterCommand, ExportsAndDrawsInThePlansFrame) {
   EXPECT_TRUE(mentions(fleet.weft({"map", "export", graph, "--plan", "yard"}).err, "plan yard is not registered"));
   EXPECT_TRUE(mentions(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).out, "in the frame of plan hall"));
   std::ofstream(plan, std::ios::app) << "# edited\n";
-  EXPECT_TRUE(mentions(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).err, "is not the file that was"));
+  EXPECT_TRUE(mentions(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).err, "is not what was registered"));
+}
+
+TEST_F(RegisterCommand, APlanWhosePictureWasEditedIsNotWhatWasRegistered) {
+  const std::string picture = (folder() / "upon.svg").string();
+  ASSERT_EQ(put().exit, Exit::done);
+  ASSERT_EQ(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).exit, Exit::done);
+  write_picture("100");
+  const Said said = fleet.weft({"map", "draw", picture, "--floor-plan", plan});
+  EXPECT_EQ(said.exit, Exit::refused);
+  EXPECT_TRUE(mentions(said.err, "or its picture, is not what was registered as plan hall: register it again"))
+      << said.err;
+  EXPECT_EQ(put().exit, Exit::done) << "it is another plan of that name";
+  EXPECT_EQ(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).exit, Exit::done);
 }
 
 TEST_F(RegisterCommand, SendsAGoalToAPointOfThePlan) {
