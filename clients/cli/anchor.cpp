@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "clients/cli/part_on_plan.hpp"
 #include "core/network/site_frame.hpp"
 #include "storage/formats/lines.hpp"
 
@@ -66,26 +67,14 @@ Result<Anchored> anchored(const Window& network, const Layout& layout, const std
   if (!frame) return fail(frame.error().code, "--anchor: " + frame.error().message);
   const Pose2& site_from_drawing = frame->plan_from_layout;
   const std::size_t island = layout.island.at(network.labels.at(anchors.front().label));
-  const auto held = [&](const PlaceId& place) { return layout.island.at(place) == island; };
+  PartOnPlan part = part_on_plan(network, [&](const PlaceId& place) {
+    return layout.island.at(place) == island ? std::optional(site_from_drawing * layout.drawing_from_place.at(place))
+                                             : std::nullopt;
+  });
   Anchored result;
-  result.network.revision = network.revision;
-  for (const auto& [id, place] : network.places) {
-    if (!held(id)) {
-      ++result.left_out;
-      continue;
-    }
-    result.network.places.insert_or_assign(id, place);
-    result.layout.drawing_from_place.emplace(id, site_from_drawing * layout.drawing_from_place.at(id));
-    result.layout.island.emplace(id, 0);
-  }
-  for (const auto& [id, edge] : network.edges) {
-    if (held(id.a)) result.network.edges.insert_or_assign(id, edge);
-  }
-  for (const auto& [label, place] : network.labels) {
-    if (held(place)) result.network.labels.emplace(label, place);
-  }
-  index_edges(result.network);
-  result.layout.islands = 1;
+  result.network = std::move(part.network);
+  result.layout = std::move(part.layout);
+  result.left_out = part.left_out;
   for (const std::size_t pick : frame->left_out)
     result.contradicting.push_back({anchors[pick].label, frame->off_m[pick]});
   for (std::size_t pick = 0; pick < anchors.size(); ++pick) {

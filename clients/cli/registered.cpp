@@ -5,6 +5,7 @@
 
 #include "clients/cli/export.hpp"
 #include "clients/cli/files.hpp"
+#include "clients/cli/part_on_plan.hpp"
 #include "clients/cli/plan_layer.hpp"
 #include "core/network/site_solver.hpp"
 
@@ -90,26 +91,8 @@ Result<Registered> registered(const Window& network, const Registration& registr
   const SiteSolution solution = solve_site(view_of(network), registration);
   if (!solution.problem.empty())
     return fail(ErrorCode::refused, "plan " + registration.plan + ": " + solution.problem);
-  Registered result;
-  result.network.revision = network.revision;
-  for (const auto& [id, place] : network.places) {
-    const std::optional<Pose2> pose = solution.plan_from_place(id);
-    if (!pose) {
-      ++result.left_out;
-      continue;
-    }
-    result.network.places.insert_or_assign(id, place);
-    result.layout.drawing_from_place.emplace(id, *pose);
-    result.layout.island.emplace(id, 0);
-  }
-  for (const auto& [id, edge] : network.edges) {
-    if (result.network.places.contains(id.a)) result.network.edges.insert_or_assign(id, edge);
-  }
-  for (const auto& [label, place] : network.labels) {
-    if (result.network.places.contains(place)) result.network.labels.emplace(label, place);
-  }
-  index_edges(result.network);
-  result.layout.islands = 1;
+  PartOnPlan part = part_on_plan(network, [&](const PlaceId& place) { return solution.plan_from_place(place); });
+  Registered result{std::move(part.network), std::move(part.layout), part.left_out, {}};
   result.caption = "in the frame of plan " + registration.plan + ", " + to_text(solution);
   if (result.left_out > 0)
     result.caption += ", " + std::to_string(result.left_out) + " places of parts without picks left out";
