@@ -41,6 +41,7 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
 
 /// Moves the network into the frame of a registered floor plan, if one is wanted.
 Result<std::optional<Laid>> lay_on_plan(Session& session, const Window& network, const Invocation& invocation) {
+  if (!wants_plan(invocation)) return std::nullopt;
   const Result<NetworkPage> page = last_page_at(session, invocation, network.revision);
   if (!page) return fail(page.error());
   const Result<std::optional<Registration>> wanted = wanted_registration(page->registrations, invocation);

@@ -67,19 +67,22 @@ std::string plan_name(const std::string& file) {
   return (ending == ".yaml" || ending == ".yml" ? name.stem() : name).string();
 }
 
+bool wants_plan(const Invocation& invocation) {
+  if (!invocation.anchors.empty() || invocation.no_plan) return false;
+  if (invocation.command == Command::map_draw) return !invocation.floor_plan.empty();
+  return !invocation.plan.empty() || is_for_the_site(invocation.file);
+}
+
 Result<std::optional<Registration>> wanted_registration(const std::vector<Registration>& known,
                                                         const Invocation& invocation) {
-  if (!invocation.anchors.empty() || invocation.no_plan) return std::nullopt;
-  if (invocation.command == Command::map_draw) {
-    if (invocation.floor_plan.empty()) return std::nullopt;
-    return of_floor_plan(known, invocation.floor_plan);
-  }
+  if (!wants_plan(invocation)) return std::nullopt;
+  if (invocation.command == Command::map_draw) return of_floor_plan(known, invocation.floor_plan);
   if (!invocation.plan.empty()) {
     Result<Registration> named = of_name(known, invocation.plan);
     if (!named) return fail(named.error());
     return *std::move(named);
   }
-  if (!is_for_the_site(invocation.file) || known.empty()) return std::nullopt;
+  if (known.empty()) return std::nullopt;
   if (known.size() == 1) return known.front();
   return fail(ErrorCode::refused, invocation.file +
                                       ": several floor plans are registered; say with --plan in whose "

@@ -28,6 +28,10 @@ std::string plan_name(const std::string& file);
 /// several.
 Result<Registration> registration_of(const std::vector<Registration>& known, const std::string& plan);
 
+/// Returns whether a picture or a file may be wanted in the frame of a registered plan, so that it is worth asking
+/// for what is registered.
+bool wants_plan(const Invocation& invocation);
+
 /// Chooses the registration in whose frame a picture or a file is wanted; none: it has a frame of its own. not_found:
 /// the plan named is not registered; refused: its file or picture has changed since, or several plans are registered
 /// and none is named.

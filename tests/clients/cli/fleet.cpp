@@ -141,6 +141,7 @@ void Fleet::serve() {
   if (!server_lives) return;
   std::vector<msg::Message> out = service->tick(both());
   while (const std::optional<msg::Message> message = server_link_->take()) {
+    if (const auto* const query = std::get_if<msg::Query>(&*message)) ++asked[query->kind];
     for (msg::Message& answer : service->handle(*message, both())) out.push_back(std::move(answer));
   }
   for (const msg::Message& message : out) EXPECT_TRUE(server_link_->send(message).has_value());

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -61,6 +62,7 @@ class Fleet {
   std::shared_ptr<storage::MemoryDisk> disk;
   std::unique_ptr<server::Service> service;
   SteadyTime now{};
+  std::map<msg::Query::Kind, std::size_t> asked;  ///< queries that the server took, by kind
 
  private:
   void turn(Duration step);

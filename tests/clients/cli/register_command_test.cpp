@@ -131,6 +131,24 @@ TEST_F(RegisterCommand, APlanWhosePictureWasEditedIsNotWhatWasRegistered) {
   EXPECT_EQ(fleet.weft({"map", "draw", picture, "--floor-plan", plan}).exit, Exit::done);
 }
 
+TEST_F(RegisterCommand, WhatIsRegisteredIsAskedForOnlyWhereAPlanMayBeWanted) {
+  ASSERT_EQ(put().exit, Exit::done);
+  const auto pages_for = [&](std::vector<std::string> arguments) {
+    const std::size_t before = fleet.asked[msg::Query::Kind::network];
+    arguments.insert(arguments.begin(), "map");
+    EXPECT_EQ(fleet.weft(arguments).exit, Exit::done) << arguments[1];
+    return fleet.asked[msg::Query::Kind::network] - before;
+  };
+  const std::string picture = (folder() / "pages.svg").string();
+  const std::string graph = (folder() / "pages.geojson").string();
+  const std::size_t network_alone = pages_for({"export", (folder() / "pages.json").string()});
+  EXPECT_EQ(pages_for({"draw", picture}), network_alone);
+  EXPECT_EQ(pages_for({"draw", picture, "--floor-plan", plan, "--anchor", "dock=12,4,0.5"}), network_alone);
+  EXPECT_EQ(pages_for({"export", graph, "--no-plan"}), network_alone);
+  EXPECT_GT(pages_for({"export", graph}), network_alone);
+  EXPECT_GT(pages_for({"draw", picture, "--floor-plan", plan}), network_alone);
+}
+
 TEST_F(RegisterCommand, SendsAGoalToAPointOfThePlan) {
   ASSERT_EQ(put().exit, Exit::done);
   fleet.run(std::chrono::seconds(3));
