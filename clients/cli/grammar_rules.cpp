@@ -35,7 +35,8 @@ void Grammar::rules() {
                 if (!read) throw CLI::ValidationError("--polygon " + read.error().message);
                 into_.polygon = *std::move(read);
               },
-              "Where: on the places that lie within these corners of a registered floor plan, as the map is now")
+              "Where: on the places that lie within these corners of a registered floor plan, or on either side of "
+              "them, as the map is now")
           ->type_name("X,Y;X,Y;...");
   added->add_option("--plan", into_.plan, "With --polygon: which plan [the only one that is registered]")
       ->type_name("NAME")

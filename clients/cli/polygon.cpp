@@ -1,7 +1,10 @@
 #include "clients/cli/polygon.hpp"
 
 #include <cmath>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "storage/formats/lines.hpp"
 
@@ -19,6 +22,44 @@ double twice_area(const Polygon& polygon) {
     sum += here.x() * next.y() - next.x() * here.y();
   }
   return sum;
+}
+
+/// Returns a positive number for a point on the left of the line from `a` to `b`, a negative one on the right.
+double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d along = b - a;
+  const Eigen::Vector2d to = point - a;
+  return along.x() * to.y() - along.y() * to.x();
+}
+
+/// Returns whether the straight line from `a` to `b` leads over an edge of the polygon.
+bool crosses(const Polygon& polygon, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  for (std::size_t at = 0; at < polygon.size(); ++at) {
+    const Eigen::Vector2d& c = polygon[at];
+    const Eigen::Vector2d& d = polygon[(at + 1) % polygon.size()];
+    const bool is_between = (side_of(a, b, c) > 0.0) != (side_of(a, b, d) > 0.0);
+    if (is_between && (side_of(c, d, a) > 0.0) != (side_of(c, d, b) > 0.0)) return true;
+  }
+  return false;
+}
+
+/// Returns the places within the polygon, and both ends of the edges of runs that lead through it from one place
+/// outside to the next.
+std::set<PlaceId> places_within(const Layout& layout, const Polygon& polygon) {
+  std::set<PlaceId> within;
+  const std::pair<const PlaceId, Pose2>* before = nullptr;
+  for (const auto& entry : layout.drawing_from_place) {
+    const auto& [place, pose] = entry;
+    const bool is_next =
+        before != nullptr && before->first.experience == place.experience && before->first.index + 1 == place.index;
+    if (contains(polygon, pose.translation())) {
+      within.insert(place);
+    } else if (is_next && !contains(polygon, before->second.translation()) &&
+               crosses(polygon, before->second.translation(), pose.translation())) {
+      within.insert({before->first, place});
+    }
+    before = &entry;
+  }
+  return within;
 }
 
 }  // namespace
@@ -56,20 +97,24 @@ bool contains(const Polygon& polygon, const Eigen::Vector2d& point) {
 }
 
 Result<std::vector<Span>> spans_within(const Layout& layout, const Polygon& polygon) {
+  const std::set<PlaceId> within = places_within(layout, polygon);
   std::vector<Span> spans;
+  std::optional<PlaceId> before;  // what has left the map between two places of a run breaks no stretch
   for (const auto& [place, pose] : layout.drawing_from_place) {
-    if (!contains(polygon, pose.translation())) continue;
-    const bool goes_on =
-        !spans.empty() && spans.back().to.experience == place.experience && spans.back().to.index + 1 == place.index;
-    if (goes_on) {
-      spans.back().to = place;
-    } else {
-      spans.push_back({place, place});
+    if (within.contains(place)) {
+      const bool goes_on = !spans.empty() && before == spans.back().to && before->experience == place.experience;
+      if (goes_on) {
+        spans.back().to = place;
+      } else {
+        spans.push_back({place, place});
+      }
     }
+    before = place;
   }
   if (spans.empty()) {
     return fail(ErrorCode::not_found,
-                "--polygon: no place of the map lies within it; weft map draw --floor-plan shows where they lie");
+                "--polygon: no place of the map lies within it, and no run leads through it; weft map draw "
+                "--floor-plan shows where they lie");
   }
   if (spans.size() > kRuleSpans) {
     return fail(ErrorCode::invalid, "--polygon: " + std::to_string(spans.size()) +

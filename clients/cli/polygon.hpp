@@ -18,8 +18,9 @@ Result<Polygon> parse_polygon(std::string_view text);
 /// Returns whether the point lies within the polygon, counted by edges crossed.
 bool contains(const Polygon& polygon, const Eigen::Vector2d& point);
 
-/// Returns the stretches of runs that lie within the polygon, of places laid out in the plan's frame. not_found: no
-/// place does; invalid: they are more than one rule can name.
+/// Returns the stretches of runs that lie within the polygon or lead through it, of places laid out in the plan's
+/// frame: the places within it, and the two on either side of it where a run crosses it between them. A stretch goes
+/// on over places that have left the map. not_found: there is none; invalid: they are more than one rule can name.
 Result<std::vector<Span>> spans_within(const Layout& layout, const Polygon& polygon);
 
 inline constexpr std::size_t kMostCorners = 100;

@@ -45,9 +45,26 @@ TEST(Polygon, GivesStretchesOfRuns) {
   }
   const Polygon two = *parse_polygon("0.9,-1;3.1,-1;3.1,1;0.9,1");
   EXPECT_EQ(spans_within(layout, two).value(), (std::vector<Span>{{{{1}, 2}, {{1}, 6}}}));
+  layout.drawing_from_place.erase({{1}, 4});
+  EXPECT_EQ(spans_within(layout, two).value(), (std::vector<Span>{{{{1}, 2}, {{1}, 6}}})) << "one is gone";
   const Result<std::vector<Span>> none = spans_within(layout, *parse_polygon("50,50;51,50;51,51"));
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::not_found);
+}
+
+TEST(Polygon, NarrowerThanPlacesLieApartTakesThePlacesOnEitherSide) {
+  Layout layout;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    layout.drawing_from_place[{{1}, i}] = {0.5 * i, 0.0, 0.0};
+    layout.drawing_from_place[{{2}, i}] = {0.5 * i + 0.25, 1.0, 0.0};
+  }
+  const Polygon strip = *parse_polygon("1.65,-1;1.85,-1;1.85,2;1.65,2");
+  EXPECT_EQ(spans_within(layout, strip).value(), (std::vector<Span>{{{{1}, 3}, {{1}, 4}}, {{{2}, 3}, {{2}, 3}}}));
+  const Polygon beside = *parse_polygon("1.65,0.1;1.85,0.1;1.85,2;1.65,2");
+  EXPECT_EQ(spans_within(layout, beside).value(), (std::vector<Span>{{{{2}, 3}, {{2}, 3}}}));
+  layout.drawing_from_place.erase({{1}, 4});
+  EXPECT_EQ(spans_within(layout, strip).value(), (std::vector<Span>{{{{2}, 3}, {{2}, 3}}}))
+      << "no edge leads over what has left the map";
 }
 
 }  // namespace
