@@ -177,7 +177,12 @@ Exit run_rules(Session& session, const Invocation& invocation, const Output& out
   }
   const Result<msg::OperatorReply> reply = session.ask(*std::move(request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
-  return show(*reply, invocation, output);
+  const Exit exit = show(*reply, invocation, output);
+  if (exit == Exit::done && !invocation.polygon.empty() && !invocation.json && !invocation.only_say) {
+    output.out << "it holds on the floor that is taught there now: lay it down again when more is taught within the "
+                  "polygon.\n";
+  }
+  return exit;
 }
 
 }  // namespace weft::cli

@@ -171,6 +171,9 @@ TEST_F(RegisterCommand, LaysARuleDownForAPolygonOfThePlan) {
   ASSERT_EQ(put().exit, Exit::done);
   const Said said = fleet.weft(add);
   EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_TRUE(mentions(said.out, "lay it down again when more is taught within the polygon")) << said.out;
+  EXPECT_FALSE(
+      mentions(fleet.weft({"rule", "add", "slow", "--kind", "speed=0.3", "--label", "dock"}).out, "polygon"));
   const std::vector<Span> spans = fleet.service->snapshot().rules().at("wet").spans;
   const bool has_dock = std::ranges::any_of(spans, [&](const Span& span) {
     return span.from.experience == fleet.first && span.from.index <= 30 && 30 <= span.to.index;
