@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "agents/adjustment/costs.hpp"
+#include "agents/adjustment/solver_options.hpp"
 
 namespace weft::agents {
 
@@ -32,13 +33,8 @@ MosaicPoint placed(const Mosaic& mosaic, const MosaicIndex& index, std::uint32_t
     problem.SetParameterBlockConstant(pose.data());
     problem.SetParameterBlockConstant(attitude.data());
   }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = iterations;
-  options.num_threads = 1;
-  options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(repeatable_options(ceres::DENSE_NORMAL_CHOLESKY, iterations), &problem, &summary);
   ceres::CRSMatrix jacobian;
   problem.Evaluate({}, nullptr, nullptr, nullptr, &jacobian);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(jacobian.values.data(),

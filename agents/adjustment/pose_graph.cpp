@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "agents/adjustment/costs.hpp"
+#include "agents/adjustment/solver_options.hpp"
 
 namespace weft::agents {
 namespace {
@@ -58,14 +59,8 @@ bool adjust_poses(std::vector<Pose2>& map_from_place, std::span<const WindowFit>
     problem.AddResidualBlock(LinkCost::make(stitch), new ceres::CauchyLoss(kCauchySigmas), poses[stitch.from].data(),
                              poses[stitch.to].data());
   problem.SetParameterBlockConstant(poses.front().data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-  options.max_num_iterations = iterations;
-  options.num_threads = 1;
-  options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(repeatable_options(ceres::SPARSE_NORMAL_CHOLESKY, iterations), &problem, &summary);
   for (std::size_t i = 0; i < poses.size(); ++i)
     map_from_place[i] = {poses[i][0], poses[i][1], wrap_angle(poses[i][2])};
   return summary.termination_type == ceres::CONVERGENCE;

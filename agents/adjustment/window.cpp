@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "agents/adjustment/costs.hpp"
+#include "agents/adjustment/solver_options.hpp"
 
 namespace weft::agents {
 namespace {
@@ -70,7 +71,7 @@ std::vector<MosaicLink> links_within(const Mosaic& mosaic, const MosaicIndex& in
 
 void solve(const Mosaic& mosaic, const std::vector<MosaicLink>& links, std::uint32_t first, Unknowns& unknowns) {
   ceres::Problem problem;
-  ceres::Solver::Options options;
+  ceres::Solver::Options options = repeatable_options(ceres::DENSE_SCHUR, kIterations);
   options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   for (std::size_t i = 0; i < unknowns.points.size(); ++i) {
     double* const point = unknowns.points[i].data();
@@ -95,10 +96,6 @@ void solve(const Mosaic& mosaic, const std::vector<MosaicLink>& links, std::uint
     options.linear_solver_ordering->AddElementToGroup(unknowns.places[i].attitude.data(), 1);
   }
   problem.SetParameterBlockConstant(unknowns.places.front().pose.data());
-  options.linear_solver_type = ceres::DENSE_SCHUR;
-  options.max_num_iterations = kIterations;
-  options.num_threads = 1;
-  options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
 }
