@@ -14,6 +14,12 @@ namespace {
 
 constexpr double kShareOfWindow = 0.5;  // each place is in two of them
 
+/// Returns how many windows cover all places, the last one whole and reaching to the end.
+std::size_t windows_over(std::size_t places, std::size_t window) {
+  const std::size_t half = window / 2;
+  return places <= window ? 1 : 1 + (places - window + half - 1) / half;
+}
+
 tl::unexpected<Error> invalid(const std::string& what) {
   return fail(ErrorCode::invalid, "mosaic: " + what);
 }
@@ -48,26 +54,20 @@ MosaicAdjustment::MosaicAdjustment(Mosaic mosaic, const MosaicAdjustmentConfig& 
   std::ranges::copy_if(mosaic_.links, std::back_inserter(stitches_), &MosaicLink::is_stitch);
 }
 
-/// Returns how many windows cover all places, the last one whole and reaching to the end.
-std::size_t MosaicAdjustment::window_count() const {
-  const std::size_t places = mosaic_.places.size();
-  const std::size_t half = config_.window_places / 2;
-  return places <= config_.window_places ? 1 : 1 + (places - config_.window_places + half - 1) / half;
-}
-
 std::uint32_t MosaicAdjustment::window_begin(std::size_t window) const {
   const auto places = static_cast<std::uint32_t>(mosaic_.places.size());
   const std::uint32_t size = std::min(config_.window_places, places);
   return std::min(static_cast<std::uint32_t>(window) * (config_.window_places / 2), places - size);
 }
 
-std::size_t MosaicAdjustment::pieces() const {
-  return window_count() + config_.graph_pieces +
-         (mosaic_.points.size() + config_.points_each - 1) / config_.points_each;
+std::size_t MosaicAdjustment::most_pieces(std::size_t places, std::size_t points,
+                                          const MosaicAdjustmentConfig& config) {
+  return windows_over(places, config.window_places) + config.graph_pieces +
+         (points + config.points_each - 1) / config.points_each;
 }
 
 bool MosaicAdjustment::step() {
-  const bool has_windows = windows_.size() < window_count();
+  const bool has_windows = windows_.size() < windows_over(mosaic_.places.size(), config_.window_places);
   if (has_windows) {
     fit_next_window();
   } else if (!is_graph_done_) {

@@ -28,14 +28,15 @@ class MosaicAdjustment {
   bool step();
   std::size_t done() const { return done_; }
   /// Returns how many pieces there are at most.
-  std::size_t pieces() const;
+  std::size_t pieces() const { return most_pieces(mosaic_.places.size(), mosaic_.points.size(), config_); }
+  /// Returns the same of any mosaic with so many places and points.
+  static std::size_t most_pieces(std::size_t places, std::size_t points, const MosaicAdjustmentConfig& config = {});
   /// Returns the mosaic, as far as it is adjusted.
   const Mosaic& mosaic() const { return mosaic_; }
 
  private:
   MosaicAdjustment(Mosaic mosaic, const MosaicAdjustmentConfig& config);
 
-  std::size_t window_count() const;
   std::uint32_t window_begin(std::size_t window) const;
   void fit_next_window();
   void adjust_all_poses();

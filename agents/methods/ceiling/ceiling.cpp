@@ -10,7 +10,7 @@
 
 namespace weft::agents {
 
-static_assert(Method<Ceiling> && Diagnoses<Ceiling> && Exposes<Ceiling>);
+static_assert(Method<Ceiling> && Diagnoses<Ceiling> && Exposes<Ceiling> && Refines<Ceiling>);
 
 std::string_view Ceiling::name_of(SeenBy by) {
   switch (by) {

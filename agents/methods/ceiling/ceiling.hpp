@@ -9,6 +9,7 @@
 #include "agents/methods/ceiling/config.hpp"
 #include "agents/methods/ceiling/content.hpp"
 #include "agents/methods/ceiling/height.hpp"
+#include "agents/methods/ceiling/refinement.hpp"
 #include "agents/methods/method.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/corner_tracks.hpp"
@@ -111,6 +112,14 @@ class Ceiling {
   /// few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual, disagrees_with_guess;
   /// ambiguous: what both see looks nearly as well like another stretch of a, as on a grid of lamps.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  using Refinement = CeilingRefinement;
+  /// Begins to adjust a taught run as a mosaic of what hangs above it (Lucas et al., II.D, where frames were laid on
+  /// one another). No pieces: `is_adjustable` says no, or nothing binds the run better than odometry does.
+  Refinement begin_refine(const CeilingRun& run) const;
+  bool refine(Refinement& refinement) const;
+  std::size_t pieces(const Refinement& refinement) const;
+  Amendments<Content> refined(Refinement refinement) const;
 
   /// Returns the middle of the features, in the robot's frame.
   Eigen::Vector2d gaze(const Content& content) const;

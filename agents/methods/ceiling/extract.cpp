@@ -27,15 +27,6 @@ ToldHeight told_at(const std::vector<Ceiling::Tracked>& tracks, const Eigen::Vec
   return told;
 }
 
-/// Moves a feature along its ray to its height.
-void set_height(const CameraModel& camera, const Height& height, PlaneFeature& feature) {
-  const Eigen::Vector3d& eye = camera.robot_from_camera.translation;
-  const double share = (height.above_floor_m - eye.z()) / (feature.above_floor_m - eye.z());
-  feature.on_plane = eye.head<2>() + share * (feature.on_plane - eye.head<2>());
-  feature.above_floor_m = height.above_floor_m;
-  feature.above_floor_sigma_m = height.sigma_m;
-}
-
 /// Returns the part of a patch around the robot, at most so many pixels wide and high.
 PlanePatch cut_out(const PlanePatch& whole, int most_px) {
   PlanePatch part;

@@ -63,6 +63,14 @@ std::optional<Height> height_of(const HeightPrior& prior, const ToldHeight& told
   return Height{std::max(mean, prior.lowest_m), std::sqrt(variance)};
 }
 
+void set_height(const CameraModel& camera, const Height& height, PlaneFeature& feature) {
+  const Eigen::Vector3d& eye = camera.robot_from_camera.translation;
+  const double share = (height.above_floor_m - eye.z()) / (feature.above_floor_m - eye.z());
+  feature.on_plane = eye.head<2>() + share * (feature.on_plane - eye.head<2>());
+  feature.above_floor_m = height.above_floor_m;
+  feature.above_floor_sigma_m = height.sigma_m;
+}
+
 double HeightTeller::focal(const CameraModel& camera) {
   return focal_px(camera);
 }

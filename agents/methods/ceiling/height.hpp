@@ -5,6 +5,7 @@
 #include "agents/methods/ceiling/config.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "agents/perception/planar_motion.hpp"
+#include "agents/perception/plane/feature.hpp"
 
 namespace weft::agents {
 
@@ -28,6 +29,9 @@ struct Height {
   double above_floor_m = 0.0;
   double sigma_m = 0.0;
 };
+/// Moves a feature along its ray to a height.
+void set_height(const CameraModel& camera, const Height& height, PlaneFeature& feature);
+
 /// Returns a corner's height as the prior and what has been told have it: a mixture of one on the ceiling and one
 /// that hangs below, with the variance of both. None: it is too high or too low to be part of a ceiling.
 std::optional<Height> height_of(const HeightPrior& prior, const ToldHeight& told);
