@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/methods/ceiling/chart.hpp"
 #include "agents/methods/ceiling/common_errors.hpp"
 #include "agents/methods/ceiling/config.hpp"
 #include "agents/methods/ceiling/content.hpp"
@@ -112,6 +113,19 @@ class Ceiling {
   /// few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual, disagrees_with_guess;
   /// ambiguous: what both see looks nearly as well like another stretch of a, as on a grid of lamps.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
+
+  using Chart = CeilingChart;
+  struct Belief {
+    Metric2 centre_from_robot;  ///< of the chart's centre; its covariance leaves out how places lie to one another
+  };
+  static constexpr ChartSize chart_size = {12, 200};
+  Chart chart(const std::vector<ChartPlace<Content>>& around) const;
+  Belief begin(const Chart& chart, const Estimate& seed) const;
+  Belief believed(const Chart& chart, const Belief& before, const Estimate& estimate) const;
+  /// Relates a view to the mosaic about where the robot is believed to be, as the nearest place would have seen it
+  /// (Lucas et al., III, where the image is found in the mosaic of images); where that is refused, to that place
+  /// itself. Refusals: nothing_near, and those of `relate`.
+  Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
   using Refinement = CeilingRefinement;
   /// Begins to adjust a taught run as a mosaic of what hangs above it (Lucas et al., II.D, where frames were laid on

@@ -32,7 +32,7 @@ std::size_t features_in(const CeilingRun& run) {
 
 /// Returns by how much features of two places may lie apart that show one corner: by their own noise, and by what of
 /// the way between both a height that is not known makes.
-double within_m(const CeilingConfig& config, const CeilingContent& content, const Pose2& a_from_b) {
+double most_apart_m(const CeilingConfig& config, const CeilingContent& content, const Pose2& a_from_b) {
   constexpr double of_way = 0.03;
   return config.consensus_px * metres_per_pixel(config, content.ceiling_m) + of_way * a_from_b.translation().norm();
 }
@@ -44,7 +44,7 @@ std::vector<Match> matches_by_odometry(const CeilingConfig& config, const Ceilin
   const CeilingContent& content_b = *refinement.run[b].content;
   const Pose2 pose = planar(a_from_b);
   const Eigen::Matrix3d covariance = planar_covariance(a_from_b);
-  const double within = within_m(config, content_b, pose);
+  const double within = most_apart_m(config, content_b, pose);
   const MatchGate gate{
       pose, std::min(3.0 * std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0})), config.widest_gate_m),
       std::min(3.0 * std::sqrt(std::max(covariance(2, 2), 0.0)), config.gate_rad)};
