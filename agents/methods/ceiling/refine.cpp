@@ -15,13 +15,15 @@ namespace {
 constexpr std::size_t kPlacesAPiece = 8;
 constexpr std::array<std::size_t, 4> kPlacesBack = {1, 2, 4, 8};  // a corner is found again that one place misses
 
-/// Bounds the pieces of the adjustment: all poses of a long run take long, so that a piece takes fewer iterations.
+/// Bounds the pieces of the adjustment: the more poses a run has, the longer an iteration over all of them takes.
 MosaicAdjustmentConfig bounds_for(std::size_t places) {
-  constexpr std::size_t usual = 500;
+  constexpr std::size_t places_times_iterations = 1000;  // of one piece
+  constexpr std::uint32_t iterations = 30;               // of all pieces
   MosaicAdjustmentConfig config;
-  if (places <= usual) return config;
-  config.graph_pieces *= config.graph_iterations;
-  config.graph_iterations = 1;
+  config.graph_iterations = std::clamp<std::uint32_t>(
+      static_cast<std::uint32_t>(places_times_iterations / std::max<std::size_t>(places, 1)), 1, 3);
+  config.graph_pieces = iterations / config.graph_iterations;
+  config.points_each = 250;
   return config;
 }
 
