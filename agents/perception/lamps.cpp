@@ -26,26 +26,20 @@ Lamps::Lamps(const Image& image, const LampConfig& config) : width_(image.width)
   cv::dilate(white, rim, square_of(config.rim_px));
   cv::dilate(white, bloom, square_of(config.bloom_px));
   parts_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), Part::beside);
-  double sum = 0.0;
-  double count = 0.0;
   std::size_t at = 0;
   for (int row = 0; row < height_; ++row) {
-    const auto* const g = grey.ptr<std::uint8_t>(row);
     const auto* const i = inner.ptr<std::uint8_t>(row);
     const auto* const r = rim.ptr<std::uint8_t>(row);
     const auto* const b = bloom.ptr<std::uint8_t>(row);
     for (int column = 0; column < width_; ++column, ++at) {
-      if (b[column] == 0) {
-        sum += g[column];
-        count += 1.0;
-      } else if (i[column] != 0) {
+      if (b[column] == 0) continue;
+      if (i[column] != 0) {
         parts_[at] = Part::inside;
       } else {
         parts_[at] = r[column] != 0 ? Part::rim : Part::bloom;
       }
     }
   }
-  if (count > 0.0) grey_beside_ = sum / count;
 }
 
 bool Lamps::counts(const Eigen::Vector2d& pixel) const {
@@ -55,6 +49,14 @@ bool Lamps::counts(const Eigen::Vector2d& pixel) const {
   const Part part =
       parts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
   return part == Part::beside || part == Part::rim;
+}
+
+double grey_beside_lamps(const Image& image, const LampConfig& config) {
+  constexpr double white = 255.0;
+  const cv::Mat grey = as_mat(image);
+  cv::Mat beside = grey < config.white_grey;
+  cv::erode(beside, beside, square_of(config.bloom_px));
+  return cv::countNonZero(beside) > 0 ? cv::mean(grey, beside)[0] : white;
 }
 
 }  // namespace weft::agents

@@ -23,15 +23,15 @@ class Lamps {
   /// nothing is seen, and close around it what seems to be there is its bloom.
   bool counts(const Eigen::Vector2d& pixel) const;
 
-  /// Returns the mean grey value of what is no lamp, bloom left out; 255 where there is nothing else.
-  double grey_beside() const { return grey_beside_; }
-
  private:
   enum class Part : std::uint8_t { beside, rim, bloom, inside };
   int width_ = 0;
   int height_ = 0;
   std::vector<Part> parts_;
-  double grey_beside_ = 255.0;
 };
+
+/// Returns the mean grey value of what is no lamp, bloom left out; 255 where there is nothing else. The image is
+/// whole.
+double grey_beside_lamps(const Image& image, const LampConfig& config);
 
 }  // namespace weft::agents

@@ -25,7 +25,7 @@ std::optional<Exposure> Ceiling::expose(const Odometry& odometry, const View& vi
   constexpr double followed = 0.5;     // of the power of 2 that is missing, an image: as agents/perception/exposure
   constexpr double most_factor = 4.0;  // likewise, and its inverse
   constexpr double driven_m_s = 1.0;   // robots are hardly faster
-  const double grey = Lamps(**image, lamp_config(config_)).grey_beside();
+  const double grey = grey_beside_lamps(**image, lamp_config(config_));
   const double wanted = std::clamp(config_.mid_grey / std::max(grey, 1.0), 1.0 / most_factor, most_factor);
   const double away_m = working_height_m(odometry) - camera_.robot_from_camera.translation.z();
   return brightened(*view.exposure, std::pow(wanted, followed), driven_m_s * focal_px(camera_) / away_m, {});

@@ -17,7 +17,17 @@ TEST(LampsInAView, CountOnTheirRimOnly) {
   EXPECT_FALSE(lamps.counts({54.0, 75.0})) << "bloom";
   EXPECT_TRUE(lamps.counts({30.0, 20.0})) << "beside";
   EXPECT_FALSE(lamps.counts({-3.0, 20.0})) << "outside";
-  EXPECT_NEAR(lamps.grey_beside(), 80.0, 1e-9);
+}
+
+TEST(LampsInAView, TheirBloomIsNoGreyOfTheCeiling) {
+  auto pixels = std::make_shared<Bytes>(200 * 150, 80);
+  for (std::size_t row = 45; row < 105; ++row)
+    for (std::size_t column = 55; column < 145; ++column) (*pixels)[row * 200 + column] = 200;
+  for (std::size_t row = 50; row < 100; ++row)
+    for (std::size_t column = 60; column < 140; ++column) (*pixels)[row * 200 + column] = 255;
+  EXPECT_NEAR(grey_beside_lamps({200, 150, pixels}, {}), 80.0, 1e-9);
+  const auto white = std::make_shared<Bytes>(200 * 150, 255);
+  EXPECT_EQ(grey_beside_lamps({200, 150, white}, {}), 255.0);
 }
 
 }  // namespace
