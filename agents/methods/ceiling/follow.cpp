@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/plane/consensus.hpp"
-#include "agents/perception/plane/geometry.hpp"
 
 namespace weft::agents {
 namespace {
@@ -40,17 +40,19 @@ Followed found_again(const CameraModel& camera, const CeilingConfig& c, const Ce
   return out;
 }
 
-/// Keeps the pairs for which `keep` holds, in both lists.
+/// Keeps the pairs for which `keep` holds, in both lists. Returns whether any was dropped.
 template <class Keep>
-void retain(Followed& followed, const Keep& keep) {
+bool retain(Followed& followed, const Keep& keep) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < followed.pairs.size(); ++i) {
     if (!keep(i)) continue;
     followed.pairs[kept] = followed.pairs[i];
     followed.tracks[kept++] = followed.tracks[i];
   }
+  const bool has_dropped = kept < followed.pairs.size();
   followed.pairs.resize(kept);
   followed.tracks.resize(kept);
+  return has_dropped;
 }
 
 /// Sets the height of each pair as it is known before this motion is; drops what is no part of a ceiling.
@@ -64,23 +66,38 @@ void set_known_heights(const FollowedHeights& heights, Followed& followed) {
   });
 }
 
+/// Puts points of a view on level planes, robot frame.
+class OnLevel {
+ public:
+  OnLevel(const CameraModel& camera, const Attitude& attitude) {
+    const Pose3 level_from_camera = level_from_body(attitude) * camera.robot_from_camera;
+    turned_ = level_from_camera.rotation.toRotationMatrix();
+    eye_ = level_from_camera.translation;
+  }
+  Eigen::Vector2d operator()(const Eigen::Vector2d& in_view, double above_floor_m) const {
+    const Eigen::Vector3d ray = turned_ * in_view.homogeneous();
+    return eye_.head<2>() + (above_floor_m - eye_.z()) / ray.z() * ray.head<2>();
+  }
+
+ private:
+  Eigen::Matrix3d turned_;
+  Eigen::Vector3d eye_;
+};
+
 /// Returns the pairs that one rigid motion explains (Lucas et al., II.C, by two points in place of a homography):
 /// points of the level plane, within what a view's own tilt and the points' heights may put them aside.
 std::vector<bool> on_one_motion(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
                                 const PlanarState& expected, const std::vector<PlanePair>& pairs) {
-  const double ceiling_m = heights.prior.ceiling_m;
-  const double away_m = ceiling_m - camera.robot_from_camera.translation.z();
+  const double away_m = heights.prior.ceiling_m - camera.robot_from_camera.translation.z();
   std::vector<Eigen::Vector2d> at_a;
   std::vector<Eigen::Vector2d> at_b;
   std::vector<Match> matches;
+  const OnLevel level_a(camera, expected.attitude_a);
+  const OnLevel level_b(camera, expected.attitude_b);
   for (const PlanePair& pair : pairs) {
     const auto i = static_cast<std::uint32_t>(at_a.size());
-    const auto level = [&](const Attitude& attitude, const Eigen::Vector2d& in_view) {
-      const Eigen::Matrix3d here = camera_from_plane(camera, attitude, pair.above_floor_m);
-      return Eigen::Vector2d(here.partialPivLu().solve(in_view.homogeneous()).hnormalized());
-    };
-    at_a.push_back(level(expected.attitude_a, pair.in_a));
-    at_b.push_back(level(expected.attitude_b, pair.in_b));
+    at_a.push_back(level_a(pair.in_a, pair.above_floor_m));
+    at_b.push_back(level_b(pair.in_b, pair.above_floor_m));
     matches.push_back({i, i, 0});
   }
   // A height that is wrong by a share moves a point by that share of the travel; a tilt does as much.
@@ -125,24 +142,22 @@ void set_told_heights(const CameraModel& camera, const FollowedHeights& heights,
 
 /// Returns the gauge: 1 once keyframes have told enough heights, which then hold the scale.
 double gauge_of(const CameraModel& camera, const FollowedHeights& heights, const Followed& followed) {
-  constexpr std::size_t enough = 12;
+  constexpr std::ptrdiff_t enough = 12;
+  const auto told = std::count_if(followed.tracks.begin(), followed.tracks.end(),
+                                  [](const Ceiling::Tracked& track) { return track.told.information > 0.0; });
+  if (told >= enough) return 1.0;
   const HeightTeller teller(camera, followed.fit, heights.prior);
   std::vector<ToldHeight> tell;
-  std::size_t told = 0;
-  for (std::size_t i = 0; i < followed.pairs.size(); ++i) {
-    if (followed.tracks[i].told.information > 0.0) ++told;
-    tell.push_back(teller.told_by(followed.pairs[i]));
-  }
-  if (told >= enough) return 1.0;
+  for (const PlanePair& pair : followed.pairs) tell.push_back(teller.told_by(pair));
   return gauge_factor(tell, heights.prior.ceiling_m, camera.robot_from_camera.translation.z());
 }
 
-/// Keeps what the motion explains, whatever its height.
-void retain_agreeing(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
+/// Keeps what the motion explains, whatever its height. Returns whether anything was dropped.
+bool retain_agreeing(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
                      Followed& followed) {
   const HeightTeller teller(camera, followed.fit, heights.prior);
   const double most_sigmas = c.inlier_px / c.track_sigma_px;
-  retain(followed, [&](std::size_t i) {
+  return retain(followed, [&](std::size_t i) {
     const PlanePair& pair = followed.pairs[i];
     if (heights.one_plane || pair.above_floor_sigma_m == 0.0) return followed.fit.residual_px[i] < 2.0 * c.inlier_px;
     return teller.across_sigmas(pair, pair.above_floor_m) < most_sigmas;
@@ -177,13 +192,15 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
   }
   PlanarState start = expected;
   out.fit = fit_planar_motion(camera, camera, out.pairs, prior, start);
-  retain_agreeing(camera, c, heights, out);
+  bool has_dropped = retain_agreeing(camera, c, heights, out);
   if (are_too_few()) return out;
   const double travel_m = out.fit.state.a_from_b.translation().norm();
   const bool tells = !heights.one_plane && travel_m >= c.height_from_m;
   constexpr int rounds = 2;
   for (int round = 0; round < rounds && (tells || round == 0); ++round) {
-    out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
+    // Where none was dropped, the fit is that of these very pairs.
+    if (has_dropped || !out.fit.converged)
+      out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
     if (!tells) break;
     const double factor = gauge_of(camera, heights, out);
     out.fit.state.a_from_b.x *= factor;
@@ -191,7 +208,7 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
     set_told_heights(camera, heights, out);
     if (are_too_few()) return out;
     out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
-    retain_agreeing(camera, c, heights, out);
+    has_dropped = retain_agreeing(camera, c, heights, out);
     if (are_too_few()) return out;
   }
   if (!out.fit.converged) out.refused = "not_converged";

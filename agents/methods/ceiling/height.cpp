@@ -92,6 +92,7 @@ ToldHeight HeightTeller::told_by(const PlanePair& pair) const {
     if (!(information > 1e-12)) return {};
     const Eigen::Vector2d off = pair.in_sigmas(focal_px_ * (pair.in_b - there.in_b));
     height = std::clamp(height + slope.dot(off) / information, prior_.lowest_m - 0.1, highest);
+    if (i + 1 < steps) continue;  // what the motion's own error does is asked of the last one
     const Eigen::Matrix<double, 1, 9> by_motion =
         (focal_px_ / pair.sigma_px / information) * (slope.transpose() * pair.counts * there.jacobian);
     const double motion = by_motion * covariance_ * by_motion.transpose();
