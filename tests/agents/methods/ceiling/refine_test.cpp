@@ -152,8 +152,11 @@ TEST(CeilingRefine, TheSameRunGivesTheSameBits) {
   ASSERT_EQ(one.places.size(), way.size());
   for (std::size_t i = 0; i < one.edges.size(); ++i)
     EXPECT_TRUE(identical(one.edges[i].a_from_b, other.edges[i].a_from_b)) << i;
-  for (std::size_t i = 0; i < one.places.size(); ++i)
-    EXPECT_EQ(method.encode(one.places[i].content), method.encode(other.places[i].content)) << i;
+  for (std::size_t i = 0; i < one.places.size(); ++i) {
+    const Bytes bytes = method.encode(one.places[i].content);
+    EXPECT_EQ(bytes, method.encode(other.places[i].content)) << i;
+    EXPECT_TRUE(method.decode(bytes)) << i;
+  }
 }
 
 TEST(CeilingRefine, ARunThatCannotBeAdjustedStaysAsItWasTaught) {
