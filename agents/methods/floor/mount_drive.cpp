@@ -1,158 +1,18 @@
 #include "agents/methods/floor/mount_drive.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "agents/methods/floor/floor.hpp"
+#include "agents/methods/see_drive.hpp"
 
 namespace weft::agents {
-namespace {
 
-constexpr double kYawBefore = 0.05;      // rad: 1 sigma of how a camera is put on by eye
-constexpr double kForwardBefore = 0.02;  // m: measured with a ruler
-constexpr int kPasses = 3;               // the first two find the mount, the last one says what it makes of the drive
-
-std::string text(double value) {
-  const std::string all = std::to_string(value);
-  return all.substr(0, all.find('.') + 4);
-}
-
-/// Holds what one pass through the drive has shown.
-struct Played {
-  std::vector<PlaneViews> views;
-  Pose2 first_from_last;
-  double path_m = 0.0;
-  double wheels_m = 0.0;       ///< over stretches with wheels, and...
-  double seen_beside_m = 0.0;  ///< ...what vision says of the same
-  std::size_t samples = 0;
-  std::size_t blind = 0;
-};
-
-Result<Played> play_with(const CameraModel& camera, const PlayDrive& play, const FloorConfig& config) {
-  const Result<Floor> floor = Floor::make(config, camera);
-  if (!floor) return fail(floor.error());
-  Floor::Odometry odometry;
-  Played out;
-  const Result<void> played = play([&](const View* view, const Motion& motion) {
-    const Step step = floor->observe(odometry, view, motion);
-    const Pose2 moved = planar(step.previous_from_current);
-    out.first_from_last = out.first_from_last * moved;
-    out.path_m += moved.translation().norm();
-    out.blind += step.seen || out.samples == 0 ? 0U : 1U;
-    ++out.samples;
-    if (!odometry.ended.has_value()) return;
-    out.views.push_back(std::move(*odometry.ended));
-    const PlaneViews& views = out.views.back();
-    if (!views.wheels.has_value()) return;
-    out.wheels_m += views.wheels->translation().norm();
-    out.seen_beside_m += views.a_from_b.translation().norm();
-  });
-  if (!played) return fail(played.error());
-  return out;
-}
-
-Result<void> check_drive(const Played& played, const MountDriveConfig& config) {
-  if (played.path_m < config.least_drive_m)
-    return fail(ErrorCode::refused, "the drive is " + text(played.path_m) + " m long, at least " +
-                                        text(config.least_drive_m) + " m are needed; drive further, 5 m or more");
-  const double blind = static_cast<double>(played.blind) / static_cast<double>(played.samples);
-  if (blind > config.most_blind_share)
-    return fail(ErrorCode::refused, text(100.0 * blind) +
-                                        " % of the images show no floor that can be followed, at most " +
-                                        text(100.0 * config.most_blind_share) +
-                                        " % are allowed; drive slower, over a floor with texture, in good light, and "
-                                        "begin with a mount that is right to 5 degrees");
-  return {};
-}
-
-/// Sets the share of the focal length's error that distances keep when the height has been found with it: another
-/// drive is another mixture of straights and bends (docs/decisions/024-odometry-candidates.md).
-constexpr double kScaleByFocal = 0.15;
-
-struct Height {
-  HeightFrom from = HeightFrom::nothing;
-  double share = 0.0;
-  std::optional<double> scale_sigma;
-};
-
-/// Finds by what share the height is wrong: distances as seen are proportional to the height that was believed.
-Result<Height> height_from(const Played& played, const MountDriveConfig& config) {
-  const double seen_m = played.first_from_last.translation().norm();
-  if (config.distance_m.has_value()) {
-    if (seen_m < 0.5 * config.least_drive_m)
-      return fail(ErrorCode::refused, "first and last stand are " + text(seen_m) +
-                                          " m apart as seen; a measured distance needs a drive that ends " +
-                                          text(0.5 * config.least_drive_m) + " m or more from where it began");
-    // Odometry itself is good to 0.2 % of a metre.
-    return Height{HeightFrom::distance, *config.distance_m / seen_m - 1.0,
-                  std::hypot(config.distance_sigma_m / *config.distance_m, 0.002 / std::sqrt(seen_m),
-                             kScaleByFocal * config.prior.focal_share)};
-  }
-  if (config.wheels_sigma.has_value() && played.seen_beside_m > 0.5 * config.least_drive_m)
-    return Height{HeightFrom::wheels, played.wheels_m / played.seen_beside_m - 1.0,
-                  std::hypot(*config.wheels_sigma, 0.002, kScaleByFocal * config.prior.focal_share)};
-  return Height{};
-}
-
-/// Turns the mount as the drive's views and its base's motions show; false: too little was seen.
-bool turn_mount(const std::vector<PlaneViews>& seen, const MountDriveConfig& config, MountDrive& out) {
-  MountFilter filter(out.camera, config.prior);
-  std::vector<Pose2> motions;
-  for (const PlaneViews& views : seen) {
-    if (filter.add(views)) motions.push_back(views.a_from_b);
-  }
-  const MountTilt tilt = filter.tilt();
-  out.pairs = filter.pairs();
-  out.camera.sigma.tilt_rad = tilt.sigma_rad();
-  if (tilt.sigma_rad() > config.most_tilt_sigma_rad) return false;
-  out.camera = tilted(out.camera, tilt.pitch_rad, tilt.roll_rad);
-  out.pitch_rad += tilt.pitch_rad;
-  out.roll_rad += tilt.roll_rad;
-  const std::optional<MountLever> lever = lever_from(motions, kYawBefore, kForwardBefore);
-  if (!lever.has_value()) return true;
-  out.camera = shifted(out.camera, *lever);
-  out.lever = {out.lever.yaw_rad + lever->yaw_rad, out.lever.forward_m + lever->forward_m, lever->yaw_sigma_rad,
-               lever->forward_sigma_m};
-  out.yaw_seen = lever->yaw_sigma_rad < 0.5 * kYawBefore;
-  out.forward_seen = lever->forward_sigma_m < 0.5 * kForwardBefore;
-  out.camera.sigma.yaw_rad = lever->yaw_sigma_rad;
-  return true;
-}
-
-}  // namespace
-
-Result<MountDrive> calibrate_mount(const CameraModel& given, const PlayDrive& play, const MountDriveConfig& config) {
-  MountDrive out;
-  out.camera = given;
-  out.camera.sigma.focal_share = config.prior.focal_share;
-  out.camera.sigma.tilt_rad = out.camera.sigma.yaw_rad = out.camera.sigma.scale_share = std::nullopt;  // of before
-  Played played;
-  double height_share = 0.0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    Result<Played> once = play_with(out.camera, play, config.floor);
-    if (!once) return fail(once.error());
-    played = std::move(*once);
-    if (const Result<void> good = check_drive(played, config); !good) return fail(good.error());
-    const Result<Height> height = height_from(played, config);
-    if (!height) return fail(height.error());
-    height_share = (1.0 + height_share) * (1.0 + height->share) - 1.0;
-    out.height_from = height->from;
-    out.camera.sigma.scale_share = height->scale_sigma;
-    out.camera.robot_from_camera.translation.z() *= 1.0 + height->share;
-    if (pass == 0) out.seen_m = played.first_from_last.translation().norm();
-    if (pass + 1 == kPasses) break;  // only the height is left to be found with the final mount
-
-    if (!turn_mount(played.views, config, out))
-      return fail(ErrorCode::refused,
-                  "pitch and roll are only known to " + text(*out.camera.sigma.tilt_rad) + " rad, the bound is " +
-                      text(config.most_tilt_sigma_rad) +
-                      "; drive further over a floor with texture, and calibrate the camera first");
-  }
-  out.height_share = height_share;
-  out.path_m = played.path_m;
-  out.samples = played.samples;
-  out.blind = played.blind;
-  return out;
+Result<MountDrive> calibrate_floor_mount(const CameraModel& given, const PlayDrive& play,
+                                         const MountDriveConfig& config) {
+  const SeeDrive see = [&](const CameraModel& camera, double /*plane_m*/) -> Result<DriveSeen> {
+    const Result<Floor> floor = Floor::make({}, camera);
+    if (!floor) return fail(floor.error());
+    return see_drive(*floor, play);
+  };
+  return find_mount(given, see, config);
 }
 
 }  // namespace weft::agents

@@ -84,7 +84,7 @@ Result<std::optional<agents::CameraModel>> calibrated(const Drive& drive, const 
     is_stopped = !*played;
     return is_stopped ? Result<void>(fail(ErrorCode::refused, "stopped")) : Result<void>();
   };
-  const Result<MountDrive> found = calibrate_mount((*body)->rig().camera(), again, config);
+  const Result<MountDrive> found = calibrate_floor_mount((*body)->rig().camera(), again, config);
   if (is_stopped) return std::optional<agents::CameraModel>();
   if (!found) return fail(found.error());
   return std::optional(found->camera);

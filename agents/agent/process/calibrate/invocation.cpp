@@ -72,7 +72,7 @@ void camera_options(CLI::App& sub, CameraJob& job, Words& words) {
 
 /// Holds the mount's flags, in the units of the command line.
 struct MountWords {
-  std::optional<double> height_m, pitch_deg, forward_m, left_m, distance_m, wheels_percent;
+  std::optional<double> height_m, pitch_deg, yaw_deg, forward_m, left_m, distance_m, wheels_percent, ceiling_m;
   double distance_sigma_mm = 5.0;
 };
 
@@ -86,6 +86,11 @@ void mount_options(CLI::App& sub, MountJob& job, MountWords& words) {
   sub.add_option("--calibration", job.calibration,
                  "Camera file of `weft calibrate camera` [the recording's sensor.yaml]")
       ->type_name("FILE");
+  sub.add_option("--method", job.method, "What it looks at: floor | ceiling [floor]")
+      ->check(CLI::IsMember({kByFloor, kByCeiling}).description(""))
+      ->type_name("M");
+  number("--ceiling-m", words.ceiling_m, 1.0, 40.0, "M",
+         "With --method ceiling: the ceiling above the floor, to a tenth of it; distance or wheels correct it");
   number("--distance-m", words.distance_m, 0.5, 1000.0, "M",
          "Straight from where the robot stood first to where it stood last, measured: shows the height");
   number("--distance-sigma-mm", words.distance_sigma_mm, 0.1, 1000.0, "MM", "How well that was measured [5]");
@@ -93,7 +98,11 @@ void mount_options(CLI::App& sub, MountJob& job, MountWords& words) {
          "How well the wheels' odometry is known, one sigma: shows the height where no distance is given");
   number("--height-m", words.height_m, 0.05, 5.0, "M",
          "A first guess: the camera above the floor [the file's mount]");
-  number("--pitch-deg", words.pitch_deg, 10.0, 90.0, "DEG", "It looks down by so much from level");
+  number("--pitch-deg", words.pitch_deg, -90.0, 90.0, "DEG",
+         "It looks down by so much from level: 10 to 90, with --method ceiling -90 (straight up) to -45");
+  number("--yaw-deg", words.yaw_deg, -360.0, 360.0, "DEG",
+         "Turned to the left by so much, seen from above; 0: the image's left is the robot's, or straight up, its "
+         "bottom is ahead [0]");
   number("--forward-m", words.forward_m, -3.0, 3.0, "M", "Ahead of the middle between the wheels [0]");
   number("--left-m", words.left_m, -3.0, 3.0, "M", "To the left of it [0]");
   CLI::Option* const site = sub.add_option("--site", job.site, "Instead of DIR: a simulated robot of this site")
@@ -106,19 +115,43 @@ void mount_options(CLI::App& sub, MountJob& job, MountWords& words) {
   sub.add_flag("--json", job.json, "Print one JSON document");
 }
 
+/// Throws where the words on the plane do not go together.
+void check_plane(const MountJob& job, const MountWords& words) {
+  const bool is_ceiling = job.method == kByCeiling;
+  if (is_ceiling && !words.ceiling_m.has_value())
+    throw CLI::ValidationError("--method ceiling: how high is it? --ceiling-m, to a tenth of it");
+  if (!is_ceiling && words.ceiling_m.has_value())
+    throw CLI::ValidationError("--ceiling-m goes with --method ceiling");
+  if (!words.pitch_deg.has_value()) return;
+  constexpr double kLevelDown = 10.0;
+  constexpr double kLevelUp = -45.0;
+  if (is_ceiling && *words.pitch_deg > kLevelUp)
+    throw CLI::ValidationError("--pitch-deg: with --method ceiling it is -90 (straight up) to -45");
+  if (!is_ceiling && *words.pitch_deg < kLevelDown)
+    throw CLI::ValidationError("--pitch-deg: with --method floor it is 10 to 90");
+}
+
+/// Returns the mount as it was measured by hand; none: it was not. Throws where a part of it is missing.
+std::optional<MountGuess> guess_in(const MountWords& words) {
+  if (words.height_m.has_value() != words.pitch_deg.has_value())
+    throw CLI::ValidationError("--height-m and --pitch-deg go together");
+  const bool has_more = words.forward_m.has_value() || words.left_m.has_value() || words.yaw_deg.has_value();
+  if (!words.height_m.has_value() && has_more)
+    throw CLI::ValidationError("--forward-m, --left-m and --yaw-deg go with --height-m and --pitch-deg");
+  if (!words.height_m.has_value()) return std::nullopt;
+  constexpr double kDegree = 3.14159265358979 / 180.0;
+  return MountGuess{*words.height_m, kDegree * *words.pitch_deg, words.forward_m.value_or(0.0),
+                    words.left_m.value_or(0.0), kDegree * words.yaw_deg.value_or(0.0)};
+}
+
 void finish(MountJob& job, const MountWords& words) {
   if (job.recording.empty() && job.site.empty())
     throw CLI::ValidationError("say which drive: a recording's folder, or --site, --name and --along");
   if (!job.site.empty() && (job.robot.empty() || job.along.empty()))
     throw CLI::RequiredError("--site: --name and --along");
-  if (words.height_m.has_value() != words.pitch_deg.has_value())
-    throw CLI::ValidationError("--height-m and --pitch-deg go together");
-  if (!words.height_m.has_value() && (words.forward_m.has_value() || words.left_m.has_value()))
-    throw CLI::ValidationError("--forward-m and --left-m go with --height-m and --pitch-deg");
-  constexpr double kDegree = 3.14159265358979 / 180.0;
-  if (words.height_m.has_value())
-    job.guess = MountGuess{*words.height_m, kDegree * *words.pitch_deg, words.forward_m.value_or(0.0),
-                           words.left_m.value_or(0.0)};
+  check_plane(job, words);
+  job.ceiling_m = words.ceiling_m.value_or(0.0);
+  job.guess = guess_in(words);
   job.distance_m = words.distance_m;
   job.distance_sigma_m = 1e-3 * words.distance_sigma_mm;
   if (words.wheels_percent.has_value()) job.wheels_sigma = 0.01 * *words.wheels_percent;
@@ -146,9 +179,10 @@ std::variant<CameraJob, MountJob, Leave> parse_calibrate(int argc, const char* c
   camera_options(*camera, job, words);
   CLI::App* const mount = app.add_subcommand(
       "mount",
-      "How the camera sits on its robot, from a drive of 5 m or more with some bends: pitch and roll from the floor, "
-      "yaw "
-      "and place ahead from the base's not sliding sideways, height from a measured distance or the wheels.\n"
+      "How the camera sits on its robot, from a drive of 5 m or more with some bends: pitch and roll from what it "
+      "sees "
+      "of the floor, or with --method ceiling of the ceiling, yaw and place ahead from the base's not sliding "
+      "sideways, height from a measured distance or the wheels.\n"
       "Calibrate the camera first: a focal length that is 0.3 % wrong makes the pitch 0.1 degrees wrong. Writes a "
       "camera "
       "file with the mount (for `weft-agent --calibration`).");

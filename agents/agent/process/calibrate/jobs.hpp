@@ -22,14 +22,21 @@ struct CameraJob {
   bool json = false;
 };
 
-/// Describes a rough mount of a camera, measured by hand: good to 5 degrees and a few centimetres.
+/// Describes a rough mount of a camera, measured by hand: good to 5 degrees and a few centimetres. Pitch is down from
+/// level, yaw to the left as seen from above.
 struct MountGuess {
-  double height_m = 0.0, pitch_rad = 0.0, forward_m = 0.0, left_m = 0.0;
+  double height_m = 0.0, pitch_rad = 0.0, forward_m = 0.0, left_m = 0.0, yaw_rad = 0.0;
 };
+
+/// Names the methods that know a mount from a drive.
+inline constexpr const char* kByFloor = "floor";
+inline constexpr const char* kByCeiling = "ceiling";
 
 /// Describes a drive to find the mount from: recorded, or of a simulated robot that is led along a line.
 struct MountJob {
-  std::string recording;  ///< folder in EuRoC layout; empty: `site`, `robot`, `along`
+  std::string method = kByFloor;  ///< by which what the camera sees is followed
+  double ceiling_m = 0.0;         ///< by the ceiling: above the floor, as guessed
+  std::string recording;          ///< folder in EuRoC layout; empty: `site`, `robot`, `along`
   std::string site, robot, along;
   std::uint64_t seed = 1;
   std::string camera = "cam0";             ///< of the recording, and of a camera file that has several
@@ -56,7 +63,7 @@ std::variant<CameraJob, MountJob, Leave> parse_calibrate(int argc, const char* c
 Result<void> calibrate_camera(const CameraJob& job, const JobOutput& output);
 
 /// Prints what was found of the mount and how well, writes a camera file with it. Errors as of the body and of
-/// calibrate_mount in agents/methods/floor/mount_drive.hpp; exhausted: the file cannot be written.
+/// find_mount in agents/perception/mount_drive.hpp; exhausted: the file cannot be written.
 Result<void> calibrate_mount(const MountJob& job, const JobOutput& output);
 
 /// Draws each residual of the images, how large they are in each image, and how far the board got around.

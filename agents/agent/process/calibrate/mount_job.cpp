@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -9,7 +10,7 @@
 #include "agents/agent/process/equip.hpp"
 #include "agents/agent/process/words.hpp"
 #include "agents/methods/advance.hpp"
-#include "agents/methods/floor/floor.hpp"
+#include "agents/methods/ceiling/mount_drive.hpp"
 #include "agents/methods/floor/mount_drive.hpp"
 #include "core/polyline.hpp"
 
@@ -32,7 +33,7 @@ Result<std::vector<SitePoint>> read_line(const std::string& file) {
 Options options_of(const MountJob& job) {
   Options options;
   options.name = job.robot;
-  options.methods = {std::string(Floor::name)};
+  options.methods = {job.method};
   options.body = job.site.empty() ? "replay" : "sim";
   options.site = job.site;
   options.seed = job.seed;
@@ -40,8 +41,8 @@ Options options_of(const MountJob& job) {
   options.camera = job.camera;
   options.calibration = job.calibration;
   if (job.guess.has_value())
-    options.mount =
-        downward_mount(job.guess->forward_m, job.guess->left_m, job.guess->height_m, job.guess->pitch_rad, 0.0, 0.0);
+    options.mount = downward_mount(job.guess->forward_m, job.guess->left_m, job.guess->height_m, job.guess->pitch_rad,
+                                   0.0, job.guess->yaw_rad);
   return options;
 }
 
@@ -66,41 +67,54 @@ Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const
   }
 }
 
+/// Returns how well the ceiling's height is known, metres; none: it is as it was guessed.
+std::optional<double> ceiling_sigma_m(const MountDrive& found) {
+  if (!found.scale_sigma.has_value()) return std::nullopt;
+  return *found.scale_sigma * (found.plane_m - found.camera.robot_from_camera.translation.z());
+}
+
 nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job) {
   const auto maybe = [](const std::optional<double>& value) {
     return value.has_value() ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   };
   static constexpr std::array kFrom = {"nothing", "distance", "wheels"};
-  return {{"pitch_change_rad", found.pitch_rad},
-          {"roll_change_rad", found.roll_rad},
-          {"tilt_sigma_rad", maybe(found.camera.sigma.tilt_rad)},
-          {"yaw_seen", found.yaw_seen},
-          {"yaw_change_rad", found.lever.yaw_rad},
-          {"yaw_sigma_rad", maybe(found.camera.sigma.yaw_rad)},
-          {"forward_seen", found.forward_seen},
-          {"forward_change_m", found.lever.forward_m},
-          {"height_from", kFrom.at(static_cast<std::size_t>(found.height_from))},
-          {"height_m", found.camera.robot_from_camera.translation.z()},
-          {"height_change_share", found.height_share},
-          {"scale_sigma_share", maybe(found.camera.sigma.scale_share)},
-          {"images", found.samples},
-          {"blind", found.blind},
-          {"driven_m", found.path_m},
-          {"camera_file", job.out}};
+  nlohmann::ordered_json document = {{"method", job.method},
+                                     {"pitch_change_rad", found.pitch_rad},
+                                     {"roll_change_rad", found.roll_rad},
+                                     {"tilt_sigma_rad", maybe(found.camera.sigma.tilt_rad)},
+                                     {"yaw_seen", found.yaw_seen},
+                                     {"yaw_change_rad", found.lever.yaw_rad},
+                                     {"yaw_sigma_rad", maybe(found.camera.sigma.yaw_rad)},
+                                     {"forward_seen", found.forward_seen},
+                                     {"forward_change_m", found.lever.forward_m},
+                                     {"height_from", kFrom.at(static_cast<std::size_t>(found.height_from))},
+                                     {"height_m", found.camera.robot_from_camera.translation.z()},
+                                     {"height_change_share", found.height_share},
+                                     {"scale_sigma_share", maybe(found.scale_sigma)},
+                                     {"images", found.samples},
+                                     {"blind", found.blind},
+                                     {"driven_m", found.path_m},
+                                     {"camera_file", job.out}};
+  if (job.method != kByCeiling) return document;
+  document["ceiling_m"] = found.plane_m;
+  document["ceiling_sigma_m"] = maybe(ceiling_sigma_m(found));
+  return document;
 }
 
-std::string height_words(const MountDrive& found) {
-  const double height_m = found.camera.robot_from_camera.translation.z();
-  if (found.height_from == HeightFrom::nothing)
-    return text(
-        "height  %8.4f m  as given: not observable from the drive alone; give --distance-m, or --wheels-percent",
-        height_m);
-  return text("height  %8.4f m  %+.2f %%, distances to %.2f %% (one sigma), by %s", height_m,
-              100.0 * found.height_share, 100.0 * *found.camera.sigma.scale_share,
+/// Says how high the camera is above the floor, or the ceiling is, and from where that is known.
+std::string height_words(const MountDrive& found, const MountJob& job) {
+  const bool is_ceiling = job.method == kByCeiling;
+  const double height_m = is_ceiling ? found.plane_m : found.camera.robot_from_camera.translation.z();
+  const char* const what = is_ceiling ? "ceiling" : "height ";
+  if (!found.scale_sigma.has_value())
+    return text("%s %8.4f m  as given: not observable from the drive alone; give --distance-m, or --wheels-percent",
+                what, height_m);
+  return text("%s %8.4f m  %+.2f %%, distances to %.2f %% (one sigma), by %s", what, height_m,
+              100.0 * found.height_share, 100.0 * *found.scale_sigma,
               found.height_from == HeightFrom::distance ? "the measured distance" : "the wheels");
 }
 
-void print(const MountDrive& found, std::ostream& out) {
+void print(const MountDrive& found, const MountJob& job, std::ostream& out) {
   const double tilt_sigma = *found.camera.sigma.tilt_rad / kDegree;
   out << "        found less given\n";
   out << text("pitch   %+8.3f degrees, one sigma %.3f\n", found.pitch_rad / kDegree, tilt_sigma);
@@ -117,7 +131,7 @@ void print(const MountDrive& found, std::ostream& out) {
   } else {
     out << "forward as given: not observable, the drive has too few bends\n";
   }
-  out << height_words(found) << '\n';
+  out << height_words(found, job) << '\n';
   out << text("%zu images, %zu of them blind, %.2f m driven\n", found.samples, found.blind, found.path_m);
 }
 
@@ -142,6 +156,7 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
 
   MountDriveConfig config;
   config.prior.focal_share = given.sigma.focal_share.value_or(config.prior.focal_share);
+  config.plane_m = job.ceiling_m;
   config.distance_m = job.distance_m;
   config.distance_sigma_m = job.distance_sigma_m;
   config.wheels_sigma = job.wheels_sigma;
@@ -162,7 +177,8 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
     warned = true;
     return played;
   };
-  const Result<MountDrive> found = calibrate_mount(given, again, config);
+  const Result<MountDrive> found = job.method == kByCeiling ? calibrate_ceiling_mount(given, again, config)
+                                                            : calibrate_floor_mount(given, again, config);
   if (!found) return fail(found.error());
 
   const CameraCalibration camera = calibration_from(found->camera);
@@ -175,8 +191,12 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
     output.out << document_of(*found, job).dump(2) << '\n';
     return {};
   }
-  print(*found, output.out);
+  print(*found, job, output.out);
   output.out << job.out << " holds camera and mount: weft-agent --calibration " << job.out << '\n';
+  if (const std::optional<double> sigma_m = ceiling_sigma_m(*found); job.method == kByCeiling && sigma_m)
+    output.out << text(
+        "the ceiling goes into the agent's --config: [ceiling] height_m = %.3f, height_sigma_m = %.3f\n",
+        found->plane_m, std::max(*sigma_m, 0.001));
   return {};
 }
 
