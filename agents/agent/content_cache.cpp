@@ -17,12 +17,6 @@ constexpr std::size_t kItems = 64;
 constexpr std::size_t kUnwanted = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t kUnderWayLeast = 256 * 1024;
 
-/// Returns whether a chunk can be of a content of `size` bytes: compressed bytes are fewer, so nothing that a message
-/// says takes more memory than what was asked for.
-bool is_possible(const msg::Chunk& chunk, std::uint64_t size) {
-  const bool has_room = chunk.coding == msg::Coding::raw ? chunk.total == size : chunk.total < size;
-  return has_room && chunk.offset <= chunk.total && chunk.data.size() <= chunk.total - chunk.offset;
-}
 }  // namespace
 
 ContentCache::ContentCache(std::uint64_t most_bytes, std::uint64_t bytes_per_second)
@@ -108,7 +102,7 @@ bool ContentCache::on_chunk(const msg::Chunk& chunk, SteadyTime now) {
     return false;
   }
   Incoming& incoming = found->second;
-  if (!is_possible(chunk, incoming.size)) {
+  if (!can_be_of(chunk, incoming.size)) {
     ++counters_["chunk: out of bounds"];
     return false;
   }

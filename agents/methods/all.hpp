@@ -6,6 +6,7 @@
 #include "agents/methods/bearing/bearing.hpp"
 #include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/methods/floor/floor.hpp"
+#include "agents/perception/birds_eye.hpp"
 #include "agents/perception/rig.hpp"
 #include "core/config/config.hpp"
 
@@ -26,6 +27,13 @@ concept Runnable = Method<M> &&
 template <class M>
 concept SignsBytes = requires(ByteView bytes) {
   { M::sign_bytes(bytes) } -> std::same_as<std::optional<Signature>>;
+};
+
+/// Describes a method whose contents hold a picture of the plane that they show, the patch, which people can look at.
+template <class M>
+concept PicturesPlane = requires(ByteView bytes) {
+  /// corrupt, newer: they are no content that this program reads.
+  { M::patch_of_bytes(bytes) } -> std::same_as<Result<PlanePatch>>;
 };
 
 template <Runnable... M>

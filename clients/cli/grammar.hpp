@@ -37,6 +37,8 @@ class Grammar {
 
   // grammar_map.cpp
   void map();
+  /// Lets a drawing be a mosaic, which goes neither with a floor plan below it nor with robots.
+  void mosaic(CLI::App& draw, CLI::Option& ground, CLI::Option& robots);
   void past(CLI::App& map);
   static CLI::Option* revision(CLI::App& sub, const char* name, Revision& into, const char* help);
   void anchors(CLI::App& sub);

@@ -13,13 +13,15 @@ void Grammar::map() {
   CLI::App* const draw =
       add(*map, "draw", "Draw the network: runs, stitches, labels, and what each line means", Command::map_draw);
   draw->add_option("OUT", into_.file, "A file, *.png or *.svg")->type_name("")->required();
-  draw->add_option("--floor-plan", into_.floor_plan,
-                   "Draw it upon a floor plan: a map_server file, with its PGM; registered, or with --anchor")
-      ->type_name("MAP.yaml");
+  CLI::Option* const ground =
+      draw->add_option("--floor-plan", into_.floor_plan,
+                       "Draw it upon a floor plan: a map_server file, with its PGM; registered, or with --anchor")
+          ->type_name("MAP.yaml");
   anchors(*draw);
   CLI::Option* const robots = draw->add_flag("--robots", into_.draws_robots,
                                              "Robots too, where they say they are, what they hold, and their routes");
   revision(*draw, "--at", into_.at, "As the network was at that revision")->excludes(robots);
+  mosaic(*draw, *ground, *robots);
   CLI::App* const label = add(*map, "label", "Name a place, to send goals to", Command::map_label);
   label->add_option("PLACE", into_.place, "A place's id as `weft map export` writes it, or: here")
       ->type_name("")
@@ -69,6 +71,21 @@ void Grammar::map() {
   past(*map);
   edits(*map);
   upkeep(*map);
+}
+
+void Grammar::mosaic(CLI::App& draw, CLI::Option& ground, CLI::Option& robots) {
+  CLI::Option* const mosaic =
+      draw.add_flag("--mosaic", into_.draws_mosaic,
+                    "Instead: what places show of the ceiling, laid together, in the frame of the registered floor "
+                    "plan if there is one; with labels and a scale")
+          ->excludes(&ground)
+          ->excludes(&robots);
+  CLI::Option* const plan = draw.add_option("--plan", into_.plan, "With --mosaic: in the frame of that one")
+                                ->type_name("NAME")
+                                ->needs(mosaic);
+  draw.add_flag("--no-plan", into_.no_plan, "With --mosaic: in a frame of its own, all parts")
+      ->needs(mosaic)
+      ->excludes(plan);
 }
 
 void Grammar::past(CLI::App& map) {

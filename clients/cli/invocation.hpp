@@ -79,6 +79,7 @@ struct Invocation {
   std::vector<Anchor> anchors;     ///< map draw, map export, map register: where labels lie in the site
   std::string experience;          ///< map export: a name, an id or its beginning
   bool draws_robots = false;       ///< map draw: robots too, and what they hold
+  bool draws_mosaic = false;       ///< map draw: the patches of places in place of the network
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
   Revision from, to;               ///< map diff; map log: the newest to show (to)
   std::uint32_t most = 20;         ///< map log: how many
@@ -103,8 +104,8 @@ struct Invocation {
   unsigned priority = 0;                   ///< goal send
   bool no_return = false;                  ///< goal send
   std::optional<Eigen::Vector2d> to_plan;  ///< goal send: a point of a registered plan
-  std::string plan;       ///< goal send, map export, rule add: which registered plan; empty: the only one
-  bool no_plan = false;   ///< map export: in no plan's frame
+  std::string plan;       ///< goal send, map export, map draw, rule add: which registered plan; empty: the only one
+  bool no_plan = false;   ///< map export, map draw: in no plan's frame
   bool removes = false;   ///< map register: remove it
   double sigma_m = 0.05;  ///< map register: of each pick
   bool json = false;

@@ -105,6 +105,7 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
   if (!network) return report(network.error(), invocation.json, output);
   Result<Laid> laid = lay(session, *std::move(network), invocation);
   if (!laid) return report(laid.error(), invocation.json, output);
+  if (invocation.draws_mosaic) return run_map_mosaic(session, *laid, invocation, output);
   if (invocation.command == Command::map_draw)
     return run_map_draw(session, *std::move(laid), robots->robots, invocation, output);
   const Result<RunNames> runs = query_run_names(session, patience(invocation));

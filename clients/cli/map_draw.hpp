@@ -18,6 +18,9 @@ struct Laid {
 Exit run_map_draw(Session& session, Laid laid, const std::vector<msg::RobotRow>& robots, const Invocation& invocation,
                   const Output& output);
 
+/// Draws the patches of its places, laid together. refused: no place has one.
+Exit run_map_mosaic(Session& session, const Laid& laid, const Invocation& invocation, const Output& output);
+
 /// Says that the file is written: a line, or a document with the members of `more` too.
 void say_written(const Window& network, const std::string& caption, const nlohmann::json& more,
                  const Invocation& invocation, const Output& output);

@@ -14,11 +14,11 @@ namespace {
 
 using Command = Invocation::Command;
 
-/// Returns whether the file is one of those that robots' maps and evaluations are compared by: they are written in
-/// the plan's frame when there is one.
-bool is_for_the_site(const std::string& file) {
-  const std::string ending = ending_of(file);
-  return ending == ".geojson" || ending == ".tum";
+/// Returns whether what is written is one of those files that robots' maps and evaluations are compared by, or a
+/// mosaic: they are in the plan's frame when there is one.
+bool is_for_the_site(const Invocation& invocation) {
+  const std::string ending = ending_of(invocation.file);
+  return invocation.draws_mosaic || ending == ".geojson" || ending == ".tum";
 }
 
 std::string known_plans(const std::vector<Registration>& known) {
@@ -69,14 +69,15 @@ std::string plan_name(const std::string& file) {
 
 bool wants_plan(const Invocation& invocation) {
   if (!invocation.anchors.empty() || invocation.no_plan) return false;
-  if (invocation.command == Command::map_draw) return !invocation.floor_plan.empty();
-  return !invocation.plan.empty() || is_for_the_site(invocation.file);
+  if (invocation.command == Command::map_draw && !invocation.draws_mosaic) return !invocation.floor_plan.empty();
+  return !invocation.plan.empty() || is_for_the_site(invocation);
 }
 
 Result<std::optional<Registration>> wanted_registration(const std::vector<Registration>& known,
                                                         const Invocation& invocation) {
   if (!wants_plan(invocation)) return std::nullopt;
-  if (invocation.command == Command::map_draw) return of_floor_plan(known, invocation.floor_plan);
+  if (invocation.command == Command::map_draw && !invocation.draws_mosaic)
+    return of_floor_plan(known, invocation.floor_plan);
   if (!invocation.plan.empty()) {
     Result<Registration> named = of_name(known, invocation.plan);
     if (!named) return fail(named.error());

@@ -242,4 +242,32 @@ Result<void> Session::upload(Uploader& uploader, Duration quiet) {
   return {};
 }
 
+Result<void> Session::fetch(ContentFetcher& fetcher, Duration quiet) {
+  SteadyTime give_up = world_.now() + quiet;
+  std::uint64_t received = 0;
+  while (!fetcher.done()) {
+    if (std::optional<msg::ContentRequest> request = fetcher.due(world_.now())) {
+      request->header = header();
+      std::ignore = link_.send(*request);  // what a full queue does not take is asked for again
+    }
+    while (const std::optional<msg::Message> message = link_.take()) {
+      const auto* const chunk = std::get_if<msg::Chunk>(&*message);
+      if (chunk == nullptr || chunk->to != self_) continue;
+      if (const Result<void> heard = fetcher.hear(*chunk, world_.now()); !heard) return heard;
+    }
+    if (fetcher.received() > received) {
+      received = fetcher.received();
+      give_up = world_.now() + quiet;
+    }
+    if (world_.now() >= give_up) {
+      return fail(ErrorCode::timed_out, "the server has sent " + std::to_string(fetcher.fetched()) + " of " +
+                                            std::to_string(fetcher.wanted()) + " contents and no more for " +
+                                            std::to_string(std::lround(seconds(quiet))) +
+                                            " s: look with `weft doctor` and `weft map check`, then try again");
+    }
+    if (!fetcher.done()) world_.wait(kListen);
+  }
+  return {};
+}
+
 }  // namespace weft::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/content_fetcher.hpp"
 #include "clients/cli/uploader.hpp"
 #include "core/network/page.hpp"
 #include "core/protocol/messages.hpp"
@@ -49,6 +50,10 @@ class Session {
   /// Uploads until all of it is on the server's disk. timed_out: nothing new was acknowledged for `quiet`; refused:
   /// in the server's words. What was acknowledged stays.
   Result<void> upload(Uploader& uploader, Duration quiet);
+
+  /// Fetches until all contents are there. timed_out: nothing came for `quiet`, the server's store may be damaged.
+  /// Errors of the fetcher.
+  Result<void> fetch(ContentFetcher& fetcher, Duration quiet);
 
   GoalId new_goal();
   std::string vendor() const { return link_.bus().vendor(); }

@@ -8,6 +8,11 @@
 
 namespace weft {
 
+bool can_be_of(const msg::Chunk& chunk, std::uint64_t size) {
+  const bool has_room = chunk.coding == msg::Coding::raw ? chunk.total == size : chunk.total < size;
+  return has_room && chunk.offset <= chunk.total && chunk.data.size() <= chunk.total - chunk.offset;
+}
+
 Result<void> Assembly::add(const msg::Chunk& chunk) {
   if (!is_of(chunk) || chunk.offset > chunk.total || chunk.data.size() > chunk.total - chunk.offset) {
     return fail(ErrorCode::invalid, "chunk of " + to_string(chunk.hash) + ": " + std::to_string(chunk.data.size()) +

@@ -9,6 +9,10 @@
 
 namespace weft {
 
+/// Returns whether a chunk can be of a content of `size` bytes: compressed bytes are fewer, so nothing that a message
+/// says takes more memory than what was asked for.
+bool can_be_of(const msg::Chunk& chunk, std::uint64_t size);
+
 /// Puts one content together as its chunks come in: in any order, any number of times, with any overlap, and coded as
 /// they travel.
 class Assembly {

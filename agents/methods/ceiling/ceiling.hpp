@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "agents/methods/ceiling/chart.hpp"
@@ -80,6 +81,12 @@ class Ceiling {
   static std::optional<Signature> sign_bytes(ByteView bytes) {
     const Result<CeilingContent> content = decode_ceiling_content(bytes);
     return content ? sign_features(content->features) : std::nullopt;
+  }
+  /// Returns the patch of a content's bytes, for people. corrupt, newer: as decode_ceiling_content.
+  static Result<PlanePatch> patch_of_bytes(ByteView bytes) {
+    Result<CeilingContent> content = decode_ceiling_content(bytes);
+    if (!content) return fail(content.error());
+    return std::move(content->patch);
   }
   using Content = CeilingContent;
 
