@@ -33,12 +33,13 @@ std::vector<LaidPatch> laid_patches(const PlacePatches& patches, const Laid& lai
   return all;
 }
 
+/// Says how many patches it is of, and how fine it is.
 std::string detail_of_mosaic(const Laid& laid, std::size_t patches, const Mosaic& mosaic) {
   constexpr double kCentimetres = 100.0;
   std::string detail = std::to_string(patches) + " of " + std::to_string(laid.network.places.size()) +
                        " places have a patch, " + fixed(kCentimetres * mosaic.metres_per_pixel, 1) + " cm a pixel";
   if (laid.layout.islands > 1) detail += ", " + std::to_string(laid.layout.islands) + " parts that nothing joins";
-  return laid.caption.empty() ? detail : detail + ", " + laid.caption;
+  return detail;
 }
 
 }  // namespace
@@ -50,12 +51,13 @@ Exit run_map_mosaic(Session& session, const Laid& laid, const Invocation& invoca
   if (const Result<void> fetched = fetch_patches(session, patches, invocation); !fetched)
     return report(fetched.error(), invocation.json, output);
   const Mosaic mosaic = lay_mosaic(laid_patches(patches, laid));
-  const Result<void> drawn = draw_mosaic(mosaic, laid.network, laid.layout,
-                                         detail_of_mosaic(laid, patches.count(), mosaic), invocation.file);
+  const std::string detail = detail_of_mosaic(laid, patches.count(), mosaic);
+  const std::string below_title = laid.caption.empty() ? detail : detail + ", " + laid.caption;
+  const Result<void> drawn = draw_mosaic(mosaic, laid.network, laid.layout, below_title, invocation.file);
   if (!drawn) return report(drawn.error(), invocation.json, output);
   const nlohmann::json more = {{"patches", patches.count()}, {"metres_per_pixel", mosaic.metres_per_pixel}};
   say_written(laid.network, laid.caption, {{"mosaic", more}}, invocation, output);
-  if (!invocation.json) output.out << detail_of_mosaic(laid, patches.count(), mosaic) << '\n';
+  if (!invocation.json) output.out << detail << '\n';
   return Exit::done;
 }
 

@@ -62,7 +62,7 @@ Result<void> PlacePatches::take(const ContentHash& hash, ByteView bytes) {
   if (method == method_of_.end()) return {};
   Result<PlanePatch> patch = patch_of(method->second, bytes);
   if (!patch) return fail(patch.error());
-  if (!patch->pixels.empty()) patches_.insert_or_assign(hash, *std::move(patch));
+  if (patch->width > 1 && patch->height > 1) patches_.insert_or_assign(hash, *std::move(patch));
   return {};
 }
 

@@ -95,6 +95,11 @@ TEST(Invocation, FieldsArriveWhereTheyBelong) {
   EXPECT_EQ(label.name, "dock");
   EXPECT_TRUE(good({"map", "draw", "a.png", "--robots"}).draws_robots);
   EXPECT_FALSE(good({"map", "draw", "a.png"}).draws_robots);
+  EXPECT_FALSE(good({"map", "draw", "a.png"}).draws_mosaic);
+  const Invocation mosaic = good({"map", "draw", "--mosaic", "a.png", "--plan", "hall"});
+  EXPECT_TRUE(mosaic.draws_mosaic);
+  EXPECT_EQ(mosaic.file, "a.png");
+  EXPECT_EQ(mosaic.plan, "hall");
 }
 
 TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
@@ -111,6 +116,9 @@ TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
 
 TEST(Invocation, MistakesAreUsageAndSayWhich) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"map", "draw", "a.png", "--mosaic", "--robots"}, "--robots"},
+      {{"map", "draw", "a.png", "--mosaic", "--floor-plan", "hall.yaml"}, "--floor-plan"},
+      {{"map", "draw", "a.png", "--plan", "hall"}, "--mosaic"},
       {{}, "subcommand"},
       {{"robotz"}, "robotz"},
       {{"robots", "--colour"}, "--colour"},
