@@ -13,8 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Describes an empty hall, a camera that is exactly as the site says, wheels that are right.
-constexpr const char* kSite = R"([floor]
+/// Describes an empty hall.
+constexpr const char* kHall = R"([floor]
 x_min = 0.0
 y_min = 0.0
 x_max = 10.0
@@ -23,7 +23,30 @@ y_max = 6.0
 name = "r1"
 x = 2.0
 y = 3.0
-[disturbances]
+)";
+/// Describes another one with a ceiling at 4 m, and a camera that looks up and leans more than it says.
+constexpr const char* kBelowPanels = R"([floor]
+x_min = 0.0
+y_min = 0.0
+x_max = 12.0
+y_max = 8.0
+[hall]
+ceiling_m = 4.0
+ceiling_grey = 140.0
+ceiling = "panels"
+beams_every_m = 4.0
+sprinklers_every_m = 2.4
+[[robot]]
+name = "r1"
+x = 3.0
+y = 4.0
+looks = ["up"]
+[robot.ceiling_camera]
+tilt_error_forward_deg = 1.5
+tilt_error_left_deg = -1.0
+)";
+/// Describes cameras that are otherwise exactly as the site says, and wheels that are right.
+constexpr const char* kExact = R"([disturbances]
 focal_error_percent = 0.0
 principal_point_error_px = 0.0
 distortion_error_px = 0.0
@@ -35,7 +58,7 @@ wheel_asymmetry_percent = 0.0
 
 MountJob drive_job_in(const Folder& folder) {
   MountJob job;
-  job.site = folder.write("site.toml", kSite);
+  job.site = folder.write("site.toml", std::string(kHall) + kExact);
   job.robot = "r1";
   job.along = folder.write("drive.line", "2.0 3.0\n2.8 3.2\n3.6 3.0\n4.4 2.8\n5.2 3.0\n");
   job.out = folder.file("mount.yaml");
@@ -113,6 +136,27 @@ TEST(CalibrateMount, AShortDriveIsRefusedWithTheBound) {
   EXPECT_THAT(calibrate_mount(job, {out, err, [] { return 0.0; }}).error().message, HasSubstr("none.line"));
 }
 
+TEST(CalibrateMount, ByTheCeilingTheWheelsShowHowHighItIs) {
+  const Folder folder;
+  MountJob job = drive_job_in(folder);
+  job.site = folder.write("hall.toml", std::string(kBelowPanels) + kExact);
+  job.along = folder.write("long.line", "3.0 4.0\n3.8 4.2\n4.6 4.0\n5.4 3.8\n6.2 4.0\n7.0 4.2\n7.8 4.0\n");
+  job.method = kByCeiling;
+  job.ceiling_m = 4.4;
+  job.wheels_sigma = 0.01;
+  const nlohmann::json found = done(job);
+  EXPECT_NEAR(found["pitch_change_rad"].get<double>(), 0.0262, 0.0025);
+  EXPECT_NEAR(found["roll_change_rad"].get<double>(), 0.0175, 0.0025);
+  EXPECT_EQ(found["height_from"], "wheels");
+  EXPECT_NEAR(found["ceiling_m"].get<double>(), 4.0, 0.06);
+  EXPECT_NEAR(found["ceiling_sigma_m"].get<double>(), 0.037, 0.005);
+  EXPECT_EQ(found["height_m"], 0.35) << "the camera's own stays";
+  const auto file = parse_camera_file(folder.read("mount.yaml"), "mount.yaml", "cam0");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_TRUE(file->camera.sigma.tilt_rad);
+  EXPECT_FALSE(file->camera.sigma.scale_share) << "it is the ceiling's, not the camera's";
+}
+
 TEST(CalibrateMountCommandLine, IsUnderstood) {
   const auto result = parsed({"mount", "REC", "--distance-m", "6.02", "--height-m", "0.6", "--pitch-deg", "42"});
   const auto* job = std::get_if<MountJob>(&result);
@@ -121,10 +165,24 @@ TEST(CalibrateMountCommandLine, IsUnderstood) {
   EXPECT_EQ(job->distance_m, 6.02);
   EXPECT_NEAR(job->guess->pitch_rad, 0.733, 1e-3);
   EXPECT_FALSE(job->wheels_sigma);
+  EXPECT_EQ(job->method, "floor");
+  const auto below = parsed({"mount", "REC", "--method", "ceiling", "--ceiling-m", "6.4", "--height-m", "0.5",
+                             "--pitch-deg", "-90", "--yaw-deg", "180"});
+  const auto* up = std::get_if<MountJob>(&below);
+  ASSERT_NE(up, nullptr) << std::get<Leave>(below).text;
+  EXPECT_EQ(up->ceiling_m, 6.4);
+  EXPECT_NEAR(up->guess->yaw_rad, 3.1416, 1e-3);
   for (const auto& [words, part] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"mount"}, "which drive"},
            {{"mount", "--site", "S"}, "--along"},
            {{"mount", "REC", "--height-m", "0.6"}, "go together"},
+           {{"mount", "REC", "--yaw-deg", "90"}, "--height-m"},
+           {{"mount", "REC", "--height-m", "0.6", "--pitch-deg", "-90"}, "10 to 90"},
+           {{"mount", "REC", "--method", "ceiling"}, "--ceiling-m"},
+           {{"mount", "REC", "--ceiling-m", "6.4"}, "--method ceiling"},
+           {{"mount", "REC", "--method", "bearing"}, "bearing"},
+           {{"mount", "REC", "--method", "ceiling", "--ceiling-m", "6.4", "--height-m", "0.5", "--pitch-deg", "42"},
+            "-90"},
            {{"mount", "REC", "--distance-m", "-1"}, "distance-m"},
            {{"mount", "REC", "--site", "S", "--name", "r", "--along", "L"}, "excludes"}}) {
     const auto wrong = parsed(words);
