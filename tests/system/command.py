@@ -15,6 +15,7 @@ BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / 'build/release/
 PROGRAMS_DOMAIN, NOBODYS_DOMAIN, BEARING_DOMAIN, SCRIPTS_DOMAIN, TWO_CAMERAS_DOMAIN = 151, 154, 152, 153, 155
 LEARNING_DOMAIN, EDITED_MAP_DOMAIN, JSON_DOMAIN = 156, 157, 158
 STAND_STILL_DOMAINS = 160, 161
+CEILING_DOMAIN = 159
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
 
