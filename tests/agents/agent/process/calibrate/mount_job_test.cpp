@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Describes an empty hall.
-constexpr const char* kHall = R"([floor]
+constexpr const char* kEmptyHall = R"([floor]
 x_min = 0.0
 y_min = 0.0
 x_max = 10.0
@@ -58,7 +58,7 @@ wheel_asymmetry_percent = 0.0
 
 MountJob drive_job_in(const Folder& folder) {
   MountJob job;
-  job.site = folder.write("site.toml", std::string(kHall) + kExact);
+  job.site = folder.write("site.toml", std::string(kEmptyHall) + kExact);
   job.robot = "r1";
   job.along = folder.write("drive.line", "2.0 3.0\n2.8 3.2\n3.6 3.0\n4.4 2.8\n5.2 3.0\n");
   job.out = folder.file("mount.yaml");
