@@ -64,10 +64,6 @@ Route Course::loops(std::size_t count) const {
   return route;
 }
 
-void expose(Body& body, const Navigated& navigated) {
-  if (navigated.exposes) static_cast<void>(body.expose(navigated.exposes->sensor, navigated.exposes->exposure));
-}
-
 Result<std::optional<Course>> teach(const Drive& drive, const std::vector<SitePoint>& line) {
   auto body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());

@@ -9,6 +9,7 @@
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/methods/bearing/bearing.hpp"
 #include "agents/navigation/navigator.hpp"
+#include "clients/evaluate/exposed.hpp"
 #include "clients/evaluate/taught_map.hpp"
 #include "core/result.hpp"
 
@@ -44,9 +45,6 @@ struct Drive {
   agents::sim::SimBodyConfig body;
   std::function<bool()> asked_to_stop;
 };
-
-/// Sets the exposure as the navigator wishes, where the body's camera can.
-void expose(agents::Body& body, const agents::Navigated& navigated);
 
 /// Teaches a robot that a hand leads along the line. None: stopped. refused: its end was not found to come back to
 /// its beginning.

@@ -3,7 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "agents/navigation/run_refiner.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
+#include "clients/evaluate/floor/refined_draft.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -51,7 +53,7 @@ Result<bool> follow(DrivenRobot& robot, const Drive& drive, const Taught& taught
 }  // namespace
 
 Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoint>& line) {
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera, drive.navigator);
   if (!robot) return fail(robot.error());
   if (const Result<void> begun = robot->body().drive_by_hand(line); !begun) return fail(begun.error());
   const TaughtMap nothing;
@@ -69,8 +71,12 @@ Result<std::optional<Trace>> lead(const Drive& drive, const std::vector<SitePoin
 Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taught& taught) {
   const ExperienceId experience{taught.traces.size() + 1};
   const RobotId teacher{{static_cast<std::uint8_t>(experience.value)}};
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera, drive.navigator);
   if (!robot) return fail(robot.error());
+  const TaughtMap before = taught.map;
+  const std::string method(robot->navigator().method());
+  const bool refines = robot->navigator().refiner(method) != nullptr;
+  std::vector<Kept> draft;  // empty: nothing is refined
   if (!taught.traces.empty()) {
     const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);
     if (!found) return fail(found.error());
@@ -81,7 +87,8 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
   robot->navigator().begin_teach({experience, teacher});
   const auto take = [&](const std::vector<Kept>& kept) {
     if (!kept.empty()) taught.last = kept.back().place.id;
-    return taught.map.take(experience, teacher, "floor", kept);
+    if (refines) draft.insert(draft.end(), kept.begin(), kept.end());
+    return taught.map.take(experience, teacher, method, kept);
   };
   int ending = 0;
   for (bool done = false; !done;) {
@@ -95,6 +102,14 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
   const std::vector<Kept> kept = robot->navigator().end_teach(taught.map.view());
   robot->note_last(kept);
   if (const Result<void> taken = take(kept); !taken) return fail(taken.error());
+  const Result<std::optional<std::vector<Kept>>> refined = refined_draft(robot->navigator(), draft);
+  if (!refined) return fail(refined.error());
+  taught.refined = refined->has_value();
+  if (taught.refined) {
+    taught.map = before;
+    if (const Result<void> taken = taught.map.take(experience, teacher, method, **refined); !taken)
+      return fail(taken.error());
+  }
   Result<TeachReport> way = robot->navigator().teach_report();
   if (!way) return fail(way.error());
   taught.way = std::move(*way);
@@ -108,7 +123,7 @@ Result<bool> teach(const Drive& drive, const std::vector<SitePoint>& line, Taugh
 }
 
 Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught) {
-  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera);
+  Result<DrivenRobot> robot = DrivenRobot::make(drive.body, drive.camera, drive.navigator);
   if (!robot) return fail(robot.error());
   Repeated repeated;
   const Result<std::optional<bool>> found = find_itself(*robot, drive, taught);
@@ -117,7 +132,8 @@ Result<std::optional<Repeated>> repeat(const Drive& drive, const Taught& taught)
   repeated.localised = **found;
   repeated.ended = "did not find itself";
   if (repeated.localised) {
-    const Result<Route> route = taught.map.route(robot->navigator().estimate()->place, taught.last, "floor");
+    const Result<Route> route =
+        taught.map.route(robot->navigator().estimate()->place, taught.last, robot->navigator().method());
     if (!route) return fail(route.error());
     robot->navigator().follow(*route);
     const Result<bool> driven = follow(*robot, drive, taught, repeated);

@@ -4,33 +4,43 @@
 #include <system_error>
 #include <utility>
 
+#include "agents/methods/floor/floor.hpp"
 #include "agents/navigation/navigator_of.hpp"
+#include "clients/evaluate/exposed.hpp"
 #include "clients/evaluate/truth.hpp"
 
 namespace weft::evaluate::floor {
 
 using namespace agents;
 
+Result<std::unique_ptr<Navigator>> floor_navigator(const CameraModel& camera, std::shared_ptr<SeenStep> seen) {
+  Result<Floor> floor = Floor::make({}, camera);
+  if (!floor) return fail(floor.error());
+  return make_navigator(Watched<Floor>(std::move(*floor), std::move(seen)), NavigationConfig{});
+}
+
 Result<DrivenRobot> DrivenRobot::make(const sim::SimBodyConfig& config,
-                                      const std::optional<agents::CameraModel>& camera) {
+                                      const std::optional<agents::CameraModel>& camera,
+                                      const MakeNavigator& navigator) {
   const std::filesystem::path truth = config.truth_path.value_or("");
   std::error_code problem;
   std::filesystem::remove(truth, problem);
   if (problem) return fail(ErrorCode::unavailable, truth.string() + ": " + problem.message());
   Result<std::unique_ptr<Body>> body = sim::make_sim_body(config);
   if (!body) return fail(body.error());
-  Result<DrivenRobot> robot = of(std::move(*body), camera);
+  Result<DrivenRobot> robot = of(std::move(*body), camera, navigator);
   if (robot) robot->truth_ = truth;
   return robot;
 }
 
-Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<agents::CameraModel>& camera) {
-  Result<Floor> floor = Floor::make({}, camera.value_or(body->rig().camera()));
-  if (!floor) return fail(floor.error());
+Result<DrivenRobot> DrivenRobot::of(std::unique_ptr<Body> body, const std::optional<agents::CameraModel>& camera,
+                                    const MakeNavigator& navigator) {
   DrivenRobot robot;
-  robot.body_ = std::move(body);
   robot.seen_ = std::make_shared<SeenStep>();
-  robot.navigator_ = make_navigator(WatchedFloor(std::move(*floor), robot.seen_), NavigationConfig{});
+  Result<std::unique_ptr<Navigator>> made = navigator(camera.value_or(body->rig().camera()), robot.seen_);
+  if (!made) return fail(made.error());
+  robot.navigator_ = std::move(*made);
+  robot.body_ = std::move(body);
   return robot;
 }
 
@@ -48,6 +58,7 @@ Result<DrivenRobot::Stepped> DrivenRobot::step(const MapView& map) {
   stepped.hand_done = sample->hand_done;
   stepped.navigated = navigator_->step(*sample, map);
   command_ = stepped.navigated.command;
+  expose(*body_, stepped.navigated);
   start_from_robot_ = start_from_robot_ * planar(seen_->step.previous_from_current);
   Moment moment;
   moment.frame = sample->frame;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,22 +12,31 @@
 #include "agents/navigation/navigator.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "clients/evaluate/floor/trace.hpp"
-#include "clients/evaluate/floor/watched_floor.hpp"
+#include "clients/evaluate/floor/watched.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate::floor {
 
-/// Joins a body, mostly a simulated one, to the navigator that its agent would have: method `floor`, every setting at
-/// its default. The body's command is the navigator's of the sample before, as in the agent's process.
+/// Makes the navigator of a robot with that camera, whose method notes each step into `seen`. Errors of the method.
+using MakeNavigator = std::function<Result<std::unique_ptr<agents::Navigator>>(const agents::CameraModel& camera,
+                                                                               std::shared_ptr<SeenStep> seen)>;
+/// Makes one of the method `floor`, every setting at its default.
+Result<std::unique_ptr<agents::Navigator>> floor_navigator(const agents::CameraModel& camera,
+                                                           std::shared_ptr<SeenStep> seen);
+
+/// Joins a body, mostly a simulated one, to the navigator that its agent would have. The body's command is the
+/// navigator's of the sample before, as in the agent's process, and so is what the navigator wishes of the exposure.
 class DrivenRobot {
  public:
   /// Makes a simulated one. Its truth goes to a file at config.truth_path, made anew and removed again. `camera`: as
   /// it was calibrated; none: as the body says. Errors of body and method.
   static Result<DrivenRobot> make(const agents::sim::SimBodyConfig& config,
-                                  const std::optional<agents::CameraModel>& camera);
+                                  const std::optional<agents::CameraModel>& camera,
+                                  const MakeNavigator& navigator = floor_navigator);
   /// Makes one of any other body; what it drives has no truth. Errors of the method.
   static Result<DrivenRobot> of(std::unique_ptr<agents::Body> body,
-                                const std::optional<agents::CameraModel>& camera = {});
+                                const std::optional<agents::CameraModel>& camera = {},
+                                const MakeNavigator& navigator = floor_navigator);
   DrivenRobot(DrivenRobot&&) = default;
   DrivenRobot& operator=(DrivenRobot&&) = delete;
   ~DrivenRobot();
