@@ -59,21 +59,7 @@ Result<Pushed> Pushed::make(const Drive& drive) {
 }
 
 Result<void> Pushed::learn(const Taught& taught) {
-  known_ = {};
-  for (const auto& [id, place] : taught.map.view().window.places) {
-    const Result<FloorContent> content = method_.decode(*taught.map.find(place.content.hash));
-    if (!content) return fail(content.error());
-    if (const std::optional<Signature> signature = method_.sign(*content)) known_.put(id, *signature);
-  }
-  return {};
-}
-
-void Pushed::answer(Navigator& navigator, const Taught& taught) const {
-  const Question* const open = navigator.question();
-  if (open == nullptr || !known_.fits(open->seen)) return;
-  constexpr std::size_t kMost = 64;
-  navigator.propose(open->number,
-                    likeliest(known_, taught.map.snapshot(), open->seen, {.most = kMost, .after = open->after}));
+  return known_.learn(method_, taught.map);
 }
 
 Result<std::optional<Trial>> Pushed::push(const Push& push, const Taught& taught) {
@@ -94,7 +80,7 @@ Result<std::optional<Trial>> Pushed::push(const Push& push, const Taught& taught
     const Pose2 truth = body_->site_from_robot();
     pushed_m += (before.inverse() * truth).translation().norm();
     before = truth;
-    answer(*navigator, taught);
+    known_.answer(*navigator, taught.map);
     for (const Refusal& refusal : now.refusals) ++refusals[std::string(refusal.reason)];
     if (const std::optional<Estimate> believed = navigator->estimate()) {
       trial.found_m = pushed_m;

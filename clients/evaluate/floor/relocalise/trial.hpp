@@ -7,9 +7,9 @@
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "agents/methods/floor/floor.hpp"
-#include "agents/methods/recognition/index.hpp"
 #include "agents/navigation/navigator.hpp"
 #include "clients/evaluate/floor/drive.hpp"
+#include "clients/evaluate/signed_places.hpp"
 #include "core/random.hpp"
 #include "core/result.hpp"
 
@@ -55,12 +55,9 @@ class Pushed {
   Pushed(std::unique_ptr<agents::sim::SimulatedBody> body, agents::Floor method, std::function<bool()> asked_to_stop)
       : body_(std::move(body)), method_(std::move(method)), asked_to_stop_(std::move(asked_to_stop)) {}
 
-  /// Proposes places to the navigator in the server's stead, at once.
-  void answer(agents::Navigator& navigator, const Taught& taught) const;
-
   std::unique_ptr<agents::sim::SimulatedBody> body_;
   agents::Floor method_;
-  agents::RecognitionIndex known_;
+  SignedPlaces known_;
   std::function<bool()> asked_to_stop_;
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "agents/agent/diagnostic_watch.hpp"
+#include "agents/methods/floor/floor.hpp"
 #include "clients/evaluate/floor/drive.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
 #include "tests/clients/evaluate/floor/small_hall.hpp"
