@@ -1,5 +1,6 @@
 #include "clients/evaluate/invocation.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <utility>
@@ -70,6 +71,19 @@ Parsed parsed_bearing_relocalise(const CLI::App& app, BearingRelocaliseWords wor
   return with_seeds(app, std::move(words.study), words.seeds);
 }
 
+Parsed parsed_ceiling(const CLI::App& app, CeilingWords words) {
+  if (words.is_quick) {
+    constexpr double kQuickLineM = 8.0;
+    constexpr std::size_t kQuickPutDowns = 40;
+    const CLI::App* const sub = app.get_subcommand("ceiling");
+    if (sub->get_option("--seeds")->count() == 0) words.seeds = "1";
+    if (sub->get_option("--put-downs")->count() == 0) words.study.extent.put_downs = kQuickPutDowns;
+    words.study.extent.metres = std::min(words.study.extent.metres, kQuickLineM);
+    words.study.extent.is_quick = true;
+  }
+  return with_seeds(app, std::move(words.study), words.seeds);
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -104,6 +118,8 @@ Parsed parse(int argc, const char* const* argv) {
   LearningOptions learning;
   std::string learning_seeds;
   HeadingOptions heading;
+  CeilingWords ceiling;
+  CeilingFramesOptions ceiling_frames;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
@@ -118,6 +134,8 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const look_alikes_sub = describe(app, look_alikes);
   const CLI::App* const learning_sub = describe(app, learning, learning_seeds);
   const CLI::App* const heading_sub = describe(app, heading);
+  const CLI::App* const ceiling_sub = describe(app, ceiling);
+  const CLI::App* const ceiling_frames_sub = describe(app, ceiling_frames);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -133,6 +151,8 @@ Parsed parse(int argc, const char* const* argv) {
   if (look_alikes_sub->parsed()) return parsed_bearing_relocalise(app, look_alikes);
   if (learning_sub->parsed()) return with_seeds(app, learning, learning_seeds);
   if (heading_sub->parsed()) return heading;
+  if (ceiling_sub->parsed()) return parsed_ceiling(app, ceiling);
+  if (ceiling_frames_sub->parsed()) return ceiling_frames;
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

@@ -7,6 +7,8 @@
 #include "clients/evaluate/bearing/learning.hpp"
 #include "clients/evaluate/bearing/relocalise/led_study.hpp"
 #include "clients/evaluate/bearing/study.hpp"
+#include "clients/evaluate/ceiling/frames/frames_study.hpp"
+#include "clients/evaluate/ceiling/study.hpp"
 #include "clients/evaluate/disturbances/study.hpp"
 #include "clients/evaluate/floor/attempts/attempts_study.hpp"
 #include "clients/evaluate/floor/foretold_study.hpp"
@@ -33,7 +35,7 @@ struct GenerateOptions {
 
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
                             ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
-                            HeadingOptions, GenerateOptions, NotRun>;
+                            HeadingOptions, CeilingOptions, CeilingFramesOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// Reads "A..B", or one number. invalid: says what is wrong.

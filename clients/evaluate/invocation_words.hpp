@@ -39,6 +39,12 @@ struct BearingRelocaliseWords {
   bool is_quick = false;
 };
 
+struct CeilingWords {
+  CeilingOptions study;
+  std::string seeds;
+  bool is_quick = false;
+};
+
 /// Adds a subcommand to the program, one function each; its flags write into what is given.
 CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, FloorWords& words);
@@ -50,6 +56,8 @@ CLI::App* describe(CLI::App& app, BearingWords& words);
 CLI::App* describe(CLI::App& app, BearingRelocaliseWords& words);
 CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, HeadingOptions& options);
+CLI::App* describe(CLI::App& app, CeilingWords& words);
+CLI::App* describe(CLI::App& app, CeilingFramesOptions& options);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);
 
 }  // namespace weft::evaluate

@@ -118,6 +118,16 @@ int run(const evaluate::HeadingOptions& options) {
   return finish_at_once(evaluate::heading::study_heading(options, around));
 }
 
+int run(const evaluate::CeilingOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::ceiling::study_ceiling(options, around), options.out);
+}
+
+int run(const evaluate::CeilingFramesOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish_at_once(evaluate::ceiling::study_frames(options, around));
+}
+
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::floor::replay_floor(options, around));

@@ -20,7 +20,7 @@ json json_of(const Judged& judged) {
           {"unit", bound.unit},
           {"trial", bound.trial},
           {"values", bound.values},
-          {"sense", static_cast<int>(bound.sense)},
+          {"is_at_most", bound.sense == Bound::Sense::at_most},
           {"bound_median", bound.median},
           {"bound_worst", bound.worst},  // NaN becomes null
           {"seeds", judged.seeds},

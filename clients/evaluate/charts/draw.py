@@ -8,7 +8,8 @@ import pathlib
 import sys
 
 MODULES = {'floor': 'floor', 'replay': 'replay', 'floor-attempts': 'floor_attempts', 'floor-relocalise': 'floor_relocalise',
-           'bearing': 'bearing', 'bearing-relocalise': 'bearing_relocalise', 'disturbances': 'disturbances'}
+           'bearing': 'bearing', 'bearing-relocalise': 'bearing_relocalise', 'disturbances': 'disturbances',
+           'ceiling': 'ceiling'}
 
 
 def main(arguments):

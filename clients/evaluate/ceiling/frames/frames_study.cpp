@@ -11,12 +11,12 @@ namespace weft::evaluate::ceiling {
 namespace {
 
 std::string json_of(const FramesScore& score) {
-  const nlohmann::ordered_json json = {
+  const nlohmann::ordered_json line = {
       {"frames", score.frames},           {"lost", score.lost},
       {"rms_heights", score.rms_heights}, {"rms_fitted_heights", score.rms_fitted_heights},
       {"yaw_deg", score.yaw_deg},         {"tilt_deg", score.tilt_deg},
       {"wrong_pairs", score.wrong_pairs}};
-  return json.dump() + "\n";
+  return line.dump() + "\n";
 }
 
 std::string table_of(const FramesScore& score) {

@@ -23,7 +23,8 @@ PICTURES = {
               'floor-10b-heading.png': 2, 'floor-10c-two-experiences.png': 2},
     'replay': {'replay.png': 4}, 'floor-attempts': {'floor-attempts.png': 6}, 'floor-relocalise': {'floor-relocalise.png': 4},
     'bearing': {'paths.png': 2, 'first-loop.png': 1, 'loops.png': 1, 'ablation.png': 1},
-    'bearing-relocalise': {'bearing-relocalise.png': 4}, 'disturbances': {'disturbances.png': 4}}
+    'bearing-relocalise': {'bearing-relocalise.png': 4}, 'disturbances': {'disturbances.png': 4},
+    'ceiling': {'ceiling.png': 4}}
 UNITS = (', m', ', s', ', m/s', ', mm', ', degrees', 'mm', '% of', 'share', 'P(X', 'loops', 'matches', 'number', 'floor')
 
 

@@ -90,3 +90,18 @@ def replay(folder):
     write(folder / 'series' / 'replay.json',
           {'recording': 'hall', 'about': 'method floor, camera down', 'odometry': way(), 'trajectory': way(aside=0.1), 'matches': way(),
            'fixes': [[1.0, 3], [2.0, 4]], 'speeds': [[0.1 * i, 0.5, 0.5] for i in range(50)]})
+
+
+def ceiling(folder):
+    lines = ['trial,seed,number,value']
+    for kind in ('found', 'found-half', 'found-lamps'):
+        for seed in (1, 2):
+            lines += [f'"{kind}",{seed},"found_percent",{99 - seed}', f'"{kind}",{seed},"sift_percent",60', f'"{kind}",{seed},"wrong",0']
+    write(folder / 'ceiling.csv', '\n'.join(lines) + '\n')
+    bound = {'row': 3, 'measure': 'line: lateral RMS', 'unit': 'mm', 'is_at_most': True, 'bound_median': 10.0, 'bound_worst': 15.0,
+             'median': 8.0, 'worst': 12.0, 'baseline': 120.0, 'verdict': 'met'}
+    write(folder / 'ceiling.json', {'study': {}, 'rows': [], 'bounds': [bound, {**bound, 'row': 4, 'median': None, 'baseline': None}]})
+    write(folder / 'series' / 'ceiling.json', {'about': 'sites ceiling', 'of_first': 'seed 1'})
+    for trial in ('line', 'other', 'change'):
+        write(folder / 'series' / f'{trial}.json', {'ours': way(), 'published': way(aside=0.5)})
+    write(folder / 'series' / 'loop.json', {'truth': way(), 'odometry': way(aside=0.1), 'composed': way(aside=0.4)})
