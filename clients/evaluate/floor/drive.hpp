@@ -27,7 +27,9 @@ struct Taught {
   std::vector<Trace> traces;
   PlaceSet places;
   PlaceId last;
-  agents::TeachReport way;  ///< of the experience that was taught last, with what teaching foretold of it
+  /// Describes the experience that was taught last, with what teaching foretold of it; of a method that cannot
+  /// foretell: nothing.
+  agents::TeachReport way;
   bool refined = false;     ///< the map holds the same as its method has refined it, not as it was kept
 };
 
