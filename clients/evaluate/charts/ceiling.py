@@ -65,9 +65,11 @@ def draw(folder):
     about = read_json(folder / 'series' / 'ceiling.json', otherwise={})
     shown = {trial: read_json(folder / 'series' / f'{trial}.json', otherwise={}) for trial in ('line', 'other', 'change', 'loop')}
     of_first = about.get('of_first', 'first seed')
-    figure, grid = panels('How robots navigate by the ceiling', about.get('about', 'method ceiling'), 4, 2, (PANEL[0] + 0.9, PANEL[1] + 0.5))
-    plot_beside(grid[0], shown, of_first)
-    plot_map(grid[1], shown['loop'], of_first)
-    plot_found(grid[2], rows)
-    plot_bounds(grid[3], document['bounds'])
+    plots = [lambda axes: plot_beside(axes, shown, of_first), lambda axes: plot_found(axes, rows), lambda axes: plot_bounds(axes, document['bounds'])]
+    if shown['loop']:
+        plots.insert(1, lambda axes: plot_map(axes, shown['loop'], of_first))
+    figure, grid = panels('How robots navigate by the ceiling', about.get('about', 'method ceiling'), len(plots), 2,
+                          (PANEL[0] + 0.9, PANEL[1] + 0.5))
+    for axes, plot in zip(grid, plots):
+        plot(axes)
     yield save(figure, folder, 'ceiling.png')
