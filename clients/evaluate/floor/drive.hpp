@@ -30,7 +30,7 @@ struct Taught {
   /// Describes the experience that was taught last, with what teaching foretold of it; of a method that cannot
   /// foretell: nothing.
   agents::TeachReport way;
-  bool refined = false;     ///< the map holds the same as its method has refined it, not as it was kept
+  bool refined = false;  ///< the map holds the same as its method has refined it, not as it was kept
 };
 
 /// Holds a drive along what was taught by the robot's own control.
