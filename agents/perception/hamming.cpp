@@ -97,14 +97,4 @@ std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<co
                      [&](std::uint32_t j) { return std::span<const std::uint32_t>(candidates_of_b[j]); });
 }
 
-std::size_t count_repeated(std::span<const Descriptor> a, std::span<const Descriptor> b, int most_bits) {
-  std::vector<std::uint32_t> all(a.size());
-  std::iota(all.begin(), all.end(), 0U);
-  std::vector<std::uint16_t> distances;
-  return static_cast<std::size_t>(std::count_if(b.begin(), b.end(), [&](const Descriptor& one) {
-    hamming(one, a, all, distances);
-    return std::count_if(distances.begin(), distances.end(), [&](int bits) { return bits <= most_bits; }) > 1;
-  }));
-}
-
 }  // namespace weft::agents

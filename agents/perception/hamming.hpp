@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,9 +32,5 @@ std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<co
 std::vector<Match> match_descriptors(std::span<const Descriptor> a, std::span<const Descriptor> b,
                                      const MatchBounds& bounds,
                                      const std::vector<std::vector<std::uint32_t>>& candidates_of_b);
-
-/// Counts descriptors of b that two or more of a resemble by `most_bits` at most: of which of them one is, it does
-/// not tell.
-std::size_t count_repeated(std::span<const Descriptor> a, std::span<const Descriptor> b, int most_bits);
 
 }  // namespace weft::agents

@@ -105,18 +105,6 @@ double repeated_share(const CeilingConfig& c, const CeilingContent& a, const Sho
   return there / std::max(here, 1e-9);
 }
 
-/// Refuses what gives no motion: as `ambiguous` where much of b looks like several features of a, so that it was not
-/// matched, or at random.
-tl::unexpected<Refusal> refuse_unmatched(const CeilingConfig& c, const CeilingContent& a, const CeilingContent& b,
-                                         const Refusal& otherwise) {
-  constexpr double most_repeated = 1.0 / 3.0;  // of b's features
-  const std::vector<Descriptor> of_b = descriptors_of(b.features);
-  const std::size_t repeated = count_repeated(descriptors_of(a.features), of_b, c.most_bits / 2);
-  const double share = static_cast<double>(repeated) / std::max(1.0, static_cast<double>(of_b.size()));
-  if (share > most_repeated) return refuse("ambiguous", share, most_repeated);
-  return tl::unexpected<Refusal>(otherwise);
-}
-
 /// Returns why a motion is not to be believed; nothing: it is.
 std::optional<Refusal> implausible(const CeilingConfig& c, const RefinedMotion& refined, std::size_t matches) {
   const std::size_t inliers = refined.pairs.size();
@@ -167,16 +155,14 @@ OrRefusal<Related> Ceiling::relate(const Content& first, const Content& second,
   const double within_m = c.consensus_px * pixel_m;
   const std::vector<Match> matches = matches_of(c, a, shown_a, b, shown_b, gate, within_m);
   if (matches.size() < static_cast<std::size_t>(c.fewest_matches))
-    return refuse_unmatched(
-        c, a, b, {"few_matches", static_cast<double>(matches.size()), static_cast<double>(c.fewest_matches)});
+    return refuse("few_matches", matches.size(), c.fewest_matches);
   const Consensus consensus = find_consensus({.within_m = within_m,
                                               .hypotheses = c.hypotheses,
                                               .shortest_base_m = 0.1 * shown_a.reach_m,
                                               .score = ConsensusScore::truncated},
                                              matches, shown_a.at, shown_b.at);
   if (consensus.count < static_cast<std::size_t>(c.fewest_inliers))
-    return refuse_unmatched(
-        c, a, b, {"no_consensus", static_cast<double>(consensus.count), static_cast<double>(c.fewest_inliers)});
+    return refuse("no_consensus", consensus.count, c.fewest_inliers);
   std::vector<std::size_t> agreeing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     if ((consensus.a_from_b * shown_b.at[matches[i].b] - shown_a.at[matches[i].a]).norm() < within_m)

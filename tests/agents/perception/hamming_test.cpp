@@ -63,15 +63,6 @@ TEST(MatchDescriptors, TwinsAreAmbiguous) {
   for (const Match& m : matches) EXPECT_NE(m.b, 7U);
 }
 
-TEST(MatchDescriptors, CountsThoseThatSeveralResemble) {
-  auto a = random_descriptors(50, 3);
-  const auto b = a;
-  EXPECT_EQ(count_repeated(a, b, 40), 0U);
-  for (std::size_t i = 0; i < 10; ++i) a.push_back(with_flipped(b[i], 20));
-  EXPECT_EQ(count_repeated(a, b, 40), 10U);
-  EXPECT_EQ(count_repeated(a, b, 19), 0U);
-}
-
 TEST(MatchDescriptors, OnlyCandidatesCount) {
   const auto a = random_descriptors(10, 4);
   std::vector<std::vector<std::uint32_t>> candidates(10);
