@@ -19,6 +19,8 @@ HALL_M, LAMPS_M = 6.4, 3.4  # the ceilings, as measured with a tape
 PUT_DOWN_DEG = 140
 GOAL_M = 0.10
 CROSSED_M = 0.20  # as in the fleet with two cameras: a place of a floor run is the beginning
+# Of a grid of lamps: its matches agree on several motions, or, as most corners have a twin as like, on none.
+CANNOT_TELL = re.compile('ambiguous|no_consensus')
 STANDS_M = 0.03   # less way in a second than this is standing
 
 
@@ -175,7 +177,7 @@ class CeilingFleet(Fleet):
         """r4: below lamps that repeat, where every answer would be a guess."""
         with self.agent('r4', 'ceiling', 'fastdds', 'lamps') as robot:
             self.ready(robot, 'r4')
-            self.poll(lambda said: 'ambiguous' in said, 90, 'robot', 'counts', 'r4')
+            self.poll(CANNOT_TELL.search, 90, 'robot', 'counts', 'r4')
             stands = self.pose(self.truth_of('r4'))[:2]
             end = time.monotonic() + 8
             while time.monotonic() < end:
