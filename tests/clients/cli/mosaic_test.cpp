@@ -156,7 +156,8 @@ TEST(MapMosaic, LiesInTheFrameOfTheRegisteredPlan) {
   std::ofstream(folder() / "hall.pgm") << "P2\n2 1\n255\n254 254\n";
   std::ofstream(plan) << "image: hall.pgm\nresolution: 5.0\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
                          "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  ASSERT_EQ(fleet.weft({"map", "register", plan.string(), "--pick", "press=12,4,0.5"}).exit, Exit::done);
+  const Said registered = fleet.weft({"map", "register", plan.string(), "--pick", "press=8,3,0.5"});
+  ASSERT_EQ(registered.exit, Exit::done) << registered.err;
   const std::vector<std::string> draw = {"map", "draw", "--mosaic", (folder() / "mosaic.png").string()};
   EXPECT_NE(fleet.weft(draw).out.find("in the frame of plan hall"), std::string::npos);
   std::vector<std::string> free = draw;

@@ -51,6 +51,7 @@ class CornerCeiling {
     content.attitude_sigma = {0.001, 0.001, 0.001};
     content.ceiling_m = ceiling_m;
     content.ceiling_sigma_m = 0.05;
+    content.patch.metres_per_pixel = 0.05;
     const agents::Attitude sway{random.normal(0.0, 0.0009), random.normal(0.0, 0.0009), random.normal(0.0, 0.0005)};
     const Pose3 camera_from_map =
         (lift(map_from_robot) * agents::level_from_body(sway) * camera.robot_from_camera).inverse();
