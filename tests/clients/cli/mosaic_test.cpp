@@ -25,7 +25,8 @@ agents::PlanePatch half_bright(const Pose2& map_from_place) {
   agents::PlanePatch patch;
   patch.width = patch.height = kPatchPx;
   patch.metres_per_pixel = kPixelM;
-  patch.first_pixel_on_plane = kPixelM * Eigen::Vector2d::Constant(kPatchPx / 2);
+  constexpr double middle_px = 0.5 * (kPatchPx - 1);
+  patch.first_pixel_on_plane = kPixelM * Eigen::Vector2d::Constant(middle_px);
   for (int row = 0; row < kPatchPx; ++row) {
     for (int column = 0; column < kPatchPx; ++column) {
       const Eigen::Vector2d in_place = patch.first_pixel_on_plane - kPixelM * Eigen::Vector2d(row, column);
