@@ -42,7 +42,7 @@ std::unique_ptr<SimulatedCamera> make_ceiling_camera(const Site& site, const Cam
   leant.robot_from_camera = upward_mount(up, true);
   Random errors = owner.camera;
   setup.actual = true_camera_from(leant, site.disturbances, site.change.sinks_m, errors.fork(kErrorsUp));
-  setup.exposure = up;
+  setup.exposure = static_cast<const ExposureSetup&>(up);
   setup.meters_as_seen = true;
   setup.options = {.vignetting = site.disturbances.vignetting,
                    .widest_rad = up.lens == LensModel::equidistant ? up.widest_rad : 0.0,

@@ -33,7 +33,7 @@ std::unique_ptr<SimulatedCamera> make_forward_camera(const Site& site, const Cam
   setup.name = "forward";
   setup.given = given_camera(site.forward_camera, owner);
   setup.actual = true_camera(setup.given, site, owner);
-  setup.exposure = site.forward_camera;
+  setup.exposure = static_cast<const ExposureSetup&>(site.forward_camera);
   setup.options = {.vignetting = site.disturbances.vignetting, .headlight = site.forward_camera.headlight};
   return make_hall_camera(site, setup, std::make_shared<const Hall>(site, *floor, photographed), light);
 }

@@ -47,7 +47,8 @@ void begin_keyframe(const CeilingConfig& c, const CameraModel& camera, const Ima
   s.keyframe_from_robot = Pose2{};
   s.keyframe_covariance.setZero();
   s.wheels = Pose2{};
-  const double border = c.window_px / 2 + 2.0;
+  const int half_window_px = c.window_px / 2;
+  const double border = half_window_px + 2.0;
   std::erase_if(s.tracks, [&](const Ceiling::Tracked& t) {
     return t.pixel.x() < border || t.pixel.y() < border || t.pixel.x() > camera.width - 1.0 - border ||
            t.pixel.y() > camera.height - 1.0 - border;

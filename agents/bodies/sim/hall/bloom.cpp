@@ -78,8 +78,9 @@ void Bloom::add_halos(std::vector<float>& light) const {
       const std::size_t up = row > 0 ? columns_ : 0;
       const std::size_t down = row + 1 < rows_ ? columns_ : 0;
       for (std::size_t i = 0; i < kRays; ++i) {
+        const std::size_t ray_row = i / kSide;
         const float right_px = (static_cast<float>(i % kSide) - 1.5F) / kSide;
-        const float down_px = (static_cast<float>(i / kSide) - 1.5F) / kSide;
+        const float down_px = (static_cast<float>(ray_row) - 1.5F) / kSide;
         const float share_x = right_px < 0.0F ? -right_px : right_px;
         const float share_y = down_px < 0.0F ? -down_px : down_px;
         const std::size_t beside = right_px < 0.0F ? left : right;
