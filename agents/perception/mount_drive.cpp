@@ -1,5 +1,6 @@
 #include "agents/perception/mount_drive.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -107,6 +108,12 @@ bool turn_mount(const std::vector<PlaneViews>& seen, const MountDriveConfig& con
 }
 
 }  // namespace
+
+std::optional<double> MountDrive::plane_sigma_m() const {
+  constexpr double least_m = 0.001;  // no tape is better
+  if (!scale_sigma) return std::nullopt;
+  return std::max(least_m, *scale_sigma * (plane_m - camera.robot_from_camera.translation.z()));
+}
 
 Result<MountDrive> find_mount(const CameraModel& given, const SeeDrive& see, const MountDriveConfig& config) {
   MountDrive out;

@@ -59,6 +59,9 @@ struct MountDrive {
   std::size_t pairs = 0;
   std::size_t samples = 0;
   std::size_t blind = 0;
+
+  /// Returns 1 sigma of `plane_m` below a ceiling, metres; none: it is as it was guessed.
+  std::optional<double> plane_sigma_m() const;
 };
 
 /// Finds the camera's mount from one drive: pitch and roll from what it sees of its plane, yaw and place ahead from

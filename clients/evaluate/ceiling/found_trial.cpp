@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "agents/bodies/sim/sim_body.hpp"
+#include "clients/evaluate/ceiling/calibrated.hpp"
 #include "clients/evaluate/ceiling/sift_map.hpp"
 #include "clients/evaluate/exposed.hpp"
 #include "clients/evaluate/floor/attempts/tally.hpp"
@@ -39,12 +40,13 @@ struct Counts {
 /// Puts one body down again and again.
 class PutDownRobot {
  public:
-  static Result<std::unique_ptr<PutDownRobot>> make(const Way& way, const floor::Drive& drive) {
+  static Result<std::unique_ptr<PutDownRobot>> make(const Way& way, const floor::Drive& drive,
+                                                    const Calibrated& given) {
     sim::SimBodyConfig config = drive.body;
     config.truth_path.reset();
     auto body = sim::make_sim_body(config);
     if (!body) return fail(body.error());
-    Result<Ceiling> method = Ceiling::make(way.settings, (*body)->rig().camera());
+    Result<Ceiling> method = Ceiling::make(given.settings, given.camera.value_or((*body)->rig().camera()));
     if (!method) return fail(method.error());
     auto robot = std::unique_ptr<PutDownRobot>(new PutDownRobot(way, drive, std::move(*body), std::move(*method)));
     if (const Result<void> learnt = robot->places_.learn(robot->method_, way.taught.map); !learnt)
@@ -56,7 +58,7 @@ class PutDownRobot {
   Result<bool> put(const Pose2& site_from_robot, bool asks_sift, Random& random) {
     body_->put(site_from_robot, {});
     const Result<std::unique_ptr<Navigator>> navigator =
-        ceiling_navigator(way_.settings)(method_.camera(), std::make_shared<floor::SeenStep>());
+        ceiling_navigator(method_.config())(method_.camera(), std::make_shared<floor::SeenStep>());
     if (!navigator) return fail(navigator.error());
     (*navigator)->seek(std::nullopt);
     counts_.tried += 1.0;
@@ -84,7 +86,11 @@ class PutDownRobot {
 
  private:
   PutDownRobot(const Way& way, const floor::Drive& drive, std::unique_ptr<sim::SimulatedBody> body, Ceiling method)
-      : way_(way), drive_(drive), body_(std::move(body)), method_(std::move(method)), sift_(way.settings.height_m) {
+      : way_(way),
+        drive_(drive),
+        body_(std::move(body)),
+        method_(std::move(method)),
+        sift_(way.given.settings.height_m) {
     for (const DriveWatch::Kept& kept : way.watch->kept())
       sift_.add(way.watch->camera(), kept.image, way.trace().moments.at(kept.sample).start_from_robot);
   }
@@ -182,7 +188,8 @@ Pose2 anywhere_on(const std::vector<SitePoint>& line, Random& random) {
   return on_line * Pose2{0.0, beside_m, random.uniform(-std::numbers::pi, std::numbers::pi)};
 }
 
-Result<std::optional<Measured>> measure_found(const Way& way, const Driven& driven, const PutDowns& put_downs) {
+Result<std::optional<Measured>> measure_found(const Way& way, const Driven& driven, const PutDowns& put_downs,
+                                              const Scenes& scenes) {
   sim::Site site = way.scene.site;
   site.change.lamps_failed = put_downs.lamps_failed;
   Driven other = driven;
@@ -193,7 +200,10 @@ Result<std::optional<Measured>> measure_found(const Way& way, const Driven& driv
     start.seed += kBesideRobot;
     break;
   }
-  auto robot = PutDownRobot::make(way, drive_of(site, other, way.settings));
+  const auto given = calibrated(scenes, site, other);
+  if (!given) return fail(given.error());
+  if (!*given) return std::optional<Measured>();
+  auto robot = PutDownRobot::make(way, drive_of(site, other, **given), **given);
   if (!robot) return fail(robot.error());
   for (std::size_t i = 0; i < put_downs.count; ++i) {
     Random random = Random(driven.seed).fork(100 + i);

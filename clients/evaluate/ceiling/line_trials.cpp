@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "agents/bodies/sim/calibration.hpp"
+#include "clients/evaluate/ceiling/calibrated.hpp"
 #include "clients/evaluate/ceiling/published_line.hpp"
 #include "clients/evaluate/ceiling/true_heights.hpp"
 #include "clients/evaluate/floor/measures.hpp"
@@ -25,10 +25,11 @@ Pose2 beside_beginning(const Way& way) {
 }
 
 /// Has a robot find itself beside the line's beginning and drive to its end in that site, on another day.
-Result<std::optional<floor::Repeated>> repeat_in(const sim::Site& site, const Way& way, Driven driven) {
+Result<std::optional<floor::Repeated>> repeat_in(const sim::Site& site, const Way& way, Driven driven,
+                                                 const Calibrated& given) {
   driven.day = 1;
   const sim::Site beside = with_start(site, driven.robot, beside_beginning(way));
-  return floor::repeat(drive_of(beside, driven, way.settings), way.taught);
+  return floor::repeat(drive_of(beside, driven, given), way.taught);
 }
 
 /// Adds what the drive to teach shows: speeds, with all heights and as if all were one plane, and the heights.
@@ -51,14 +52,14 @@ void add_teaching(const Way& way, Score& score) {
 }  // namespace
 
 Result<std::optional<Measured>> measure_line(const Way& way, const Driven& driven) {
-  const auto repeated = repeat_in(way.scene.site, way, driven);
+  const auto repeated = repeat_in(way.scene.site, way, driven, way.given);
   if (!repeated) return fail(repeated.error());
   if (!*repeated) return std::optional<Measured>();
   Driven next_day = driven;
   next_day.day = 1;
   const double metres = floor::length_of(way.scene.line);
   const auto published =
-      drive_as_published(drive_of(way.scene.site, next_day, way.settings).body, metres, driven.asked_to_stop);
+      drive_as_published(drive_of(way.scene.site, next_day, way.given).body, metres, driven.asked_to_stop);
   if (!published) return fail(published.error());
   if (!*published) return std::optional<Measured>();
   Measured measured;
@@ -74,30 +75,31 @@ Result<std::optional<Measured>> measure_line(const Way& way, const Driven& drive
   return std::optional(std::move(measured));
 }
 
-Result<std::optional<Measured>> measure_other(const Way& way, const Driven& driven) {
+Result<std::optional<Measured>> measure_other(const Way& way, const Driven& driven, const Scenes& scenes) {
   Driven other = driven;
   other.robot = "r2";
-  sim::Site site = way.scene.site;
+  const auto given = calibrated(scenes, way.scene.site, other);
+  if (!given) return fail(given.error());
+  if (!*given) return std::optional<Measured>();
+  sim::Site moved = way.scene.site;
   Random random = Random(driven.seed).fork(2);
   const double towards = random.uniform(-std::numbers::pi, std::numbers::pi);
-  for (sim::RobotStart& start : site.robots) {
+  for (sim::RobotStart& start : moved.robots) {
     if (start.name != other.robot) continue;
-    sim::CeilingCameraSetup camera = start.ceiling_camera.value_or(site.ceiling_camera);
+    sim::CeilingCameraSetup camera = start.ceiling_camera.value_or(moved.ceiling_camera);
     camera.tilt_error_forward_rad = kMountOffRad * std::cos(towards);
     camera.tilt_error_left_rad = kMountOffRad * std::sin(towards);
     start.ceiling_camera = camera;
   }
-  const auto repeated = repeat_in(site, way, other);
+  const auto repeated = repeat_in(moved, way, other, **given);
   if (!repeated) return fail(repeated.error());
   if (!*repeated) return std::optional<Measured>();
   Measured measured;
   add_path(way, **repeated, measured.score);
   add_held({&(*repeated)->trace}, measured.score);
-  const CameraModel camera =
-      sim::given_ceiling_camera_from(*start_of(site, other.robot).ceiling_camera, site.disturbances, other.robot);
   measured.score.values["centroid_rms_mm"] =
-      1e3 * centroid_rms_m((*repeated)->trace, way.taught.places.site_from_place, way.watch->camera(), camera,
-                           way.settings.height_m);
+      1e3 * centroid_rms_m((*repeated)->trace, way.taught.places.site_from_place, way.watch->camera(),
+                           *(*given)->camera, way.given.settings.height_m);
   measured.shown["ours"] = beside_of(way, **repeated);
   return std::optional(std::move(measured));
 }
@@ -127,7 +129,7 @@ Result<std::optional<Measured>> measure_change(const Way& way, const Driven& dri
   forklift.forks_m = 3.0;
   site.movers.push_back(person);
   site.movers.push_back(forklift);
-  const auto repeated = repeat_in(site, way, driven);
+  const auto repeated = repeat_in(site, way, driven, way.given);
   if (!repeated) return fail(repeated.error());
   if (!*repeated) return std::optional<Measured>();
   Measured measured;

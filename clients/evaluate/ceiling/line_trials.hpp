@@ -11,9 +11,9 @@ namespace weft::evaluate::ceiling {
 /// published. None: stopped.
 Result<std::optional<Measured>> measure_line(const Way& way, const Driven& driven);
 
-/// Has another robot drive the line: r2, with another lens, another place and tilt of the camera, its mount off by
-/// 0.3 degrees whatever else is drawn of it. None: stopped.
-Result<std::optional<Measured>> measure_other(const Way& way, const Driven& driven);
+/// Has another robot drive the line: r2, with another lens, another place and tilt of the camera, whose mount has
+/// been knocked by 0.3 degrees since it was calibrated. None: stopped.
+Result<std::optional<Measured>> measure_other(const Way& way, const Driven& driven, const Scenes& scenes);
 
 /// Has the same robot drive the line when a duct hangs across it that was not there, the sun stands in the skylights
 /// and a person and a forklift with raised forks move beside it. None: stopped.

@@ -18,6 +18,8 @@ using agents::sim::Site;
 
 constexpr double kWholeLineM = 1e6;
 constexpr double kMeasuredWithinM = 0.02;
+constexpr double kCalibratedFromM = 9.0;  // of the loop
+constexpr double kCalibratedToM = 21.0;
 
 /// Reads a site and a line beside it, and adds their texts to `all`.
 Result<Scene> read_scene(const std::filesystem::path& folder, const std::string& site, const std::string& line,
@@ -59,7 +61,8 @@ Result<Scenes> read_scenes(const std::filesystem::path& folder, double metres) {
                        [robot](const RobotStart& start) { return start.name == robot; }))
         return fail(ErrorCode::invalid, folder.string() + ": site " + scene->site.name + " has no robot " + robot +
                                             ", which drives in it");
-  return Scenes{std::move(*straight), std::move(*loop), std::move(*lamps), sha256_of(all)};
+  Scene calibration{loop->site, floor::stretch(loop->line, kCalibratedFromM, kCalibratedToM)};
+  return Scenes{std::move(*straight), std::move(*loop), std::move(*lamps), std::move(calibration), sha256_of(all)};
 }
 
 agents::CeilingConfig settings_in(const Site& site, std::uint64_t seed) {
@@ -70,7 +73,7 @@ agents::CeilingConfig settings_in(const Site& site, std::uint64_t seed) {
   return settings;
 }
 
-floor::Drive drive_of(const Site& site, const Driven& driven, const agents::CeilingConfig& settings) {
+floor::Drive drive_of(const Site& site, const Driven& driven, const Calibrated& given) {
   floor::Drive drive;
   drive.body.site = site;
   drive.body.robot = driven.robot;
@@ -78,7 +81,8 @@ floor::Drive drive_of(const Site& site, const Driven& driven, const agents::Ceil
   drive.body.day = driven.day;
   drive.body.truth_path = driven.scratch.string();
   drive.asked_to_stop = driven.asked_to_stop;
-  drive.navigator = ceiling_navigator(settings);
+  drive.camera = given.camera;
+  drive.navigator = ceiling_navigator(given.settings);
   return drive;
 }
 

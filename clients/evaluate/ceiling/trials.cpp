@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "clients/evaluate/ceiling/calibrated.hpp"
 #include "clients/evaluate/ceiling/found_trial.hpp"
 #include "clients/evaluate/ceiling/frames/frames_score.hpp"
 #include "clients/evaluate/ceiling/line_trials.hpp"
@@ -25,7 +26,10 @@ SeedTrials::SeedTrials(const Scenes& scenes, const Extent& extent, std::uint64_t
 
 Result<bool> SeedTrials::teach_once(const Scene& scene, Taught& way) const {
   if (way) return true;
-  Result<std::optional<Way>> taught = teach_way(scene, driven_);
+  const auto given = calibrated(scenes_, scene.site, driven_);
+  if (!given) return fail(given.error());
+  if (!*given) return false;
+  Result<std::optional<Way>> taught = teach_way(scene, driven_, **given);
   if (!taught) return fail(taught.error());
   way = std::move(*taught);
   return way.has_value();
@@ -33,7 +37,7 @@ Result<bool> SeedTrials::teach_once(const Scene& scene, Taught& way) const {
 
 Result<std::optional<Measured>> SeedTrials::found(const std::string& trial, const Way& way) const {
   constexpr double half = 0.5;
-  return measure_found(way, driven_, {extent_.put_downs, trial == trial::kFoundHalf ? half : 0.0});
+  return measure_found(way, driven_, {extent_.put_downs, trial == trial::kFoundHalf ? half : 0.0}, scenes_);
 }
 
 Result<std::optional<Measured>> SeedTrials::measure(const std::string& trial) {
@@ -46,7 +50,7 @@ Result<std::optional<Measured>> SeedTrials::measure(const std::string& trial) {
   if (!taught) return fail(taught.error());
   if (!*taught) return std::optional<Measured>();
   if (trial == trial::kLine) return measure_line(*way, driven_);
-  if (trial == trial::kOther) return measure_other(*way, driven_);
+  if (trial == trial::kOther) return measure_other(*way, driven_, scenes_);
   if (trial == trial::kChange) return measure_change(*way, driven_);
   if (trial == trial::kLoop) return std::optional(measure_loop(*way));
   return found(trial, *way);

@@ -15,17 +15,17 @@ Pose2 beginning_of(const std::vector<SitePoint>& line) {
   return {line[0].x, line[0].y, std::atan2(line[1].y - line[0].y, line[1].x - line[0].x)};
 }
 
-Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven) {
+Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven, const Calibrated& given) {
   Way way;
   way.scene = {with_start(scene.site, driven.robot, beginning_of(scene.line)), scene.line};
-  way.settings = settings_in(scene.site, driven.seed);
-  floor::Drive drive = drive_of(way.scene.site, driven, way.settings);
+  way.given = given;
+  floor::Drive drive = drive_of(way.scene.site, driven, given);
   drive.navigator = [&way](const CameraModel& camera,
                            std::shared_ptr<floor::SeenStep> seen) -> Result<std::unique_ptr<Navigator>> {
-    Result<std::shared_ptr<DriveWatch>> watch = DriveWatch::make(way.settings, camera);
+    Result<std::shared_ptr<DriveWatch>> watch = DriveWatch::make(way.given.settings, camera);
     if (!watch) return fail(watch.error());
     way.watch = std::move(*watch);
-    return ceiling_navigator(way.settings, DriveWatch::look_of(way.watch))(camera, std::move(seen));
+    return ceiling_navigator(way.given.settings, DriveWatch::look_of(way.watch))(camera, std::move(seen));
   };
   const Result<bool> taught = floor::teach(drive, way.scene.line, way.taught);
   if (!taught) return fail(taught.error());

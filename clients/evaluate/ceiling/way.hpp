@@ -12,16 +12,16 @@ namespace weft::evaluate::ceiling {
 
 /// Holds a way that a robot was taught, with what was watched meanwhile.
 struct Way {
-  Scene scene;  ///< its robot stands where the line begins
-  agents::CeilingConfig settings;
+  Scene scene;       ///< its robot stands where the line begins
+  Calibrated given;  ///< to its robot
   floor::Taught taught;
   std::shared_ptr<DriveWatch> watch;
 
   const floor::Trace& trace() const { return taught.traces.front(); }
 };
 
-/// Teaches the robot the scene's line. None: stopped.
-Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven);
+/// Teaches the robot, which is given that, the scene's line. None: stopped.
+Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven, const Calibrated& given);
 
 /// Returns the pose on a line's beginning, headed along it.
 Pose2 beginning_of(const std::vector<agents::SitePoint>& line);

@@ -29,23 +29,21 @@ struct RemovedAtEnd {
   std::filesystem::path file;
 };
 
-using Take = std::function<void(const View*, const Motion&)>;
-
-/// Has a hand drive the body along the line, and hands on each sample. Returns false when it was stopped.
-Result<bool> play(const Drive& drive, const std::vector<SitePoint>& line, const Take& take) {
+/// Has a hand drive the body along the line, once, and remembers what it saw. None: it was stopped.
+Result<std::optional<std::vector<Sample>>> drive_once(const Drive& drive, const std::vector<SitePoint>& line) {
   std::error_code ignored;  // a file that cannot be removed cannot be appended to either, which is told
   std::filesystem::remove(drive.body.truth_path.value_or(""), ignored);
   const Result<std::unique_ptr<Body>> body = sim::make_sim_body(drive.body);
   if (!body) return fail(body.error());
   if (const Result<void> led = (*body)->drive_by_hand(line); !led) return fail(led.error());
-  for (bool done = false; !done;) {
-    if (drive.asked_to_stop()) return false;
-    const Result<Sample> sample = (*body)->step({});
+  std::vector<Sample> samples;
+  while (samples.empty() || !samples.back().hand_done) {
+    if (drive.asked_to_stop()) return std::optional<std::vector<Sample>>();
+    Result<Sample> sample = (*body)->step({});
     if (!sample) return fail(sample.error());
-    take(sample->of({}), sample->motion);
-    done = sample->hand_done;
+    samples.push_back(std::move(*sample));
   }
-  return true;
+  return std::optional(std::move(samples));
 }
 
 /// Measures, as with a tape, from where the robot stood first to where it stood last.
@@ -62,32 +60,39 @@ Result<double> measured_m(const Drive& drive) {
 
 }  // namespace
 
-Result<std::optional<agents::CameraModel>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
+Result<std::optional<MountDrive>> mount_by_hand(const Drive& drive, const std::vector<SitePoint>& line,
+                                                const FindMount& find, MountDriveConfig config) {
   const RemovedAtEnd truth(drive.body.truth_path.value_or(""));
-  const Result<bool> driven = play(drive, line, [](const View*, const Motion&) {});
-  if (!driven) return fail(driven.error());
-  if (!*driven) return std::optional<agents::CameraModel>();
+  const Result<std::unique_ptr<Body>> body = sim::make_sim_body(drive.body);
+  if (!body) return fail(body.error());
+  const CameraModel given = (*body)->rig().camera();
+  const auto samples = drive_once(drive, line);
+  if (!samples) return fail(samples.error());
+  if (!*samples) return std::optional<MountDrive>();
   const Result<double> measured = measured_m(drive);
   if (!measured) return fail(measured.error());
 
-  MountDriveConfig config;
   config.distance_m = *measured;
   config.distance_sigma_m = kTapeSigmaM;
   bool is_stopped = false;
-  Drive unseen = drive;
-  unseen.body.truth_path.reset();
-  const Result<std::unique_ptr<Body>> body = sim::make_sim_body(unseen.body);
-  if (!body) return fail(body.error());
-  const PlayDrive again = [&](const Take& take) -> Result<void> {
-    const Result<bool> played = play(unseen, line, take);
-    if (!played) return fail(played.error());
-    is_stopped = !*played;
-    return is_stopped ? Result<void>(fail(ErrorCode::refused, "stopped")) : Result<void>();
+  const PlayDrive again = [&](const std::function<void(const View*, const Motion&)>& take) -> Result<void> {
+    for (const Sample& sample : **samples) {
+      is_stopped = is_stopped || drive.asked_to_stop();
+      if (is_stopped) return fail(ErrorCode::refused, "stopped");
+      take(sample.of({}), sample.motion);
+    }
+    return {};
   };
-  const Result<MountDrive> found = calibrate_floor_mount((*body)->rig().camera(), again, config);
-  if (is_stopped) return std::optional<agents::CameraModel>();
+  Result<MountDrive> found = find(given, again, config);
+  if (is_stopped) return std::optional<MountDrive>();
   if (!found) return fail(found.error());
-  return std::optional(found->camera);
+  return std::optional(std::move(*found));
+}
+
+Result<std::optional<CameraModel>> calibrated(const Drive& drive, const std::vector<SitePoint>& line) {
+  const Result<std::optional<MountDrive>> found = mount_by_hand(drive, line, calibrate_floor_mount, {});
+  if (!found) return fail(found.error());
+  return *found ? std::optional((*found)->camera) : std::optional<CameraModel>();
 }
 
 }  // namespace weft::evaluate::floor

@@ -67,12 +67,6 @@ Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const
   }
 }
 
-/// Returns how well the ceiling's height is known, metres; none: it is as it was guessed.
-std::optional<double> ceiling_sigma_m(const MountDrive& found) {
-  if (!found.scale_sigma.has_value()) return std::nullopt;
-  return *found.scale_sigma * (found.plane_m - found.camera.robot_from_camera.translation.z());
-}
-
 nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job) {
   const auto maybe = [](const std::optional<double>& value) {
     return value.has_value() ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -97,7 +91,7 @@ nlohmann::ordered_json document_of(const MountDrive& found, const MountJob& job)
                                      {"camera_file", job.out}};
   if (job.method != kByCeiling) return document;
   document["ceiling_m"] = found.plane_m;
-  document["ceiling_sigma_m"] = maybe(ceiling_sigma_m(found));
+  document["ceiling_sigma_m"] = maybe(found.plane_sigma_m());
   return document;
 }
 
@@ -193,10 +187,10 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   }
   print(*found, job, output.out);
   output.out << job.out << " holds camera and mount: weft-agent --calibration " << job.out << '\n';
-  if (const std::optional<double> sigma_m = ceiling_sigma_m(*found); job.method == kByCeiling && sigma_m)
+  if (const std::optional<double> sigma_m = found->plane_sigma_m(); job.method == kByCeiling && sigma_m)
     output.out << text(
         "the ceiling goes into the agent's --config: [ceiling] height_m = %.3f, height_sigma_m = %.3f\n",
-        found->plane_m, std::max(*sigma_m, 0.001));
+        found->plane_m, *sigma_m);
   return {};
 }
 

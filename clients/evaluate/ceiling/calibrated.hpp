@@ -1,0 +1,18 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "clients/evaluate/ceiling/scenes.hpp"
+#include "core/result.hpp"
+
+namespace weft::evaluate::ceiling {
+
+/// Returns what a robot of that site is given before it drives there: the camera as `weft calibrate mount --method
+/// ceiling` finds it on a drive of its own in `scenes.calibration`, with the ceiling's height from a tape, and, where
+/// it drives below that same ceiling, the height that was found, which that command says to put into `[ceiling]`. The
+/// robot is one of the site's, with all that the site says of it. None: stopped. Errors of the body and the
+/// calibration, which name the robot.
+Result<std::optional<Calibrated>> calibrated(const Scenes& scenes, const agents::sim::Site& site,
+                                             const Driven& driven);
+
+}  // namespace weft::evaluate::ceiling
