@@ -58,10 +58,12 @@ Result<FoundHeight> height_from(const DriveSeen& played, const MountDriveConfig&
       return fail(ErrorCode::refused, "first and last stand are " + text(seen_m) +
                                           " m apart as seen; a measured distance needs a drive that ends " +
                                           text(0.5 * config.least_drive_m) + " m or more from where it began");
-    // Odometry itself is good to 0.2 % of a metre.
-    return FoundHeight{HeightFrom::distance, *config.distance_m / seen_m - 1.0,
-                       std::hypot(config.distance_sigma_m / *config.distance_m, 0.002 / std::sqrt(seen_m),
-                                  kScaleByFocal * config.prior.focal_share)};
+    // Over a floor odometry itself is good to 0.2 % of a metre; below a ceiling, what hangs is taken for the ceiling
+    // until heights have been told, the same way on every drive.
+    const double odometry = is_ceiling(config) ? 0.005 : 0.002 / std::sqrt(seen_m);
+    return FoundHeight{
+        HeightFrom::distance, *config.distance_m / seen_m - 1.0,
+        std::hypot(config.distance_sigma_m / *config.distance_m, odometry, kScaleByFocal * config.prior.focal_share)};
   }
   if (config.wheels_sigma.has_value() && played.seen_beside_m > 0.5 * config.least_drive_m)
     return FoundHeight{HeightFrom::wheels, played.wheels_m / played.seen_beside_m - 1.0,

@@ -1,8 +1,12 @@
 #include "agents/methods/ceiling/follow.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "agents/methods/ceiling/gauge.hpp"
 #include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/plane/consensus.hpp"
@@ -140,16 +144,68 @@ void set_told_heights(const CameraModel& camera, const FollowedHeights& heights,
   });
 }
 
-/// Returns the gauge: 1 once keyframes have told enough heights, which then hold the scale.
-double gauge_of(const CameraModel& camera, const FollowedHeights& heights, const Followed& followed) {
+/// Returns whether keyframes have told enough heights to hold the scale.
+bool is_scale_held(const Followed& followed) {
   constexpr std::ptrdiff_t enough = 12;
-  const auto told = std::count_if(followed.tracks.begin(), followed.tracks.end(),
-                                  [](const Ceiling::Tracked& track) { return track.told.information > 0.0; });
-  if (told >= enough) return 1.0;
+  return std::count_if(followed.tracks.begin(), followed.tracks.end(),
+                       [](const Ceiling::Tracked& track) { return track.told.information > 0.0; }) >= enough;
+}
+
+/// Returns how well wheels know a motion's length, metres, 1 sigma: the robot's rocking is none of theirs.
+double wheels_sigma_m(const CeilingConfig& c, double away_m, double travel_m) {
+  return std::hypot(c.wheels_scale * travel_m, c.vibration_tilt_rad * away_m);
+}
+
+/// Returns by how much wheels have moved since the keyframe, metres; none: they are silent, or the ceiling's height
+/// is only supposed, until they tell it.
+std::optional<double> moved_by_wheels(const CeilingConfig& c, const Ceiling::Odometry& s) {
+  const bool is_scaled = c.height_m > 0.0 || s.scale_by_wheels;
+  if (!s.wheels || !is_scaled) return std::nullopt;
+  return s.wheels->translation().norm();
+}
+
+/// Brings motion and told heights to the scale in which the ceiling is where it is known to be and nothing is above
+/// it. What keyframes have told holds it unless much says that it is wrong, as where the first corners hung.
+void set_gauge(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
+               const Ceiling::Odometry& s, Followed& followed) {
+  const double camera_m = camera.robot_from_camera.translation.z();
+  Pose2& a_from_b = followed.fit.state.a_from_b;
+  const double travel_m = a_from_b.translation().norm();
+  KnownScale known;
+  known.is_held = is_scale_held(followed);
+  if (const std::optional<double> by_wheels_m = moved_by_wheels(c, s); by_wheels_m && *by_wheels_m > 0.0) {
+    known.factor = *by_wheels_m / travel_m;
+    known.sigma_share = wheels_sigma_m(c, heights.prior.ceiling_m - camera_m, travel_m) / travel_m;
+  }
   const HeightTeller teller(camera, followed.fit, heights.prior);
   std::vector<ToldHeight> tell;
   for (const PlanePair& pair : followed.pairs) tell.push_back(teller.told_by(pair));
-  return gauge_factor(tell, heights.prior.ceiling_m, camera.robot_from_camera.translation.z());
+  const double factor = gauge_factor(tell, heights.prior, camera_m, known);
+  if (factor == 1.0) return;
+  a_from_b.x *= factor;
+  a_from_b.y *= factor;
+  for (Ceiling::Tracked& track : followed.tracks) track.told = scaled(track.told, factor, camera_m);
+}
+
+/// Says how well a motion's scale is known before keyframes have told heights; before the motion itself tells any, as
+/// what is seen hangs anywhere, its length is mostly what wheels say of it.
+void admit_scale(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
+                 const Ceiling::Odometry& s, bool tells, Followed& followed) {
+  Pose2& a_from_b = followed.fit.state.a_from_b;
+  const double travel_m = a_from_b.translation().norm();
+  if (!(travel_m > 0.0) || is_scale_held(followed)) return;
+  const double away_m = heights.prior.ceiling_m - camera.robot_from_camera.translation.z();
+  double sigma_m = travel_m * (tells ? c.wheels_scale : c.hangs_sigma_m / away_m);
+  const Eigen::Vector2d along = Eigen::Rotation2Dd(-a_from_b.heading) * a_from_b.translation() / travel_m;
+  if (const std::optional<double> by_wheels_m = moved_by_wheels(c, s); !tells && by_wheels_m) {
+    const double wheels_m = wheels_sigma_m(c, away_m, *by_wheels_m);
+    const double share = sigma_m * sigma_m / (sigma_m * sigma_m + wheels_m * wheels_m);
+    const double longer = 1.0 + share * (*by_wheels_m / travel_m - 1.0);
+    a_from_b.x *= longer;
+    a_from_b.y *= longer;
+    sigma_m *= std::sqrt(1.0 - share);
+  }
+  followed.fit.covariance.topLeftCorner<2, 2>() += sigma_m * sigma_m * along * along.transpose();
 }
 
 /// Keeps what the motion explains, whatever its height. Returns whether anything was dropped.
@@ -202,15 +258,14 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
     if (has_dropped || !out.fit.converged)
       out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
     if (!tells) break;
-    const double factor = gauge_of(camera, heights, out);
-    out.fit.state.a_from_b.x *= factor;
-    out.fit.state.a_from_b.y *= factor;
+    set_gauge(camera, c, heights, s, out);
     set_told_heights(camera, heights, out);
     if (are_too_few()) return out;
     out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
     has_dropped = retain_agreeing(camera, c, heights, out);
     if (are_too_few()) return out;
   }
+  if (!heights.one_plane) admit_scale(camera, c, heights, s, tells, out);
   if (!out.fit.converged) out.refused = "not_converged";
   return out;
 }

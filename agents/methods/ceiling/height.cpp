@@ -33,6 +33,10 @@ ToldHeight together(const ToldHeight& one, const ToldHeight& other) {
   return {(one.information * one.above_floor_m + other.information * other.above_floor_m) / both, both};
 }
 
+ToldHeight scaled(const ToldHeight& told, double factor, double camera_m) {
+  return {camera_m + factor * (told.above_floor_m - camera_m), told.information / (factor * factor)};
+}
+
 HeightPrior height_prior(const CeilingConfig& config, double ceiling_m, double camera_m) {
   const double lowest = std::min(camera_m + config.least_above_m, 0.5 * (camera_m + ceiling_m));
   return {ceiling_m, config.flat_sigma_m, config.hangs_sigma_m, lowest};
@@ -111,39 +115,6 @@ double HeightTeller::across_sigmas(const PlanePair& pair, double above_floor_m) 
   if (along < 1e-9) return off.norm();
   const Eigen::Vector2d epipolar = there.by_height / along;
   return std::abs(epipolar.x() * off.y() - epipolar.y() * off.x());
-}
-
-double gauge_factor(std::span<const ToldHeight> heights, double ceiling_m, double camera_m) {
-  constexpr std::size_t fewest = 8;
-  constexpr double alike_share = 0.03;  // of the distance: heights that are counted as one
-  constexpr double frequent = 0.5;      // of the most frequent height's count
-  constexpr double most = 1.4;          // beyond, it is not this ceiling
-  std::vector<double> at;
-  for (const ToldHeight& told : heights)
-    if (told.information > 0.0) at.push_back(told.above_floor_m);
-  if (at.size() < fewest) return 1.0;
-  std::sort(at.begin(), at.end());
-  const double within = alike_share * (ceiling_m - camera_m);
-  const auto near = [&](double height) {
-    return std::pair(std::lower_bound(at.begin(), at.end(), height - within),
-                     std::upper_bound(at.begin(), at.end(), height + within));
-  };
-  const auto count = [&](double height) {
-    const auto [from, to] = near(height);
-    return static_cast<double>(to - from);
-  };
-  double largest = 0.0;
-  for (const double height : at) largest = std::max(largest, count(height));
-  // From above: the first height that is frequent lies at the upper edge of its peak, so the peak is climbed.
-  auto highest = std::find_if(at.rbegin(), at.rend(), [&](double h) { return count(h) >= frequent * largest; });
-  double peak = *highest;
-  for (auto below = highest; below != at.rend() && *below > *highest - 2.0 * within; ++below)
-    if (count(*below) > count(peak)) peak = *below;
-  const auto [from, to] = near(peak);
-  double sum = 0.0;
-  for (auto i = from; i != to; ++i) sum += *i;
-  const double mean = sum / static_cast<double>(to - from);
-  return std::clamp((ceiling_m - camera_m) / std::max(mean - camera_m, 1e-3), 1.0 / most, most);
 }
 
 }  // namespace weft::agents

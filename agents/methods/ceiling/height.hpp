@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <span>
 
 #include "agents/methods/ceiling/config.hpp"
 #include "agents/perception/camera_model.hpp"
@@ -15,6 +14,8 @@ struct ToldHeight {
   double information = 0.0;  ///< 1 over the variance; 0: nothing has been told
 };
 ToldHeight together(const ToldHeight& one, const ToldHeight& other);
+/// Returns the same where all distances from the camera are longer by a factor.
+ToldHeight scaled(const ToldHeight& told, double factor, double camera_m);
 
 /// Says where corners may be: on the ceiling, or hanging below it, above the robot.
 struct HeightPrior {
@@ -61,9 +62,5 @@ class HeightTeller {
   double camera_m_;
   double focal_px_;
 };
-
-/// Returns by what a motion is to be multiplied so that the most frequent height is the ceiling's: the highest of
-/// those that are frequent, as things hang below a ceiling and never above. 1 where too few heights are told.
-double gauge_factor(std::span<const ToldHeight> heights, double ceiling_m, double camera_m);
 
 }  // namespace weft::agents

@@ -10,7 +10,9 @@ Result<MountDrive> calibrate_ceiling_mount(const CameraModel& given, const PlayD
   const SeeDrive see = [&](const CameraModel& camera, double plane_m) -> Result<DriveSeen> {
     CeilingConfig settings;
     settings.height_m = plane_m;
-    settings.mount_tilt_rad = config.prior.tilt_rad / 3.0;  // odometry itself gives mounts three times as much
+    // Odometry itself gives mounts three times as much. From the second time on the first has told the tilt, and the
+    // camera brings it: heights are believed, without which what hangs makes the ceiling seem lower than it is.
+    if (!camera.sigma.tilt_rad) settings.mount_tilt_rad = config.prior.tilt_rad / 3.0;
     const Result<Ceiling> ceiling = Ceiling::make(settings, camera);
     if (!ceiling) return fail(ceiling.error());
     return see_drive(*ceiling, play);

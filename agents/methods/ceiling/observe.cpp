@@ -120,10 +120,8 @@ void take_scale(const CeilingConfig& c, const CameraModel& camera, double suppos
   const double away_m = factor * (supposed_m - camera_m);
   s.scale_by_wheels = CeilingScale{camera_m + away_m, c.wheels_scale * away_m};
   for (Ceiling::Tracked& t : s.tracks) {
-    for (ToldHeight* told : {&t.told, &t.tells}) {
-      told->above_floor_m = camera_m + factor * (told->above_floor_m - camera_m);
-      told->information /= factor * factor;
-    }
+    t.told = scaled(t.told, factor, camera_m);
+    t.tells = scaled(t.tells, factor, camera_m);
   }
   s.birds_eye.emplace(camera, rectified_area(c, camera, s.scale_by_wheels->ceiling_m));
 }
