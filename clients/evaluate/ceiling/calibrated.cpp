@@ -28,13 +28,7 @@ Result<std::optional<Calibrated>> calibrated(const Scenes& scenes, const sim::Si
   if (!found) return fail(found.error().code, driven.robot + ": " + found.error().message);
   if (!*found) return std::optional<Calibrated>();
 
-  Calibrated out{settings_in(site, driven.seed), (*found)->camera};
-  const std::optional<double> sigma_m = (*found)->plane_sigma_m();
-  if (site.name == ground.name && sigma_m) {
-    out.settings.height_m = (*found)->plane_m;
-    out.settings.height_sigma_m = *sigma_m;
-  }
-  return std::optional(std::move(out));
+  return std::optional(Calibrated{settings_in(site, driven.seed), (*found)->camera});
 }
 
 }  // namespace weft::evaluate::ceiling

@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <string>
 
 #include "clients/evaluate/ceiling/scenes.hpp"
 #include "core/result.hpp"
@@ -8,10 +7,9 @@
 namespace weft::evaluate::ceiling {
 
 /// Returns what a robot of that site is given before it drives there: the camera as `weft calibrate mount --method
-/// ceiling` finds it on a drive of its own in `scenes.calibration`, with the ceiling's height from a tape, and, where
-/// it drives below that same ceiling, the height that was found, which that command says to put into `[ceiling]`. The
-/// robot is one of the site's, with all that the site says of it. None: stopped. Errors of the body and the
-/// calibration, which name the robot.
+/// ceiling` finds it on a drive of its own in `scenes.calibration`, and the ceiling's height as somebody has measured
+/// it, which is better than what a drive shows of it. The robot is one of the site's, with all that the site says of
+/// it. None: stopped. Errors of the body and the calibration, which name the robot.
 Result<std::optional<Calibrated>> calibrated(const Scenes& scenes, const agents::sim::Site& site,
                                              const Driven& driven);
 
