@@ -6,8 +6,8 @@
 namespace weft::agents {
 namespace {
 
-constexpr double kMostFactor = 1.4;    // beyond, it is not this ceiling
-constexpr double kStep = 0.01;         // of the factor's logarithm
+constexpr double kMostFactor = 1.4;     // beyond, it is not this ceiling
+constexpr double kStep = 0.01;          // of the factor's logarithm
 constexpr double kCornersOfOne = 10.0;  // so many corners are mostly one thing's, and tell where it hangs once
 
 /// Returns how likely a height is, per metre, `off` above the ceiling, when it is told with that variance: a mixture
