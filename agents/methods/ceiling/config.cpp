@@ -41,6 +41,8 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"inlier_px", &CeilingConfig::inlier_px, 0.2, 10},
     {"track_sigma_px", &CeilingConfig::track_sigma_px, 0.01, 2},
     {"grey_noise", &CeilingConfig::grey_noise, 0, 30},
+    {"off_axis_rad", &CeilingConfig::off_axis_rad, 0.3, 1.5},
+    {"off_vertical_rad", &CeilingConfig::off_vertical_rad, 0.3, 1.5},
     {"keyframe_heights", &CeilingConfig::keyframe_heights, 0.01, 1},
     {"keyframe_rad", &CeilingConfig::keyframe_rad, 0.01, 1},
     {"keyframe_share", &CeilingConfig::keyframe_share, 0.1, 0.95},

@@ -27,6 +27,8 @@ struct CeilingConfig {
   double inlier_px = 1.5;                            ///< [0.2, 10]
   double track_sigma_px = 0.15;   ///< [0.01, 2] noise of a track; larger residuals enlarge the covariance
   double grey_noise = 2.0;        ///< [0, 30] grey levels: of the camera's pixels, standard deviation
+  double off_axis_rad = 1.2;      ///< [0.3, 1.5] of corners: how far out the lens is known well
+  double off_vertical_rad = 1.2;  ///< [0.3, 1.5] of corners: lower ones tell of other things than a ceiling
   double keyframe_heights = 0.1;  ///< [0.01, 1] travelled until the next keyframe, in heights of the ceiling
   double keyframe_rad = 0.25;     ///< [0.01, 1] turned
   double keyframe_share = 0.5;    ///< [0.1, 0.95] of the keyframe's corners still tracked

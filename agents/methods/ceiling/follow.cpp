@@ -7,8 +7,11 @@
 #include <optional>
 
 #include "agents/methods/ceiling/gauge.hpp"
+#include "agents/methods/ceiling/off_image.hpp"
+#include "agents/methods/ceiling/own_noise.hpp"
 #include "agents/perception/attitude.hpp"
 #include "agents/perception/lens.hpp"
+#include "agents/perception/lens_slope.hpp"
 #include "agents/perception/plane/consensus.hpp"
 
 namespace weft::agents {
@@ -38,8 +41,9 @@ Followed found_again(const CameraModel& camera, const CeilingConfig& c, const Ce
     track.pixel = found[i].pixel;
     track.tells = {};
     out.tracks.push_back(track);
+    const Eigen::Vector2d in_b = normalised_from_pixel(camera, track.pixel);
     out.pairs.push_back(
-        {track.in_keyframe, normalised_from_pixel(camera, track.pixel), c.track_sigma_px, track.counts});
+        {track.in_keyframe, in_b, c.track_sigma_px, track.counts * pixels_by_normalised(camera, in_b)});
   }
   return out;
 }
@@ -106,13 +110,26 @@ std::vector<bool> on_one_motion(const CameraModel& camera, const CeilingConfig& 
   }
   // A height that is wrong by a share moves a point by that share of the travel; a tilt does as much.
   constexpr double wrong_share = 0.4;
-  const double within_m = 2.0 * c.inlier_px * away_m / focal_px(camera) +
-                          wrong_share * expected.a_from_b.translation().norm() + 4.0 * c.vibration_tilt_rad * away_m;
-  const Consensus consensus = find_consensus(
-      {.within_m = within_m, .hypotheses = 100, .shortest_base_m = 0.1 * away_m, .score = ConsensusScore::truncated},
-      matches, at_a, at_b);
+  const double aside_m = wrong_share * expected.a_from_b.translation().norm() + 4.0 * c.vibration_tilt_rad * away_m;
+  const double within_px = 2.0 * c.inlier_px;
+  const Consensus consensus = find_consensus({.within_m = within_px * away_m / focal_px(camera) + aside_m,
+                                              .hypotheses = 100,
+                                              .shortest_base_m = 0.1 * away_m,
+                                              .score = ConsensusScore::truncated},
+                                             matches, at_a, at_b);
+  // The farther out, the less a pixel tells of the plane: whether a point agrees is asked in the image.
+  const double f = focal_px(camera);
+  const Reprojector reproject(camera, camera, {consensus.a_from_b, expected.attitude_a, expected.attitude_b});
   std::vector<bool> on(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) on[i] = (consensus.a_from_b * at_b[i] - at_a[i]).norm() < within_m;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Reprojection there = reproject(pairs[i]);
+    if (!there.in_front) continue;
+    const Eigen::Matrix2d px_by_normalised = f * pixels_by_normalised(camera, there.in_b);
+    const double px_per_m = (px_by_normalised * there.jacobian.leftCols<2>()).norm() / std::sqrt(2.0);
+    const Eigen::Vector2d off_px =
+        pixel_from_normalised(camera, pairs[i].in_b) - pixel_from_normalised(camera, there.in_b);
+    on[i] = off_px.norm() < within_px + px_per_m * aside_m;
+  }
   return on;
 }
 
@@ -211,12 +228,11 @@ void admit_scale(const CameraModel& camera, const CeilingConfig& c, const Follow
 /// Keeps what the motion explains, whatever its height. Returns whether anything was dropped.
 bool retain_agreeing(const CameraModel& camera, const CeilingConfig& c, const FollowedHeights& heights,
                      Followed& followed) {
-  const HeightTeller teller(camera, followed.fit, heights.prior);
-  const double most_sigmas = c.inlier_px / c.track_sigma_px;
+  const OffImage off(camera, followed.fit.state);
   return retain(followed, [&](std::size_t i) {
     const PlanePair& pair = followed.pairs[i];
-    if (heights.one_plane || pair.above_floor_sigma_m == 0.0) return followed.fit.residual_px[i] < 2.0 * c.inlier_px;
-    return teller.across_sigmas(pair, pair.above_floor_m) < most_sigmas;
+    if (heights.one_plane || pair.above_floor_sigma_m == 0.0) return off.px(pair) < 2.0 * c.inlier_px;
+    return off.across_px(pair) < c.inlier_px;
   });
 }
 
@@ -246,8 +262,7 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
     retain(out, [&](std::size_t i) { return on[i]; });
     if (are_too_few()) return out;
   }
-  PlanarState start = expected;
-  out.fit = fit_planar_motion(camera, camera, out.pairs, prior, start);
+  out.fit = fit_with_own_noise(camera, out.pairs, c.track_sigma_px, prior, expected);
   bool has_dropped = retain_agreeing(camera, c, heights, out);
   if (are_too_few()) return out;
   const double travel_m = out.fit.state.a_from_b.translation().norm();
@@ -256,12 +271,12 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
   for (int round = 0; round < rounds && (tells || round == 0); ++round) {
     // Where none was dropped, the fit is that of these very pairs.
     if (has_dropped || !out.fit.converged)
-      out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
+      out.fit = fit_with_own_noise(camera, out.pairs, c.track_sigma_px, prior, out.fit.state);
     if (!tells) break;
     set_gauge(camera, c, heights, s, out);
     set_told_heights(camera, heights, out);
     if (are_too_few()) return out;
-    out.fit = fit_planar_motion(camera, camera, out.pairs, prior, out.fit.state);
+    out.fit = fit_with_own_noise(camera, out.pairs, c.track_sigma_px, prior, out.fit.state);
     has_dropped = retain_agreeing(camera, c, heights, out);
     if (are_too_few()) return out;
   }

@@ -106,15 +106,4 @@ ToldHeight HeightTeller::told_by(const PlanePair& pair) const {
   return told;
 }
 
-double HeightTeller::across_sigmas(const PlanePair& pair, double above_floor_m) const {
-  constexpr double no_way = 1e6;
-  const Reprojection there = reproject_(pair.in_a, above_floor_m);
-  if (!there.in_front) return no_way;
-  const Eigen::Vector2d off = (focal_px_ / pair.sigma_px) * (pair.in_b - there.in_b);
-  const double along = there.by_height.norm();
-  if (along < 1e-9) return off.norm();
-  const Eigen::Vector2d epipolar = there.by_height / along;
-  return std::abs(epipolar.x() * off.y() - epipolar.y() * off.x());
-}
-
 }  // namespace weft::agents

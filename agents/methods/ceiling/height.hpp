@@ -51,8 +51,6 @@ class HeightTeller {
 
   /// Returns the height of a pair of points by itself, one dimension; no information where the motion shows none.
   ToldHeight told_by(const PlanePair& pair) const;
-  /// Returns how many sigmas a pair is off across the epipolar direction, where no height explains it.
-  double across_sigmas(const PlanePair& pair, double above_floor_m) const;
 
  private:
   static double focal(const CameraModel& camera);

@@ -22,6 +22,14 @@ Step blind(Ceiling::Odometry& s, const Step& reckoned, std::string_view reason) 
   return {reckoned.previous_from_current, false, reason};
 }
 
+/// Returns whether a pixel shows what the lens is known for and what is overhead: near the horizon lamps run into one
+/// another, and a pixel of error is half a ceiling's height.
+bool may_be_followed(const CeilingConfig& c, const CameraModel& camera, const Eigen::Vector2d& pixel) {
+  const Eigen::Vector3d in_camera = normalised_from_pixel(camera, pixel).homogeneous().normalized();
+  return in_camera.z() > std::cos(c.off_axis_rad) &&
+         (camera.robot_from_camera.rotation * in_camera).z() > std::cos(c.off_vertical_rad);
+}
+
 /// Fills the tracks up with new corners where none is followed yet: what is followed keeps its height.
 void add_corners(const CeilingConfig& c, const CameraModel& camera, const Image& view, Ceiling::Odometry& s) {
   constexpr double apart_px = 8.0;
@@ -32,7 +40,7 @@ void add_corners(const CeilingConfig& c, const CameraModel& camera, const Image&
   const Lamps lamps(view, lamp_config(c));
   for (const Eigen::Vector2d& corner : find_corners(s.newest, corners)) {
     if (s.tracks.size() >= static_cast<std::size_t>(c.corners)) break;
-    if (!lamps.counts(corner)) continue;
+    if (!lamps.counts(corner) || !may_be_followed(c, camera, corner)) continue;
     const bool is_new = std::none_of(s.tracks.begin(), s.tracks.end(), [&](const Ceiling::Tracked& t) {
       return (t.pixel - corner).squaredNorm() < apart_px * apart_px;
     });
@@ -51,7 +59,7 @@ void begin_keyframe(const CeilingConfig& c, const CameraModel& camera, const Ima
   const double border = half_window_px + 2.0;
   std::erase_if(s.tracks, [&](const Ceiling::Tracked& t) {
     return t.pixel.x() < border || t.pixel.y() < border || t.pixel.x() > camera.width - 1.0 - border ||
-           t.pixel.y() > camera.height - 1.0 - border;
+           t.pixel.y() > camera.height - 1.0 - border || !may_be_followed(c, camera, t.pixel);
   });
   for (Ceiling::Tracked& t : s.tracks) {
     t.told = together(t.told, t.tells);

@@ -6,6 +6,7 @@
 
 #include "agents/perception/corner_tracks.hpp"
 #include "agents/perception/lens.hpp"
+#include "agents/perception/lens_slope.hpp"
 #include "agents/perception/mount.hpp"
 #include "agents/perception/planar_motion.hpp"
 #include "agents/perception/plane/consensus.hpp"
@@ -111,6 +112,7 @@ std::optional<Explained> explain(const CameraModel& camera, const SeenTwice& see
     at_b.push_back(*b);
     matches.push_back({index, index, 0});
     PlanePair pair{seen.in_a[i], seen.in_b[i]};
+    pair.counts = pixels_by_normalised(camera, pair.in_b);
     pair.above_floor_m = camera.robot_from_camera.translation.z() + away_m;
     pairs.push_back(pair);
   }
@@ -123,7 +125,14 @@ std::optional<Explained> explain(const CameraModel& camera, const SeenTwice& see
   AttitudePrior level;  // the tilt is the mount's: none is left for the views
   level.information.diagonal().setConstant(1e12);
   const PlanarFit fit = fit_planar_motion(camera, camera, pairs, level, {consensus.a_from_b, {}, {}});
-  return Explained{fit.state.a_from_b, fit.residual_px};
+  Explained explained{fit.state.a_from_b, {}};
+  const Reprojector reproject(camera, camera, fit.state);
+  for (const PlanePair& pair : pairs) {
+    const Reprojection there = reproject(pair);
+    const double off_px = pair.in_sigmas(focal_px(camera) * (pair.in_b - there.in_b)).norm();
+    explained.residual_px.push_back(there.in_front ? off_px : kMostLeftPx);
+  }
+  return explained;
 }
 
 /// Returns the sum of what the best rigid motion leaves of a pair of views, pixels.

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "agents/perception/attitude.hpp"
+#include "agents/perception/lens.hpp"
 #include "agents/perception/mount.hpp"
 #include "clients/evaluate/ceiling/frames/recording.hpp"
 #include "core/random.hpp"
@@ -54,6 +57,35 @@ TEST(FoundTilt, IsThatOfTheCameraWhateverTheWay) {
   const Eigen::Vector2d ahead = travelled(real, pairs, kAwayM);
   EXPECT_NEAR(ahead.x(), 1.05, 0.05);
   EXPECT_NEAR(ahead.y(), 0.25, 0.05);
+}
+
+TEST(FoundTilt, LeavesPixelsOfTheImageHoweverFarOut) {
+  constexpr double noise_px = 0.5;
+  agents::CameraModel camera;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = camera.fy = 190.0;
+  camera.cx = 320.0;
+  camera.cy = 240.0;
+  camera.lens = LensModel::equidistant;
+  camera = straight_up(camera);
+  Random random(5);
+  SeenTwice seen;
+  const auto noisy = [&](const Pose2& a_from_robot, const Eigen::Vector2d& point) {
+    const Eigen::Vector3d ray = (lift(a_from_robot) * camera.robot_from_camera).inverse() *
+                                Eigen::Vector3d(point.x(), point.y(), kRecordedMountM + kAwayM);
+    const Eigen::Vector2d noise(random.normal(0.0, noise_px), random.normal(0.0, noise_px));
+    return agents::normalised_from_pixel(camera, agents::pixel_from_normalised(camera, ray.hnormalized()) + noise);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const double around = random.uniform(-3.14, 3.14);
+    const double out_m = kAwayM * std::tan(random.uniform(0.7, 0.9));
+    const Eigen::Vector2d point = out_m * Eigen::Vector2d(std::cos(around), std::sin(around));
+    seen.in_a.push_back(noisy({}, point));
+    seen.in_b.push_back(noisy({0.3, 0.0, 0.05}, point));
+  }
+  // The mean length of a difference of two such errors, each way.
+  EXPECT_NEAR(left_px(camera, {seen}, kAwayM), 1.2533 * std::sqrt(2.0) * noise_px, 0.1);
 }
 
 TEST(FoundTilt, IsNotSeenInFewViews) {
