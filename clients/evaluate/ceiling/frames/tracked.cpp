@@ -1,9 +1,12 @@
 #include "clients/evaluate/ceiling/frames/tracked.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/perception/mount.hpp"
@@ -22,6 +25,16 @@ Result<Ceiling> method_of(const Recording& recording, const CameraModel& camera)
   return Ceiling::make(config, camera);
 }
 
+/// Returns 1 sigma of a tilt, by how far those of each other pair of views lie apart; none where these are few.
+std::optional<double> tilt_sigma_of(const Recording& recording, const std::vector<SeenTwice>& pairs) {
+  std::array<std::vector<SeenTwice>, 2> halves;
+  for (std::size_t i = 0; i < pairs.size(); ++i) halves[i % 2].push_back(pairs[i]);
+  const std::optional<FoundTilt> one = find_tilt(recording.camera, halves[0], recording.away_m);
+  const std::optional<FoundTilt> other = find_tilt(recording.camera, halves[1], recording.away_m);
+  if (!one || !other) return std::nullopt;
+  return 0.5 * std::hypot(one->pitch_rad - other->pitch_rad, one->roll_rad - other->roll_rad);
+}
+
 }  // namespace
 
 Result<CameraModel> mounted(const Recording& recording) {
@@ -35,6 +48,7 @@ Result<CameraModel> mounted(const Recording& recording) {
   const Eigen::Vector2d ahead = travelled(camera, pairs, recording.away_m);
   const Pose2 robot_from_mount{0.0, 0.0, -std::atan2(ahead.y(), ahead.x())};
   camera.robot_from_camera = lift(robot_from_mount) * camera.robot_from_camera;
+  camera.sigma.tilt_rad = tilt_sigma_of(recording, pairs);
   return camera;
 }
 

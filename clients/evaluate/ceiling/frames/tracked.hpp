@@ -18,7 +18,8 @@ struct Tracked {
 };
 
 /// Returns the recording's camera with the mount that its images show: leaning as `find_tilt` says, and turned so
-/// that most of the way leads ahead, as a robot drives. refused: too little moves to see how it leans.
+/// that most of the way leads ahead, as a robot drives; its sigma says how well the tilt is known. refused: too
+/// little moves to see how it leans.
 Result<agents::CameraModel> mounted(const Recording& recording);
 
 /// Has the method watch the recording with that camera, told the ceiling's height and nothing else: no wheels, and as

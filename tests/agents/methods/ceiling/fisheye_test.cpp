@@ -77,6 +77,11 @@ TEST(CeilingFisheye, FollowsABareGridOfLampsAndItsScale) {
   EXPECT_LT((seen.translation() - truth.translation()).norm(), 0.03 * truth.translation().norm())
       << seen.x << " " << seen.y << " for " << truth.x << " " << truth.y;
   EXPECT_NEAR(seen.heading, truth.heading, 0.01);
+  for (const Ceiling::Tracked& track : odometry.tracks) {
+    const Eigen::Vector3d ray = camera.robot_from_camera.rotation * track.in_keyframe.homogeneous().normalized();
+    EXPECT_LT(std::atan(track.in_keyframe.norm()), config.off_axis_rad) << "as far as the lens is known";
+    EXPECT_LT(std::acos(ray.z()), config.off_vertical_rad) << "and no lower than a ceiling";
+  }
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ TEST(RealCeiling, ItsCameraIsFoundToLeanAndNoPairIsWrong) {
   EXPECT_EQ(found["frames"], 110);
   EXPECT_NEAR(found["tilt_deg"].get<double>(), 20.0, 2.0);
   EXPECT_EQ(found["wrong_pairs"], 0);
+  EXPECT_EQ(found["lost"], 0);
+  EXPECT_LT(found["yaw_deg"].get<double>(), 1.5);
   EXPECT_TRUE(found.contains("rms_heights") && found.contains("rms_fitted_heights") && found.contains("yaw_deg") &&
               found.contains("lost"));
 }
