@@ -16,6 +16,7 @@
 #include "agents/navigation/place_trials.hpp"
 #include "agents/navigation/run_refinement.hpp"
 #include "agents/navigation/stitcher.hpp"
+#include "agents/navigation/taught_speed.hpp"
 #include "agents/navigation/teacher.hpp"
 
 namespace weft::agents {
@@ -389,7 +390,7 @@ class NavigatorOf final : public Navigator {
     navigated.route_at = drive.navigated.route_at;
     navigated.route_freed = drive.navigated.route_freed;
     if (!drive.along) return;
-    drive.along->speed_limit_m_s = std::min(drive.along->speed_limit_m_s, taught_speed(map, *believed));
+    drive.along->speed_limit_m_s = std::min(drive.along->speed_limit_m_s, taught_speed_at(map, believed->place));
     const Steering steering = steer(*drive.along, *drive.path);
     if (steering) {
       navigated.command = *steering;
@@ -399,28 +400,11 @@ class NavigatorOf final : public Navigator {
     }
   }
 
-  /// Returns the speed, m/s, at which this stretch was driven when it was taught; where that run stood, as it began
-  /// or ended, the fastest hereabouts: a route goes on.
-  double taught_speed(const MapView& map, const Estimate& believed) {
-    if constexpr (Replays<M>) {
-      constexpr double slowest_m_s = 0.2;
-      constexpr std::uint32_t either_way = 4;  // places
-      const Window& window = own_.map(map.window);
-      const std::uint32_t at = believed.place.index;
-      const auto driven_m_s = [&](std::uint32_t index) -> std::optional<double> {
-        const Place* const place = window.place({believed.place.experience, index});
-        if (place == nullptr) return std::nullopt;
-        const auto content = decoded_.find(*place, map.contents);
-        return content ? std::optional(M::driven(**content).linear_m_s) : std::nullopt;
-      };
-      const std::optional<double> here_m_s = driven_m_s(at);
-      if (!here_m_s) return config_.follow.speed_m_s;
-      if (*here_m_s >= slowest_m_s) return *here_m_s;
-      double fastest_m_s = slowest_m_s;
-      for (std::uint32_t index = at - std::min(at, either_way); index <= at + either_way; ++index)
-        fastest_m_s = std::max(fastest_m_s, driven_m_s(index).value_or(slowest_m_s));
-      return fastest_m_s;
-    }
+  /// Returns the speed, m/s, at which this stretch was driven when it was taught; where that is not known, that which
+  /// is configured.
+  double taught_speed_at(const MapView& map, const PlaceId& at) {
+    if constexpr (Replays<M>)
+      return taught_speed(own_.map(map.window), at, decoded_, map).value_or(config_.follow.speed_m_s);
     return config_.follow.speed_m_s;
   }
 

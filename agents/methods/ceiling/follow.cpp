@@ -269,7 +269,7 @@ Followed follow_corners(const CameraModel& camera, const CeilingConfig& c, const
   const bool tells = !heights.one_plane && travel_m >= c.height_from_m;
   constexpr int rounds = 2;
   for (int round = 0; round < rounds && (tells || round == 0); ++round) {
-    // Where none was dropped, the fit is that of these very pairs.
+    // The fit is that of these very pairs where none was dropped.
     if (has_dropped || !out.fit.converged)
       out.fit = fit_with_own_noise(camera, out.pairs, c.track_sigma_px, prior, out.fit.state);
     if (!tells) break;

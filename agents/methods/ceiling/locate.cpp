@@ -1,4 +1,4 @@
-// Where the robot is in the mosaic around it, in place of one place's view.
+// Relates a view to the mosaic around the robot in place of to one view of a place.
 #include <utility>
 
 #include "agents/methods/ceiling/ceiling.hpp"

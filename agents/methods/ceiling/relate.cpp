@@ -5,6 +5,7 @@
 #include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/methods/ceiling/rectified.hpp"
 #include "agents/methods/ceiling/same_scale.hpp"
+#include "agents/methods/plane_relating.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
 #include "agents/perception/plane/agreement.hpp"
@@ -17,29 +18,6 @@
 
 namespace weft::agents {
 namespace {
-
-template <class Number, class Bound>
-tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound bound) {
-  return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
-}
-
-std::optional<MatchGate> gate_of(const CeilingConfig& c, const std::optional<Relation>& guess) {
-  if (!guess) return std::nullopt;
-  const Eigen::Matrix3d covariance = planar_covariance(*guess);
-  const double spread = 3.0 * std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0}));
-  const double turn = 3.0 * std::sqrt(std::max(covariance(2, 2), 0.0));
-  return MatchGate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
-                   std::clamp(turn, c.gate_rad, 1.6)};
-}
-
-AttitudePrior prior_of(const CeilingContent& a, const CeilingContent& b) {
-  AttitudePrior prior;
-  prior.mean << a.attitude.vector(), b.attitude.vector();
-  Vector6d sigma;
-  sigma << a.attitude_sigma, b.attitude_sigma;
-  prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  return prior;
-}
 
 /// Holds one content as it is compared: its features in the level frame, and the ceiling that it shows.
 struct Shown {
@@ -125,15 +103,6 @@ std::optional<Refusal> implausible(const CeilingConfig& c, const RefinedMotion& 
   return std::nullopt;
 }
 
-std::optional<Refusal> beyond_gate(const MatchGate& gate, const Pose2& a_from_b) {
-  const Pose2 off = gate.a_from_b.inverse() * a_from_b;
-  if (off.translation().norm() > gate.distance_m)
-    return Refusal{"disagrees_with_guess", off.translation().norm(), gate.distance_m};
-  if (std::abs(off.heading) > gate.heading_rad)
-    return Refusal{"disagrees_with_guess", std::abs(off.heading), gate.heading_rad};
-  return std::nullopt;
-}
-
 }  // namespace
 
 OrRefusal<Related> Ceiling::relate(const Content& first, const Content& second,
@@ -146,7 +115,7 @@ OrRefusal<Related> Ceiling::relate(const Content& first, const Content& second,
   const CeilingContent b = at_ceiling(second, ceiling.ceiling_m);
   const Shown shown_a(c, a);
   const Shown shown_b(c, b);
-  const std::optional<MatchGate> gate = gate_of(c, guess);
+  const std::optional<MatchGate> gate = gate_about(c, guess);
   if (gate) {
     const double hoped = share_of_b_seen_in_a(shown_a.plane, shown_b.plane, gate->a_from_b);
     if (hoped < 0.3 * c.kappa) return refuse("no_overlap", hoped, 0.3 * c.kappa);
@@ -170,7 +139,7 @@ OrRefusal<Related> Ceiling::relate(const Content& first, const Content& second,
   const RefinedMotion refined = refine_motion(
       {a.camera, b.camera},
       feature_pairs({a.camera, a.features}, {b.camera, b.features}, matches, c.feature_sigma_px * pixel_m), agreeing,
-      prior_of(a, b), {consensus.a_from_b, a.attitude, b.attitude}, c.inlier_sigmas);
+      attitude_prior(a, b), {consensus.a_from_b, a.attitude, b.attitude}, c.inlier_sigmas);
   if (const auto wrong = implausible(c, refined, matches.size())) return tl::unexpected(*wrong);
   const PlanarState& state = refined.fit.state;
   const double overlap = share_of_b_seen_in_a(shown_a.plane, shown_b.plane, state.a_from_b);

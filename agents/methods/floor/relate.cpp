@@ -5,6 +5,7 @@
 #include "agents/methods/floor/diagnostics.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/plane_bounds.hpp"
+#include "agents/methods/plane_relating.hpp"
 #include "agents/perception/homography.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/overlap.hpp"
@@ -18,29 +19,6 @@
 
 namespace weft::agents {
 namespace {
-
-template <class Number, class Bound>
-tl::unexpected<Refusal> refuse(std::string_view reason, Number measured, Bound bound) {
-  return tl::unexpected<Refusal>(Refusal{reason, static_cast<double>(measured), static_cast<double>(bound)});
-}
-
-std::optional<MatchGate> gate_of(const FloorConfig& c, const std::optional<Relation>& guess) {
-  if (!guess) return std::nullopt;
-  const Eigen::Matrix3d covariance = planar_covariance(*guess);
-  const double spread = 3.0 * std::sqrt(std::max({covariance(0, 0), covariance(1, 1), 0.0}));
-  const double turn = 3.0 * std::sqrt(std::max(covariance(2, 2), 0.0));
-  return MatchGate{planar(*guess), std::clamp(spread, c.gate_m, std::max(c.gate_m, c.widest_gate_m)),
-                   std::clamp(turn, c.gate_rad, 1.6)};
-}
-
-AttitudePrior prior_of(const FloorContent& a, const FloorContent& b) {
-  AttitudePrior prior;
-  prior.mean << a.attitude.vector(), b.attitude.vector();
-  Vector6d sigma;
-  sigma << a.attitude_sigma, b.attitude_sigma;
-  prior.information = sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  return prior;
-}
 
 /// Returns the fit's covariance, and where the cameras differ adds that of the mounts' position and heading, which no
 /// view of a plane shows: of this robot's camera as it is known, of the other one, whose calibration's sigmas its
@@ -82,7 +60,7 @@ std::optional<Diagnostic> height_offset_of(const AttitudePrior& prior, const Pla
 
 OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
   const FloorConfig& c = config_;
-  const std::optional<MatchGate> gate = gate_of(c, guess);
+  const std::optional<MatchGate> gate = gate_about(c, guess);
   const SeenPlane floor_a{footprint(a.camera, a.attitude, c.far_m), camera_from_floor(a.camera, a.attitude)};
   const SeenPlane floor_b{footprint(b.camera, b.attitude, c.far_m), camera_from_floor(b.camera, b.attitude)};
   if (gate) {
@@ -106,7 +84,7 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
     if ((consensus.a_from_b * at_b[matches[i].b] - at_a[matches[i].a]).norm() < c.consensus_m) agreeing.push_back(i);
   const RefinedMotion refined = refine_motion(
       {a.camera, b.camera}, feature_pairs({a.camera, a.features}, {b.camera, b.features}, matches, c.feature_sigma_m),
-      agreeing, prior_of(a, b), {consensus.a_from_b, a.attitude, b.attitude}, c.inlier_sigmas);
+      agreeing, attitude_prior(a, b), {consensus.a_from_b, a.attitude, b.attitude}, c.inlier_sigmas);
 
   const std::size_t inliers = refined.pairs.size();
   if (inliers < fewest) return refuse("few_inliers", inliers, fewest);
@@ -128,11 +106,7 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
   residual /= static_cast<double>(inliers);
   if (residual > c.most_residual) return refuse("large_residual", residual, c.most_residual);
   if (gate) {
-    const Pose2 off = gate->a_from_b.inverse() * state.a_from_b;
-    if (off.translation().norm() > gate->distance_m)
-      return refuse("disagrees_with_guess", off.translation().norm(), gate->distance_m);
-    if (std::abs(off.heading) > gate->heading_rad)
-      return refuse("disagrees_with_guess", std::abs(off.heading), gate->heading_rad);
+    if (const auto wrong = beyond_gate(*gate, state.a_from_b)) return tl::unexpected(*wrong);
   }
   // A guess keeps apart what lies farther than any guess may be off; nearer, it would have to be believed blindly.
   const double reach_m = gate ? std::max(c.widest_gate_m, 2.0 * gate->distance_m) : kAnywhereM;
@@ -148,7 +122,8 @@ OrRefusal<Related> Floor::relate(const Content& a, const Content& b, const std::
                   overlap,
                   residual,
                   {}};
-  if (auto height = height_offset_of(prior_of(a, b), refined.fit)) related.diagnostics.push_back(std::move(*height));
+  if (auto height = height_offset_of(attitude_prior(a, b), refined.fit))
+    related.diagnostics.push_back(std::move(*height));
   return related;
 }
 
