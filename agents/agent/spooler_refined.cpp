@@ -19,7 +19,7 @@ Result<void> Spooler::hand_in(ExperienceId experience, RunAmendments amendments)
   Result<RefinedRun> run = make_refined_run(std::move(draft), std::move(amendments), seal_reason);
   if (!run) return fail(run.error());
   const Result<void> replaced = spool_->replace(experience, run->batches, run->contents);
-  // Of a disk that failed the spool knows which of both it has.
+  // After an error of the disk, the spool knows which of both it has.
   Result<std::vector<Batch>> there = replaced ? std::move(run->batches) : spool_->pending();
   if (!there) return fail(there.error());
   for (Batch& batch : *there) {

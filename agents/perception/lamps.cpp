@@ -21,7 +21,7 @@ Lamps::Lamps(const Image& image, const LampConfig& config) : width_(image.width)
   cv::Mat inner;
   cv::Mat rim;
   cv::Mat bloom;
-  // What lies beyond the image is taken for what lies beside it: a lamp that is cut off has no rim there.
+  // The border is taken to go on beyond the image: a lamp that is cut off has no rim there.
   cv::erode(white, inner, square_of(config.rim_px));
   cv::dilate(white, rim, square_of(config.rim_px));
   cv::dilate(white, bloom, square_of(config.bloom_px));

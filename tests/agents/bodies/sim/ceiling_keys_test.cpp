@@ -1,4 +1,4 @@
-// What a site file says of the ceiling and of the camera that looks up at it.
+// Checks how a site file describes a ceiling and the camera that looks up at it.
 #include "agents/bodies/sim/ceiling_keys.hpp"
 
 #include <gmock/gmock.h>

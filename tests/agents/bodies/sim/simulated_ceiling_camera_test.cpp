@@ -1,4 +1,4 @@
-// What a robot sees that looks up.
+// Checks what a robot sees that looks up, against rays.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -238,7 +238,7 @@ TEST(SimulatedCeilingCamera, AMastStandsStillInTheImage) {
   site.ceiling_camera.mast = Mast{.forward_m = 0.3, .left_m = 0.0, .side_m = 0.1, .height_m = 1.2};
   const Image here = look_up(site, moment_under(kHere, turning));
   const Image there = look_up(site, moment_under({6.0, 3.0, 2.0}, turning));
-  // Of its four lower edges the nearer ones are at 0.25 m ahead, and it ends 0.85 m above the camera.
+  // Its nearer lower edges are 0.25 m ahead, and it ends 0.85 m above the camera.
   const Eigen::Vector2d on_it(site.ceiling_camera.cx_px, site.ceiling_camera.cy_px + 300.0 * 0.3 / 0.7);
   EXPECT_NEAR(grey_at(here, on_it), grey_at(there, on_it), 20) << "but for the light";
   EXPECT_NE(grey_at(here, on_it), grey_at(bare, on_it));
