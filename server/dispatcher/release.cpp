@@ -99,16 +99,9 @@ std::optional<Dispatcher::Piece> Dispatcher::next_piece(const RobotId& robot, co
 /// Says that the robot waits for the one that cuts it off from its goal: who else is on its way is led on once it can
 /// come there.
 void Dispatcher::name_who_cuts_off(Piece& piece, const RobotId& by, std::size_t kept) {
-  const storage::PutOccupancy* const held = traffic_.held(by);
-  if (held == nullptr) return;
-  const auto begin = held->held.places.begin();
-  const auto has = [&](const PlaceId& place) {
-    return std::find(begin + held->from, begin + held->to + 1, place) != begin + held->to + 1;
-  };
-  const std::vector<PlaceId>& places = piece.route.places;
-  const auto at = std::find_if(places.begin() + static_cast<std::ptrdiff_t>(kept) + 1, places.end(), has);
-  if (at == places.end()) return;
-  piece.way = {.through = std::nullopt, .end = Traffic::Way::End::held, .blocked_by = {by}, .needs = {.place = *at}};
+  const std::optional<Touched> needs = traffic_.first_held_by(by, piece.route, static_cast<std::uint32_t>(kept) + 1);
+  if (!needs) return;
+  piece.way = {.through = std::nullopt, .end = Traffic::Way::End::held, .blocked_by = {by}, .needs = *needs};
 }
 
 /// Says who is in the way beyond what is planned, where the plan ends before the route does.

@@ -48,6 +48,9 @@ class Traffic {
   /// Returns who may be released farther than it was when `way` was asked last.
   std::set<RobotId> take_woken() { return watches_.take_woken(); }
   bool has_woken() const { return watches_.has_woken(); }
+  /// Returns the first place of the route, from that one on, that its robot cannot have because of what `by` holds,
+  /// there or beside: of `by` alone, or else of others too. None: `by` is not in the way.
+  std::optional<Touched> first_held_by(const RobotId& by, const Route& route, std::uint32_t from);
   /// Returns who is in that way now.
   std::set<RobotId> holders_of(const RobotId& robot, const Way& way);
 

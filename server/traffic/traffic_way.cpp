@@ -212,6 +212,20 @@ std::set<RobotId> Traffic::near(const PlaceId& place, const RobotId& except) {
   return holders_near(proximity_.locate(map(), {.place = place, .reach_m = footprint_m + kLeastSlack_m}), except);
 }
 
+std::optional<Touched> Traffic::first_held_by(const RobotId& by, const Route& route, std::uint32_t from) {
+  if (from >= route.places.size()) return std::nullopt;
+  const auto end = static_cast<std::uint32_t>(route.places.size() - 1);
+  const std::vector<Touched> wanted = touched_by(route, from, end, holder(route.robot).footprint_m);
+  std::optional<Touched> first;
+  for (const Touched& place : wanted) {
+    const std::set<RobotId> holders = holders_near(proximity_.locate(map(), place), route.robot);
+    if (!holders.contains(by)) continue;
+    if (holders.size() == 1) return place;
+    if (!first) first = place;
+  }
+  return first;
+}
+
 std::set<RobotId> Traffic::holders_of(const RobotId& robot, const Way& way) {
   if (way.end != Way::End::held) return way.blocked_by;
   return holders_near(proximity_.locate(map(), way.needs), robot);

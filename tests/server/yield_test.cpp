@@ -45,26 +45,48 @@ TEST_F(YieldTest, AnIdleRobotInTheWayIsAskedToMakeWay) {
   EXPECT_EQ(site.disk->occupancies.at(r2.id).held.id, order->id);
 }
 
-TEST_F(YieldTest, WhoIsCutOffByADeadRobotWaitsForThatAndNotForWhoStandsBetween) {
+/// Arranges r3, which dies ahead of both.
+struct DeadAheadTest : YieldTest {
   Peer r3{.id = robot_id(3), .name = "r3"};
-  site.arrive(r3, std::nullopt);
-  site.say(site.state(r3, run.place(30)));
-  for (int second = 0; second < 30; ++second) {
-    site.say(site.state(r2, run.place(25)));
-    site.stand(r1, run.place(10), 1);
-  }
-  ASSERT_FALSE(site.row("r3").is_heard);
-  site.send_goal(1, "end", "r1");
-  PlaceId behind_it = run.place(25);
-  for (int pieces = 0; pieces < 4; ++pieces) {
-    const Route route = site.order_to(r1).value();
-    site.progress(r1, route, msg::RoutePhase::waiting, route.released);
-    if (const std::optional<Route> aside = site.order_to(r2)) {
-      arrive_at_the_end_of(r2, *aside);
-      behind_it = aside->places.back();
+
+  void die(const PlaceId& at) {
+    site.arrive(r3, std::nullopt);
+    site.say(site.state(r3, at));
+    for (int second = 0; second < 30; ++second) {
+      site.say(site.state(r2, run.place(25)));
+      site.stand(r1, run.place(10), 1);
     }
-    site.stand(r2, behind_it, 3);
+    ASSERT_FALSE(site.row("r3").is_heard);
   }
+  /// Sends r1 to the end: r2 makes way until there is no room left before r3.
+  void drive_up() {
+    site.send_goal(1, "end", "r1");
+    PlaceId behind_it = run.place(25);
+    for (int pieces = 0; pieces < 4; ++pieces) {
+      const Route route = site.order_to(r1).value();
+      site.progress(r1, route, msg::RoutePhase::waiting, route.released);
+      if (const std::optional<Route> aside = site.order_to(r2)) {
+        arrive_at_the_end_of(r2, *aside);
+        behind_it = aside->places.back();
+      }
+      site.stand(r2, behind_it, 3);
+    }
+  }
+};
+
+TEST_F(DeadAheadTest, WhoIsCutOffWaitsForItAndNotForWhoStandsBetween) {
+  die(run.place(30));
+  drive_up();
+  EXPECT_THAT(site.row("r1").wait.held_by, ElementsAre(r3.id));
+}
+
+TEST_F(DeadAheadTest, WhoIsCutOffByOneOnTheOtherWayAlongTheAisleWaitsForItToo) {
+  TaughtRun back(r2, 11);
+  Handed other_way = back.next(10);
+  other_way.batch.edges.push_back(turned(stitch(run.place(33), back.place(0), 0.1), std::numbers::pi));
+  site.hand_in(r2, other_way);
+  die(back.place(6));
+  drive_up();
   EXPECT_THAT(site.row("r1").wait.held_by, ElementsAre(r3.id));
 }
 
