@@ -206,13 +206,29 @@ class MultiMethodNavigator final : public Navigator {
     }
   }
 
+  /// Returns whether a route may begin where that navigator believes to be: its nearest place is near. A ceiling is
+  /// seen from metres beside whatever was taught by it.
+  bool stands_at_a_place(const MethodNavigator& one) const {
+    return one.knows() && norm(one.navigator->estimate()->place_from_robot) <= config_.follow.join_m;
+  }
+
+  /// Returns who is to say where the robot is while none drives by what it knows: the active one as long as a route
+  /// may begin there, else the first of whom that is true, else the first that knows; null: nobody knows better.
+  const MethodNavigator* best_standing() const {
+    if (stands_at_a_place(active())) return nullptr;
+    for (const MethodNavigator& one : navigators_)
+      if (stands_at_a_place(one)) return &one;
+    if (active().knows()) return nullptr;
+    const auto knows = std::ranges::find_if(navigators_, &MethodNavigator::knows);
+    return knows == navigators_.end() ? nullptr : &*knows;
+  }
+
   /// Changes which navigator drives, where the route or what they know asks for it.
   void choose(const Window& window, bool hand) {
     if (!route_ || hand || !active().navigator->estimate()) {
-      const auto knows = std::find_if(navigators_.begin(), navigators_.end(),
-                                      [](const MethodNavigator& one) { return one.knows(); });
-      if (active().knows() || knows == navigators_.end()) return;
-      active_ = static_cast<std::size_t>(knows - navigators_.begin());
+      const MethodNavigator* const best = best_standing();
+      if (best == nullptr) return;
+      active_ = static_cast<std::size_t>(best - navigators_.data());
       if (route_) active().navigator->follow(*route_, 0);
       return;
     }
