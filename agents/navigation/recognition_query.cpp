@@ -10,6 +10,10 @@ namespace {
 constexpr double moved_m = 0.25;
 constexpr double moved_rad = 0.5;        // a camera that does not look straight down sees another floor
 constexpr std::uint32_t patience = 300;  // samples
+/// So long an open question waits for its answer while the robot moves on, in samples: who asks anew at each step is
+/// never answered, and what looked like the place where it was says where to look now. Not so one for the places
+/// behind those that were tried in vain.
+constexpr std::uint32_t patience_moving = 90;
 
 }  // namespace
 
@@ -27,7 +31,8 @@ bool RecognitionQuery::is_due(bool has_places_to_try) const {
   if (!asked_) return true;
   const bool has_moved =
       asked_from_robot_.translation().norm() > moved_m || std::abs(asked_from_robot_.heading) > moved_rad;
-  return has_moved || (!is_open_ && !has_places_to_try && samples_ > patience);
+  if (is_open_) return has_moved && (asked_->after > 0 || samples_ > patience_moving);
+  return has_moved || (!has_places_to_try && samples_ > patience);
 }
 
 void RecognitionQuery::ask(Signature seen, std::string_view method, std::uint32_t content_format) {

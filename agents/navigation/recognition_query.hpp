@@ -17,7 +17,7 @@ class RecognitionQuery {
   void forget();
 
   /// Returns whether what is seen now is to be signed and asked about: nothing has been asked, the robot stands
-  /// elsewhere by now, or it has stood for long with nothing to try.
+  /// elsewhere by now and is not about to be answered, or it has stood for long with nothing to try.
   bool is_due(bool has_places_to_try) const;
   void ask(Signature seen, std::string_view method, std::uint32_t content_format);
   /// Asks on, as what was proposed was in vain: the same signature again, for the places behind those.
