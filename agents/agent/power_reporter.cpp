@@ -6,7 +6,7 @@
 namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
-constexpr Duration kBetweenReports = 5s;
+constexpr Duration kBetweenPowerReports = 5s;
 }  // namespace
 
 void PowerReporter::take(const std::optional<Charge>& charge, SteadyTime now) {
@@ -17,7 +17,7 @@ void PowerReporter::take(const std::optional<Charge>& charge, SteadyTime now) {
 
 std::optional<msg::RobotPower> PowerReporter::due(SteadyTime now) {
   if (!charge_ || now < next_) return std::nullopt;
-  next_ = now + kBetweenReports;
+  next_ = now + kBetweenPowerReports;
   return msg::RobotPower{.header = {},
                          .share = std::clamp(charge_->share, 0.0, 1.0),
                          .is_charging = charge_->is_charging,

@@ -7,7 +7,7 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kBetweenReports = 200ms;
+constexpr Duration kBetweenRouteReports = 200ms;
 constexpr Duration kRepeat = 2s;
 constexpr std::size_t kRoutesRemembered = 64;
 
@@ -62,7 +62,7 @@ void RouteTask::end(const RouteId& id) {
 }
 
 void RouteTask::touch(SteadyTime now) {
-  report_at_ = std::max(now, reported_at_ + kBetweenReports);
+  report_at_ = std::max(now, reported_at_ + kBetweenRouteReports);
 }
 
 void RouteTask::set(msg::RoutePhase phase, const std::string& reason, SteadyTime now) {

@@ -11,9 +11,9 @@
 namespace weft::agents {
 namespace {
 
-constexpr std::size_t kFewest = 20;  // sights
-constexpr int kRounds = 10;
-constexpr double kSigmaPx = 0.4;     // of a corner's row, at best
+constexpr std::size_t kFewestSights = 20;
+constexpr int kShareRounds = 10;
+constexpr double kRowSigmaPx = 0.4;  // of a corner's row, at best
 constexpr double kUsual_1_m = 0.35;  // of things 1 to 10 m away
 constexpr double kUsualSigma_1_m = 0.3;
 constexpr double kSaidTo = 0.02;     // 1 sigma, beforehand: else some views let it run away
@@ -62,7 +62,7 @@ class Solver {
   Solver(const std::vector<OtherView>& views, std::vector<Thing> things, double focal_px)
       : views_(views),
         things_(std::move(things)),
-        least_sigma_(kSigmaPx / focal_px),
+        least_sigma_(kRowSigmaPx / focal_px),
         state_(Eigen::VectorXd::Zero(kPitches + static_cast<Eigen::Index>(views.size()))) {
     for (std::size_t k = 0; k < views.size(); ++k) {
       std::vector<double> risen;
@@ -75,7 +75,7 @@ class Solver {
 
   std::optional<FocalShare> solve() {
     double before = 0.0;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kShareRounds; ++round) {
       before = state_[kFocal];
       if (!step()) return std::nullopt;
     }
@@ -194,7 +194,7 @@ std::optional<FocalShare> focal_share_of(const std::vector<OtherView>& views, co
                                          double focal_px) {
   std::size_t sights = 0;
   for (const OtherView& view : views) sights += view.same->size();
-  if (sights < kFewest) return std::nullopt;
+  if (sights < kFewestSights) return std::nullopt;
   return Solver(views, things_of(views, seen, focal_px), focal_px).solve();
 }
 

@@ -10,9 +10,9 @@
 namespace weft::agents {
 namespace {
 
-constexpr std::size_t kFewest = 6;
-constexpr int kRounds = 8;
-constexpr double kSigmaPx = 0.4;  // of a corner's row or column, at best
+constexpr std::size_t kFewestMatches = 6;
+constexpr int kLoomingRounds = 8;
+constexpr double kCornerSigmaPx = 0.4;  // of a corner's row or column, at best
 
 struct Row {
   double elevation = 0.0;  // mean of both
@@ -60,7 +60,7 @@ void tell_turn(const std::vector<Row>& rows, double least_sigma, Looming& loomin
   double turned = median_of(turns);
   double weights = 0.0;
   double sigma = least_sigma;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kLoomingRounds; ++round) {
     std::vector<double> left;
     for (const double turn : turns) left.push_back(std::abs(turn - turned));
     sigma = std::max(least_sigma, kSigmaOfMad * median_of(left));
@@ -81,15 +81,15 @@ void tell_turn(const std::vector<Row>& rows, double least_sigma, Looming& loomin
 
 std::optional<Looming> looming_of(const std::vector<UprightFeature>& a, const std::vector<UprightFeature>& b,
                                   const std::vector<Match>& same, double focal_px) {
-  if (same.size() < kFewest) return std::nullopt;
+  if (same.size() < kFewestMatches) return std::nullopt;
   const std::vector<Row> rows = rows_of(a, b, same, focal_px);
   std::vector<double> risen;
   for (const Row& row : rows) risen.push_back(row.risen);
-  const double least_sigma = kSigmaPx / focal_px;
+  const double least_sigma = kCornerSigmaPx / focal_px;
   Fit fit;
   fit.pitch_and_share = {median_of(risen), 0.0};
   double sigma = least_sigma;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kLoomingRounds; ++round) {
     std::vector<double> left;
     for (const Row& row : rows) left.push_back(std::abs(left_of(row, fit)));
     sigma = std::max(least_sigma, kSigmaOfMad * median_of(left));
@@ -103,7 +103,7 @@ std::optional<Looming> looming_of(const std::vector<UprightFeature>& a, const st
     }
     const double determinant = fit.normal.determinant();
     constexpr double flat = 1e-4;  // weights times elevations squared
-    if (fit.normal(0, 0) < static_cast<double>(kFewest) / 2.0 || determinant < flat * fit.normal(0, 0))
+    if (fit.normal(0, 0) < static_cast<double>(kFewestMatches) / 2.0 || determinant < flat * fit.normal(0, 0))
       return std::nullopt;
     fit.pitch_and_share = fit.normal.ldlt().solve(right);
   }
