@@ -10,7 +10,7 @@ namespace weft::cli {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kRepeat = 500ms;
+constexpr Duration kRepeatFirst = 500ms;
 constexpr Duration kRepeatMost = 2s;
 constexpr Duration kListen = 100ms;
 
@@ -112,7 +112,7 @@ Result<void> Session::converse(const msg::Message& question, Duration at_most,
                                const std::function<bool(const msg::Message&)>& heard) {
   const SteadyTime end = world_.now() + at_most;
   SteadyTime send_at = world_.now();
-  Duration wait = kRepeat;
+  Duration wait = kRepeatFirst;
   while (true) {
     while (const std::optional<msg::Message> message = link_.take()) {
       if (const auto* const from_server = std::get_if<msg::Hello>(&*message)) note(*from_server);

@@ -8,7 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kInFlight = 4;
-constexpr Duration kRepeat = 2s;
+constexpr Duration kRepeatUpload = 2s;
 
 void add_chunks(std::vector<msg::Message>& out, const ContentHash& hash, const Bytes& bytes) {
   for (std::size_t offset = 0; offset < bytes.size(); offset += msg::kChunkBytes) {
@@ -40,7 +40,7 @@ std::vector<msg::Message> Uploader::due(SteadyTime now) {
     sent_ = next_;
     answered_.clear();
   }
-  if (now >= repeat_at_ || progressed_) repeat_at_ = now + kRepeat;
+  if (now >= repeat_at_ || progressed_) repeat_at_ = now + kRepeatUpload;
   progressed_ = false;
   for (const ContentHash& hash : wanted_) {
     const auto content = contents_.find(hash);

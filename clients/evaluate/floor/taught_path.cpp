@@ -6,7 +6,7 @@
 namespace weft::evaluate::floor {
 namespace {
 
-constexpr double kApartM = 0.005;  // closer samples, as standing still gives, make no piece with a direction
+constexpr double kLeastStepM = 0.005;  // closer samples, as standing still gives, make no piece with a direction
 
 }  // namespace
 
@@ -14,7 +14,7 @@ TaughtPath::TaughtPath(const Trace& taught) {
   for (const Moment& moment : taught.moments) {
     const Pose2& pose = moment.site_from_robot;
     const double step = poses_.empty() ? 0.0 : (pose.translation() - poses_.back().translation()).norm();
-    if (!poses_.empty() && step < kApartM) continue;
+    if (!poses_.empty() && step < kLeastStepM) continue;
     along_.push_back(along_.empty() ? 0.0 : along_.back() + step);
     poses_.push_back(pose);
   }

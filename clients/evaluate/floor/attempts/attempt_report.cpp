@@ -11,7 +11,7 @@ namespace weft::evaluate::floor {
 namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
-constexpr double kDegreesARad = 180.0 / std::numbers::pi;
+constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
 const Outcomes& outcomes_of(const Tally& tally, const char* sort) {
   static const Outcomes none;
@@ -70,7 +70,7 @@ std::string table_by_sort(const AttemptRows& rows) {
 }
 
 std::string pose_words(const Pose2& pose) {
-  return cell(pose.x, 2) + " " + cell(pose.y, 2) + " " + cell(kDegreesARad * pose.heading, 1);
+  return cell(pose.x, 2) + " " + cell(pose.y, 2) + " " + cell(kInDegrees * pose.heading, 1);
 }
 
 std::string table_of_wrong(const AttemptRows& rows) {
@@ -79,7 +79,7 @@ std::string table_of_wrong(const AttemptRows& rows) {
   for (const auto& [key, tally] : rows) {
     for (const WrongOne& one : tally.wrong_ones) {
       cells.push_back({key.kind, key.part, one.sort, pose_words(one.site_from_robot), pose_words(one.site_from_place),
-                       std::to_string(key.seed), cell(one.off_m, 3), cell(kDegreesARad * one.off_rad, 2)});
+                       std::to_string(key.seed), cell(one.off_m, 3), cell(kInDegrees * one.off_rad, 2)});
     }
   }
   return cells.size() == 1 ? "" : "\n" + markdown_table(cells, 5);
