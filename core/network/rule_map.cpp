@@ -21,13 +21,13 @@ double factor_at(const RuleMap& rules, const PlaceId& place) {
   return limit_m_s ? std::max(1.0, kUsualSpeed_m_s / *limit_m_s) : 1.0;
 }
 
-struct Label {
+struct PlaceLabel {
   double cost = std::numeric_limits<double>::infinity();
   PlaceId before;
   const Edge* edge = nullptr;
   bool is_settled = false;
 };
-using Labels = std::map<PlaceId, Label>;
+using Labels = std::map<PlaceId, PlaceLabel>;
 
 /// Runs Dijkstra's algorithm over places as they are met; stops when `to` is settled.
 Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& from, const PlaceId& to,
@@ -40,7 +40,7 @@ Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& fro
   while (!open.empty()) {
     const PlaceId here = open.top().second;
     open.pop();
-    Label& settled = labels[here];
+    PlaceLabel& settled = labels[here];
     if (std::exchange(settled.is_settled, true)) continue;
     if (here == to) break;
     const double so_far = settled.cost;
@@ -48,7 +48,7 @@ Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& fro
       if (!can_drive(edge, here) || !methods.contains(edge.method)) return;
       const PlaceId there = other_end(edge, here);
       if (snapshot.place(there) == nullptr || rules.barrier(here, there, passage) != nullptr) return;
-      Label& label = labels[there];
+      PlaceLabel& label = labels[there];
       const double cost = so_far + norm(edge.a_from_b) * std::max(factor_at(rules, here), factor_at(rules, there));
       if (label.is_settled || cost >= label.cost) return;
       label = {.cost = cost, .before = here, .edge = &edge, .is_settled = false};
@@ -61,7 +61,7 @@ Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& fro
 Path path_to(const PlaceId& to, const Labels& labels) {
   Path path;
   path.places.push_back(to);
-  for (const Label* at = &labels.at(to); at->edge != nullptr; at = &labels.at(at->before)) {
+  for (const PlaceLabel* at = &labels.at(to); at->edge != nullptr; at = &labels.at(at->before)) {
     path.relations.push_back(relation_from(*at->edge, at->before));
     path.length_m += distance_m(path.relations.back());
     path.places.push_back(at->before);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSameFloor_m = 0.4;
 /// Bounds how far around a named place runs are looked for: they may be joined some way before or behind it.
 constexpr double kAround_m = 3.0;
-constexpr std::size_t kMostLookedAt = 1000;
+constexpr std::size_t kMostPlacesAround = 1000;
 /// Is how many places a run goes on before it may come by the same floor again.
 constexpr std::uint32_t kNeighbours = 4;
 /// Bounds from below the cosine of the angle between two ways that lead alike: within 60 degrees.
@@ -206,7 +206,7 @@ struct Beside {
 /// Leaves out neighbours along the same run, which are other floor.
 std::vector<Beside> on_the_floor_of(const Snapshot& snapshot, const PlaceId& named) {
   std::vector<Beside> found;
-  for (const Reached& reached : within(snapshot, named, kAround_m, kMostLookedAt)) {
+  for (const Reached& reached : within(snapshot, named, kAround_m, kMostPlacesAround)) {
     const bool is_neighbour =
         reached.depth > 0 && reached.id.experience == named.experience &&
         std::max(reached.id.index, named.index) - std::min(reached.id.index, named.index) <= kNeighbours;
