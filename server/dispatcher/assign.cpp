@@ -9,7 +9,7 @@
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
-constexpr Duration kBetweenPlans = 1s;
+constexpr Duration kBetweenRoutePlans = 1s;
 constexpr std::size_t kStartsTried = 6;
 
 std::string metres(double length_m) {
@@ -217,7 +217,7 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
                         known->name + " --at LABEL` helps",
                     now);
   }
-  assignment.plan_at = now.steady + kBetweenPlans;
+  assignment.plan_at = now.steady + kBetweenRoutePlans;
   if (context_.snapshots.current().place(state.place) == nullptr) {
     return wait_for(goal, known->name + " stands on a place that was taken out of the map: it looks for itself", now);
   }

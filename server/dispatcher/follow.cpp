@@ -9,7 +9,7 @@ namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kBetweenLooks = 500ms;
+constexpr Duration kBetweenLooksAtRoutes = 500ms;
 /// Bounds how long an order can be on its way.
 constexpr Duration kLongestOnItsWay = 3s;
 /// Bounds how long a robot may say that it has no such route before it has lost it.
@@ -284,7 +284,7 @@ void Dispatcher::tick(Now now) {
   }
   if (look_again_ && look_at_ <= now.steady) {
     look_again_ = false;
-    look_at_ = now.steady + kBetweenLooks;
+    look_at_ = now.steady + kBetweenLooksAtRoutes;
     look_at_charge(now);
     assign_waiting(now);
     send_idle_robots(now);

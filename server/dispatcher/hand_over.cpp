@@ -9,7 +9,7 @@ namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kBetweenLooks = 1s;
+constexpr Duration kBetweenLooksAtSilent = 1s;
 
 }  // namespace
 
@@ -82,7 +82,7 @@ msg::OperatorReply Dispatcher::hand_over(const GoalId& id, const std::string& wh
 
 void Dispatcher::look_at_silent(Now now) {
   if (context_.config.silent_goal == SilentGoal::keep || now.steady < look_at_silent_) return;
-  look_at_silent_ = now.steady + kBetweenLooks;
+  look_at_silent_ = now.steady + kBetweenLooksAtSilent;
   std::vector<RobotId> robots;
   for (const auto& [robot, assignment] : assignments_) {
     const Robot* const known = fleet_.find(robot);

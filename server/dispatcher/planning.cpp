@@ -8,7 +8,7 @@ namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kBetweenPlans = 1s;
+constexpr Duration kBetweenMovePlans = 1s;
 constexpr Duration kLeastBetweenPlans = 100ms;
 /// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
 constexpr Duration kBetweenMaps = 10s;
@@ -34,7 +34,7 @@ void Planning::plan(const RuledNetwork& network, double footprint_m, const std::
     robots_[request.robot] = {static_cast<std::uint32_t>(of_.size()), request.held.back()};
     of_.push_back(request.robot);
   }
-  next_ = now + kBetweenPlans;
+  next_ = now + kBetweenMovePlans;
   soonest_ = now + kLeastBetweenPlans;
 }
 

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMostSets = 4;
 constexpr std::size_t kPiece = 1000;  ///< places' worth of work: about 1 ms
-constexpr Duration kBetweenPieces = 2ms;
+constexpr Duration kBetweenRoutePieces = 2ms;
 constexpr Duration kBetweenUpdates = 1s;
 constexpr Duration kBetweenStorings = 10min;
 constexpr Duration kCalm = 10s;  ///< without a change of the network
@@ -132,7 +132,7 @@ routing::Builder Routes::next_work(const std::set<std::string>& methods, Prepare
 
 void Routes::work(const std::set<std::string>& methods, Prepared& prepared, Now now) {
   if (!prepared.under_way) prepared.under_way = next_work(methods, prepared);
-  prepared.next_piece = now.steady + kBetweenPieces;
+  prepared.next_piece = now.steady + kBetweenRoutePieces;
   if (prepared.under_way->step(kPiece)) return;
   routing::Preparation made = prepared.under_way->take();
   prepared.under_way.reset();

@@ -8,7 +8,7 @@ namespace weft::server {
 namespace {
 
 /// Sets the edge of a cell of the index: about what a robot's place takes up, with its uncertainty.
-constexpr double kCell_m = 4.0;
+constexpr double kHoldingCell_m = 4.0;
 /// Bounds the cells that one place is kept in; one that may lie anywhere is looked at by everybody of its part.
 constexpr std::int64_t kMostCells = 64;
 
@@ -17,7 +17,7 @@ bool is_same(const Touched& a, const Touched& b) {
 }
 
 std::int64_t cell(double metres) {
-  return static_cast<std::int64_t>(std::floor(metres / kCell_m));
+  return static_cast<std::int64_t>(std::floor(metres / kHoldingCell_m));
 }
 
 template <class Refs>

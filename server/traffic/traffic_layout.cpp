@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 constexpr std::size_t kPlacesAtOnce = 2000;
 /// Bounds a piece of work between two messages: about 1 ms on a large map.
 constexpr std::size_t kPlacesOfPiece = 250;
-constexpr Duration kBetweenPieces = 2ms;
+constexpr Duration kBetweenLayoutPieces = 2ms;
 /// Bounds the places that are laid out without a note (more take longer than a moment), then: the notes on the way.
 constexpr std::uint64_t kWorthTelling = 20'000;
 constexpr std::uint64_t kTimesTold = 5;
@@ -53,7 +53,7 @@ void Traffic::joined(const Batch& batch) {
 void Traffic::tick(Now now) {
   if (!proximity_.layout().has_work()) return;
   if (next_piece_ > now.steady) return;
-  next_piece_ = now.steady + kBetweenPieces;
+  next_piece_ = now.steady + kBetweenLayoutPieces;
   tell_of_layout(now);
   if (proximity_.layout().work(kPlacesOfPiece)) map_changed();
   tell_of_layout(now);

@@ -9,7 +9,7 @@
 namespace weft::server {
 namespace {
 
-constexpr double kCell_m = 4.0;
+constexpr double kBerthCell_m = 4.0;
 constexpr double kLongestSlack_m = 5.0;
 /// Bounds how far is searched for berths, from below: they come each room along a run that does not turn back.
 constexpr double kFarthest_m = 6.0;
@@ -108,14 +108,14 @@ LocatedPlace Berths::locate(const PlaceId& place) {
 void Berths::put_in_cell(const PlaceId& place, Cells& cells) {
   const std::optional<Spot> spot = proximity_.layout().spot(place);
   if (!spot) return;
-  const Eigen::Vector2d at = spot->part_from_place.translation() / kCell_m;
+  const Eigen::Vector2d at = spot->part_from_place.translation() / kBerthCell_m;
   cells[{spot->part, std::llround(at.x()), std::llround(at.y())}].push_back(place);
 }
 
 template <class Visit>
 void Berths::for_each_near(const LocatedPlace& here, const Cells& cells, Visit&& visit) {
   for (const Spot& spot : here.spots) {
-    const Eigen::Vector2d at = spot.part_from_place.translation() / kCell_m;
+    const Eigen::Vector2d at = spot.part_from_place.translation() / kBerthCell_m;
     const std::int64_t x = std::llround(at.x());
     const std::int64_t y = std::llround(at.y());
     for (std::int64_t dx = -1; dx <= 1; ++dx) {
