@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kRowsAStep = 2000;
 constexpr std::size_t kContentPiece = 100;         // 20 KB each: a few hundred pages
 constexpr std::uint64_t kPlacesAPass = 4'000'000;  // 8 bytes each in memory
-constexpr int kPagesAStep = 500;
+constexpr int kPagesFreedAStep = 500;
 
 /// Notes older than the floor. Rollbacks stay: later maps may stand on them.
 class DeleteRevisions final : public CompactPart {
@@ -229,7 +229,7 @@ class GiveBack final : public CompactPart {
     const auto free = database.number("PRAGMA freelist_count");
     if (!free) return fail(free.error());
     if (*mode == 2 && *free > 0) {
-      if (auto done = database.run("PRAGMA incremental_vacuum(" + std::to_string(kPagesAStep) + ")"); !done) {
+      if (auto done = database.run("PRAGMA incremental_vacuum(" + std::to_string(kPagesFreedAStep) + ")"); !done) {
         return fail(done.error());
       }
       const auto left = database.number("PRAGMA freelist_count");

@@ -8,7 +8,7 @@
 namespace weft::storage::sqlite {
 namespace {
 
-constexpr int kPagesAStep = 256;
+constexpr int kPagesCopiedAStep = 256;
 constexpr std::uint64_t kPagesASync = 2048;  // small pieces, so that no step waits for a long write at the end
 
 std::string megabytes(std::uint64_t bytes) {
@@ -44,7 +44,7 @@ class SnapshotJob final : public StoreJob {
 
  private:
   Result<JobProgress> advance() {
-    const Result<bool> all = backup_->step(kPagesAStep);
+    const Result<bool> all = backup_->step(kPagesCopiedAStep);
     if (!all) return fail(all.error().code, "snapshot " + file_.string() + ": " + all.error().message);
     JobProgress progress;
     progress.unit = "pages";
