@@ -13,8 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr ExperienceId lane{1};
-constexpr ExperienceId stub{2};
+constexpr ExperienceId kTaughtLane{1};
+constexpr ExperienceId kStub{2};
 
 /// Returns a lane of places 0.25 m apart, and a place of another run at `lane_from_stub` of its third place.
 Snapshot lane_and(const Pose2& lane_from_stub) {
@@ -36,34 +36,35 @@ Snapshot lane_and(const Pose2& lane_from_stub) {
     return made;
   };
   Batch first;
-  first.experience = lane;
+  first.experience = kTaughtLane;
   first.sequence = 1;
   first.method = "marks";
   for (std::uint32_t index = 0; index < 8; ++index) {
-    first.places.push_back(place({lane, index}));
-    if (index > 0) first.edges.push_back(edge({lane, index - 1}, {lane, index}, {0.25, 0, 0}, Drivable::a_to_b));
+    first.places.push_back(place({kTaughtLane, index}));
+    if (index > 0)
+      first.edges.push_back(edge({kTaughtLane, index - 1}, {kTaughtLane, index}, {0.25, 0, 0}, Drivable::a_to_b));
   }
   Batch second;
-  second.experience = stub;
+  second.experience = kStub;
   second.sequence = 1;
   second.method = "marks";
-  second.places.push_back(place({stub, 0}));
-  second.edges.push_back(edge({lane, 2}, {stub, 0}, lane_from_stub, Drivable::none));
+  second.places.push_back(place({kStub, 0}));
+  second.edges.push_back(edge({kTaughtLane, 2}, {kStub, 0}, lane_from_stub, Drivable::none));
   return with(with(Snapshot{}, first), second);
 }
 
 TEST(PlacesBeside, NearestFirstWhicheverWayTheyAreDriven) {
-  EXPECT_THAT(places_beside(lane_and({0.1, 0.1, 0.0}), {stub, 0}),
-              ElementsAre(PlaceId{lane, 2}, PlaceId{lane, 3}, PlaceId{lane, 1}));
+  EXPECT_THAT(places_beside(lane_and({0.1, 0.1, 0.0}), {kStub, 0}),
+              ElementsAre(PlaceId{kTaughtLane, 2}, PlaceId{kTaughtLane, 3}, PlaceId{kTaughtLane, 1}));
 }
 
 TEST(PlacesBeside, NoneFartherAwayThanARobotChangesOver) {
-  EXPECT_THAT(places_beside(lane_and({0.0, 0.41, 0.0}), {stub, 0}), IsEmpty());
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.41, 0.0}), {kStub, 0}), IsEmpty());
 }
 
 TEST(PlacesBeside, NoneThatLookAnotherWay) {
-  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, 0.6}), {stub, 0}), IsEmpty());
-  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, M_PI}), {stub, 0}), IsEmpty());
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, 0.6}), {kStub, 0}), IsEmpty());
+  EXPECT_THAT(places_beside(lane_and({0.0, 0.0, M_PI}), {kStub, 0}), IsEmpty());
 }
 
 TEST(PlacesBeside, NoneWithoutThePlace) {

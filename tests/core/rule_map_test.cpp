@@ -13,8 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr ExperienceId lane{1};
-constexpr ExperienceId bypass{2};
+constexpr ExperienceId kLane{1};
+constexpr ExperienceId kBypass{2};
 const std::set<std::string> kMarks{"marks"};
 
 Edge edge(const PlaceId& a, const PlaceId& b, const Pose2& a_from_b, Drivable drivable, Origin origin) {
@@ -48,10 +48,10 @@ Batch run(ExperienceId id, std::uint32_t places, double step_m, Drivable drivabl
 
 /// Returns a lane of ten places that can be driven both ways, and a longer way round its middle, from place 2 to 7.
 Snapshot site() {
-  Batch round = run(bypass, 6, 2.0, Drivable::both);
-  round.edges.push_back(edge({lane, 2}, {bypass, 0}, {0.0, 2.0, 0.0}, Drivable::both, Origin::stitch));
-  round.edges.push_back(edge({lane, 7}, {bypass, 5}, {0.0, 2.0, 0.0}, Drivable::both, Origin::stitch));
-  return with(with(Snapshot{}, run(lane, 10, 1.0, Drivable::both)), round);
+  Batch round = run(kBypass, 6, 2.0, Drivable::both);
+  round.edges.push_back(edge({kLane, 2}, {kBypass, 0}, {0.0, 2.0, 0.0}, Drivable::both, Origin::stitch));
+  round.edges.push_back(edge({kLane, 7}, {kBypass, 5}, {0.0, 2.0, 0.0}, Drivable::both, Origin::stitch));
+  return with(with(Snapshot{}, run(kLane, 10, 1.0, Drivable::both)), round);
 }
 
 struct RuleMaps : testing::Test {
@@ -59,19 +59,19 @@ struct RuleMaps : testing::Test {
 
   void lay(const Rule& rule) { map = with_rule(map, rule); }
   static Rule on(RuleKind kind, std::uint32_t from, std::uint32_t to, double value = 0.0) {
-    return {.name = "it", .kind = kind, .value = value, .spans = {{{lane, from}, {lane, to}}}};
+    return {.name = "it", .kind = kind, .value = value, .spans = {{{kLane, from}, {kLane, to}}}};
   }
   Result<Path> way(std::uint32_t from, std::uint32_t to, bool keeps_limits = true) const {
-    return shortest_path(map, RuleMap(map), {lane, from}, {lane, to}, kMarks,
-                         {.begins = {lane, from}, .keeps_limits = keeps_limits});
+    return shortest_path(map, RuleMap(map), {kLane, from}, {kLane, to}, kMarks,
+                         {.begins = {kLane, from}, .keeps_limits = keeps_limits});
   }
   bool goes_round(std::uint32_t from, std::uint32_t to, bool keeps_limits = true) const {
     const Result<Path> found = way(from, to, keeps_limits);
-    return found && std::ranges::count(found->places, PlaceId{bypass, 2}) == 1;
+    return found && std::ranges::count(found->places, PlaceId{kBypass, 2}) == 1;
   }
   Route route(std::uint32_t from, std::uint32_t to) const {
     Route made;
-    for (std::uint32_t at = from; at <= to; ++at) made.places.push_back({lane, at});
+    for (std::uint32_t at = from; at <= to; ++at) made.places.push_back({kLane, at});
     return made;
   }
   ReleasedByRules released(const Route& route, std::uint32_t from, std::optional<std::uint32_t> through,
@@ -81,11 +81,11 @@ struct RuleMaps : testing::Test {
 };
 
 TEST_F(RuleMaps, WithoutRulesNothingIsBarred) {
-  const Result<Path> free = shortest_path(map, {lane, 0}, {lane, 9}, kMarks);
+  const Result<Path> free = shortest_path(map, {kLane, 0}, {kLane, 9}, kMarks);
   ASSERT_TRUE(way(0, 9));
   EXPECT_EQ(way(0, 9)->places, free->places);
   EXPECT_DOUBLE_EQ(way(0, 9)->length_m, free->length_m);
-  EXPECT_TRUE(is_free(RuleMap(map), *free, {.begins = {lane, 0}}));
+  EXPECT_TRUE(is_free(RuleMap(map), *free, {.begins = {kLane, 0}}));
   EXPECT_EQ(released(route(0, 9), 0, 9).through, 9U);
 }
 
@@ -93,13 +93,13 @@ TEST_F(RuleMaps, WaysLeadRoundWhatIsClosed) {
   lay(on(RuleKind::closed, 4, 5));
   EXPECT_TRUE(goes_round(0, 9));
   EXPECT_TRUE(goes_round(9, 0));
-  EXPECT_FALSE(is_free(RuleMap(map), *shortest_path(site(), {lane, 0}, {lane, 9}, kMarks), {.begins = {lane, 0}}));
+  EXPECT_FALSE(is_free(RuleMap(map), *shortest_path(site(), {kLane, 0}, {kLane, 9}, kMarks), {.begins = {kLane, 0}}));
 }
 
 TEST_F(RuleMaps, WhoIsInsideMayLeaveAndNotComeBack) {
   lay(on(RuleKind::closed, 4, 5));
   ASSERT_TRUE(way(4, 9));
-  EXPECT_EQ(way(4, 9)->places.front(), (PlaceId{lane, 4}));
+  EXPECT_EQ(way(4, 9)->places.front(), (PlaceId{kLane, 4}));
   EXPECT_FALSE(goes_round(4, 9));
   EXPECT_FALSE(way(3, 5));
 }
@@ -189,7 +189,7 @@ TEST_F(RuleMaps, LimitsOfARouteAreItsPiecesByTheLowest) {
 TEST_F(RuleMaps, NoMoreLimitsThanARouteHasRoomFor) {
   lay(on(RuleKind::speed, 2, 2, 0.5));
   std::vector<PlaceId> places;
-  for (std::size_t at = 0; at < 2 * kRouteLimits + 20; ++at) places.push_back({lane, at % 2 == 0 ? 2U : 0U});
+  for (std::size_t at = 0; at < 2 * kRouteLimits + 20; ++at) places.push_back({kLane, at % 2 == 0 ? 2U : 0U});
   const std::vector<SpeedLimit> limits = limits_of(RuleMap(map), places);
   EXPECT_THAT(limits, SizeIs(kRouteLimits));
   EXPECT_EQ(limits.back().to, places.size() - 2) << "the last one reaches as far as there is any";
@@ -197,8 +197,8 @@ TEST_F(RuleMaps, NoMoreLimitsThanARouteHasRoomFor) {
 
 TEST_F(RuleMaps, GoalsHaveAtLeastTheClassOfTheirPlace) {
   lay(on(RuleKind::priority, 8, 9, 4.0));
-  EXPECT_EQ(RuleMap(map).priority({lane, 9}), 4);
-  EXPECT_EQ(RuleMap(map).priority({lane, 0}), 0);
+  EXPECT_EQ(RuleMap(map).priority({kLane, 9}), 4);
+  EXPECT_EQ(RuleMap(map).priority({kLane, 0}), 0);
 }
 
 }  // namespace

@@ -53,61 +53,62 @@ class Map {
   Snapshot snapshot_;
 };
 
-PlaceId at(std::uint64_t run, std::uint32_t index) {
+PlaceId place_at(std::uint64_t run, std::uint32_t index) {
   return {{run}, index};
 }
 
 TEST(WayOnOf, EndOfARoadLeadsNowhere) {
   Map map;
   map.run(1, 20);
-  const WayOn way = map.on(at(1, 15));
+  const WayOn way = map.on(place_at(1, 15));
   EXPECT_FALSE(way.leads_on);
   EXPECT_EQ(way.places, 4U);
 }
 
 TEST(WayOnOf, RunThatClosesOnItselfLeadsOnFromEachOfItsPlaces) {
   Map map;
-  map.run(1, 20, {Map::stitch(at(1, 5), at(1, 19))});
-  EXPECT_TRUE(map.on(at(1, 0)).leads_on);
-  EXPECT_TRUE(map.on(at(1, 19)).leads_on);
+  map.run(1, 20, {Map::stitch(place_at(1, 5), place_at(1, 19))});
+  EXPECT_TRUE(map.on(place_at(1, 0)).leads_on);
+  EXPECT_TRUE(map.on(place_at(1, 19)).leads_on);
 }
 
 TEST(WayOnOf, TwoRunsOverOneRoadAreNoWayRound) {
   Map map;
   map.run(1, 20);
   std::vector<Edge> stitches;
-  for (std::uint32_t index = 0; index < 20; ++index) stitches.push_back(Map::stitch(at(1, index), at(2, index)));
+  for (std::uint32_t index = 0; index < 20; ++index)
+    stitches.push_back(Map::stitch(place_at(1, index), place_at(2, index)));
   map.run(2, 20, stitches);
-  EXPECT_FALSE(map.on(at(2, 10)).leads_on);
+  EXPECT_FALSE(map.on(place_at(2, 10)).leads_on);
 }
 
 TEST(WayOnOf, RoundThatALargerOneLeadsIntoAndNothingLeadsOutOfLeadsNowhere) {
   Map map;
-  map.run(1, 40, {Map::stitch(at(1, 0), at(1, 39))});
-  map.run(2, 10, {Map::stitch(at(2, 3), at(2, 9)), Map::stitch(at(1, 20), at(2, 0))});
+  map.run(1, 40, {Map::stitch(place_at(1, 0), place_at(1, 39))});
+  map.run(2, 10, {Map::stitch(place_at(2, 3), place_at(2, 9)), Map::stitch(place_at(1, 20), place_at(2, 0))});
   // Nothing leads back: the stitch at the beginning of the second run is left by its first place alone.
-  EXPECT_FALSE(map.on(at(2, 8)).leads_on);
-  EXPECT_TRUE(map.on(at(1, 10)).leads_on);
+  EXPECT_FALSE(map.on(place_at(2, 8)).leads_on);
+  EXPECT_TRUE(map.on(place_at(1, 10)).leads_on);
 }
 
 TEST(WayOnOf, RoadThatLeadsToARoundIsNoPlaceToGoBackTo) {
   Map map;
-  map.run(1, 30, {Map::stitch(at(1, 20), at(1, 29))});
-  EXPECT_TRUE(map.on(at(1, 25)).leads_on);
+  map.run(1, 30, {Map::stitch(place_at(1, 20), place_at(1, 29))});
+  EXPECT_TRUE(map.on(place_at(1, 25)).leads_on);
 }
 
 TEST(WayOnOf, OnlyWhatTheRobotDrivesCounts) {
   Map map;
-  map.run(1, 20, {Map::stitch(at(1, 5), at(1, 19))}, "other");
-  EXPECT_FALSE(map.on(at(1, 10)).leads_on);
-  EXPECT_TRUE(map.on(at(1, 10), {"marks", "other"}).leads_on);
+  map.run(1, 20, {Map::stitch(place_at(1, 5), place_at(1, 19))}, "other");
+  EXPECT_FALSE(map.on(place_at(1, 10)).leads_on);
+  EXPECT_TRUE(map.on(place_at(1, 10), {"marks", "other"}).leads_on);
 }
 
 TEST(WayOnOf, WhatLeadsOnFartherThanIsLookedAtLeadsOn) {
   Map map;
   map.run(1, 6000);
-  EXPECT_TRUE(map.on(at(1, 10)).leads_on);
-  EXPECT_FALSE(map.on(at(1, 5500)).leads_on);
+  EXPECT_TRUE(map.on(place_at(1, 10)).leads_on);
+  EXPECT_FALSE(map.on(place_at(1, 5500)).leads_on);
 }
 
 }  // namespace

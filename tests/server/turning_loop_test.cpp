@@ -9,17 +9,21 @@
 namespace weft::server::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kFootprint_m = 0.3;  ///< two robots keep 1.2 m apart
+constexpr double kHalfTurn_rad = std::numbers::pi;
+constexpr double kRobotFootprint_m = 0.3;  ///< two robots keep 1.2 m apart
 
 /// A lane of 6 m, a loop at its end where robots turn, and the same lane back and on.
 struct TurningLoopTest : testing::Test {
   void lay(double loop_m) {
-    run = site.teach(
-        Lane({}).ahead(6.0).bend(-kPi / 4.0, 0.5).bend(1.5 * kPi, loop_m).bend(-kPi / 4.0, 0.5).ahead(14.0));
+    run = site.teach(Lane({})
+                         .ahead(6.0)
+                         .bend(-kHalfTurn_rad / 4.0, 0.5)
+                         .bend(1.5 * kHalfTurn_rad, loop_m)
+                         .bend(-kHalfTurn_rad / 4.0, 0.5)
+                         .ahead(14.0));
     proximity.emplace(proximity_of(site.network()));
     berths.emplace(*proximity);
-    berths->follow({shared(site.network()), &no_rules}, kFootprint_m);
+    berths->follow({shared(site.network()), &no_rules}, kRobotFootprint_m);
     lanes.emplace(*berths);
     methods = berths->methods({{"floor"}, true});
   }

@@ -7,12 +7,12 @@
 namespace weft::agents::test {
 namespace {
 
-constexpr ExperienceId kRun{70};
-const std::vector<PlaceId> kProposed{{kRun, 4}, {kRun, 9}};
+constexpr ExperienceId kProposedRun{70};
+const std::vector<PlaceId> kProposed{{kProposedRun, 4}, {kProposedRun, 9}};
 constexpr WindowSize kUsual{.hops = 25, .cap = 100};
 
 WindowDefinition around(std::uint32_t index) {
-  return {.centre = PlaceId{kRun, index}, .hops = kUsual.hops, .cap = kUsual.cap, .route = {}};
+  return {.centre = PlaceId{kProposedRun, index}, .hops = kUsual.hops, .cap = kUsual.cap, .route = {}};
 }
 
 TEST(Proposals, RobotThatKnowsNothingGetsAWindowOfThemAlone) {
@@ -59,7 +59,7 @@ TEST(Proposals, SuspectedPlaceIsTheCentre) {
 TEST(Proposals, UsualWindowIsAsItWasBeforeButForWhatIsHeld) {
   Proposals proposals(kUsual);
   proposals.set(kProposed);
-  const Route route = a_route(kRun, 3, 1);
+  const Route route = a_route(kProposedRun, 3, 1);
   const WindowDefinition alone = proposals.wanted(around(30), route, {.places = 100});
   proposals.forget();
   const WindowDefinition usual = proposals.usual(alone, route);
@@ -82,16 +82,16 @@ TEST(Proposals, ContentsOfThemComeBeforeOthersAndOnce) {
   Window window;
   std::vector<ContentRef> contents;
   for (std::uint32_t index : {1U, 4U, 9U}) {
-    const Place place = a_place(kRun, index, {}, some_content(index, 10));
+    const Place place = a_place(kProposedRun, index, {}, some_content(index, 10));
     window.places.emplace(place.id, place);
     contents.push_back(place.content);
   }
   index_edges(window);
   Proposals proposals(kUsual);
   EXPECT_EQ(proposals.put_first(contents, window), contents);
-  proposals.set({{kRun, 9}, {kRun, 8}});
+  proposals.set({{kProposedRun, 9}, {kProposedRun, 8}});
   EXPECT_EQ(proposals.put_first(contents, window), (std::vector<ContentRef>{contents[2], contents[0], contents[1]}));
-  proposals.suspect(PlaceId{kRun, 4});
+  proposals.suspect(PlaceId{kProposedRun, 4});
   EXPECT_EQ(proposals.put_first(contents, window), (std::vector<ContentRef>{contents[1], contents[2], contents[0]}));
 }
 

@@ -8,7 +8,7 @@ namespace weft::agents::test {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr ExperienceId kRun{1};
+constexpr ExperienceId kRefinedRun{1};
 
 struct RefiningBench : Bench {
   RefiningBench() { script->refines = {"marks"}; }
@@ -44,7 +44,7 @@ struct RefiningBench : Bench {
 
 TEST(RunRefining, NothingIsSentBeforeTheLastPiece) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   EXPECT_FALSE(bench.spooler.next()) << "nothing is to be sent at any time";
   EXPECT_TRUE(bench.due().empty());
   while (!bench.refining.describe().empty()) {
@@ -61,7 +61,7 @@ TEST(RunRefining, NothingIsSentBeforeTheLastPiece) {
 
 TEST(RunRefining, WhatIsSentIsWhatTheSpoolHas) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   bench.sample(20);
   const std::vector<Batch> batches = bench.due();
   ASSERT_EQ(batches.size(), bench.disk->records.size());
@@ -73,7 +73,7 @@ TEST(RunRefining, WhatIsSentIsWhatTheSpoolHas) {
 
 TEST(RunRefining, AmendedContentsAreThereForLocalisingAtOnce) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   bench.sample(20);
   const Place& place = bench.disk->records.front().batch.places.front();
   ASSERT_NE(bench.map.view().contents.find(place.content.hash), nullptr);
@@ -83,7 +83,7 @@ TEST(RunRefining, AmendedContentsAreThereForLocalisingAtOnce) {
 int pieces_in_ten_seconds(bool is_driving) {
   RefiningBench bench;
   bench.script->pieces = 1000;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   for (int i = 0; i < 300; ++i) bench.refining.work(is_driving, bench.now += 33ms);
   const std::string text = bench.refining.describe();
   const std::string before = "refines what it was taught: ";
@@ -105,7 +105,7 @@ TEST(RunRefining, TakesATenthOfTheTimeWhileItDrives) {
 TEST(RunRefining, SaysHowFarItIsAndWhatWaits) {
   RefiningBench bench;
   EXPECT_EQ(bench.refining.describe(), "");
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   EXPECT_EQ(bench.refining.describe(), "refines what it was taught: begins");
   bench.teach(ExperienceId{2});
   bench.sample(3);
@@ -116,7 +116,7 @@ TEST(RunRefining, SaysHowFarItIsAndWhatWaits) {
 
 TEST(RunRefining, IsInterruptedByAnyRunThatIsTaughtAndResumed) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   bench.sample(2);
   const std::string before = bench.refining.describe();
   bench.begin(ExperienceId{2}, "another");
@@ -133,7 +133,7 @@ TEST(RunRefining, IsInterruptedByAnyRunThatIsTaughtAndResumed) {
 
 TEST(RunRefining, GoesOnWithoutSamples) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   for (int i = 0; i < 10 && bench.refining.next(); ++i) {
     bench.now = *bench.refining.next();
     bench.refining.tick(bench.now);
@@ -144,7 +144,7 @@ TEST(RunRefining, GoesOnWithoutSamples) {
 
 TEST(RunRefining, TickBetweenSamplesLeavesTheirTimeAlone) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   bench.sample(1);
   const std::string before = bench.refining.describe();
   bench.refining.tick(bench.now + 99ms);
@@ -153,15 +153,15 @@ TEST(RunRefining, TickBetweenSamplesLeavesTheirTimeAlone) {
 
 TEST(RunRefining, RunWithoutPlacesLeavesNothingToRefine) {
   RefiningBench bench;
-  bench.begin(kRun);
-  bench.end(kRun);
-  EXPECT_FALSE(bench.spooler.is_held(kRun));
+  bench.begin(kRefinedRun);
+  bench.end(kRefinedRun);
+  EXPECT_FALSE(bench.spooler.is_held(kRefinedRun));
   EXPECT_EQ(bench.refining.describe(), "");
 }
 
 TEST(RunRefining, FullDiskHandsInTheDraftAndSaysSo) {
   RefiningBench bench;
-  bench.teach(kRun);
+  bench.teach(kRefinedRun);
   bench.disk->faults.full = true;
   bench.sample(20);
   const std::vector<Batch> batches = bench.due();
@@ -175,8 +175,8 @@ TEST(RunRefining, FullDiskHandsInTheDraftAndSaysSo) {
 
 TEST(RunRefining, AmendmentsThatDoNotFitHandInTheDraft) {
   RefiningBench bench;
-  bench.script->spoilt.edges.push_back({{{kRun, 0}, {kRun, 5}}, Metric2{}});
-  bench.teach(kRun);
+  bench.script->spoilt.edges.push_back({{{kRefinedRun, 0}, {kRefinedRun, 5}}, Metric2{}});
+  bench.teach(kRefinedRun);
   bench.sample(20);
   const std::vector<Batch> batches = bench.due();
   ASSERT_EQ(batches.size(), 2U);
@@ -185,12 +185,12 @@ TEST(RunRefining, AmendmentsThatDoNotFitHandInTheDraft) {
 
 TEST(RunRefining, FullDiskWhileTaughtHandsInWhatIsThere) {
   RefiningBench bench;
-  bench.begin(kRun);
-  for (std::uint32_t i = 0; i < 5; ++i) bench.keep(kRun, i);
+  bench.begin(kRefinedRun);
+  for (std::uint32_t i = 0; i < 5; ++i) bench.keep(kRefinedRun, i);
   bench.disk->faults.full = true;
-  bench.keep(kRun, 5);
+  bench.keep(kRefinedRun, 5);
   EXPECT_FALSE(bench.spooler.seal("taught to its end", bench.now));
-  bench.refining.end(kRun);
+  bench.refining.end(kRefinedRun);
   EXPECT_EQ(bench.refining.describe(), "");
   EXPECT_EQ(bench.due().size(), 1U);
 }

@@ -9,8 +9,8 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr ExperienceId kFloor{1};
-constexpr ExperienceId kAhead{2};
+constexpr ExperienceId kFloorRun{1};
+constexpr ExperienceId kAheadRun{2};
 
 struct Told {
   std::optional<Estimate> estimate;
@@ -74,15 +74,15 @@ class MultiMethodNavigator : public testing::Test {
     all.push_back({"ahead", std::make_unique<Part>("along", ahead)});
     robot = make_multi_method_navigator(std::move(all), {});
     for (std::uint32_t i = 0; i < 4; ++i) {
-      add({kFloor, i}, "floor");
-      add({kAhead, i}, "along");
+      add({kFloorRun, i}, "floor");
+      add({kAheadRun, i}, "along");
       Edge change;
-      change.id = {{kFloor, i}, {kAhead, i}};
+      change.id = {{kFloorRun, i}, {kAheadRun, i}};
       change.a_from_b = Metric2{};
       window.edges.emplace(change.id, change);
     }
     index_edges(window);
-    route.places = {{kFloor, 0}, {kFloor, 1}, {kAhead, 1}, {kAhead, 2}};
+    route.places = {{kFloorRun, 0}, {kFloorRun, 1}, {kAheadRun, 1}, {kAheadRun, 2}};
     route.relations.assign(3, Metric2{Pose2{0.2, 0.0, 0.0}});
     route.released = 3;
   }
@@ -120,7 +120,7 @@ TEST_F(MultiMethodNavigator, EachGetsItsViewsAndAllMotionSinceItsLastOne) {
 
 TEST_F(MultiMethodNavigator, ItIsTaughtUntilEachHasItsLastPlace) {
   floor.is_taught = ahead.is_taught = true;
-  robot->begin_teach({kFloor, {}, {kAhead}});
+  robot->begin_teach({kFloorRun, {}, {kAheadRun}});
   floor.is_taught = false;
   robot->end_teach({window, contents});
   EXPECT_TRUE(robot->is_taught()) << "the one that looks ahead had no view";
@@ -163,7 +163,7 @@ TEST_F(MultiMethodNavigator, ACameraThatWasQuietAtRestIsNotLateWhenTheRobotStart
 }
 
 TEST_F(MultiMethodNavigator, WhoIsToldIsToldOfTheMotionOfBoth) {
-  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  floor.estimate = Estimate{{kFloorRun, 1}, Metric2{}, 0.0};
   for (int i = 0; i < 20; ++i) see(i % 2 == 0 ? "down" : "ahead");
   ASSERT_EQ(ahead.hints.size(), 1U);
   EXPECT_NEAR(planar(ahead.hints.front().place_from_robot).x, 0.025, 1e-9) << "since the floor's last view";
@@ -178,24 +178,24 @@ TEST_F(MultiMethodNavigator, SaysWhatItCanDrive) {
 }
 
 TEST_F(MultiMethodNavigator, AreTaughtAnExperienceEach) {
-  robot->begin_teach({kFloor, {}, {kAhead}});
+  robot->begin_teach({kFloorRun, {}, {kAheadRun}});
   ASSERT_EQ(floor.taught.size(), 1U);
   ASSERT_EQ(ahead.taught.size(), 1U);
-  EXPECT_EQ(floor.taught.front().experience, kFloor);
-  EXPECT_EQ(ahead.taught.front().experience, kAhead);
+  EXPECT_EQ(floor.taught.front().experience, kFloorRun);
+  EXPECT_EQ(ahead.taught.front().experience, kAheadRun);
 }
 
 TEST_F(MultiMethodNavigator, WhoKnowsTellsWhoDoesNot) {
-  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
+  floor.estimate = Estimate{{kFloorRun, 1}, Metric2{}, 0.0};
   for (int i = 0; i < 30; ++i) see(i % 2 == 0 ? "down" : "ahead");
   ASSERT_EQ(ahead.hints.size(), 1U) << "once a second";
-  EXPECT_EQ(ahead.hints.front().place, (PlaceId{kAhead, 1}));
+  EXPECT_EQ(ahead.hints.front().place, (PlaceId{kAheadRun, 1}));
   EXPECT_GT(ahead.hints.front().blind_m, 0.5) << "told is not seen";
 }
 
 TEST_F(MultiMethodNavigator, TheNextOneTakesOverAtTheChange) {
-  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
-  ahead.estimate = Estimate{{kAhead, 0}, AlongPath{}, 0.1};
+  floor.estimate = Estimate{{kFloorRun, 0}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAheadRun, 0}, AlongPath{}, 0.1};
   floor.answer.command = {0.5, 0.0};
   ahead.answer.command = {0.4, 0.1};
   see("down");
@@ -204,8 +204,8 @@ TEST_F(MultiMethodNavigator, TheNextOneTakesOverAtTheChange) {
   EXPECT_EQ(see("ahead").command, floor.answer.command) << "the other drives";
   EXPECT_EQ(robot->method(), "floor");
 
-  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
-  ahead.estimate = Estimate{{kAhead, 1}, AlongPath{}, 0.1};
+  floor.estimate = Estimate{{kFloorRun, 1}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAheadRun, 1}, AlongPath{}, 0.1};
   floor.answer.route_at = 1;
   EXPECT_EQ(see("down").command, floor.answer.command) << "until it has a command of its own the robot rolls on";
   EXPECT_EQ(robot->method(), "along");
@@ -214,20 +214,21 @@ TEST_F(MultiMethodNavigator, TheNextOneTakesOverAtTheChange) {
   ahead.answer.route_at = 1;
   const Navigated now = see("ahead");
   EXPECT_EQ(now.command, ahead.answer.command);
-  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 1}));
+  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAheadRun, 1}));
 }
 
 TEST_F(MultiMethodNavigator, WhatAnyOfThemHasLearnedIsPassedOnOnce) {
-  ahead.answer.learned_places.push_back({.place = {kAhead, 2}, .made_of = {}, .content_format = 2, .content = {7}});
+  ahead.answer.learned_places.push_back(
+      {.place = {kAheadRun, 2}, .made_of = {}, .content_format = 2, .content = {7}});
   const Navigated now = see("ahead");
   ASSERT_EQ(now.learned_places.size(), 1U);
-  EXPECT_EQ(now.learned_places.front().place, (PlaceId{kAhead, 2}));
+  EXPECT_EQ(now.learned_places.front().place, (PlaceId{kAheadRun, 2}));
   EXPECT_EQ(now.learned_places.front().content, Bytes{7});
   EXPECT_TRUE(see("down").learned_places.empty());
 }
 
 TEST_F(MultiMethodNavigator, NothingIsSaidOfTheRouteBefore) {
-  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
+  floor.estimate = Estimate{{kFloorRun, 0}, Metric2{}, 0.0};
   floor.answer.following = Following::arrived;
   floor.answer.route_at = 3;
   floor.answer.command = {0.5, 0.0};
@@ -249,19 +250,19 @@ TEST_F(MultiMethodNavigator, AnAnswerFindsBackToWhoAsked) {
   const std::uint64_t of_ahead = robot->question()->number;
   floor.question = Question{.number = 1, .seen = {}, .method = "floor"};
   EXPECT_NE(robot->question()->number, of_ahead);
-  robot->propose(of_ahead, {{kAhead, 2}});
+  robot->propose(of_ahead, {{kAheadRun, 2}});
   EXPECT_TRUE(floor.proposed.empty());
   EXPECT_EQ(ahead.proposed, (std::vector<std::uint64_t>{1}));
 }
 
 TEST_F(MultiMethodNavigator, WhoKnowsIsHeardAlsoWithARoute) {
-  floor.estimate = Estimate{{kFloor, 0}, Metric2{}, 0.0};
+  floor.estimate = Estimate{{kFloorRun, 0}, Metric2{}, 0.0};
   robot->follow(route, 0);
   floor.estimate.reset();
-  ahead.estimate = Estimate{{kAhead, 0}, AlongPath{}, 0.0};
+  ahead.estimate = Estimate{{kAheadRun, 0}, AlongPath{}, 0.0};
   see("down");
   ASSERT_TRUE(robot->estimate());
-  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAhead, 0}));
+  EXPECT_EQ(robot->estimate()->place, (PlaceId{kAheadRun, 0}));
   robot->seek(std::nullopt);
   EXPECT_EQ(ahead.sought, 0) << "it knows";
   EXPECT_EQ(floor.sought, 1);
@@ -281,15 +282,15 @@ TEST_F(MultiMethodNavigator, WhoSeesOnlyAFarPlaceDoesNotSayWhereARouteBegins) {
 }
 
 TEST_F(MultiMethodNavigator, WhoHasNotSeenWhereItIsDoesNotTakeOver) {
-  floor.estimate = Estimate{{kFloor, 1}, Metric2{}, 0.0};
-  ahead.estimate = Estimate{{kAhead, 1}, AlongPath{}, 0.9};
+  floor.estimate = Estimate{{kFloorRun, 1}, Metric2{}, 0.0};
+  ahead.estimate = Estimate{{kAheadRun, 1}, AlongPath{}, 0.9};
   floor.answer.route_at = 1;
   see("down");
   robot->follow(route, 0);
   see("down");
   EXPECT_EQ(robot->method(), "floor") << "0.9 m without a fix";
-  ahead.estimate = Estimate{{kAhead, 3}, AlongPath{0.4, 0.0, 0.0, 0.0}, 0.0};
-  window.edges.erase_all({EdgeId{{kFloor, 3}, {kAhead, 3}}});
+  ahead.estimate = Estimate{{kAheadRun, 3}, AlongPath{0.4, 0.0, 0.0, 0.0}, 0.0};
+  window.edges.erase_all({EdgeId{{kFloorRun, 3}, {kAheadRun, 3}}});
   index_edges(window);
   see("down");
   EXPECT_EQ(robot->method(), "floor") << "nothing says that both may be right";

@@ -8,17 +8,18 @@ namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr ExperienceId kRun{4};
-constexpr std::uint32_t kPlaces = 8;  ///< of a straight run, 0.2 m apart; a stitch joins each to the one 0.4 m behind
+constexpr ExperienceId kStraightRun{4};
+/// Places of a straight run, 0.2 m apart; a stitch joins each to the one 0.4 m behind.
+constexpr std::uint32_t kStraightPlaces = 8;
 
 PlaceId place(std::uint32_t index) {
-  return {kRun, index};
+  return {kStraightRun, index};
 }
 
 Window run() {
   Window window;
-  for (std::uint32_t i = 0; i < kPlaces; ++i) window.places.emplace(place(i), Place{});
-  for (std::uint32_t i = 0; i + 1 < kPlaces; ++i) {
+  for (std::uint32_t i = 0; i < kStraightPlaces; ++i) window.places.emplace(place(i), Place{});
+  for (std::uint32_t i = 0; i + 1 < kStraightPlaces; ++i) {
     Edge edge;
     edge.id = EdgeId{place(i), place(i + 1)};
     edge.a_from_b = Metric2{{0.2, 0.0, 0.0}};
@@ -67,7 +68,7 @@ TEST_F(RouteBackTest, ARouteThatGoesRoundWhereTheRobotStandsIsGivenUp) {
 
 TEST_F(RouteBackTest, OneThatLeadsOnIsDriven) {
   Route route = to_the_fourth();
-  for (std::uint32_t i = 5; i < kPlaces; ++i) lead(route, i, 0.2);
+  for (std::uint32_t i = 5; i < kStraightPlaces; ++i) lead(route, i, 0.2);
   follower.follow(route, 4);
   for (int i = 0; i < 60; ++i) EXPECT_EQ(look(0.0).following, Following::driving);
 }

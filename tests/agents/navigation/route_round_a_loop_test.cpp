@@ -6,20 +6,21 @@ namespace weft::agents {
 namespace {
 
 constexpr ExperienceId kLoop{3};
-constexpr std::uint32_t kPlaces = 40;  // of a loop, 0.2 m apart; the last one is joined to the first
+constexpr std::uint32_t kLoopPlaces = 40;  // of a loop, 0.2 m apart; the last one is joined to the first
 
-PlaceId place(std::uint32_t index) {
+PlaceId place_of_loop(std::uint32_t index) {
   return {kLoop, index};
 }
 
 /// Returns a way of 8 m that no poses are known of, closed by a stitch.
 Window loop() {
   Window window;
-  for (std::uint32_t i = 0; i < kPlaces; ++i) window.places.emplace(place(i), Place{});
-  for (std::uint32_t i = 0; i < kPlaces; ++i) {
+  for (std::uint32_t i = 0; i < kLoopPlaces; ++i) window.places.emplace(place_of_loop(i), Place{});
+  for (std::uint32_t i = 0; i < kLoopPlaces; ++i) {
     Edge edge;
-    edge.id = i + 1 < kPlaces ? EdgeId{place(i), place(i + 1)} : EdgeId{place(0), place(i)};
-    edge.a_from_b = AlongPath{i + 1 < kPlaces ? 0.2 : -0.2};
+    edge.id = i + 1 < kLoopPlaces ? EdgeId{place_of_loop(i), place_of_loop(i + 1)}
+                                  : EdgeId{place_of_loop(0), place_of_loop(i)};
+    edge.a_from_b = AlongPath{i + 1 < kLoopPlaces ? 0.2 : -0.2};
     window.edges.emplace(edge.id, edge);
   }
   index_edges(window);
@@ -28,8 +29,8 @@ Window loop() {
 
 Route rounds(std::uint32_t count) {
   Route route;
-  for (std::uint32_t i = 0; i < count * kPlaces; ++i) {
-    route.places.push_back(place(i % kPlaces));
+  for (std::uint32_t i = 0; i < count * kLoopPlaces; ++i) {
+    route.places.push_back(place_of_loop(i % kLoopPlaces));
     route.relations.emplace_back(AlongPath{0.2});
   }
   route.relations.pop_back();
@@ -44,18 +45,18 @@ std::uint32_t index_at(const Estimate& estimate, std::uint32_t from) {
 }
 
 TEST(RouteRoundALoop, APlaceIsTheOneOfThisRound) {
-  EXPECT_EQ(index_at({place(5), AlongPath{}}, 0), 5U);
-  EXPECT_EQ(index_at({place(5), AlongPath{}}, 42), 45U);
-  EXPECT_EQ(index_at({place(38), AlongPath{}}, 80), 78U);
+  EXPECT_EQ(index_at({place_of_loop(5), AlongPath{}}, 0), 5U);
+  EXPECT_EQ(index_at({place_of_loop(5), AlongPath{}}, 42), 45U);
+  EXPECT_EQ(index_at({place_of_loop(38), AlongPath{}}, 80), 78U);
 }
 
 TEST(RouteRoundALoop, JustBeforeTheBeginningItIsNotAtTheEnd) {
   // The loop's last place is 0.2 m before its first one, and 39 places further on along the route.
-  EXPECT_LE(index_at({place(39), AlongPath{0.05}}, 0), 2U);
+  EXPECT_LE(index_at({place_of_loop(39), AlongPath{0.05}}, 0), 2U);
 }
 
 TEST(RouteRoundALoop, ARobotThatIsFarFromTheBeginningIsWhereItIs) {
-  EXPECT_EQ(index_at({place(20), AlongPath{}}, 0), 20U);
+  EXPECT_EQ(index_at({place_of_loop(20), AlongPath{}}, 0), 20U);
 }
 
 }  // namespace

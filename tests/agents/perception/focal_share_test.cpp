@@ -10,7 +10,7 @@
 namespace weft::agents {
 namespace {
 
-constexpr double kFocalPx = 386.0;
+constexpr double kNominalFocalPx = 386.0;
 constexpr double kSaidTo = 0.02;
 
 /// Describes places each 0.2 m, and a robot among them that is taken to be at 0.
@@ -24,7 +24,7 @@ struct Passage {
   std::uint64_t seed = 1;
 };
 
-struct Views {
+struct PassageViews {
   std::vector<std::vector<UprightFeature>> places;
   std::vector<UprightFeature> seen;
   std::vector<std::vector<Match>> same;
@@ -40,9 +40,9 @@ UprightFeature look(const Eigen::Vector3d& thing, double from_m, double aside_m,
   return feature;
 }
 
-Views views(const Passage& passage) {
+PassageViews views(const Passage& passage) {
   Random random(passage.seed);
-  Views views;
+  PassageViews views;
   std::vector<Eigen::Vector3d> things;
   for (int i = 0; i < 90; ++i) {
     const double x = random.uniform(passage.nearest_m, passage.furthest_m);
@@ -51,14 +51,14 @@ Views views(const Passage& passage) {
   const double pitch = random.normal(0.0, 0.005);
   for (const Eigen::Vector3d& thing : things)
     views.seen.push_back(
-        look(thing, passage.truly_m, passage.aside_m, kFocalPx * (1.0 + passage.focal_share), pitch, random));
+        look(thing, passage.truly_m, passage.aside_m, kNominalFocalPx * (1.0 + passage.focal_share), pitch, random));
   for (int k = -3; k <= 3; ++k) {
     views.at_m.push_back(0.2 * k);
     views.places.emplace_back();
     views.same.emplace_back();
     const double there = random.normal(0.0, 0.005);
     for (std::uint32_t i = 0; i < things.size(); ++i) {
-      views.places.back().push_back(look(things[i], 0.2 * k, 0.0, kFocalPx, there, random));
+      views.places.back().push_back(look(things[i], 0.2 * k, 0.0, kNominalFocalPx, there, random));
       if (random.chance(0.35)) continue;  // not known again
       const auto other = static_cast<std::uint32_t>(random.uniform(0.0, static_cast<double>(i)));
       views.same.back().push_back({random.chance(passage.wrong) ? other : i, i, 0});
@@ -67,11 +67,11 @@ Views views(const Passage& passage) {
   return views;
 }
 
-std::optional<FocalShare> measured(const Views& views) {
+std::optional<FocalShare> measured(const PassageViews& views) {
   std::vector<OtherView> others;
   for (std::size_t k = 0; k < views.places.size(); ++k)
     others.push_back({views.at_m[k], &views.places[k], &views.same[k]});
-  return focal_share_of(others, views.seen, kFocalPx);
+  return focal_share_of(others, views.seen, kNominalFocalPx);
 }
 
 TEST(FocalShareOf, IsToldWhereverTheRobotIs) {
@@ -128,7 +128,7 @@ TEST(FocalShareOf, WhereAllStandsAtOneDistanceItIsNotTold) {
 }
 
 TEST(FocalShareOf, HardlyAnythingTellsNothing) {
-  Views few = views({});
+  PassageViews few = views({});
   for (auto& same : few.same) same.resize(2);
   EXPECT_FALSE(measured(few));
 }
