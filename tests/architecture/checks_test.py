@@ -214,5 +214,49 @@ class MessagesOnce(unittest.TestCase):
         self.assertNotEqual(self.check({'idl/bus/message_list.hpp': '// nothing\n'})[0], 0)
 
 
+class OwnNames(unittest.TestCase):
+    LISTING = 'weft_room(weft_core\n  SOURCES a.cpp  # (first)\n    sub/b.cpp)\n'
+
+    def check(self, a, b, listing=LISTING, scope='weft'):
+        within = ['namespace %s {\nnamespace {\n%s}  // namespace\n}  // namespace %s\n' % (name, text, name)
+                  for name, text in (('weft', a), (scope, b))]
+        files = {'core/CMakeLists.txt': listing, 'core/a.cpp': within[0], 'core/sub/b.cpp': within[1]}
+        return run('check_own_names.py', files, '')
+
+    def test_a_name_of_two_files_of_one_target_is_named_with_both_places(self):
+        before = 'int first() {\n  return 1;\n}\n'
+        code, text = self.check(before + 'constexpr int kSide = 1;\n', 'double kSide{2.0};\n')
+        self.assertEqual(code, 1)
+        self.assertEqual(text, 'core/sub/b.cpp:3: weft::kSide is another thing in core/a.cpp:6, and weft_core compiles them '
+                               'as one; rename one, or write once what both mean\n')
+
+    def test_each_kind_of_name_is_found(self):
+        for a, b in (('struct Row {\n  int a;\n};\n', 'class Row;\n'), ('int at(int x) {\n}\n', 'long at(const int& y);\n'),
+                     ('const int at[2] = {1, 2};\n', 'int at(int x) {\n}\n'), ('using Row = int;\n', 'using Row = double;\n'),
+                     ('}\nnamespace s = std;\nnamespace {\n', 'namespace s = weft;\n'), ('using a::Row;\n', 'using b::Row;\n'),
+                     ('}\nstatic int at() {\n}\nnamespace {\n', 'int at() {\n}\n'), ('enum class E { a };\n', 'struct E {};\n'),
+                     ('template <class T>\nT at(T x = f(1, 2)) {\n}\n', '[[noreturn]] int at(T y) {\n}\n')):
+            self.assertEqual(self.check(a, b)[0], 1, a)
+
+    def test_what_can_stand_beside_one_another_passes(self):
+        for a, b in (('int at(int x) {\n}\n', 'int at(std::map<int, int> x, int y);\n'), ('using Row = int;\n', 'using Row = int;\n'),
+                     ('struct A {\n  int side;\n};\n', 'struct B {\n  int side;\n};\n'), ('int f() {\n  int x = 1;\n}\n', 'int x = 1;\n'),
+                     ('const char* a = R"(\nint side = 1;\n)";\n', 'int side = 1;\n'), ('// int side = 1;\n', 'int side = 1;\n'),
+                     ('bool operator==(A, A) {\n}\n', 'bool operator==(B, B) {\n}\n'), ('TEST(A, B) {\n}\n', 'TEST(A, B) {\n}\n'),
+                     ('}\nint A::at() {\n}\nnamespace {\n', 'int at() {\n}\n')):
+            self.assertEqual(self.check(a, b), (0, ''), a)
+
+    def test_names_of_other_namespaces_and_targets_and_of_files_compiled_alone_pass(self):
+        same = 'int side = 1;\n'
+        self.assertEqual(self.check(same, same, scope='weft::server'), (0, ''))
+        self.assertEqual(self.check(same, same, 'weft_room(a SOURCES a.cpp)\nweft_test(b SOURCES sub/b.cpp)\n'), (0, ''))
+        alone = 'set_source_files_properties(sub/b.cpp PROPERTIES COMPILE_OPTIONS "-O3")\n'
+        self.assertEqual(self.check(same, same, self.LISTING + alone), (0, ''))
+        self.assertEqual(self.check(same, same)[0], 1)
+
+    def test_no_target_is_no_free_pass(self):
+        self.assertNotEqual(run('check_own_names.py', {}, '')[0], 0)
+
+
 if __name__ == '__main__':
     unittest.main()
