@@ -19,8 +19,9 @@ struct SitePoint {
 class Body {
  public:
   virtual ~Body() = default;
-  /// Returns the next sample. unavailable: the sensor or recording is over or broken; the message says where, and the
-  /// agent then stands. corrupt: the same, and what it gave until then was damaged in part.
+  /// Returns the next sample; after an error the agent stands, and the message says where. unavailable: the sensor or
+  /// recording is over or broken. corrupt: the same, and what it gave until then was damaged in part. exhausted: a
+  /// simulated body cannot write its true pose, as its disk is full.
   virtual Result<Sample> step(const Twist& command) = 0;
   /// Lets a clumsy hand drive a simulated body along this polyline (site frame, metres) from where the robot stands.
   /// refused: this body has no such hand; invalid: fewer than two points, too far away, through a rack.
