@@ -46,9 +46,11 @@ Preparation prepare(const Snapshot& snapshot, const std::set<std::string>& metho
 /// answers as one by `prepare` would; searches become slower when a network grows to a multiple of what it was.
 Preparation update(const Preparation& preparation, const Snapshot& snapshot);
 
-/// Finds a least-cost way like `weft::shortest_path`, over a preparation for this very snapshot. Of several ways of
-/// equal cost any one is taken, the same one each time. None: there is no way, or one of the places is not there.
-/// stale: the preparation is for another revision. invalid: it is for other methods.
+/// Finds a least-cost way like `weft::shortest_path`, over a preparation for this very snapshot. The cost is the sum
+/// of the norms of the edges' relations: metres, in which a turn counts as its angle times 0.5 m
+/// (core/network/relation.hpp). Of several ways of equal cost any one is taken, the same one each time. None: there
+/// is no way, or one of the places is not there. stale: the preparation is for another revision. invalid: it is for
+/// other methods.
 Result<std::optional<Path>> find_path(const Preparation& preparation, const Snapshot& snapshot, const PlaceId& from,
                                       const PlaceId& to, const std::set<std::string>& methods);
 
