@@ -15,7 +15,7 @@ namespace weft::agents {
 struct MosaicPlace {
   Pose2 map_from_place;
   Attitude attitude;  ///< of the robot when it was there
-  /// Is what is known of the attitude, 1 sigma: pitch and roll in rad, height in m; each > 0.
+  /// Bounds the attitude beforehand, 1 sigma: pitch and roll in rad, height in m; each > 0.
   Eigen::Vector3d attitude_sigma = Eigen::Vector3d(0.003, 0.003, 0.002);
 };
 

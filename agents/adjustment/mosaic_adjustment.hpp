@@ -21,7 +21,8 @@ struct MosaicAdjustmentConfig {
 /// where it is. The result depends on the mosaic alone.
 class MosaicAdjustment {
  public:
-  /// invalid: what `problem_of` names, neighbours that no link joins, or a bound of the configuration.
+  /// Begins an adjustment. invalid: what `problem_of` names, neighbours that no link joins, or a bound of the
+  /// configuration.
   static Result<MosaicAdjustment> make(Mosaic mosaic, const MosaicAdjustmentConfig& config = {});
 
   /// Does one piece; returns whether there are more.

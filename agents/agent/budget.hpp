@@ -10,7 +10,7 @@ class Budget {
  public:
   Budget(std::uint64_t bytes_per_second, std::uint64_t burst_bytes, SteadyTime now);
 
-  /// Spends `bytes` if they are there. More than the burst is never there.
+  /// Spends `bytes` and returns true if as many are saved up; more than the burst never are.
   bool take(std::uint64_t bytes, SteadyTime now);
   /// Returns when `bytes` (at most the burst) will be there, if nobody else takes any.
   SteadyTime when(std::uint64_t bytes) const;

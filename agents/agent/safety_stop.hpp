@@ -19,7 +19,7 @@ class SafetyStop {
   /// Takes up an emergency stop of before the agent was started.
   void restore() { is_latched_ = awaits_fix_ = true; }
 
-  /// Returns whether the robot has to stand, whoever asks for what.
+  /// Returns whether the robot has to stand, whatever anybody asks for.
   bool holds() const { return is_stop(safety_) || is_latched_; }
   /// Returns whether it may not be driven yet: it stands, or has not seen since where it is.
   bool keeps_from_driving() const { return holds() || awaits_fix_; }

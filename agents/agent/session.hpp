@@ -26,7 +26,8 @@ class Session {
   /// Takes in a server's hello. refused: a lower epoch than heard before, a second server in the same epoch, a claim
   /// that is not confirmed yet, or no protocol version in common.
   Heard hear(const msg::Hello& hello, SteadyTime now);
-  /// Takes in the header of any other message of the server's. The same rules hold, and it confirms nothing.
+  /// Takes in the header of any other message of the server's. The result is as for a hello, but a header confirms no
+  /// claim.
   Heard hear(const msg::Header& header, SteadyTime now);
 
   /// Notes that the server has answered what this incarnation asked: what it says from here on it says to us.

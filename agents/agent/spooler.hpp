@@ -26,12 +26,12 @@ struct SpoolerConfig {
 };
 
 /// Takes what teaching keeps to the server. A batch is in the robot's own spool before it is sent, and is sent again
-/// until the server has it on disk. Of an experience that is not sealed, the last batch stays in the spool even when
-/// acknowledged: it is from there that a restarted agent knows what it has to seal. A batch with an edge to a place
-/// of another experience that is under way is spooled after it, and sent when the server has it. An experience may be
-/// held back until it is refined: its batches are spooled as ever, and none is sent. Nothing but the seal marks it on
-/// disk: it is spooled with the reason that holds if this agent ends before, so that the next one hands in what is
-/// there.
+/// until the server has it on disk. The last batch of an experience that is not sealed stays in the spool even when
+/// acknowledged, so that a restarted agent knows which experience it has to seal. A batch with an edge to a place of
+/// another experience that is under way is spooled after it, and sent when the server has it. An experience may be
+/// held back until it is refined: its batches are spooled as usual, and none is sent. On disk only the seal shows
+/// this: it is spooled with the reason that will be true if this agent ends before the run is refined, so that a
+/// restarted agent hands in the run as it is.
 class Spooler {
  public:
   /// Reads what is pending; experiences that a crash left open are sealed. Errors of the spool are passed on.

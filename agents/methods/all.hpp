@@ -32,7 +32,7 @@ concept SignsBytes = requires(ByteView bytes) {
 /// Describes a method whose contents hold a picture of the plane that they show, the patch, which people can look at.
 template <class M>
 concept PicturesPlane = requires(ByteView bytes) {
-  /// corrupt, newer: they are no content that this program reads.
+  /// Returns the patch that a content holds. corrupt, newer: the bytes are no content that this program reads.
   { M::patch_of_bytes(bytes) } -> std::same_as<Result<PlanePatch>>;
 };
 

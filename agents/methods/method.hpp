@@ -289,8 +289,8 @@ concept Diagnoses = Method<M> && requires(const M& m, const typename M::Odometry
   { m.diagnose(odometry) } -> std::same_as<std::vector<Diagnostic>>;
 };
 
-/// Describes a method that refines what it was taught, when the run is over and before it is handed in. Nobody but
-/// the robot has such a run until it is refined. The result depends on the run alone.
+/// Describes a method that refines what it was taught, when the run is over and before it is handed in. The run stays
+/// on the robot until it is refined. The result depends on the run alone.
 template <class M>
 concept Refines = Method<M> && std::movable<typename M::Refinement> &&
     requires(const M& m, const std::vector<ExperiencePlace<typename M::Content>>& experience,

@@ -16,8 +16,8 @@ Relation with_noise(const Relation& relation, double sigma_m, double sigma_rad);
 double disagreement(const BeliefConfig& config, const Relation& predicted, const Relation& measured);
 
 /// Returns the covariance-weighted mean of a prediction and a measurement of the same relation: a Kalman update on
-/// SE(2) or SE(3) in the frame of the predicted pose, per component along a path. Of different kinds the measured one
-/// counts alone.
+/// SE(2) or SE(3) in the frame of the predicted pose, per component along a path. Returns the measured one when the
+/// two are of different kinds.
 Relation fuse(const Relation& predicted, const Relation& measured);
 
 /// Returns a_from_b through at most `hops` edges of the window, with the map's own noise for each; none if they are

@@ -6,9 +6,9 @@
 
 namespace weft::agents {
 
-/// Localises a content that was seen about there by the method, in a chart of its own, of which places of `without`
-/// are no part. What looks most alike may stand a place or two further on: then it is looked at from there. Refused:
-/// as `locate` does, "nothing_near".
+/// Localises a content that the method saw near `at`, in a chart of its own that leaves out the places of `without`.
+/// The chart is laid out anew around the place that looks most alike when that lies a place or two further on.
+/// Refused: as `locate` does, "nothing_near".
 template <ChartsItself M>
 OrRefusal<Fix> localised_around(const M& method, const Window& map, const Contents& bytes,
                                 DecodedContents<M>& decoded, Estimate at, const typename M::Content& content,

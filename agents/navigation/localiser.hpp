@@ -92,7 +92,8 @@ class Localiser {
     belief_.stand(estimate);
     charted_.forget();
   }
-  /// Takes over a belief from someone else, as good as it says, and ends the search.
+  /// Takes over an estimate from another navigator or the agent, with the uncertainty that it states, and ends the
+  /// search.
   void believe(const Estimate& told) {
     set(Fix{told.place, told.place_from_robot, {}});
     stand(told);
@@ -335,8 +336,8 @@ class Localiser {
     return false;
   }
 
-  /// Improves what was found by the places around. Where they do not tell more it stays as it is, or, of a method
-  /// that compares rivals, is not to be believed: returns false.
+  /// Improves what was found by the places around. When they tell no more, the result stays as it is, or, with a
+  /// method that compares rivals, is not to be believed: returns false.
   bool settles(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
                Outcome& outcome) {
     if constexpr (ChartsItself<M>) {

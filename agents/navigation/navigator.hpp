@@ -63,9 +63,9 @@ struct TeachStart {
   std::vector<ExperienceId> others = {};  ///< of the methods that the navigator teaches beside the first
 };
 
-/// Holds a question of a robot that looks for itself without a seed: what it sees, as its method signs it. Whoever
-/// has all contents can say which places of the network look most like that: the server (docs/path-of-a-view.md), or,
-/// in memory, `RecognitionIndex` (agents/methods/recognition):
+/// Holds a question of a robot that looks for itself without a seed: the signature of what it sees. A program that
+/// has all contents can answer which places of the network look most like that: the server (docs/path-of-a-view.md),
+/// or, in memory, `RecognitionIndex` (agents/methods/recognition):
 ///
 ///     navigator.step(...);
 ///     if (const Question* open = navigator.question())
@@ -113,26 +113,25 @@ class Navigator {
   /// ("nothing_joined", or why not).
   virtual OrRefusal<Kept> keep_alone(const TeachStart& start, const MapView& map) = 0;
 
-  /// Takes note that the window `before` became `after`. What is believed on a place that is not there any more is
-  /// believed on the nearest place that stayed, by the relations that led there. False: none of what was around has
-  /// stayed, and what is believed relates to nothing. Places that were taught and are on their way to the server
-  /// count as there.
+  /// Takes note that the window `before` became `after`. An estimate at a place that has left the window is expressed
+  /// by the nearest place that stayed, over the relations that led there. False: no place around has stayed, and the
+  /// estimate relates to nothing. Places that were taught and are on their way to the server count as there.
   virtual bool map_changed(const Window& before, const Window& after) = 0;
   /// Forgets what was taught, as the server has refused it: those places will never be in the map.
   virtual void forget_taught(const Window& map) = 0;
   /// Drops the pose estimate and keeps the route.
   virtual void forget_where() = 0;
-  /// Sets the pose estimate, from someone who knows it: believed until it is seen otherwise, and for as long as
-  /// `blind_m` allows.
+  /// Sets the pose estimate to one from another navigator or the agent; it holds until a fix contradicts it, and for
+  /// as long as `blind_m` allows.
   virtual void believe(const Estimate& told) = 0;
 
   /// Looks for where the robot is: around a seed, or, without one, in the whole window. While teaching (or just
   /// before it begins) this finds where the experience joins the map.
   virtual void seek(const std::optional<PlaceId>& seed) = 0;
-  /// Looks for where the robot is in the whole window, nearest to what is believed first, and believes that until it
-  /// is seen otherwise. Who believes nothing seeks.
+  /// Looks for where the robot is in the whole window, nearest to the estimate first, and keeps the estimate until
+  /// another one is found. Seeks when there is no estimate.
   virtual void look_again() = 0;
-  /// Ends such a look that was in vain. A search by who believes nothing, or is lost, goes on.
+  /// Ends such a look that was in vain. The search of a navigator that has no estimate or is lost goes on.
   virtual void stop_looking() = 0;
   virtual std::optional<Estimate> estimate() const = 0;
   /// Returns its question while it looks for itself without a seed, and no place around where it last was is left to

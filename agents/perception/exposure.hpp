@@ -4,11 +4,11 @@
 namespace weft::agents {
 
 struct ExposureConfig {
-  double noise_grey = 4.0;       ///< [0.5, 50] differences of grey levels up to it tell nothing, unamplified
-  double white_grey = 250.0;     ///< [128, 255] from there on it is not known how bright something is
-  double hidden_slope = 1.5;     ///< [0.1, 10] at a factor f, f^hidden_slope of what is white is still white
-  double followed = 0.5;         ///< [0.05, 1] of the power of 2 that is missing, an image
-  double most_blur_px = 1.0;     ///< [0.1, 50] by which an image may move while it is taken; the rest is amplified
+  double noise_grey = 4.0;    ///< [0.5, 50] differences of grey levels up to it tell nothing, unamplified
+  double white_grey = 250.0;  ///< [128, 255] from there on it is not known how bright something is
+  double hidden_slope = 1.5;  ///< [0.1, 10] with f < 1 times the light, f^hidden_slope of the white pixels stay white
+  double followed = 0.5;      ///< [0.05, 1] of the power of 2 that is missing, an image
+  double most_blur_px = 1.0;  ///< [0.1, 50] by which an image may move while it is taken; the rest is amplified
   double longest_time_s = 0.02;  ///< [1e-4, 0.5]
 };
 

@@ -16,7 +16,7 @@ struct LampConfig {
 /// Finds the lamps that an image shows so bright that it is white there, and sorts its pixels by them.
 class Lamps {
  public:
-  /// The image is whole (`is_whole`).
+  /// Takes a whole image (`is_whole`).
   Lamps(const Image& image, const LampConfig& config);
 
   /// Returns whether a corner at that pixel is one of something: of a lamp's rim, or not near a lamp. Within a lamp

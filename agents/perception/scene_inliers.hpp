@@ -8,8 +8,9 @@
 namespace weft::agents {
 
 /// Returns how many of the pairs `same` are at heights, within `within_px` pixels, that one scene allows: the second
-/// camera may be pitched and rolled against the first one and nearer to everything by one share. Of two views of one
-/// scene most pairs are, of scenes that only look alike those that are so by chance. 0 of fewer than eight pairs.
+/// camera may be pitched and rolled against the first one and nearer to everything by one share. Most pairs are when
+/// the two views show one scene, and a few by chance when the scenes only look alike. Returns 0 for fewer than eight
+/// pairs.
 ///
 /// With azimuth u and elevation e (both the mean of the two views) pitch p, roll r and share s raise a feature by
 /// (1 + e^2) (p cos u + r sin u) + s e, right to the second order. A view that is turned against another one by a

@@ -25,7 +25,7 @@ class SearchPolicy {
   };
   /// Returns whether a search in this map is due.
   bool is_due(const Window& window, const Situation& situation, SteadyTime now) const;
-  /// Notes that a search begins, whoever has asked for it.
+  /// Notes that a search begins, for whatever reason.
   void begins(const Window& window, SteadyTime now);
 
  private:

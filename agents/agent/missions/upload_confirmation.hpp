@@ -9,9 +9,9 @@
 
 namespace weft::agents {
 
-/// Answers the end of teaching when the server has acknowledged all of the run, so that whoever asked can go on with
-/// it; after 15 s it says that this is not yet so. Of a run that is refined first these count from then on, but for
-/// 45 s in all.
+/// Answers the end of teaching when the server has acknowledged all of the run, so that the operator can go on with
+/// it; after 15 s it answers that this is not yet so. The 15 s of a run that is refined first begin when it is
+/// refined, and end 30 s after the end of teaching at the latest.
 class UploadConfirmation {
  public:
   void await(TaughtRun run, const CommandKey& asked_by, SteadyTime now);

@@ -21,7 +21,7 @@ struct SimBodyConfig {
   std::function<void(const std::string&)> warn;  ///< optional; assumptions that were made
 };
 
-/// Is a body as whoever simulates has it in hand; what drives it knows a Body.
+/// Adds to a body what the simulation does with it; the agent that drives it knows a Body.
 class SimulatedBody : public Body {
  public:
   /// Lifts the robot and puts it down there, rolling with `moving`; nobody leads it any more, and the light is

@@ -87,10 +87,10 @@ class Bearing {
   Belief begin(const Chart& chart, const Estimate& seed) const;
   /// Begins anew but keeps what `before` has found out about the cameras that taught: they are still the same.
   Belief begin(const Chart& chart, const Estimate& seed, const Belief& before) const;
-  /// Finds the robot's distance along the path and its heading. How much nearer things are than in each of the places
-  /// before and behind tells how far along the path it is, once the focal lengths of those that taught are taken into
-  /// account, which are found out on the way (other_cameras.hpp); what most of these places show, its heading.
-  /// Refusals: nothing_near, headings_differ, and those of `relate` when none of them tells a heading.
+  /// Finds the robot's distance along the path and its heading. The distance follows from the looming against each of
+  /// the places before and behind, corrected for the focal lengths of the cameras that taught them, which are
+  /// estimated on the way (other_cameras.hpp). The heading is the one that most of these places agree on. Refusals:
+  /// nothing_near, headings_differ, and those of `relate` when none of them tells a heading.
   Located<Belief> locate(const Chart& chart, Belief belief, const Step& step, const Content& seen) const;
 
   /// Returns the belief once navigation has weighed the last fix: the position is that of `estimate`; what the view

@@ -30,8 +30,8 @@ class OtherCameras {
   /// Returns whether another word of that run's is worth asking for: views from nearly one spot show the same things,
   /// and err alike.
   bool is_due(const ExperienceId& run) const;
-  /// Learns from one view; `sigma` as above. What differs by more than errors explain counts as what they just
-  /// explain.
+  /// Learns from one view; `sigma` as above. A difference that is larger than errors explain is cut to the largest
+  /// that they explain.
   void told(const CameraLook& by_view, double sigma);
 
   /// Returns the median, in pixels, of what views have told of a run; none: too few have.

@@ -74,7 +74,7 @@ struct CeilingConfig {
   double gate_m = 0.25;                ///< [0.02, 2] how far a guess may be off, at least
   double gate_rad = 0.18;              ///< [0.02, 1.5]
   double widest_gate_m = 1.0;          ///< [0.02, 5] whatever the guess's covariance says
-  int most_bits = 80;                  ///< [10, 128] of 256 between descriptors of one point
+  int most_bits = 80;                  ///< [10, 128] of 256 that may differ between descriptors of one point
   double ratio = 0.95;                 ///< [1e-6, 1] best against second best, guided
   double ratio_unguided = 0.90;        ///< [1e-6, 1]
   int fewest_matches = 16;             ///< [8, 1000]

@@ -22,7 +22,8 @@ struct SeenByFeatures {
   std::size_t points = 0;  ///< that agree
 };
 
-/// Finds the motion by binary features of the rectified ceiling, wherever the view has gone to. None: too few agree.
+/// Finds the motion by binary features of the rectified ceiling, however far the view has moved. None: too few
+/// features agree.
 std::optional<SeenByFeatures> see_ceiling_by_features(const CeilingViews& views, const BirdsEye& birds_eye,
                                                       const CeilingConfig& config, const AttitudePrior& prior,
                                                       const PlanarState& expected);

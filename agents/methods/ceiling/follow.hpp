@@ -8,9 +8,9 @@ namespace weft::agents {
 
 /// Describes what the corners of the keyframe have shown of the newest view's motion.
 struct Followed {
-  std::string_view refused;              ///< low_contrast, few_tracks, not_converged; empty: they have shown it
-  std::vector<Ceiling::Tracked> tracks;  ///< those that agree
-  std::vector<PlanePair> pairs;          ///< of the same, each at its height
+  std::string_view refused;              ///< low_contrast, few_tracks, not_converged; empty: the motion was found
+  std::vector<Ceiling::Tracked> tracks;  ///< those that agree with the motion
+  std::vector<PlanePair> pairs;          ///< one of each track, at its height
   PlanarFit fit;
 };
 

@@ -20,8 +20,8 @@ struct SeenOtherwise {
 std::optional<SeenOtherwise> see_directly(const CameraModel& camera, const Image& keyframe, const Image& now,
                                           const AttitudePrior& prior, const PlanarState& expected);
 
-/// Finds the motion by binary features of the rectified floor, wherever the view has gone to: stands jumps and little
-/// overlap. None: too few agree, or not on one plane.
+/// Finds the motion by binary features of the rectified floor, however far the view has moved: it tolerates jumps and
+/// little overlap. None: too few features agree, or not on one plane.
 std::optional<SeenOtherwise> see_by_features(const CameraModel& camera, const BirdsEye& birds_eye,
                                              const FloorConfig& config, const Image& keyframe, const Image& now,
                                              const AttitudePrior& prior, const PlanarState& expected);

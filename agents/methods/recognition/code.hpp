@@ -31,8 +31,8 @@ class UsualLevels {
   std::vector<std::int64_t> sums_;
 };
 
-/// Holds the signature that is looked for, in finer steps and as the difference from what is usual: codes are
-/// compared with it, not with a code of it.
+/// Holds the signature that is looked for as differences from the usual levels, in finer steps than a code has:
+/// stored codes are compared with these, not with a code of the signature.
 class CodeQuery {
  public:
   /// Takes a signature of at most `longest_signature` finite numbers.

@@ -59,7 +59,8 @@ class RecognitionSearch {
   RecognitionSearch(const RecognitionIndex& index, const Signature& seen, std::size_t keep)
       : query_(seen, index.usual()), keep_(keep) {}
 
-  /// Compares about `places` more. Of the likeliest only those in `now` count. Returns false when it has seen all.
+  /// Compares about `places` more. Only places that are in `now` may be among the likeliest. Returns false when it
+  /// has seen all.
   bool step(const RecognitionIndex& index, const Snapshot& now, std::size_t places);
   /// Returns the likeliest first, ties by id.
   std::vector<PlaceId> ranked() const;
