@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// Holds a piece of the network at one revision, for whoever wants all of it: neither side has to send, or wait for,
-/// more than this at once.
+/// Holds a piece of the network at one revision, for a client that wants all of it: neither side has to send, or wait
+/// for, more than this at once.
 struct NetworkPage {
   Revision revision;
   std::vector<Place> places;                ///< in the order of their ids

@@ -56,8 +56,8 @@ class PlacePoses {
 
 /// Lays out the part of a network that is joined to one place, in that place's frame: each place along the chain of
 /// edges that leaves the least variance of its position (a spanning tree, by Dijkstra), and of ways that leave the
-/// same the one over the lowest place, so that the network alone determines the layout. What does not close round a
-/// loop stays there.
+/// same the one over the lowest place, so that the network alone determines the layout. The error with which a loop
+/// does not close is not spread over it.
 class PartLayout {
  public:
   PartLayout(NetworkView network, const PlaceId& root);

@@ -14,8 +14,8 @@ Result<void> check(const Snapshot& snapshot, const Rule& rule);
 /// Tells where a rule holds on one map.
 struct RuleExtent {
   std::vector<PlaceId> places;  ///< sorted; of every run that covers the floor
-  /// Names neighbouring places, from and to, between which the rule forbids to drive; sorted. Of one_way rules, and
-  /// of those that close one direction.
+  /// Names neighbouring places, from and to, between which the rule forbids to drive; sorted. Rules of kind one_way
+  /// have some, and those that close one direction.
   std::vector<Span> forbidden;
   std::string problem;  ///< what the rule names and the map has not; empty: nothing is missing
 };
@@ -23,7 +23,7 @@ struct RuleExtent {
 RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule);
 
 /// Returns where robots stand by the rules of that kind, of those places that the map has: the place of each rule's
-/// label, and the last place of each of its stretches. In order of the rules' names, each place once.
+/// label, and the last place of each of its stretches. Lists them in order of the rules' names, each place once.
 std::vector<PlaceId> spots_of(const Snapshot& snapshot, RuleKind kind);
 
 /// Return the snapshot with the rule, in the place of one of its name, or without the one of that name; one revision

@@ -72,7 +72,8 @@ struct Patch {
 };
 
 Patch difference(const Window& base, const Window& target);
-/// Returns the same for whoever has the digest of `target` already: it costs more than all the rest.
+/// Returns the same, with a digest of `target` that the caller has already: to compute it takes longer than all the
+/// rest.
 Patch difference(const Window& base, const Window& target, const Digest& target_digest);
 /// Returns the window with the patch applied. A patch from the empty window (base 0) replaces the window, whatever it
 /// was.

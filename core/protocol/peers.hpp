@@ -40,7 +40,8 @@ struct Hello {
   std::string name;
   std::string software;  ///< version for people
   std::string vendor;    ///< fastdds | cyclonedds | inprocess, as the bus names itself
-  /// Asks the server to prove that it lives: random, to be repeated in its next hello. Of agents, clients; 0: none.
+  /// Asks the server to prove that it lives: random, to be repeated in its next hello. Agents and clients set it; 0:
+  /// none.
   std::uint64_t challenge = 0;
   /// Repeats the challenges last heard, at most kAnswers; a server's only. Proves that it lives, and hears the asker.
   std::vector<std::uint64_t> answers{};

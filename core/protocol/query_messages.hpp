@@ -171,7 +171,8 @@ struct QueryReply {
   std::string message;
 };
 
-/// Announces to logs and watchers that something happened. Lost ones can be asked for again by Query.
+/// Announces to logs and watchers that something happened. A note that was lost on the way can be asked for with
+/// Query.
 struct EventNote {
   Header header;
   Event event;

@@ -10,7 +10,7 @@ namespace weft::routing {
 
 class Work;
 
-/// Makes a preparation in steps, so that whoever has other things to do can do them in between.
+/// Makes a preparation in steps, so that the caller can do other things in between.
 class Builder {
  public:
   /// Begins a preparation from nothing.
