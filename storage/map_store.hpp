@@ -90,7 +90,7 @@ struct PutRobot {
   RobotId robot;
   std::string name;
 };
-/// Notes who holds the robot; nobody: it is held no longer.
+/// Notes the operator who holds the robot; empty: it is held no longer.
 struct PutHold {
   RobotId robot;
   std::string who;
@@ -177,9 +177,9 @@ class MapStore {
   virtual ~MapStore() = default;
   /// Takes the next epoch and loads. Called once, first.
   virtual Result<Stored> open() = 0;
-  /// Commits a transaction: durable when it returns; on an error nothing of it is there.
-  /// stale: another server has opened the store since. exhausted: disk full. conflict: batch sequence or hash, a
-  /// content that is neither stored nor in the transaction, or what is known anew of a place that is not stored.
+  /// Commits a transaction: durable when it returns; on an error nothing of it is there. stale: another server has
+  /// opened the store since. exhausted: disk full. conflict: the batch has another sequence than is due or another
+  /// hash than it was committed with, or the transaction names a content or place that is neither stored nor in it.
   virtual Result<Commit> commit(const Transaction& transaction) = 0;
   virtual bool has_content(const ContentHash& hash) const = 0;
   /// Returns a content expanded, its SHA-256 verified. not_found; corrupt: quarantined, named.
