@@ -45,8 +45,8 @@ class Dispatcher {
   /// Stops or continues the robot's goal, if it has one; returns a text of what happened.
   Result<std::string> pause(const RobotId& robot, const std::string& who, Now now);
   Result<std::string> resume(const RobotId& robot, const std::string& who, Now now);
-  /// Takes an operator's word that the robot is away: its goal fails, and what it held is free. Of a robot that is
-  /// heard only the route is freed, and that is refused unless `is_sure`.
+  /// Takes an operator's word that the robot is away: its goal fails, and what it held is free. When the robot is
+  /// heard, only its route is freed, and that is refused unless `is_sure`.
   Result<std::string> clear(const RobotId& robot, bool is_sure, const std::string& who, Now now);
 
   /// Looks at the robot's release again: an operator holds it, or does no longer.
@@ -91,7 +91,7 @@ class Dispatcher {
  private:
   /// Holds what the server and a robot still have to settle about one route.
   struct RouteAssignment {
-    /// Is what the server and the robot have to settle first.
+    /// Names what the server and the robot have to settle first.
     enum class Standing {
       followed,  ///< nothing: the robot follows the route, or is to
       lost,      ///< the robot has no such route any more: plan from where it stands

@@ -18,7 +18,8 @@ class Standstills {
 
   void tick(Now now);
   std::optional<SteadyTime> next() const;
-  /// Returns what the robot waits for; null: it does not stand and wait. As it was when it was looked at last.
+  /// Returns what the robot waits for; null: it does not stand and wait. The answer is of the last time that waits
+  /// were looked at.
   const Wait* wait_of(const RobotId& robot) const;
   /// Returns the standstill that the robot is in, or waits behind; empty: there is none that has lasted.
   std::string text_of(const RobotId& robot) const;

@@ -35,9 +35,9 @@ struct Edit {
 /// Says it for people: "12 places and 3 stitches leave the map".
 std::string to_text(const Edit& edit);
 
-/// Returns the experiences of that name: one, or all that one import made of its file. Else the one whose hex id
-/// begins so, with four digits or more. not_found; refused: several taught ones have the name, or ids begin so, with
-/// their ids.
+/// Returns the experiences of that name: one, or all that one import made of its file. When none has it, returns the
+/// one whose hex id begins so, with four digits or more. not_found; refused: several taught ones have the name, or
+/// ids begin so, with their ids.
 Result<std::vector<ExperienceId>> experiences_of(const Snapshot& snapshot, const std::string& name);
 /// Returns the one experience of that name. refused: several.
 Result<ExperienceId> experience_of(const Snapshot& snapshot, const std::string& name);

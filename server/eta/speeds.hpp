@@ -35,8 +35,8 @@ class Speeds {
   /// Learns of a pass; short ones are added up until they are kShortPass_m long together.
   void add(const RunPiece& piece, const Pass& pass);
   /// Returns the median speed of the piece's passes and the mean of its waits, which counts with that of all pieces
-  /// until there is enough of it. Of a piece without passes both are those of all pieces; before anything was learned
-  /// the speed is kDefaultSpeed_m_s.
+  /// until there is enough of it. A piece without passes has the median and mean of all pieces; before anything was
+  /// learned the speed is kDefaultSpeed_m_s.
   Pace pace(const RunPiece& piece) const;
   /// Returns what is left of the route from that index on.
   TimeLeft left(const Route& route, std::size_t at) const;

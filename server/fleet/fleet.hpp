@@ -69,7 +69,7 @@ class Fleet {
   const Robot* find(const RobotId& id) const;
   /// Returns the robot's name, or its id when it has none.
   std::string name_of(const RobotId& id) const;
-  /// Finds a robot by name or by 32 hex digits. Of several of one name the one that is heard is meant. not_found:
+  /// Finds a robot by name or by 32 hex digits. When several have the name, returns the one that is heard. not_found:
   /// lists the robots that are there. refused: two of the name are heard, or several and none is; gives their ids.
   Result<RobotId> by_name(const std::string& text) const;
 

@@ -11,8 +11,8 @@
 
 namespace weft::server {
 
-/// Holds labels that people gave to places which robots have kept and which have not come yet. Who waits for one is
-/// told so from time to time: a run that is refined first comes as a whole, when it is.
+/// Holds labels that people gave to places which robots have kept and which the server does not have yet. Tells the
+/// clients that wait for one so from time to time: a run that is refined first comes as a whole, once it is refined.
 class AwaitedLabels {
  public:
   using Key = RequestLedger::Key;

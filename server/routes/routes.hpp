@@ -22,8 +22,8 @@ class Routes {
   /// it is counted.
   void want(const std::set<std::string>& methods);
 
-  /// Finds a route as `weft::shortest_path`, of equally long ones any. Where there is no way the words are those of
-  /// an earlier look at the same goal, when that was not long ago: they cost a search of everything.
+  /// Finds a route as `weft::shortest_path`, of equally long ones any. When there is no way, the message may be that
+  /// of a recent search for the same goal: to make one takes a search of the whole network.
   Result<Path> find(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now);
   /// Finds one that rules let a robot drive, which begins at `from`. not_found: there is none; names the rule.
   Result<Path> find_allowed(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods,

@@ -23,7 +23,7 @@ class Holdings {
 
   /// Replaces what the robot holds; places that stay in order cost nothing.
   void put(const TrafficMap& map, Proximity& proximity, const RobotId& robot, const std::vector<Touched>& touched);
-  /// Returns who holds something that overlaps with `here`, in order of their ids, `except` one robot.
+  /// Returns the robots that hold something that overlaps with `here`, in order of their ids, without `except`.
   std::set<RobotId> near(const TrafficMap& map, Proximity& proximity, const LocatedPlace& here,
                          const RobotId& except) const;
   /// Returns whether that robot does.

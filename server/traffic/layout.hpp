@@ -54,9 +54,9 @@ class Layout {
   std::optional<std::uint32_t> part_of(const PlaceId& place) const;
   /// Returns where something lies that hangs on a laid place, `place_from_it` away.
   Spot hung(const Spot& place, const Metric2& place_from_it) const;
-  /// Returns the least distance within three standard deviations. The spots are of one part. Of a spot whose place
-  /// has been taken out meanwhile it is not known any more which branches they share: then all of both counts, and
-  /// they come out nearer than they may be.
+  /// Returns the least distance within three standard deviations. The spots are of one part. When the place of a spot
+  /// has been taken out of the map, it is not known which branches the two share: then the variance of both counts in
+  /// full, and the result may be too small.
   double clearance_m(const Spot& a, const Spot& b) const;
   /// Returns the mean distance.
   static double distance_m(const Spot& a, const Spot& b);

@@ -15,7 +15,7 @@ class LocalLayouts {
  public:
   /// Returns whether they are surely farther apart than that; no, when nothing is known of it.
   bool are_clear(const Snapshot& network, const PlaceId& a, const PlaceId& b, double reach_m);
-  /// Takes in a batch that has joined the network: where it adds relations the ways may be others.
+  /// Takes in a batch that has joined the network: where it adds relations, the least uncertain ways may change.
   void joined(const Batch& batch);
   /// Forgets everything: the network was edited.
   void forget() { around_.clear(); }

@@ -17,8 +17,8 @@
 namespace weft::server {
 
 /// Decides who may touch what. A robot holds a stretch of the network: of its route what is released and not yet
-/// freed, else the place where it stands. What two robots are given never overlaps, but where one of them stands
-/// within what the other holds, and moves away from it. A stretch is given up by its holder's report or by an
+/// freed, else the place where it stands. Two robots never hold overlapping places, except while one of them stands
+/// within what the other holds and moves away from it. A stretch is given up by its holder's report or by an
 /// operator, never because time has passed. A robot that never knew where it is holds nothing.
 class Traffic {
  public:
@@ -43,7 +43,7 @@ class Traffic {
   using Stops = std::vector<std::uint32_t>;
   /// Tells how far the route can be released from that place on. When it ends early, `take_woken` names the robot
   /// once it is worth while to ask again. `stops`: the indices at which a release may end, in order, and no farther
-  /// than the last one; null: anywhere, with room to set off before whoever is in the way.
+  /// than the last one; null: anywhere, with room to set off before the robot that is in the way.
   Way way(const Route& route, std::uint32_t from, const Stops* stops = nullptr);
   /// Returns who may be released farther than it was when `way` was asked last.
   std::set<RobotId> take_woken() { return watches_.take_woken(); }
@@ -51,7 +51,7 @@ class Traffic {
   /// Returns the first place of the route, from that one on, that its robot cannot have because of what `by` holds,
   /// there or beside: of `by` alone, or else of others too. None: `by` is not in the way.
   std::optional<Touched> first_held_by(const RobotId& by, const Route& route, std::uint32_t from);
-  /// Returns who is in that way now.
+  /// Returns the robots that are in that way now.
   std::set<RobotId> holders_of(const RobotId& robot, const Way& way);
 
   /// Returns what has to be committed with a release: the new stretch, and what others have given up meanwhile.
@@ -92,9 +92,9 @@ class Traffic {
   bool holds_what_is_out() const;
   std::set<PlaceId> held_places() const;
 
-  /// Returns who holds something that a robot which stands at the place could touch, `except` one robot.
+  /// Returns the robots that hold something that one which stands at the place could touch, without `except`.
   std::set<RobotId> near(const PlaceId& place, const RobotId& except);
-  /// Returns who holds something.
+  /// Returns the robots that hold something.
   std::vector<RobotId> holding() const;
   /// Returns what the robot holds; null: nothing.
   const storage::PutOccupancy* held(const RobotId& robot) const;

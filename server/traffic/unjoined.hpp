@@ -22,7 +22,7 @@ class UnjoinedWatch {
   Context& context_;
   const Fleet& fleet_;
   Traffic& traffic_;
-  std::uint64_t looked_ = 0;  ///< version of who is in which part
+  std::uint64_t looked_ = 0;  ///< version of which robot is in which part
   std::string warning_;
 };
 

@@ -36,16 +36,17 @@ enum class Stays : std::uint8_t {
   blocked,  ///< it is asked to drive, and has not moved for long
 };
 
-/// Names robots that wait and will not go on: those of a cycle, or one that will not move, and who waits for them.
+/// Names robots that wait and will not go on: those of a cycle, or one that will not move, and the robots that wait
+/// for them.
 struct Standstill {
   std::vector<RobotId> core;    ///< each waits for the next one, the last one for the first; or the one that stays
   std::optional<Stays> stays;   ///< why the one stays; none: it is a cycle
-  std::vector<RobotId> behind;  ///< who waits for them, or for one of these; nearest first
+  std::vector<RobotId> behind;  ///< robots that wait for them, or for one of these; nearest first
   bool operator==(const Standstill&) const = default;
 };
 
-/// Finds all standstills. Where a cycle waits for another one, or for a robot that stays, both are named. Robots that
-/// are in neither list move, and so does in the end who waits for those alone.
+/// Finds all standstills. Names both when a cycle waits for another one, or for a robot that stays. Robots that are
+/// in neither list move, and so do, in the end, those that wait for these alone.
 std::vector<Standstill> standstills(const std::vector<Wait>& waits, const std::map<RobotId, Stays>& stays);
 
 }  // namespace weft::server

@@ -7,8 +7,8 @@
 
 namespace weft::server {
 
-/// Remembers what each waiting release waits for: it is looked at again when that is freed, and not before. Who is
-/// woken waits for nothing here until it has been looked at again.
+/// Remembers what each waiting release waits for: it is looked at again when that is freed, and not before. A robot
+/// that is woken waits for nothing here until it has been looked at again.
 class Watches {
  public:
   struct Watch {
@@ -24,12 +24,12 @@ class Watches {
   void watch_map(const RobotId& waiter);
   void forget(const RobotId& waiter);
 
-  /// Returns the watches that the holder may end: whoever asks knows whether it still holds what they need.
+  /// Returns the watches that the holder may end: the caller knows whether it still holds what they need.
   std::vector<Watch> on(const RobotId& holder) const;
   void wake(const RobotId& waiter);
   void wake_those_for_everybody();
   void wake_all();
-  /// Returns who is to be looked at again since the last call.
+  /// Returns the robots that were woken since the last call.
   std::set<RobotId> take_woken();
   bool has_woken() const { return !woken_.empty(); }
 
@@ -38,8 +38,8 @@ class Watches {
     Touched needs;
     std::set<RobotId> holders;
   };
-  std::map<RobotId, Waits> waits_;                ///< by who waits
-  std::map<RobotId, std::set<RobotId>> waiters_;  ///< by who holds
+  std::map<RobotId, Waits> waits_;                ///< by waiting robot
+  std::map<RobotId, std::set<RobotId>> waiters_;  ///< by holding robot
   std::set<RobotId> for_everybody_;
   std::set<RobotId> woken_;
 };

@@ -21,8 +21,8 @@ struct BerthArc {
   std::vector<Berth> touches;
 };
 
-/// Describes the network as a plan sees it: where robots can stand, and between which of these they can drive. What
-/// is asked for may be made at that moment: numbers may grow with every call, references stay good.
+/// Describes the network as a plan sees it: where robots can stand, and between which of these they can drive. Berths
+/// and drives may be made when they are first asked for: numbers may grow with every call, references stay valid.
 class BerthGraph {
  public:
   BerthGraph() = default;
@@ -41,7 +41,8 @@ class BerthGraph {
   virtual const std::vector<Before>& before(Berth to, std::uint32_t methods) = 0;
   /// Returns the berths at which nobody can stand while a robot stands there; not the berth itself. Sorted.
   virtual const std::vector<Berth>& beside(Berth berth) = 0;
-  /// Returns whether robots may stop there on their way; else it is a berth only for who stands there or wants to.
+  /// Returns whether robots may stop there on their way; else it is a berth only for robots that stand there or want
+  /// to.
   virtual bool is_cut(Berth berth) const = 0;
   /// Returns how many berths have numbers.
   virtual std::size_t size() const = 0;

@@ -36,7 +36,8 @@ class Berths final : public BerthGraph {
  public:
   explicit Berths(Proximity& proximity) : proximity_(proximity) {}
 
-  /// Follows the map and the size of robots: numbers that were given mean nothing any more when this returns true.
+  /// Follows the map and the size of robots. Returns true when it has cut the map anew: the numbers of berths that
+  /// were given before are then invalid.
   bool follow(const RuledNetwork& network, double footprint_m);
   /// Has what can be touched looked up in that map, though an earlier one is followed: `Proximity` remembers what it
   /// finds for leases, too.

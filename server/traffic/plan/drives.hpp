@@ -32,8 +32,8 @@ struct Drivables {
 };
 
 /// Searches from a place along edges that can be driven, onward or backward, and no farther than to the first places
-/// at which every way ends. Lengths are norms of relations, as those of routes. In order of their lengths, ties by
-/// place; of a backward search `places` are given from `from` on, too.
+/// at which every way ends. Lengths are norms of relations, as those of routes. Returns drives in order of their
+/// lengths, ties by place; a backward search, too, gives `places` from `from` on.
 std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Heading heading,
                           const std::function<Stop(const PlaceId&)>& stops);
 

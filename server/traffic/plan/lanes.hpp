@@ -21,7 +21,7 @@ class Lanes {
     auto operator<=>(const Stand&) const = default;
   };
 
-  /// Describes what lies ahead of who stands somewhere, when nobody is there.
+  /// Describes what lies ahead of a robot that stands somewhere, on a map without other robots.
   struct Ahead {
     std::size_t enough = 0;       ///< berths that it can get to when it gets away
     bool is_small = false;        ///< these are all that there are: it never gets far away from others
@@ -29,10 +29,10 @@ class Lanes {
     std::vector<Berth> shutting;  ///< those that shut it in: see `shut_in_by`
   };
   const Ahead& ahead(const Stand& stand);
-  /// Returns the berths that shut in who stands there: a robot at one of them has to leave before it gets away.
-  /// Sorted. None where several ways lead on.
+  /// Returns the berths that shut in a robot that stands there: another one at any of them has to leave before it
+  /// gets away. Sorted; empty where several ways lead on.
   const std::vector<Berth>& shut_in_by(const Stand& stand);
-  /// Returns whether a robot at `by` keeps who stands there from getting away.
+  /// Returns whether a robot at `by` keeps one that stands there from getting away.
   bool is_shut_in(const Stand& stand, Berth by);
   /// Returns whether robots at the two berths are face to face, or will be wherever they drive.
   bool meet(const Stand& one, const Stand& other);

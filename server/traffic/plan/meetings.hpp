@@ -39,7 +39,7 @@ class Meetings {
   std::vector<std::uint32_t> refuse(std::uint32_t robot, Berth to);
   /// Returns whether one that stands there keeps the other one from going to where it would.
   bool would_keep_from(const Lanes::Stand& at, const Meeting& other);
-  /// Returns who has to have left a lane before the robot goes there.
+  /// Returns the robots that have to leave a lane before the robot goes there.
   std::vector<MovesFirst> first(std::uint32_t robot, Berth to);
   /// Returns whether the two meet wherever they drive from where they stand.
   bool are_face_to_face(std::uint32_t robot, std::uint32_t other) {

@@ -36,7 +36,7 @@ struct PlannedMove {
   const BerthArc* arc = nullptr;
   Berth from = kNoBerth;
   std::uint32_t step = 0;
-  std::vector<MovesFirst> first;  ///< who has to have left a lane before
+  std::vector<MovesFirst> first;  ///< robots that have to leave a lane before
 };
 
 struct PlanRules {
@@ -47,7 +47,7 @@ struct PlanRules {
 /// Holds what everybody will do, in order of the steps; one list a robot, as they were given.
 struct MovePlan {
   std::vector<std::vector<PlannedMove>> moves;
-  std::vector<std::vector<std::uint32_t>> kept_by;  ///< of each, who keeps it where it stands at first; none: nobody
+  std::vector<std::vector<std::uint32_t>> kept_by;  ///< of each, the robots that keep it where it stands at first
   std::uint64_t pushes = 0;                         ///< robots that were asked to make way
   std::uint64_t asked_several = 0;                  ///< of these, together with others: there PIBT gives no guarantee
 };

@@ -8,19 +8,19 @@
 
 namespace weft::server {
 
-/// Keeps who is on which drives between berths where robots may stop, for searches that go over many of these. To be
-/// used for one plan: berths that get numbers later change drives.
+/// Keeps which robots are on which drives between berths where robots may stop, for searches that go over many of
+/// these. Serves one plan only: berths that get numbers later change drives.
 class OccupiedArcs {
  public:
   explicit OccupiedArcs(BerthGraph& graph) : graph_(graph) {}
 
   struct Arc {
     Berth to = kNoBerth;
-    std::uint32_t occupants = 0;  ///< how many stand on it; who stands where two drives lead by is on both
+    std::uint32_t occupants = 0;  ///< how many stand on it; one that stands where two drives lead by is on both
     std::span<const Berth> touches;
   };
-  /// Returns the drives from there on that end at a berth where robots may stop, in the graph's order. Good until the
-  /// next call.
+  /// Returns the drives from there on that end at a berth where robots may stop, in the graph's order. Valid until
+  /// the next call.
   std::span<const Arc> next(Berth from, std::uint32_t methods);
   /// Notes that one more stands there, or one less.
   void occupy(Berth berth) { count(berth, 1); }

@@ -11,7 +11,7 @@ namespace weft::server {
 /// those go that move in it.
 class OccupiedBerths {
  public:
-  /// Returns who stands there as the step begins; kNobody: nobody does.
+  /// Returns the robot that stands there as the step begins; kNobody: none does.
   std::uint32_t who_stands_at(Berth berth) { return standing_.at(berth).robot; }
   void stand(Berth berth, std::uint32_t robot) { standing_.at(berth).robot = robot; }
   void leave(Berth berth) { standing_.at(berth).robot = kNobody; }

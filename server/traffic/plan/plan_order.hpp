@@ -8,7 +8,7 @@
 namespace weft::server {
 
 /// Keeps the order of a plan while it is driven: no robot is released to where another one comes earlier in the plan
-/// and has not been released yet. What others hold is not looked at: leases do that.
+/// and has not been released yet. Does not look at what others hold: leases do that.
 class PlanOrder {
  public:
   PlanOrder() = default;
@@ -17,8 +17,8 @@ class PlanOrder {
   const std::vector<PlannedMove>& moves(std::uint32_t robot) const { return plan_.moves[robot]; }
   /// Returns how many of the robot's planned moves may be released now, those included that have been.
   std::uint32_t may(std::uint32_t robot) const;
-  /// Returns whom the robot waits for: who has to have come by where its next move leads, or left a lane, or else
-  /// who keeps it where it stands. Sorted.
+  /// Returns the robots that this one waits for: those that have to pass where its next move leads, or to leave a
+  /// lane, or else those that keep it where it stands. Sorted.
   std::vector<std::uint32_t> waits_for(std::uint32_t robot) const;
   /// Returns whether another robot comes by in this plan, before or after.
   bool is_shared(std::uint32_t robot, std::uint32_t move) const;

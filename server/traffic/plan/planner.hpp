@@ -54,13 +54,13 @@ class Planner {
   /// Returns the robot's planned moves from `first` to before `last`.
   PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
-  /// berths of what it was released lie ahead of it. As the plan's order is, and not far ahead while others move:
-  /// what it holds is in their way.
+  /// berths of what it was released lie ahead of it. Follows the plan's order, and releases little at a time while
+  /// others move, as what the robot holds is in their way.
   std::uint32_t may(std::uint32_t robot, std::uint32_t held);
-  /// Returns whom the robot waits for, as `PlanOrder::waits_for`; and else who is not where the plan had it yet, so
-  /// that its next move would have to be taken back.
+  /// Returns the robots that this one waits for, as `PlanOrder::waits_for`; when the order lets it move, those that
+  /// have not yet reached where the plan has them, so that its move would have to be taken back.
   std::vector<std::uint32_t> waits_for(std::uint32_t robot);
-  /// Returns who cuts the robot off from its goal; kNobody: nobody does.
+  /// Returns the robot that cuts this one off from its goal; kNobody: none does.
   std::uint32_t cut_off_by(std::uint32_t robot) const { return cut_off_by_[robot]; }
   /// Returns whether the robot may drive on to the next berth of that way though the plan does not say so: nobody
   /// comes face to face with it there, or is stuck.

@@ -7,8 +7,8 @@
 
 namespace weft::server {
 
-/// Decides in each step of the plan who may go into which pocket: one robot at a time, and one that goes there. Who
-/// finds it taken does not wait in its mouth.
+/// Decides in each step of the plan who may go into which pocket: one robot at a time, and one that goes there. A
+/// robot that finds it taken does not wait in its mouth.
 class PocketTurns {
  public:
   explicit PocketTurns(Pockets& pockets)
@@ -24,15 +24,16 @@ class PocketTurns {
   void is_at(Berth berth, std::uint32_t robot);
   /// Notes where the robot wants to go, which is described by `known` for all of the step.
   void wants(std::uint32_t robot, const PlanRobot& known);
-  /// Returns who wants to go into the pocket and is not in it.
+  /// Returns the robots that want to go into the pocket and are not in it.
   const std::vector<Wanting>& wanted_by(std::uint32_t pocket) const { return wanted_by_[pocket]; }
 
-  /// Returns whether the robot may go there: who is to wait does so before the mouth, unless it has to make way. Who
-  /// makes way may do so into a pocket that nobody wants, and through any from which it has no other way on.
+  /// Returns whether the robot may go there: one that is to wait does so before the mouth, unless it has to make way.
+  /// A robot that makes way may go into a pocket that nobody wants, and through any from which it has no other way
+  /// on.
   bool may_go(std::uint32_t robot, const PlanRobot& known, Berth to, bool is_asked) const;
   /// Returns whether the drive there leads into a pocket.
   bool leads_in(const PlanRobot& known, Berth to) const;
-  /// Returns who is in the pocket that keeps the robot from going there; kNobody: nobody is.
+  /// Returns the robot in the pocket that keeps this one from going there; kNobody: none does.
   std::uint32_t keeper(std::uint32_t robot, const PlanRobot& known, Berth to) const;
   /// Returns whether the robot stands in the mouth of a pocket in which it wants to go, and which is taken.
   bool is_refused(std::uint32_t robot, const PlanRobot& known) const;
@@ -51,7 +52,7 @@ class PocketTurns {
   bool is_near_mouth(const PlanRobot& known, std::uint32_t pocket) const;
 
   Pockets& pockets_;
-  std::vector<std::uint32_t> owner_;             ///< of each pocket: who is in it, or goes there
+  std::vector<std::uint32_t> owner_;             ///< of each pocket: the robot that is in it, or goes there
   std::vector<std::vector<Wanting>> wanted_by_;  ///< of each pocket
 };
 

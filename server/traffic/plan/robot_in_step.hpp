@@ -19,10 +19,10 @@ struct RobotInStep {
   bool is_asking = false;              ///< it, or whom it asked, is being decided
   std::uint32_t in = Pockets::kNone;   ///< the pocket where it stands
   bool leaves = false;                 ///< that pocket
-  std::vector<MovesFirst> first;       ///< who has to have left a lane before it makes its move
+  std::vector<MovesFirst> first;       ///< robots that have to leave a lane before it makes its move
   std::vector<std::uint32_t> kept_by;  ///< see MovePlan
   bool is_kept_known = false;          ///< `kept_by` is complete
-  std::vector<std::uint32_t> met;      ///< who is in the lane where it wants to go, or cannot make way
+  std::vector<std::uint32_t> met;      ///< robots in the lane where it wants to go, or that cannot make way
   std::optional<Meeting> sent_on;      ///< it has nothing to do, and keeps one out of a lane that would go there
 };
 

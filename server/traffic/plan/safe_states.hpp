@@ -22,12 +22,13 @@ class SafeStates {
   void add(const Lanes::Stand& at, bool is_gridlocked = false);
   /// Notes that the robot is there now.
   void put(std::uint32_t robot, Berth at);
-  /// Returns who could not get away any more if the robot went there, and can where it is: in order of their numbers.
-  /// Leaves out those of `leaving`. If it would be stuck alone, also those that block its ways.
+  /// Returns the robots that could no longer get away if the robot went there and can while it is where it is, in
+  /// order of their numbers. Leaves out those of `leaving`. Adds those that block its ways if it would be stuck
+  /// alone.
   std::vector<std::uint32_t> stuck_by(std::uint32_t robot, Berth to, const std::vector<std::uint32_t>& leaving);
-  /// Returns who keeps the robot from going there: would come face to face with it, or could not get away any more,
-  /// and is in no such trouble as it is now. It may be the robot itself. Of two that are gridlocked neither keeps the
-  /// other: the plan that they are to follow knows of both.
+  /// Returns the robots that keep this one from going there: those that would come face to face with it or could no
+  /// longer get away, and are in no such trouble now. The robot itself may be among them. Two that are gridlocked do
+  /// not keep each other from moving, as the plan that they are to follow knows of both.
   std::vector<std::uint32_t> kept_by(std::uint32_t robot, Berth to);
   /// Returns whether it can matter to one of them where the other stands: a way out of the one leads by there.
   bool concern(std::uint32_t robot, Berth to, const Lanes::Stand& other);
