@@ -20,8 +20,8 @@ Result<void> make_folder(const std::filesystem::path& folder);
 /// Returns the SHA-256 of the text's bytes, in hex.
 std::string sha256_of(const std::string& text);
 
-/// Returns the keys in which what a folder was measured of differs from what is to be measured, for the one who has
-/// to choose another folder; empty: none.
+/// Returns the keys in which what a folder was measured of differs from what is to be measured, so that people can
+/// choose another folder; empty: none.
 std::string difference(const nlohmann::json& theirs, const nlohmann::json& ours);
 
 }  // namespace weft::evaluate

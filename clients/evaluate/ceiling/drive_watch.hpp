@@ -15,7 +15,7 @@ namespace weft::evaluate::ceiling {
 /// the heights that the method finds. One entry a sample, in the order of the drive's trace.
 class DriveWatch {
  public:
-  /// Errors of the method.
+  /// Makes the watch, with the errors of the method.
   static Result<std::shared_ptr<DriveWatch>> make(const agents::CeilingConfig& settings,
                                                   const agents::CameraModel& camera);
 

@@ -27,7 +27,7 @@ inline constexpr const char* kTaughtRun = "taught";
 /// stopped. Errors of the drives and of the shelf.
 Result<std::optional<Shown>> shown_of(const Scenario& scenario, const std::string& light, const Shelf& shelf);
 
-/// Returns whether all of them are there.
+/// Returns whether the shelf holds all runs that pictures show.
 bool has_shown(const std::string& light, const Shelf& shelf);
 
 }  // namespace weft::evaluate::floor

@@ -17,8 +17,8 @@ Judged judge_attempts(const AttemptRows& rows);
 Judged judge_trials(const TrialRows& rows);
 
 /// Judges what is promised of the method and other commands measure, from what they left in `folder`: attempts.json
-/// and relocalise.json. What is of another software, site or photographs counts as not measured, as what is not there
-/// does. corrupt: a file is none of theirs.
+/// and relocalise.json. A file that is missing, or of another software, site or photographs, counts as not measured.
+/// corrupt: a file is none of theirs.
 Result<std::vector<Judged>> judge_others(const std::filesystem::path& folder, const Study& study);
 
 }  // namespace weft::evaluate::floor
