@@ -17,7 +17,7 @@ struct TrafficTest : OneRun {
     site.label("end", run.place(59));
     site.label("middle", run.place(20));
   }
-  /// Lets the robot be heard on its route: nobody is released who is not.
+  /// Lets the robot be heard on its route: a robot that is not heard is released nowhere.
   void drives(Peer& robot) {
     const Route route = *site.order_to(robot);
     site.say(site.driving(robot, route, route.places[1]));

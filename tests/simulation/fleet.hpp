@@ -88,7 +88,7 @@ class Fleet {
   void look_when_quiet();
   /// Returns how often robots were asked to make way, and standstills ended.
   std::uint64_t ways_made() const;
-  /// Returns the server's events, a line each, then how every goal and robot stands: for whoever looks into a
+  /// Returns the server's events, a line each, then how every goal and robot stands: for people who look into a
   /// failure.
   std::vector<std::string> diary() const;
   /// Returns a hash over every message of the run, in order: the same seed gives the same.

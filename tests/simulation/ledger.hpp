@@ -17,14 +17,14 @@
 
 namespace weft::simulation {
 
-/// A broken invariant: which, and what was seen.
+/// Names a broken invariant, and what was seen.
 struct Violation {
   std::string invariant;
   std::string what;
 };
 
-/// Everything that the invariants must remember about one run. It is told what crosses the border of each process
-/// and looks at the truth; nothing it knows flows back.
+/// Holds all that the invariants must remember about one run. It is told what crosses the border of each process and
+/// looks at the truth; nothing it knows flows back.
 class Ledger {
  public:
   struct Robot {
@@ -57,17 +57,17 @@ class Ledger {
   /// Notes where a place of a map truly lies that was in the store before.
   void stored(const PlaceId& place, const Pose2& site_from_place) { truth_.emplace(place, site_from_place); }
   void agent_sent(const RobotId& robot, const msg::Message& message);
-  /// An acknowledgement as it arrives, checked against the disk at once.
+  /// Checks an acknowledgement, as it arrives, against the disk.
   void agent_heard(const RobotId& robot, const msg::Message& message, const storage::MemoryDisk& disk);
   /// Notes what a robot may drive now; to be called after it has taken a message in.
   void agent_took(const RobotId& robot);
   void server_sent(const msg::Message& message, const server::Service& service);
   void server_heard(const msg::Message& message);
-  /// The first that a server says of itself after it has stood still, and has taken in what came meanwhile.
+  /// Takes in the first that a server says of itself after it has stood still, and has taken in what came meanwhile.
   void server_woke(const std::vector<msg::Message>& said);
   void client_heard(const msg::Message& message);
   void agent_stepped(const RobotId& robot, const agents::Sample& sample, const agents::AgentOutput& output);
-  /// The body has taken a step: how that stands to all others, by the truth.
+  /// Compares the body, which has taken a step, with all others by the truth.
   void body_moved(const RobotId& robot);
   /// Looks at goals every few seconds, also while no server is up: they do not count then.
   void look_at_goals(const storage::MemoryDisk& disk, bool is_served);
@@ -79,7 +79,8 @@ class Ledger {
   /// another, and nothing has been asked for a while.
   void look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk);
 
-  /// People have asked for an edit of the map, or have undone it: meanwhile not all that is stored is served.
+  /// Notes that people have asked for an edit of the map, or have undone it: meanwhile not all that is stored is
+  /// served.
   void map_edited(bool is_edited) { is_edited_ = is_edited; }
 
   /// Notes that people have laid down a rule that closes something, or have removed it.

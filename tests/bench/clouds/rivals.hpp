@@ -5,7 +5,8 @@
 
 namespace weft::clouds {
 
-/// Declares others' codecs with the same bound, `quantum_m` / 2 an axis. Empty or no points: it failed.
+/// Declares codecs of other libraries, with the same error bound: `quantum_m` / 2 on each axis. An empty result, or
+/// one of no points, is a failure.
 
 /// Encodes with PCL's octree coder: points relative to their voxel's corner, cut off at `quantum_m` / 2, which is
 /// their error. `voxel_steps`: size of a voxel in those steps, at most 127, what its byte holds.

@@ -41,7 +41,7 @@ class Fleet {
   bool is_delayed() { return delays_.uniform() < kDelayed; }
   /// Moves the robot, once in a step at most.
   void move(std::size_t robot, Cell to);
-  /// Ends the step: who has arrived handles, and gets its next goal afterwards.
+  /// Ends the step: a robot that has arrived handles its load, and gets its next goal afterwards.
   void end_step();
 
   std::uint64_t goals_done = 0;

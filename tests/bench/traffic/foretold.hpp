@@ -16,7 +16,7 @@ class Foretold {
 
   /// Takes the robots' reports of where they are; so many seconds have passed since the beginning.
   void hear(Leased& leased, double now_s);
-  /// Foretells for those that are half way, and notes who has arrived. To be called once a step.
+  /// Foretells for those that are half way, and notes which robots have arrived. To be called once a step.
   void look(Leased& leased, double now_s);
 
   const std::vector<Foreseen>& foreseen() const { return foreseen_; }
