@@ -11,19 +11,28 @@
 namespace weft::cli {
 namespace {
 constexpr std::size_t kLargest = 1ULL << 30U;
+
+/// Returns what to do about a file that cannot be unpacked.
+std::string advice_on(const Error& error) {
+  if (error.code == ErrorCode::exhausted) return " (at most 1 GiB is read); split what it holds";
+  return "; copy the file again, or name it without .gz if it is not packed";
 }
+}  // namespace
 
 Result<Bytes> read_file(const std::string& file) {
   std::error_code unreadable;
-  if (std::filesystem::is_directory(file, unreadable)) return fail(ErrorCode::invalid, file + ": is a folder");
+  if (std::filesystem::is_directory(file, unreadable))
+    return fail(ErrorCode::invalid, file + ": is a folder; name a file in it");
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(ErrorCode::invalid, file + ": cannot be opened; is it there, and readable?");
   const std::uintmax_t size = std::filesystem::file_size(file, unreadable);
-  if (!unreadable && size > kLargest) return fail(ErrorCode::exhausted, file + ": has more than 1 GiB");
+  if (!unreadable && size > kLargest)
+    return fail(ErrorCode::exhausted, file + ": has more than 1 GiB; split what it holds");
   Bytes bytes{std::istreambuf_iterator<char>(in), {}};
   if (!file.ends_with(".gz")) return bytes;
   Result<Bytes> unpacked = formats::gunzip(bytes, kLargest);
-  if (!unpacked) return fail(unpacked.error().code, file + ": " + unpacked.error().message);
+  if (!unpacked)
+    return fail(unpacked.error().code, file + ": " + unpacked.error().message + advice_on(unpacked.error()));
   return unpacked;
 }
 

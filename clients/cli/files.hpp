@@ -6,7 +6,9 @@
 
 namespace weft::cli {
 
-/// Return a file's bytes, unpacked if its name ends in .gz. invalid: it cannot be opened; exhausted: over 1 GiB.
+/// Return a file's bytes, unpacked if its name ends in .gz. invalid: it cannot be opened; exhausted: over 1 GiB,
+/// packed or unpacked; corrupt: its gzip data is damaged, ends early, or is none. Nothing of such a file is returned;
+/// each message names the file and what to do.
 Result<Bytes> read_file(const std::string& file);
 Result<std::string> read_text(const std::string& file);
 /// Write a whole file. exhausted: it cannot be written.

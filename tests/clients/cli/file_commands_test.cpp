@@ -54,7 +54,21 @@ TEST(FileInfo, WhatIsWrongIsUsageWithItsLine) {
   EXPECT_EQ(weft({"file", "info", "/nowhere/x.g2o"}).exit, Exit::usage);
   EXPECT_EQ(weft({"file", "info", written("b.foo", "")}).exit, Exit::usage);
   EXPECT_EQ(weft({"file", "info"}).exit, Exit::usage);
-  EXPECT_EQ(weft({"file", "info", written("b.g2o.gz", kGraph)}).exit, Exit::failed);
+}
+
+TEST(FileInfo, DamagedGzipDataIsNamedWithItsFileAndWhatToDo) {
+  const std::string not_packed = written("b.g2o.gz", kGraph);
+  const Said said = weft({"file", "info", not_packed});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.err.find(not_packed + ": damaged gzip data at byte "), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("copy the file again, or name it without .gz if it is not packed"), std::string::npos);
+  EXPECT_TRUE(said.out.empty()) << said.out;
+
+  const Said cut = weft({"file", "info", written("c.g2o.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\0\x03", 10))});
+  EXPECT_EQ(cut.exit, Exit::failed);
+  EXPECT_NE(cut.err.find("c.g2o.gz: the gzip data ends early, after 10 bytes; copy the file again"),
+            std::string::npos)
+      << cut.err;
 }
 
 TEST(FileConvert, CloudsBothWays) {
