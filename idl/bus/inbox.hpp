@@ -9,7 +9,8 @@
 
 namespace weft::bus {
 
-/// Queues messages from the vendors' threads, which put, to the owner's, which takes. A put lasts a copy at most.
+/// Queues messages that the vendors' threads put and the owner's thread takes. To put one takes no longer than to
+/// copy it.
 class Inbox {
  public:
   explicit Inbox(std::size_t messages);
