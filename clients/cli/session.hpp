@@ -27,15 +27,15 @@ struct World {
 /// puts answers together from their parts. Not for several threads.
 class Session {
  public:
-  /// Begins a conversation; `name` is who asks, as events will show it.
+  /// Begins a conversation; `name` is the operator, as events will show it.
   Session(bus::Link& link, World world, Random random, PeerId self, std::string name);
 
   /// Says hello to the server. unavailable: none has answered within `at_most`; refused: it speaks no protocol
   /// version that we do.
   Result<msg::Hello> connect(Duration at_most);
   using Progress = std::function<void(const msg::OperatorReply&)>;
-  /// Sends the request and returns the answer. timed_out: none within `at_most`, and of long work no word for so
-  /// long; what the request asked for may still happen.
+  /// Sends the request and returns the answer. timed_out: there was none within `at_most`, or, of long work, no
+  /// progress report for that time; what the request asked for may still happen.
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
   /// Asks the server, and joins all parts of its answer. refused, internal: in the server's words, why it has none.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
