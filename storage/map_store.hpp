@@ -95,6 +95,18 @@ struct PutHold {
   RobotId robot;
   std::string who;
 };
+/// Notes that a place gets the label once its robot has handed it in, in place of what waited under that label. A
+/// place of no experience: nothing waits under it any longer; then only the label counts. Makes no revision.
+struct PutAwaitedLabel {
+  std::string label;
+  PlaceId place{};
+  RobotId robot{};            ///< that has kept the place
+  PeerId asker{};             ///< the client that is answered
+  std::uint64_t request = 0;  ///< the number that it gave
+  std::string who{};          ///< its name
+
+  friend bool operator==(const PutAwaitedLabel&, const PutAwaitedLabel&) = default;
+};
 /// Stores the latest passes of a piece of a run, in the place of the earlier ones. At least one, up to kPassesKept.
 /// Makes no revision.
 struct PutPasses {
@@ -120,7 +132,7 @@ using RevisionNote = msg::RevisionNote;
 struct Transaction {
   std::vector<std::variant<PutContent, AppendBatch, PutPlaces, PutLabel, PutApart, PutRule, PutRegistration,
                            SealExperience, TakeOut, BringBack, RollBack, PutGoal, PutRoute, PutOccupancy, PutRobot,
-                           PutHold, PutEvent, PutPreparation, PutPasses>>
+                           PutHold, PutEvent, PutPreparation, PutPasses, PutAwaitedLabel>>
       changes;
   RevisionNote note{};  ///< the store sets revision and base
 };
@@ -148,6 +160,7 @@ struct Stored {
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
   std::map<RobotId, std::string> holds;  ///< who holds the robot
+  std::map<std::string, PutAwaitedLabel> awaited_labels;
   std::map<RunPiece, std::vector<Pass>> passes;
   std::vector<std::string> quarantined;  ///< what was damaged and is not served, each named
 };

@@ -142,6 +142,14 @@ class Planner {
     return true;
   }
 
+  Result<bool> operator()(const PutAwaitedLabel& put) {
+    if (put.label.empty()) {
+      return fail(ErrorCode::invalid,
+                  "a label without a name cannot wait for place " + to_string(put.place) + ": give it one");
+    }
+    return true;
+  }
+
   Result<bool> operator()(const PutPasses& put) {
     if (put.passes.empty() || put.passes.size() > kPassesKept) {
       return fail(ErrorCode::invalid, "passes of a piece of run " + to_string(put.piece.experience) + ": " +

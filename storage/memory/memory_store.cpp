@@ -77,6 +77,13 @@ class Writer {
       disk_.holds[put.robot] = put.who;
     }
   }
+  void operator()(const PutAwaitedLabel& put) const {
+    if (put.place.experience) {
+      disk_.awaited_labels[put.label] = put;
+    } else {
+      disk_.awaited_labels.erase(put.label);
+    }
+  }
   void operator()(const PutPasses& put) const { disk_.passes[put.piece] = put.passes; }
   void operator()(const PutEvent& put) const { disk_.events.push_back(put.event); }
   void operator()(const PutPreparation& put) const {
@@ -211,6 +218,7 @@ class MemoryStore final : public MapStore {
     stored.occupancies = disk_->occupancies;
     stored.robots = disk_->robots;
     stored.holds = disk_->holds;
+    stored.awaited_labels = disk_->awaited_labels;
     stored.passes = disk_->passes;
     return stored;
   }

@@ -51,6 +51,7 @@ struct MemoryDisk {
   std::map<RobotId, PutOccupancy> occupancies;
   std::map<RobotId, std::string> robots;
   std::map<RobotId, std::string> holds;
+  std::map<std::string, PutAwaitedLabel> awaited_labels;
   std::map<RunPiece, std::vector<Pass>> passes;
   std::vector<msg::Event> events;
   std::map<std::string, std::shared_ptr<const Bytes>> preparations;  ///< by methods

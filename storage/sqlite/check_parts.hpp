@@ -26,7 +26,8 @@ using CheckParts = std::vector<std::unique_ptr<CheckPart>>;
 Result<void> add_content_checks(Parts& parts, CheckParts& to);
 /// Adds the checks of places, edges, labels, and what was moved: checksums, and that what they name exists.
 Result<void> add_map_checks(const Parts& parts, CheckParts& to);
-/// Adds the checks of experiences, batches and revisions without a gap; of goals, routes, occupancies, passes.
+/// Adds the checks of experiences, batches and revisions without a gap; of goals, routes, occupancies,
+/// labels that are awaited, passes.
 Result<void> add_record_checks(const Parts& parts, CheckParts& to);
 
 }  // namespace weft::storage::sqlite

@@ -165,6 +165,11 @@ void look_at_passes(const Query& row, Findings& findings) {
   if (!passes) findings.push_back(passes_of(run_piece(row, 0)) + ": " + passes.error().message);
 }
 
+void look_at_awaited_label(const Query& row, Findings& findings) {
+  const auto label = awaited_label(row);
+  if (!label) findings.push_back("awaited_label " + row.text(0) + ": " + label.error().message);
+}
+
 Result<void> add(const Parts& parts, CheckParts& to, const char* table, const std::vector<std::string>& keys,
                  const char* columns, RowCheck::Look look) {
   auto scan = Scan::make(parts.database, table, keys, columns);
@@ -194,6 +199,9 @@ Result<void> add_record_checks(const Parts& parts, CheckParts& to) {
   if (done) done = add(parts, to, "goal", {"id"}, "row", look_at_rows<GoalId>("goal", decode_goal));
   if (done) done = add(parts, to, "route", {"goal"}, "row", look_at_rows<GoalId>("route", decode_route));
   if (done) done = add(parts, to, "occupancy", {"robot"}, "row", look_at_rows<RobotId>("occupancy", decode_route));
+  if (done) {
+    done = add(parts, to, "awaited_label", {"label"}, kAwaitedLabelColumns, look_at_awaited_label);
+  }
   if (done) done = add(parts, to, "passes", {"experience", "piece", "onward"}, "row", look_at_passes);
   return done;
 }

@@ -191,6 +191,18 @@ Result<void> load_robots(const Database& database, Stored& stored) {
                       [&](const Query& row) { stored.robots[row.id<RobotId>(0)] = row.text(1); });
 }
 
+Result<void> load_awaited_labels(const Database& database, NetworkBuilder& builder, Stored& stored) {
+  const std::string sql = std::string("SELECT label, ") + kAwaitedLabelColumns + " FROM awaited_label";
+  return for_each_row(database, sql, [&](const Query& row) {
+    Result<PutAwaitedLabel> label = awaited_label(row);
+    if (label) {
+      stored.awaited_labels[label->label] = *std::move(label);
+    } else {
+      builder.add_damage("awaited_label " + row.text(0) + ": " + label.error().message + "; give it again");
+    }
+  });
+}
+
 Result<void> load_passes(const Database& database, NetworkBuilder& builder, Stored& stored) {
   return for_each_row(database, "SELECT experience, piece, onward, row FROM passes", [&](const Query& row) {
     const RunPiece piece = run_piece(row, 0);
@@ -270,6 +282,7 @@ Result<Stored> load(const Database& database, Epoch epoch, Revision revision) {
     done = for_each_row(database, "SELECT robot, who FROM hold",
                         [&](const Query& row) { stored.holds[row.id<RobotId>(0)] = row.text(1); });
   }
+  if (done) done = load_awaited_labels(database, builder, stored);
   if (done) done = load_passes(database, builder, stored);
   if (done) done = load_quarantined_contents(database, builder);
   if (!done) return fail(done.error());

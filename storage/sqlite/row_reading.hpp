@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -6,6 +8,7 @@
 #include "core/network/network.hpp"
 #include "core/network/passes.hpp"
 #include "core/result.hpp"
+#include "storage/map_store.hpp"
 #include "storage/sqlite/database.hpp"
 #include "storage/sqlite/rows.hpp"
 
@@ -48,6 +51,25 @@ inline constexpr const char* kApartColumns =
 /// Reads an apart from a row that begins with kApartColumns.
 inline Apart apart(const Query& query) {
   return {stretch(query, 0), stretch(query, 3)};
+}
+
+/// Lists the columns of an awaited label behind its key, the label.
+inline constexpr const char* kAwaitedLabelColumns = "experience, place, robot, asker, request, who";
+/// Reads an awaited label from a row of its key and kAwaitedLabelColumns. corrupt: it names no place, or an id has
+/// another length. Whether the place is stored is not looked at: it is not yet.
+inline Result<PutAwaitedLabel> awaited_label(const Query& query) {
+  const bool has_place = query.number(1) != 0 && query.number(2) <= std::numeric_limits<std::uint32_t>::max();
+  if (query.text(0).empty() || !has_place) return fail(ErrorCode::corrupt, "it names no label or no place");
+  for (const int column : {3, 4}) {
+    if (query.blob(column).size() == sizeof(PeerId::bytes)) continue;
+    return fail(ErrorCode::corrupt, "the id of its robot or of who asked for it is damaged");
+  }
+  return PutAwaitedLabel{.label = query.text(0),
+                         .place = place_id(query, 1),
+                         .robot = query.id<RobotId>(3),
+                         .asker = query.id<PeerId>(4),
+                         .request = query.number(5),
+                         .who = query.text(6)};
 }
 
 /// Reads the key of a row of passes.

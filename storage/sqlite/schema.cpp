@@ -204,6 +204,16 @@ CREATE TABLE registration (
 
 CREATE TABLE hold (robot BLOB PRIMARY KEY NOT NULL, who TEXT NOT NULL) WITHOUT ROWID;
 
+CREATE TABLE awaited_label (
+  label      TEXT PRIMARY KEY NOT NULL,
+  experience INTEGER NOT NULL,
+  place      INTEGER NOT NULL,
+  robot      BLOB NOT NULL,
+  asker      BLOB NOT NULL,
+  request    INTEGER NOT NULL,
+  who        TEXT NOT NULL
+) WITHOUT ROWID;
+
 CREATE TABLE passes (
   experience INTEGER NOT NULL,
   piece      INTEGER NOT NULL,

@@ -61,6 +61,10 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::put_robot, "INSERT OR REPLACE INTO robot (id, name) VALUES (?, ?)"},
       {&Statements::put_hold, "INSERT OR REPLACE INTO hold (robot, who) VALUES (?, ?)"},
       {&Statements::free_hold, "DELETE FROM hold WHERE robot = ?"},
+      {&Statements::put_awaited_label,
+       "INSERT OR REPLACE INTO awaited_label (label, experience, place, robot, asker, request, who)"
+       " VALUES (?, ?, ?, ?, ?, ?, ?)"},
+      {&Statements::drop_awaited_label, "DELETE FROM awaited_label WHERE label = ?"},
       {&Statements::put_passes, "INSERT OR REPLACE INTO passes (experience, piece, onward, row) VALUES (?, ?, ?, ?)"},
       {&Statements::put_event, "INSERT INTO event (at_ns, kind, robot, goal, cause, who) VALUES (?, ?, ?, ?, ?, ?)"},
       {&Statements::put_preparation, "INSERT OR REPLACE INTO preparation (methods, hash, bytes) VALUES (?, ?, ?)"},

@@ -13,6 +13,7 @@ struct Statements {
       put_rule, put_registration, seal;
   Statement put_revision, move_places, move_stitch;
   Statement put_goal, put_route, put_occupancy, free_occupancy, put_robot, put_hold, free_hold, put_event, put_passes;
+  Statement put_awaited_label, drop_awaited_label;
   Statement put_preparation, read_preparation;
   Statement quarantine;
   Statement events, events_of_goal, events_of_robot, events_of_both;

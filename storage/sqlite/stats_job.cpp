@@ -42,6 +42,7 @@ std::vector<Table> tables() {
       {"occupancy", "goals", {"robot"}, "length(row) + 24"},
       {"robot", "goals", {"id"}, "length(name) + 20"},
       {"hold", "goals", {"robot"}, "length(who) + 20"},
+      {"awaited_label", "goals", {"label"}, "length(label) + length(who) + 60"},
       {"passes", "passes", {"experience", "piece", "onward"}, "length(row) + 16"},
       {"preparation", "preparations", {"methods"}, "length(bytes) + 64"},
   };

@@ -121,6 +121,18 @@ class Writer {
     return query.run();
   }
 
+  Result<void> operator()(const PutAwaitedLabel& put) const {
+    if (!put.place.experience) {
+      Query query(statements_.drop_awaited_label);
+      query << std::string_view(put.label);
+      return query.run();
+    }
+    Query query(statements_.put_awaited_label);
+    query << std::string_view(put.label) << put.place.experience.value << std::uint64_t{put.place.index} << put.robot
+          << put.asker << put.request << std::string_view(put.who);
+    return query.run();
+  }
+
   Result<void> operator()(const PutPasses& put) const {
     const Bytes bytes = guard_row(encode(put.passes));
     Query query(statements_.put_passes);

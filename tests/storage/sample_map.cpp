@@ -150,6 +150,10 @@ std::vector<std::string> describe(const Stored& stored) {
                     text(encode(held.held)));
   }
   for (const auto& [id, name] : stored.robots) lines.push_back("robot " + to_string(id) + " " + name);
+  for (const auto& [label, awaited] : stored.awaited_labels) {
+    lines.push_back("awaited " + label + " " + to_string(awaited.place) + " " + to_string(awaited.robot) + " " +
+                    to_string(awaited.asker) + " " + std::to_string(awaited.request) + " " + awaited.who);
+  }
   for (const std::string& damage : stored.quarantined) lines.push_back("quarantined " + damage);
   return lines;
 }

@@ -92,7 +92,8 @@ TEST(SqliteOpen, AStoreOfTheFirstSchemaIsMigratedAndItsRevisionsAreNoted) {
     ASSERT_TRUE((*store)->commit({{PutLabel{"dock", {run.experience(), 1}}}, {}}));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE awaited_label; DROP TABLE passes; "
+          "DROP TABLE apart; DROP "
           "TABLE place_anew; DROP INDEX "
           "edge_by_b; DROP "
           "TABLE revision; DROP TABLE "
@@ -123,7 +124,8 @@ TEST(SqliteOpen, AStoreOfTheSecondSchemaIsMigratedAndKeepsItsPast) {
     before = sample::describe((*store)->snapshot_at({1}, {}).value());
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE awaited_label; DROP TABLE passes; "
+          "DROP TABLE apart; DROP "
           "TABLE place_anew; DROP INDEX "
           "edge_by_b; DROP "
           "TABLE deleted_places; DROP TABLE "
@@ -149,7 +151,8 @@ TEST(SqliteOpen, AStoreOfTheThirdSchemaIsMigratedAndItsContentsAreServed) {
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE awaited_label; DROP TABLE passes; "
+          "DROP TABLE apart; DROP "
           "TABLE place_anew; DROP INDEX "
           "edge_by_b; ALTER "
           "TABLE content DROP COLUMN sum; "
@@ -170,7 +173,8 @@ TEST(SqliteOpen, AStoreOfTheFourthSchemaIsMigratedAndItsPlacesCanBeKnownBetter) 
     ASSERT_TRUE((*store)->commit(sample::transaction(delivery)));
   }
   run_sql(directory.path() / "map.sqlite",
-          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; DROP "
+          "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE awaited_label; DROP TABLE passes; "
+          "DROP TABLE apart; DROP "
           "TABLE place_anew; PRAGMA "
           "user_version = 4");
   const auto store = open_sqlite(directory.path());

@@ -36,6 +36,7 @@ struct EditedStore {
   sample::Run young{0x22, 2};
   sample::Delivery taught = old.next(8);
   Edge stitch = sample::stitch({ExperienceId{0x11}, 2}, {ExperienceId{0x22}, 1});
+  PutAwaitedLabel awaited{"gate", {ExperienceId{0x22}, 90}, sample::robot(2), sample::robot(7), 5, "anna"};
   Apart apart{{ExperienceId{0x11}, 4, 7}, {ExperienceId{0x22}, 3, 5}};
   Registration registration{"hall", {}, {{"dock", {ExperienceId{0x11}, 4}}}};
   Rule rule{.name = "shut", .spans = {{{ExperienceId{0x11}, 4}, {ExperienceId{0x11}, 7}}}, .label = "dock"};
@@ -87,6 +88,7 @@ const std::vector<EditKind>& edit_kinds() {
        [](EditedStore& of) {
          of.commit({{PutLabel{"dock", {}}}});
        }},
+      {"LabelAwaited", [](EditedStore& of) { of.commit({{of.awaited}}); }},
       {"Apart", [](EditedStore& of) { of.commit({{PutApart{of.apart}}}); }},
       {"ApartNoLonger",
        [](EditedStore& of) {
@@ -199,7 +201,8 @@ TEST_F(SqliteRestoreEdits, AnEditedSnapshotOfAnOlderSchemaIsBroughtUpToDateAndRe
                   "INSERT INTO older (revision, experience, first_place, is_back, last_place)"
                   " SELECT revision, experience, first_place, is_back, last_place FROM moved_places;"
                   "DROP TABLE moved_places; ALTER TABLE older RENAME TO moved_places;"
-                  "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE passes; DROP TABLE apart; "
+                  "DROP TABLE registration; DROP TABLE rule; DROP TABLE hold; DROP TABLE awaited_label; DROP TABLE "
+                  "passes; DROP TABLE apart; "
                   "PRAGMA user_version = 5"));
   }
   EXPECT_EQ(restored(file), whole);

@@ -127,6 +127,14 @@ TEST_F(SqliteUpkeep, CheckNamesDamagedPasses) {
   expect_found("UPDATE passes SET row = zeroblob(length(row))",
                "passes of piece 3 of experience " + to_string(run_.experience()) + ", backward");
 }
+TEST_F(SqliteUpkeep, CheckNamesADamagedAwaitedLabel) {
+  commit({{PutAwaitedLabel{.label = "gate", .place = {run_.experience(), 999}, .robot = sample::robot(1)}}});
+  expect_found("UPDATE awaited_label SET robot = x'0102'", "awaited_label gate: the id of its robot");
+}
+TEST_F(SqliteUpkeep, CheckNamesAnAwaitedLabelOfNoPlace) {
+  commit({{PutAwaitedLabel{.label = "gate", .place = {run_.experience(), 999}, .robot = sample::robot(1)}}});
+  expect_found("UPDATE awaited_label SET experience = 0", "awaited_label gate: it names no label or no place");
+}
 TEST_F(SqliteUpkeep, CheckNamesARuleOfAnotherName) {
   commit({{PutRule{{.name = "shut", .label = "dock"}}}});
   expect_found("UPDATE rule SET name = 'other'", "rule other: the row of another rule");

@@ -59,7 +59,7 @@ class Script {
     Transaction transaction;
     const std::uint64_t changes = 1 + random_.below(3);
     for (std::uint64_t change = 0; change < changes; ++change) {
-      switch (random_.below(8)) {
+      switch (random_.below(9)) {
         case 0:
           transaction.changes.emplace_back(PutLabel{"l" + std::to_string(random_.below(3)), place()});
           break;
@@ -77,6 +77,13 @@ class Script {
         case 4:
           if (random_.chance(0.3)) transaction.changes.emplace_back(SealExperience{place().experience, "silent"});
           break;
+        case 5: {
+          const PlaceId kept = random_.chance(0.5) ? place() : PlaceId{};
+          transaction.changes.emplace_back(PutAwaitedLabel{"l" + std::to_string(random_.below(3)), kept,
+                                                           sample::robot(1), sample::robot(7), random_.next(),
+                                                           "anna"});
+          break;
+        }
         default: {
           Transaction more = sample::transaction(delivery());
           if (random_.chance(0.1)) more.changes.erase(more.changes.begin());
