@@ -56,7 +56,7 @@ class FleetMapServer final : public Service {
                     std::move(stored.routes), now.steady),
         standstills_(context_, fleet_, dispatcher_),
         site_frames_(context_),
-        requests_(context_, fleet_, traffic_, dispatcher_, site_frames_),
+        requests_(context_, fleet_, traffic_, dispatcher_, site_frames_, stored.awaited_labels, now.steady),
         answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
@@ -166,9 +166,9 @@ class FleetMapServer final : public Service {
     for (const Batch& batch : joined) {
       content_server_.joined(batch);
       traffic_.joined(batch);
-      requests_.joined(batch, now);
     }
-    for (const auto& [batch, why] : intake_.take_refused()) requests_.refused(batch, why);
+    if (!joined.empty()) requests_.joined(now);
+    for (const auto& [batch, why] : intake_.take_refused()) requests_.refused(batch, why, now);
   }
 
   /// Returns true when the sender of the message may speak.

@@ -1,10 +1,8 @@
 #include "server/requests/operator_requests.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "core/network/way_on.hpp"
 #include "core/text.hpp"
 #include "server/base/outcome.hpp"
 
@@ -12,15 +10,6 @@ namespace weft::server {
 namespace {
 
 using Kind = msg::OperatorRequest::Kind;
-
-/// Bounds how far from a place a robot stands exactly on it.
-constexpr double kOnPlace_m = 0.03;
-constexpr double kOnPlace_rad = 0.035;
-
-bool stands_on_its_place(const msg::RobotState& state) {
-  return state.localised && state.place && distance_m(state.place_from_robot) <= kOnPlace_m &&
-         std::abs(heading_rad(state.place_from_robot)) <= kOnPlace_rad;
-}
 
 }  // namespace
 
@@ -71,6 +60,12 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::label_here:
       label_here(key, request, who, now);
       return;
+    case Kind::label_remove:
+      remove_label(key, request, who, now);
+      return;
+    case Kind::label_rename:
+      rename_label(key, request, who, now);
+      return;
     case Kind::clear:
       clear(key, request, who, now);
       return;
@@ -89,8 +84,6 @@ void OperatorRequests::on_request(const msg::OperatorRequest& request, const std
     case Kind::undo:
     case Kind::quarantine:
     case Kind::apart:
-    case Kind::label_remove:
-    case Kind::label_rename:
     case Kind::rule_put:
     case Kind::rule_remove:
     case Kind::plan_remove:
@@ -124,6 +117,7 @@ void OperatorRequests::tick(Now now) {
   answer_overdue(now.steady);
   for (auto& [key, reply] : registering_.tick(now)) answer(key, std::move(reply));
   for (auto& [key, reply] : jobs_.tick(now)) tell(key, std::move(reply));
+  if (const auto due = awaited_labels_.next(); due && *due <= now.steady) settle_labels(now);
   for (auto& [key, reply] : awaited_labels_.tick(now.steady)) tell(key, std::move(reply));
 }
 
@@ -219,67 +213,6 @@ void OperatorRequests::send_for(const Key& key, msg::AgentCommand command, Stead
   waiting_[key].commands.insert(number);
 }
 
-/// Returns, for people, where the label is from now on, and where it was.
-std::string OperatorRequests::label_moves(const std::string& label, const PlaceId& place) const {
-  const Snapshot::Labels& labels = context_.snapshots.current().labels();
-  const auto known = labels.find(label);
-  const bool moves = known != labels.end() && known->second != place;
-  return label + " is " + to_string(place) + (moves ? ", no longer " + to_string(known->second) : "");
-}
-
-Result<void> OperatorRequests::put_label(const std::string& label, const PlaceId& place, const std::string& who,
-                                         Now now) {
-  if (const Result<void> good = check_name("label", label); !good) return fail(good.error());
-  const Snapshot& snapshot = context_.snapshots.current();
-  if (snapshot.place(place) == nullptr) return fail(ErrorCode::not_found, "the map has no place " + to_string(place));
-  const auto known = snapshot.labels().find(label);
-  if (known != snapshot.labels().end() && known->second == place) return {};
-  storage::Transaction transaction{
-      {storage::PutLabel{.label = label, .place = place},
-       storage::PutEvent{
-           {.at = {}, .kind = "map.label", .robot = {}, .goal = {}, .cause = label_moves(label, place), .who = who}}},
-      {}};
-  transaction.note.who = who;
-  if (const auto done = context_.writer.commit(std::move(transaction), now); !done) return fail(done.error());
-  return {};
-}
-
-void OperatorRequests::label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now) {
-  msg::OperatorReply reply;
-  reply.message = label_moves(request.label, request.place);
-  const Result<void> done = put_label(request.label, request.place, who, now);
-  if (!done) return answer(key, outcome_of(done.error()), done.error().message);
-  reply.place = request.place;
-  const Snapshot& network = context_.snapshots.current();
-  if (const std::string why = no_way_on(network, request.place, methods_in(network)); !why.empty()) {
-    reply.message += "; " + why;
-  }
-  answer(key, std::move(reply));
-}
-
-void OperatorRequests::label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who,
-                                  Now now) {
-  if (const Result<void> good = check_name("label", request.label); !good) {
-    return answer(key, msg::Outcome::refused, good.error().message);
-  }
-  const Result<const Robot*> robot = reachable(request.robot);
-  if (!robot) return answer(key, msg::Outcome::refused, robot.error().message);
-  const std::optional<msg::RobotState>& state = (*robot)->state;
-  const bool stands_there = state && stands_on_its_place(*state) && state->mode != msg::RobotMode::teaching &&
-                            context_.snapshots.current().place(state->place) != nullptr;
-  if (stands_there) {
-    msg::OperatorRequest named = request;
-    named.place = state->place;
-    return label(key, named, who, now);
-  }
-  msg::AgentCommand command;
-  command.to = (*robot)->id;
-  command.kind = msg::AgentCommand::Kind::keep_place;
-  command.name = request.label;
-  asked_by_[key] = who;
-  send_for(key, std::move(command), now.steady);
-}
-
 /// Sends a robot to the place that lies nearest to a point of a floor plan; a repeat of a goal is one whatever has
 /// become of the plan since.
 void OperatorRequests::send_to_plan(const Key& key, const msg::OperatorRequest& request, const std::string& who,
@@ -331,7 +264,11 @@ void OperatorRequests::forget_or_rename(const Key& key, const msg::OperatorReque
   }
   const Result<void> done = forgets ? fleet_.forget(*id, who, now) : fleet_.rename(*id, request.label, who, now);
   if (!done) return answer(key, outcome_of(done.error()), done.error().message);
-  if (forgets) dispatcher_.fail_waiting_for(*id, "its robot " + name + " was forgotten", who, now);
+  if (forgets) {
+    dispatcher_.fail_waiting_for(*id, "its robot " + name + " was forgotten", who, now);
+    awaited_labels_.robot_gone(*id, "its robot " + name + " was forgotten");
+    settle_labels(now);
+  }
   answer(key, msg::Outcome::done,
          name + (forgets ? " is forgotten; what it taught stays" : " is called " + request.label + " from now on"));
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/protocol/messages.hpp"
@@ -25,7 +26,8 @@ namespace weft::server {
 class OperatorRequests {
  public:
   OperatorRequests(Context& context, Fleet& fleet, Traffic& traffic, Dispatcher& dispatcher,
-                   const SiteFrames& site_frames)
+                   const SiteFrames& site_frames,
+                   const std::map<std::string, storage::PutAwaitedLabel>& awaited_labels, SteadyTime now)
       : context_(context),
         fleet_(fleet),
         dispatcher_(dispatcher),
@@ -33,7 +35,11 @@ class OperatorRequests {
         editor_(context, traffic, dispatcher),
         jobs_(context, editor_),
         registering_(context, editor_),
-        commands_(context) {}
+        commands_(context),
+        awaited_labels_(awaited_labels, now) {
+    // A client that repeats its request after a restart waits on.
+    for (const auto& [name, label] : awaited_labels) std::ignore = ledger_.see(key_of(label));
+  }
 
   /// Does the request once; `who` is the client's name.
   void on_request(const msg::OperatorRequest& request, const std::string& who, Now now);
@@ -43,9 +49,10 @@ class OperatorRequests {
   void on_silence(const RobotId& robot, SteadyTime now);
   /// Stops a robot whose id two live agents share.
   void on_twins(const RobotId& robot, Now now);
-  void joined(const Batch& batch, Now now);
-  /// Notes that the batch will never join.
-  void refused(const Batch& batch, const Error& why);
+  /// Sets the labels that wait for what has joined the map.
+  void joined(Now now) { settle_labels(now); }
+  /// Notes that the batch will never join, nor what its robot would have handed in behind it.
+  void refused(const Batch& batch, const Error& why, Now now);
 
   void tick(Now now);
   std::optional<SteadyTime> next() const;
@@ -89,21 +96,30 @@ class OperatorRequests {
   std::string line_of(const GroupCommand& group, const GroupCommand::Robot& robot, SteadyTime now) const;
   std::string reach_of(const RobotId& robot) const;
 
+  // These set labels, at once or when their place comes (labels.cpp).
   void label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void label_here(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  std::string label_moves(const std::string& label, const PlaceId& place) const;
+  Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
+  void remove_label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void rename_label(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
+  void withdraw_label(const std::string& label, const std::string& why, const std::string& who,
+                      msg::OperatorReply& reply, Now now);
+  void label_kept_place(AwaitedLabels::Label label, Now now);
+  void settle_labels(Now now);
+  void settle_label(const AwaitedLabels::Awaited& awaited, Now now);
+  Result<void> drop_label(const std::string& label, const std::string& why, const std::string& who, Now now);
+
   void send_to_plan(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void clear(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void hold_or_free(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   void forget_or_rename(const Key& key, const msg::OperatorRequest& request, const std::string& who, Now now);
   Result<msg::AgentCommand> command_for(const msg::OperatorRequest& request, const Robot& robot) const;
   Result<const Robot*> reachable(const std::string& name) const;
-  std::string label_moves(const std::string& label, const PlaceId& place) const;
-  Result<void> put_label(const std::string& label, const PlaceId& place, const std::string& who, Now now);
   void send_for(const Key& key, msg::AgentCommand command, SteadyTime now);
   bool is_said_before_answer(const msg::RobotState& state) const;
   void robot_answered(const msg::AgentCommand& command, const msg::AgentReply& reply, Now now);
   std::string what_the_end_lacks(const ExperienceId& run) const;
-  void label_kept_place(AwaitedLabels::Label label, const PlaceId& place, Now now);
 
   Context& context_;
   Fleet& fleet_;

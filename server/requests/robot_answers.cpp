@@ -41,9 +41,14 @@ void OperatorRequests::robot_answered(const msg::AgentCommand& command, const ms
   const Waiting done = std::move(waiting);
   waiting_.erase(found);
   if (command.kind == msg::AgentCommand::Kind::keep_place && reply.done) {
-    AwaitedLabels::Label label{.key = key, .label = command.name, .who = std::move(asked_by_[key])};
+    label_kept_place({.label = command.name,
+                      .place = reply.place,
+                      .robot = command.to,
+                      .asker = key.first,
+                      .request = key.second,
+                      .who = std::exchange(asked_by_[key], {})},
+                     now);
     asked_by_.erase(key);
-    label_kept_place(std::move(label), reply.place, now);
     return;
   }
   asked_by_.erase(key);
@@ -67,34 +72,6 @@ std::string OperatorRequests::what_the_end_lacks(const ExperienceId& run) const 
   const PlaceId end{run, (found->second->places.end() - 1)->id.index};
   const std::string why = no_way_on(network, end, methods_in(network));
   return why.empty() ? std::string() : "; from its end, " + to_string(end) + ": " + why;
-}
-
-/// Sets the label of a place that the robot has kept, once that place is on disk.
-void OperatorRequests::label_kept_place(AwaitedLabels::Label label, const PlaceId& place, Now now) {
-  if (context_.snapshots.current().place(place) == nullptr)
-    return awaited_labels_.add(place, std::move(label), now.steady);
-  const Result<void> done = put_label(label.label, place, label.who, now);
-  msg::OperatorReply answered;
-  answered.outcome = done ? msg::Outcome::done : msg::Outcome::failed;
-  answered.message = done ? label.label + " is " + to_string(place) : done.error().message;
-  answered.place = place;
-  answer(label.key, std::move(answered));
-}
-
-void OperatorRequests::joined(const Batch& batch, Now now) {
-  for (const Place& place : batch.places) {
-    for (AwaitedLabels::Label& label : awaited_labels_.take(place.id))
-      label_kept_place(std::move(label), place.id, now);
-  }
-}
-
-void OperatorRequests::refused(const Batch& batch, const Error& why) {
-  for (const Place& place : batch.places) {
-    for (const AwaitedLabels::Label& label : awaited_labels_.take(place.id)) {
-      answer(label.key, msg::Outcome::failed,
-             "the place that was kept for " + label.label + " is not taken into the map: " + why.message);
-    }
-  }
 }
 
 void OperatorRequests::on_state(const Robot& robot, Now now) {
