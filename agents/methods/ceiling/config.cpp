@@ -1,24 +1,16 @@
 #include "agents/methods/ceiling/config.hpp"
 
-#include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 #include <utility>
+
+#include "agents/methods/settings.hpp"
 
 namespace weft::agents {
 namespace {
 
-template <class T>
-struct Field {
-  std::string_view name;
-  T CeilingConfig::*member;
-  T low;
-  T high;
-};
-
 // One list for `check` and for the reader; the header says the same beside each setting.
-constexpr auto integers = std::to_array<Field<int>>({
+constexpr auto integers = std::to_array<Setting<CeilingConfig, int>>({
     {"corners", &CeilingConfig::corners, 40, 1000},
     {"window_px", &CeilingConfig::window_px, 7, 31},
     {"pyramid_levels", &CeilingConfig::pyramid_levels, 0, 5},
@@ -33,7 +25,7 @@ constexpr auto integers = std::to_array<Field<int>>({
     {"hypotheses", &CeilingConfig::hypotheses, 50, 20000},
     {"fewest_inliers", &CeilingConfig::fewest_inliers, 8, 1000},
 });
-constexpr auto numbers = std::to_array<Field<double>>({
+constexpr auto numbers = std::to_array<Setting<CeilingConfig, double>>({
     {"height_sigma_m", &CeilingConfig::height_sigma_m, 0.001, 2},
     {"wheels_scale", &CeilingConfig::wheels_scale, 0.001, 0.2},
     {"wheels_way_m", &CeilingConfig::wheels_way_m, 1, 100},
@@ -81,27 +73,12 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"most_repeated", &CeilingConfig::most_repeated, 0, 10},
 });
 
-constexpr auto blind_shares = std::to_array<std::pair<std::string_view, double DeadReckoningConfig::*>>({
-    {"wheel_distance_share", &DeadReckoningConfig::wheel_distance_share},
-    {"wheel_heading_share", &DeadReckoningConfig::wheel_heading_share},
-    {"command_distance_share", &DeadReckoningConfig::command_distance_share},
-    {"command_heading_share", &DeadReckoningConfig::command_heading_share},
-});
-
 constexpr double kLowestCeilingM = 1.0;
 constexpr double kHighestCeilingM = 40.0;
 constexpr std::string_view kNoHeight = "is neither 0 (wheels are to tell) nor within [1, 40]";
 
 bool is_height(double metres) {
   return metres == 0.0 || (metres >= kLowestCeilingM && metres <= kHighestCeilingM);
-}
-
-template <class T>
-void require(const CeilingConfig& config, const Field<T>& field, std::vector<std::string>& issues) {
-  const T value = config.*field.member;
-  if (value >= field.low && value <= field.high) return;
-  issues.push_back("ceiling." + std::string(field.name) + " = " + std::to_string(value) + " is not within [" +
-                   std::to_string(field.low) + ", " + std::to_string(field.high) + "]");
 }
 
 struct Contradiction {
@@ -125,11 +102,9 @@ std::vector<std::string> check(const CeilingConfig& config) {
   std::vector<std::string> issues;
   if (!is_height(config.height_m))
     issues.push_back("ceiling.height_m = " + std::to_string(config.height_m) + " " + std::string(kNoHeight));
-  for (const auto& field : integers) require(config, field, issues);
-  for (const auto& field : numbers) require(config, field, issues);
-  for (const auto& [name, member] : blind_shares)
-    if (!(config.blind.*member > 0.0 && config.blind.*member <= 1.0))
-      issues.push_back("ceiling.blind." + std::string(name) + " is not within (0, 1]");
+  check_settings("ceiling", integers, config, issues);
+  check_settings("ceiling", numbers, config, issues);
+  check_blind("ceiling", config.blind, issues);
   for (const auto& [key, message] : contradictions(config))
     issues.push_back("ceiling." + std::string(key) + " " + std::string(message));
   return issues;
@@ -144,37 +119,23 @@ CeilingConfig read_ceiling_config(const config::Table& table) {
   }
   config.detector = table.choice("detector", "harris", {"harris", "fast"}) == "fast" ? CornerDetector::fast
                                                                                      : CornerDetector::harris;
-  for (const auto& [name, member, low, high] : integers)
-    config.*member = static_cast<int>(table.integer(name, config.*member, low, high));
-  for (const auto& [name, member, low, high] : numbers)
-    config.*member = table.number(name, config.*member, low, high);
-  const config::Table blind = table.table("blind");
-  for (const auto& [name, member] : blind_shares)
-    config.blind.*member = blind.number(name, config.blind.*member, 1e-6, 1.0);
+  read_settings(table, integers, config);
+  read_settings(table, numbers, config);
+  read_blind(table, config.blind);
   for (const auto& [key, message] : contradictions(config)) table.refuse(key, message);
   return config;
 }
 
 CeilingConfig informed(CeilingConfig config, const CalibrationSigma& known) {
-  struct Stated {
-    std::optional<double> CalibrationSigma::*sigma;
-    double CeilingConfig::*setting;
-    double least;
-    double most;
-  };
+  using Known = Stated<CeilingConfig>;
   constexpr double kLeastTilt = 0.0005;  // a floor that is not quite flat does as much
   constexpr std::array kStated = {
-      Stated{&CalibrationSigma::focal_share, &CeilingConfig::focal_share, 1e-7, 0.1},
-      Stated{&CalibrationSigma::tilt_rad, &CeilingConfig::mount_tilt_rad, kLeastTilt, 0.2},
-      Stated{&CalibrationSigma::position_m, &CeilingConfig::mount_position_m, 1e-6, 0.1},
-      Stated{&CalibrationSigma::yaw_rad, &CeilingConfig::mount_yaw_rad, 1e-6, 0.1},
+      Known{&CalibrationSigma::focal_share, &CeilingConfig::focal_share, 1e-7, 0.1},
+      Known{&CalibrationSigma::tilt_rad, &CeilingConfig::mount_tilt_rad, kLeastTilt, 0.2},
+      Known{&CalibrationSigma::position_m, &CeilingConfig::mount_position_m, 1e-6, 0.1},
+      Known{&CalibrationSigma::yaw_rad, &CeilingConfig::mount_yaw_rad, 1e-6, 0.1},
   };
-  const CeilingConfig unset;
-  for (const auto& [sigma, setting, least, most] : kStated) {
-    const std::optional<double>& stated = known.*sigma;
-    if (stated.has_value() && config.*setting == unset.*setting) config.*setting = std::clamp(*stated, least, most);
-  }
-  return config;
+  return with_stated(std::move(config), known, kStated);
 }
 
 }  // namespace weft::agents

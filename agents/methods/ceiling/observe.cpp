@@ -7,20 +7,13 @@
 #include "agents/methods/ceiling/follow.hpp"
 #include "agents/methods/ceiling/rectified.hpp"
 #include "agents/methods/image_of.hpp"
+#include "agents/methods/plane_odometry.hpp"
 #include "agents/perception/direct_alignment.hpp"
 #include "agents/perception/keyframe_account.hpp"
 #include "agents/perception/lens.hpp"
 
 namespace weft::agents {
 namespace {
-
-/// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error back.
-Step blind(Ceiling::Odometry& s, const Step& reckoned, std::string_view reason) {
-  s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
-  s.keyframe_covariance = carried(s.keyframe_covariance, planar(reckoned.previous_from_current)) +
-                          planar_covariance(reckoned.previous_from_current);
-  return {reckoned.previous_from_current, false, reason};
-}
 
 /// Returns whether a pixel shows what the lens is known for and what is overhead: near the horizon lamps run into one
 /// another, and a pixel of error is half a ceiling's height.
@@ -74,21 +67,6 @@ void begin_keyframe(const CeilingConfig& c, const CameraModel& camera, const Ima
   s.keyframe_tracks = s.tracks.size();
 }
 
-KnownAttitude known_attitude(const CeilingConfig& c, const Ceiling::Odometry& s) {
-  const MountTilt tilt = s.mount->tilt();
-  KnownAttitude known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
-  known.shared.topLeftCorner<2, 2>() = tilt.covariance;
-  known.own.diagonal() =
-      Eigen::Vector3d(c.vibration_tilt_rad, c.vibration_tilt_rad, c.vibration_height_m).cwiseAbs2();
-  return known;
-}
-
-/// Keeps what the newest view's fit has told of its attitude, for when it becomes the keyframe.
-void tell_keyframe(const CeilingConfig& c, Ceiling::Odometry& s) {
-  s.keyframe_told = told_of_attitude(known_attitude(c, s), s.attitude_covariance);
-  s.keyframe_pull = s.keyframe_told * s.attitude.vector();
-}
-
 MountPrior mount_prior(const CeilingConfig& c) {
   MountPrior prior;
   prior.tilt_rad = 3.0 * c.mount_tilt_rad;  // mounts get knocked
@@ -101,12 +79,7 @@ MountPrior mount_prior(const CeilingConfig& c) {
 /// Returns a blind step and begins a keyframe with new corners. The mount's tilt is still known.
 Step lose_sight(const CeilingConfig& c, const CameraModel& camera, const Image& view, Ceiling::Odometry& s,
                 const Step& reckoned, std::string_view reason) {
-  Step step = blind(s, reckoned, reason);
-  s.inliers = 0;
-  const MountTilt tilt = s.mount->tilt();
-  s.attitude = {tilt.pitch_rad, tilt.roll_rad, 0.0};
-  s.keyframe_told.setZero();
-  s.keyframe_pull.setZero();
+  Step step = out_of_sight(s, reckoned, reason);
   s.tracks.clear();
   begin_keyframe(c, camera, view, s);
   return step;
@@ -132,15 +105,6 @@ void take_scale(const CeilingConfig& c, const CameraModel& camera, double suppos
     t.tells = scaled(t.tells, factor, camera_m);
   }
   s.birds_eye.emplace(camera, rectified_area(c, camera, s.scale_by_wheels->ceiling_m));
-}
-
-/// Returns a step's covariance: what the keyframe accounts for, and what all steps have in common.
-Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const PlanarErrors& common,
-                                Ceiling::Odometry& s) {
-  Eigen::Matrix3d covariance = own_step_covariance(fit, moved, s.keyframe_covariance);
-  covariance += common * common.transpose();
-  covariance += 1e-14 * Eigen::Matrix3d::Identity();  // standing still is certain, but not singular
-  return covariance;
 }
 
 bool is_worn(const CeilingConfig& c, const Ceiling::Odometry& s, double away_m) {
@@ -170,7 +134,7 @@ Step Ceiling::observe(Odometry& s, const View* view, const Motion& motion) const
   const double ceiling_m = working_height_m(s);
   const bool is_scaled = scale(s).has_value();
   const PlanarState expected{s.keyframe_from_robot * moved, s.keyframe_attitude, s.attitude};
-  const AttitudePrior prior = prior_of_views(known_attitude(config_, s), s.keyframe_told, s.keyframe_pull);
+  const AttitudePrior prior = view_prior(config_, s);
   PlanarFit fit;
   const auto is_possible = [&] {
     // Without a scale, wheels and vision cannot be held against each other yet.

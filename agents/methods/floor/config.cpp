@@ -1,24 +1,16 @@
 #include "agents/methods/floor/config.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <utility>
+
+#include "agents/methods/settings.hpp"
 
 namespace weft::agents {
 namespace {
 
-template <class T>
-struct Field {
-  std::string_view name;
-  T FloorConfig::*member;
-  T low;
-  T high;
-};
-
 // One list for `check` and for the reader; the header says the same beside each setting.
-constexpr auto integers = std::to_array<Field<int>>({
+constexpr auto integers = std::to_array<Setting<FloorConfig, int>>({
     {"corners", &FloorConfig::corners, 40, 1000},
     {"window_px", &FloorConfig::window_px, 7, 31},
     {"pyramid_levels", &FloorConfig::pyramid_levels, 0, 5},
@@ -30,7 +22,7 @@ constexpr auto integers = std::to_array<Field<int>>({
     {"hypotheses", &FloorConfig::hypotheses, 50, 20000},
     {"fewest_inliers", &FloorConfig::fewest_inliers, 12, 1000},
 });
-constexpr auto numbers = std::to_array<Field<double>>({
+constexpr auto numbers = std::to_array<Setting<FloorConfig, double>>({
     {"fewest_tracks_share", &FloorConfig::fewest_tracks_share, 0, 1},
     {"homography_px", &FloorConfig::homography_px, 0.2, 10},
     {"track_sigma_px", &FloorConfig::track_sigma_px, 0.01, 2},
@@ -79,30 +71,13 @@ constexpr auto numbers = std::to_array<Field<double>>({
     {"most_repeated", &FloorConfig::most_repeated, 0, 10},
 });
 
-constexpr auto blind_shares = std::to_array<std::pair<std::string_view, double DeadReckoningConfig::*>>({
-    {"wheel_distance_share", &DeadReckoningConfig::wheel_distance_share},
-    {"wheel_heading_share", &DeadReckoningConfig::wheel_heading_share},
-    {"command_distance_share", &DeadReckoningConfig::command_distance_share},
-    {"command_heading_share", &DeadReckoningConfig::command_heading_share},
-});
-
-template <class T>
-void require(const FloorConfig& config, const Field<T>& field, std::vector<std::string>& issues) {
-  const T value = config.*field.member;
-  if (value >= field.low && value <= field.high) return;
-  issues.push_back("floor." + std::string(field.name) + " = " + std::to_string(value) + " is not within [" +
-                   std::to_string(field.low) + ", " + std::to_string(field.high) + "]");
-}
-
 }  // namespace
 
 std::vector<std::string> check(const FloorConfig& config) {
   std::vector<std::string> issues;
-  for (const auto& field : integers) require(config, field, issues);
-  for (const auto& field : numbers) require(config, field, issues);
-  for (const auto& [name, member] : blind_shares)
-    if (!(config.blind.*member > 0.0 && config.blind.*member <= 1.0))
-      issues.push_back("floor.blind." + std::string(name) + " is not within (0, 1]");
+  check_settings("floor", integers, config, issues);
+  check_settings("floor", numbers, config, issues);
+  check_blind("floor", config.blind, issues);
   if (config.window_px % 2 == 0) issues.emplace_back("floor.window_px is even; a window has a centre");
   if (config.patch_metres_per_pixel < config.metres_per_pixel)
     issues.emplace_back("floor.patch_metres_per_pixel is finer than floor.metres_per_pixel");
@@ -112,13 +87,9 @@ std::vector<std::string> check(const FloorConfig& config) {
 
 FloorConfig read_floor_config(const config::Table& table) {
   FloorConfig config;
-  for (const auto& [name, member, low, high] : integers)
-    config.*member = static_cast<int>(table.integer(name, config.*member, low, high));
-  for (const auto& [name, member, low, high] : numbers)
-    config.*member = table.number(name, config.*member, low, high);
-  const config::Table blind = table.table("blind");
-  for (const auto& [name, member] : blind_shares)
-    config.blind.*member = blind.number(name, config.blind.*member, 1e-6, 1.0);
+  read_settings(table, integers, config);
+  read_settings(table, numbers, config);
+  read_blind(table, config.blind);
   if (config.window_px % 2 == 0) table.refuse("window_px", "is even; a window has a centre");
   if (config.patch_metres_per_pixel < config.metres_per_pixel)
     table.refuse("patch_metres_per_pixel", "is finer than metres_per_pixel");
@@ -127,31 +98,21 @@ FloorConfig read_floor_config(const config::Table& table) {
 }
 
 FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
-  struct Stated {
-    std::optional<double> CalibrationSigma::*sigma;
-    double FloorConfig::*setting;
-    double least;
-    double most;
-  };
+  using Known = Stated<FloorConfig>;
   constexpr double kLeastTilt = 0.0005;   // a floor that is not quite flat does as much
   constexpr double kLeastScale = 0.0008;  // odometry itself
   constexpr double kLeastHeading = 1e-6;
   constexpr std::array kStated = {
-      Stated{&CalibrationSigma::focal_share, &FloorConfig::focal_share, 1e-7, 0.1},
-      Stated{&CalibrationSigma::centre_px, &FloorConfig::centre_px, 1e-7, 50.0},
-      Stated{&CalibrationSigma::distortion_px, &FloorConfig::distortion_px, 1e-7, 50.0},
-      Stated{&CalibrationSigma::tilt_rad, &FloorConfig::mount_tilt_rad, kLeastTilt, 0.1},
-      Stated{&CalibrationSigma::position_m, &FloorConfig::mount_position_m, 1e-6, 0.1},
-      Stated{&CalibrationSigma::height_m, &FloorConfig::mount_height_m, 1e-6, 0.1},
-      Stated{&CalibrationSigma::scale_share, &FloorConfig::measured_scale, kLeastScale, 0.1},
-      Stated{&CalibrationSigma::yaw_rad, &FloorConfig::measured_heading_rad, kLeastHeading, 0.1},
+      Known{&CalibrationSigma::focal_share, &FloorConfig::focal_share, 1e-7, 0.1},
+      Known{&CalibrationSigma::centre_px, &FloorConfig::centre_px, 1e-7, 50.0},
+      Known{&CalibrationSigma::distortion_px, &FloorConfig::distortion_px, 1e-7, 50.0},
+      Known{&CalibrationSigma::tilt_rad, &FloorConfig::mount_tilt_rad, kLeastTilt, 0.1},
+      Known{&CalibrationSigma::position_m, &FloorConfig::mount_position_m, 1e-6, 0.1},
+      Known{&CalibrationSigma::height_m, &FloorConfig::mount_height_m, 1e-6, 0.1},
+      Known{&CalibrationSigma::scale_share, &FloorConfig::measured_scale, kLeastScale, 0.1},
+      Known{&CalibrationSigma::yaw_rad, &FloorConfig::measured_heading_rad, kLeastHeading, 0.1},
   };
-  const FloorConfig unset;
-  for (const auto& [sigma, setting, least, most] : kStated) {
-    const std::optional<double>& stated = known.*sigma;
-    if (stated.has_value() && config.*setting == unset.*setting) config.*setting = std::clamp(*stated, least, most);
-  }
-  return config;
+  return with_stated(std::move(config), known, kStated);
 }
 
 }  // namespace weft::agents

@@ -4,20 +4,13 @@
 #include "agents/methods/floor/fallback.hpp"
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/floor/plane_bounds.hpp"
+#include "agents/methods/plane_odometry.hpp"
 #include "agents/perception/keyframe_account.hpp"
 #include "agents/perception/lens.hpp"
 #include "agents/perception/plane/one_plane.hpp"
 
 namespace weft::agents {
 namespace {
-
-/// Returns the fallback's step, adding it to the keyframe's account: the next tracked view takes its error back.
-Step blind(Floor::Odometry& s, const Step& reckoned, std::string_view reason) {
-  s.keyframe_from_robot = s.keyframe_from_robot * planar(reckoned.previous_from_current);
-  s.keyframe_covariance = carried(s.keyframe_covariance, planar(reckoned.previous_from_current)) +
-                          planar_covariance(reckoned.previous_from_current);
-  return {reckoned.previous_from_current, false, reason};
-}
 
 /// Makes the newest view the keyframe.
 void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s) {
@@ -35,25 +28,6 @@ void begin_keyframe(const FloorConfig& c, const CameraModel& camera, const Image
   for (std::size_t i = 0; i < found.size(); ++i)
     s.tracks.push_back({normalised_from_pixel(camera, found[i]), found[i], counts[i]});
   s.keyframe_tracks = s.tracks.size();
-}
-
-KnownAttitude known_attitude(const FloorConfig& c, const Floor::Odometry& s) {
-  const MountTilt tilt = s.mount->tilt();
-  KnownAttitude known{{tilt.pitch_rad, tilt.roll_rad, 0.0}, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
-  known.shared.topLeftCorner<2, 2>() = tilt.covariance;
-  known.own.diagonal() =
-      Eigen::Vector3d(c.vibration_tilt_rad, c.vibration_tilt_rad, c.vibration_height_m).cwiseAbs2();
-  return known;
-}
-
-AttitudePrior attitude_prior(const FloorConfig& c, const Floor::Odometry& s) {
-  return prior_of_views(known_attitude(c, s), s.keyframe_told, s.keyframe_pull);
-}
-
-/// Keeps what the newest view's fit has told of its attitude, for when it becomes the keyframe.
-void tell_keyframe(const FloorConfig& c, Floor::Odometry& s) {
-  s.keyframe_told = told_of_attitude(known_attitude(c, s), s.attitude_covariance);
-  s.keyframe_pull = s.keyframe_told * s.attitude.vector();
 }
 
 /// Returns what the keyframe and the newest view show of the mount.
@@ -114,24 +88,10 @@ void retain(Followed& followed, const Keep& keep) {
   followed = std::move(kept);
 }
 
-/// Returns a step's covariance: what the keyframe accounts for, and what all steps have in common.
-Eigen::Matrix3d step_covariance(const PlanarFit& fit, const Pose2& moved, const PlanarErrors& common,
-                                Floor::Odometry& s) {
-  Eigen::Matrix3d covariance = own_step_covariance(fit, moved, s.keyframe_covariance);
-  covariance += common * common.transpose();
-  covariance += 1e-14 * Eigen::Matrix3d::Identity();  // standing still is certain, but not singular
-  return covariance;
-}
-
-/// Returns a blind step and begins a keyframe. The mount's tilt is still known, this view's vibration is not.
+/// Returns a blind step and begins a keyframe.
 Step lose_sight(const FloorConfig& c, const CameraModel& camera, const Image& view, Floor::Odometry& s,
                 const Step& reckoned, std::string_view reason) {
-  Step step = blind(s, reckoned, reason);
-  s.inliers = 0;
-  const MountTilt tilt = s.mount->tilt();
-  s.attitude = {tilt.pitch_rad, tilt.roll_rad, 0.0};
-  s.keyframe_told.setZero();
-  s.keyframe_pull.setZero();
+  Step step = out_of_sight(s, reckoned, reason);
   begin_keyframe(c, camera, view, s);
   return step;
 }
@@ -188,7 +148,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
         one_plane(camera_, one_plane_bounds(config_), expected, followed.pairs, config_.homography_px);
     if (!plane.refused.empty()) return plane.refused;
     retain(followed, [&](std::size_t i) { return plane.is_on_it[i]; });
-    fit = fit_planar_motion(camera_, camera_, followed.pairs, attitude_prior(config_, s), expected);
+    fit = fit_planar_motion(camera_, camera_, followed.pairs, view_prior(config_, s), expected);
     return fit.converged ? "" : "not_converged";
   };
   const auto take = [&](std::optional<SeenOtherwise> otherwise) {
@@ -203,7 +163,7 @@ Step Floor::observe(Odometry& s, const View* view, const Motion& motion) const {
     refused = motion.wheels ? "disagrees_with_wheels" : "disagrees_with_command";
     s.seen_by = SeenBy::nothing;
   } else if (!refused.empty()) {
-    const AttitudePrior prior = attitude_prior(config_, s);
+    const AttitudePrior prior = view_prior(config_, s);
     s.seen_by = SeenBy::nothing;
     if (!first && take(see_directly(camera_, s.keyframe_view, *image, prior, expected))) {
       s.seen_by = SeenBy::grey_values;
