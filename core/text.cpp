@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 
 namespace weft {
@@ -26,6 +27,20 @@ std::string short_number(double number) {
 std::string fixed_number(double number, int digits) {
   std::array<char, 400> text{};  // the largest double has 309 digits before the point
   std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+  return text.data();
+}
+
+std::string iso_time(WallTime at) {
+  namespace chrono = std::chrono;
+  const chrono::sys_time<Duration> time(at.time_since_epoch());
+  const auto day = chrono::floor<chrono::days>(time);
+  const chrono::year_month_day date(day);
+  const chrono::hh_mm_ss clock(chrono::floor<chrono::milliseconds>(time - day));
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d.%03dZ", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                static_cast<int>(clock.seconds().count()), static_cast<int>(clock.subseconds().count()));
   return text.data();
 }
 

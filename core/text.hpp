@@ -2,6 +2,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/time.hpp"
+
 namespace weft {
 
 /// Puts a text on one line, for messages that end a program: line breaks at the end go, those in between become "; ".
@@ -12,6 +14,9 @@ std::string short_number(double number);
 
 /// Writes a number with so many digits behind the point.
 std::string fixed_number(double number, int digits);
+
+/// Writes a time as ISO 8601 in UTC, to the millisecond: 2026-03-01T09:30:05.250Z.
+std::string iso_time(WallTime at);
 
 /// Returns the text without the UTF-8 byte order mark that some editors put first. Every reader of text begins so.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -5,6 +5,7 @@
 #include "clients/cli/commands.hpp"
 #include "clients/cli/table.hpp"
 #include "clients/cli/wait_chain.hpp"
+#include "core/text.hpp"
 
 namespace weft::cli {
 namespace {
@@ -75,7 +76,7 @@ Result<Goal> find(const Goals& goals, const std::string& beginning) {
 }
 
 std::string line(const GoalEvent& event) {
-  return to_text(event.at) + "  " + to_string(event.state) + (event.cause.empty() ? "" : ": " + event.cause) +
+  return iso_time(event.at) + "  " + to_string(event.state) + (event.cause.empty() ? "" : ": " + event.cause) +
          (event.who.empty() ? "" : "  (" + event.who + ")");
 }
 
@@ -228,7 +229,7 @@ Exit why(Session& session, const Goals& goals, const Invocation& invocation, con
     return Exit::done;
   }
   for (const msg::Event& event : events->events) {
-    output.out << to_text(event.at) << "  " << event.kind << (event.cause.empty() ? "" : ": " + event.cause)
+    output.out << iso_time(event.at) << "  " << event.kind << (event.cause.empty() ? "" : ": " + event.cause)
                << (event.who.empty() ? "" : "  (" + event.who + ")") << '\n';
   }
   if (goal.has_value()) {

@@ -5,6 +5,7 @@
 #include "clients/cli/draw_difference.hpp"
 #include "clients/cli/progress.hpp"
 #include "clients/cli/table.hpp"
+#include "core/text.hpp"
 
 /// Holds the commands on the map's past: what each revision did, and what two of them differ in.
 namespace weft::cli {
@@ -23,7 +24,7 @@ std::string asker(const std::string& who, const Names& names) {
 }
 
 std::string when(WallTime at) {
-  return at == WallTime{} ? "-" : to_text(at);
+  return at == WallTime{} ? "-" : iso_time(at);
 }
 
 nlohmann::json document_of(const msg::RevisionNote& note, const Names& names) {
@@ -32,7 +33,7 @@ nlohmann::json document_of(const msg::RevisionNote& note, const Names& names) {
                              {"kind", note.kind},
                              {"who", asker(note.who, names)},
                              {"cause", note.cause}};
-  if (note.at != WallTime{}) document["at"] = to_text(note.at);
+  if (note.at != WallTime{}) document["at"] = iso_time(note.at);
   return document;
 }
 

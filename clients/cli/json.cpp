@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
+
+#include "core/text.hpp"
 
 namespace weft::cli {
 
@@ -14,19 +13,6 @@ using nlohmann::json;
 std::string name_of(const Names& names, const RobotId& robot) {
   const auto found = names.find(robot);
   return found == names.end() || found->second.empty() ? to_string(robot) : found->second;
-}
-
-std::string to_text(WallTime time) {
-  const auto since = time.time_since_epoch();
-  const auto whole = std::chrono::floor<std::chrono::seconds>(since);
-  const auto millis = std::chrono::duration_cast<std::chrono::milliseconds>(since - whole);
-  const std::time_t at = whole.count();
-  std::tm utc{};
-  gmtime_r(&at, &utc);
-  std::array<char, 40> text{};
-  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &utc);
-  std::snprintf(text.data() + size, text.size() - size, ".%03dZ", static_cast<int>(millis.count()));
-  return text.data();
 }
 
 double duration_s(const Goal& goal, WallTime now) {
@@ -54,7 +40,7 @@ json to_json(const msg::RobotWait& wait, const std::string& robot, const Names& 
           {"needs", wait.needs ? json(to_string(wait.needs)) : json()},
           {"held_by", std::move(holders)},
           {"rule", wait.rule.empty() ? json() : json(wait.rule)},
-          {"since", to_text(wait.since)}};
+          {"since", iso_time(wait.since)}};
 }
 
 json to_json(const msg::RobotPower& power) {
@@ -103,7 +89,7 @@ json to_json(const msg::RobotRow& row, const Names& names) {
 }
 
 json to_json(const GoalEvent& event) {
-  return {{"at", to_text(event.at)}, {"state", to_string(event.state)}, {"cause", event.cause}, {"who", event.who}};
+  return {{"at", iso_time(event.at)}, {"state", to_string(event.state)}, {"cause", event.cause}, {"who", event.who}};
 }
 
 json to_json(const Goal& goal, const Route* route, const Names& names, WallTime now) {
@@ -152,7 +138,7 @@ json to_json(const msg::Arrival& arrival) {
 }
 
 json to_json(const msg::Event& event, const Names& names) {
-  json object = {{"at", to_text(event.at)}, {"kind", event.kind}, {"cause", event.cause}, {"who", event.who}};
+  json object = {{"at", iso_time(event.at)}, {"kind", event.kind}, {"cause", event.cause}, {"who", event.who}};
   object["robot"] = event.robot ? json(name_of(names, event.robot)) : json();
   object["goal"] = event.goal ? json(to_string(event.goal)) : json();
   return object;

@@ -35,8 +35,6 @@ nlohmann::json to_json(const msg::MapInfo& info);
 nlohmann::json to_json(const Window& network, const Names& names, const RunNames& runs);
 nlohmann::json to_json(const Pose2& pose);
 
-/// Returns the time in UTC to the millisecond: "2026-11-21T10:40:03.250Z".
-std::string to_text(WallTime time);
 /// Returns how long the goal has taken, from when it was asked for until its end, or until now.
 double duration_s(const Goal& goal, WallTime now);
 /// Returns a duration to the second, from an hour on to the minute: "2 min 10 s".

@@ -5,6 +5,7 @@
 #include "clients/cli/run_names.hpp"
 #include "clients/cli/table.hpp"
 #include "core/network/imported.hpp"
+#include "core/text.hpp"
 
 /// Holds the command `map list`, which shows what was taught and imported.
 namespace weft::cli {
@@ -42,7 +43,7 @@ nlohmann::json document_of(const msg::ExperienceRow& row, const Names& robots) {
                              {"joined", nlohmann::json::array()},
                              {"joined_count", row.joined_count}};
   if (row.method != kImportedMethod) document["robot"] = name_of(robots, row.robot);
-  if (row.begun != WallTime{}) document["begun"] = to_text(row.begun);
+  if (row.begun != WallTime{}) document["begun"] = iso_time(row.begun);
   for (const ExperienceId& id : row.joined) document["joined"].push_back(to_string(id));
   return document;
 }
@@ -61,7 +62,7 @@ void print(const std::vector<msg::ExperienceRow>& rows, const Names& robots, con
       others.push_back(std::to_string(row.joined_count - row.joined.size()) + " more");
     }
     table.add({row.name.empty() ? "-" : row.name, to_string(row.id), taught_by(row, robots),
-               row.begun == WallTime{} ? "-" : to_text(row.begun), row.method,
+               row.begun == WallTime{} ? "-" : iso_time(row.begun), row.method,
                std::to_string(row.places) + (row.sealed ? "" : ", goes on"), fixed(row.metres, 1),
                joined(shown_labels(row)), joined(others)});
   }
