@@ -124,6 +124,7 @@ class FleetMapServer final : public Service {
     return goals;
   }
   std::optional<Error> broken() const override { return writer_.broken(); }
+  std::optional<Error> store_refuses() const override { return writer_.stopped(); }
 
  private:
   using Verdict = Incarnations::Verdict;

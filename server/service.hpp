@@ -37,6 +37,9 @@ class Service {
   /// the stored one.
   virtual std::optional<Error> broken() const = 0;
 
+  /// Returns why the store has refused the last write; none: it took it.
+  virtual std::optional<Error> store_refuses() const = 0;
+
   /// Returns the served map, for invariants and records, never for deciding elsewhere.
   virtual const Snapshot& snapshot() const = 0;
   virtual std::vector<Goal> goals() const = 0;

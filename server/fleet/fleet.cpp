@@ -1,12 +1,11 @@
 #include "server/fleet/fleet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <utility>
 
 #include "core/protocol/version.hpp"
+#include "core/text.hpp"
 
 namespace weft::server {
 namespace {
@@ -14,13 +13,6 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenProbes = 10s;
 constexpr std::size_t kMostRobots = 10'000;
-
-/// Returns a number as people write it: 5, not 5.000000.
-std::string seconds_in_words(double duration_s) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g s", duration_s);
-  return text.data();
-}
 
 std::string call_for_help(const std::string& name, const msg::RobotState& state) {
   std::string text = "it stands and needs help (" + state.reason + ")";
@@ -172,7 +164,8 @@ std::vector<RobotId> Fleet::tick(Now now) {
     if (robot.silent) continue;
     if (robot.left || now.steady - robot.heard >= silent_after_) {
       robot.silent = true;
-      const std::string unheard = "nothing heard of it for " + seconds_in_words(context_.config.robot_silent_after_s);
+      const std::string unheard =
+          "nothing heard of it for " + short_number(context_.config.robot_silent_after_s) + " s";
       note("robot.silent", robot, robot.left ? "its agent was ended" : unheard, now);
       fell_silent.push_back(id);
       continue;

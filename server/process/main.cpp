@@ -2,7 +2,8 @@
 #include <exception>
 #include <variant>
 
-#include "core/text.hpp"
+#include "process/health_file.hpp"
+#include "process/log.hpp"
 #include "server/process/options.hpp"
 #include "server/process/run.hpp"
 
@@ -13,9 +14,11 @@ int main(int argc, char** argv) {
       std::fputs(leave->text.c_str(), leave->exit_code == 0 ? stdout : stderr);
       return leave->exit_code;
     }
-    const weft::Result<void> ran = weft::server::run(std::get<weft::server::Options>(parsed));
+    const auto& options = std::get<weft::server::Options>(parsed);
+    if (options.asks_health) return weft::process::report_health("weft-server", options.store);
+    const weft::Result<void> ran = weft::server::run(options);
     if (ran) return 0;
-    std::fprintf(stderr, "weft-server: %s\n", weft::one_line(ran.error().message).c_str());
+    weft::process::print_failure("weft-server", options.log_format, ran.error().message);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "weft-server: ended by a defect: %s\n", error.what());
   }

@@ -18,16 +18,18 @@ constexpr int kUsage = 2;
 /// Holds settings as given on the command line; none: not given.
 struct Flags {
   std::string config;
-  std::optional<std::string> store, name, dds, listen, unjoined, silent_goal;
+  std::optional<std::string> store, name, dds, listen, unjoined, silent_goal, log_format;
   std::optional<unsigned> domain, index;
   std::optional<double> robot_silent_after_s, handling_s, silent_goal_after_s;
+  bool asks_health = false;
 };
 
 void declare(CLI::App& app, Flags& flags) {
   app.set_version_flag("--version", "weft-server " WEFT_VERSION);
   app.footer(
       "Runs until SIGINT or SIGTERM; logs to standard error. Example: weft-server --store map\n"
-      "Exit codes: 0 stopped by a signal, 1 cannot work (one line says why), 2 wrong usage");
+      "Exit codes: 0 stopped by a signal, or healthy; 1 cannot work, or not healthy (one line says why); 2 wrong "
+      "usage");
   app.add_option("--config", flags.config, "TOML file with any of the settings below (store = \"DIR\", ...)");
   app.add_option("--store", flags.store, "Directory of the map; made if it is not there. Required here or in FILE");
   app.add_option("--dds", flags.dds, "fastdds | cyclonedds [fastdds]");
@@ -46,6 +48,9 @@ void declare(CLI::App& app, Flags& flags) {
   app.add_option("--unjoined", flags.unjoined,
                  "warn | one_drives: whether, of robots in parts of the map that nothing joins, one at a time is "
                  "released [warn]");
+  app.add_option("--log-format", flags.log_format, "text | json: how each line of the log is written [text]");
+  app.add_flag("--health", flags.asks_health,
+               "Runs no server: says whether the one that works in --store DIR is healthy, and ends with 0 or 1");
 }
 
 template <class T>
@@ -96,6 +101,8 @@ Options read(const config::Table& table) {
   charge.range_m = table.number("charge_range_m", charge.range_m, 1.0, 1e6);
   const std::string unjoined = table.choice("unjoined", "warn", {"warn", "one_drives"});
   options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
+  const bool is_json = table.choice("log_format", "text", {"text", "json"}) == "json";
+  options.log_format = is_json ? process::LogFormat::json : process::LogFormat::text;
   options.effective = table.effective();
   return options;
 }
@@ -111,6 +118,7 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.silent_goal) options.silent_goal = given.silent_goal;
   if (flags.silent_goal_after_s) options.silent_goal_after_s = given.silent_goal_after_s;
   if (flags.unjoined) options.unjoined = given.unjoined;
+  if (flags.log_format) options.log_format = given.log_format;
   if (flags.handling_s) options.handling_s = given.handling_s;
   if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
   for (config::Setting& setting : options.effective) {
@@ -158,10 +166,12 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "silent_goal", flags.silent_goal);
   lay_over(text, "silent_goal_after_s", flags.silent_goal_after_s);
   lay_over(text, "unjoined", flags.unjoined);
+  lay_over(text, "log_format", flags.log_format);
   const config::Table from_flags = config::parse(text, "command line");
   const Options given = read(from_flags);
   if (const Result<void> good = from_flags.result(); !good) return failed(good.error(), kUsage);
   override_with(options, given, flags);
+  options.asks_health = flags.asks_health;
   if (options.store.empty()) {
     return failed({ErrorCode::invalid, "no store is named: --store DIR (or store = \"DIR\" in the configuration)"},
                   kUsage);

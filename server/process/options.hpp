@@ -6,6 +6,7 @@
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
+#include "process/log_line.hpp"
 #include "server/base/config.hpp"
 
 namespace weft::server {
@@ -24,6 +25,8 @@ struct Options {
   SilentGoal silent_goal = SilentGoal::hand_over;
   double silent_goal_after_s = 0.0;
   ChargeLevels charge;
+  process::LogFormat log_format = process::LogFormat::text;
+  bool asks_health = false;                ///< of the server that works in the store; nothing else is done
   std::vector<config::Setting> effective;  ///< for the log
 };
 

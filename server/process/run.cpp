@@ -1,7 +1,6 @@
 #include "server/process/run.hpp"
 
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -13,7 +12,11 @@
 #include <thread>
 #include <utility>
 
+#include "core/text.hpp"
 #include "idl/bus/link.hpp"
+#include "process/clocks.hpp"
+#include "process/log.hpp"
+#include "process/vitals.hpp"
 #include "server/process/identity.hpp"
 #include "server/process/signers.hpp"
 #include "server/service.hpp"
@@ -24,15 +27,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kMessagesATurn = 256;
-constexpr Duration kLongestSleep = 1s;
 constexpr std::size_t kRefusalsLogged = 10;  ///< a turn
 constexpr Duration kAway = 1s;
 constexpr Duration kQuiet = 50ms;  ///< nothing more comes of what was sent meanwhile
 constexpr Duration kCatchUpAtMost = 1s;
 
 Now now() {
-  return {.steady = SteadyTime(std::chrono::steady_clock::now().time_since_epoch()),
-          .wall = WallTime(std::chrono::system_clock::now().time_since_epoch())};
+  return {.steady = process::steady_now(), .wall = process::wall_now()};
 }
 
 /// Keeps SIGINT and SIGTERM from this thread and all that are started after it.
@@ -69,17 +70,16 @@ class StopSignal {
 /// Carries messages between the bus and the service, in this thread.
 class Loop {
  public:
-  Loop(Service& service, bus::Link& link, spdlog::logger& log)
-      : service_(service), link_(link), log_(log), looked_(now().steady) {}
+  Loop(Service& service, bus::Link& link, process::Log& log, process::Vitals& vitals)
+      : service_(service), link_(link), log_(log), vitals_(vitals), looked_(now().steady) {}
 
   Result<void> until(const StopSignal& stop) {
     send(service_.tick(now()));
     while (!stop.asked()) {
-      const std::optional<SteadyTime> next = service_.next_tick();
-      const Duration sleep =
-          next ? std::clamp<Duration>(*next - now().steady, Duration{}, kLongestSleep) : kLongestSleep;
+      const SteadyTime next = std::min(vitals_.due(), service_.next_tick().value_or(SteadyTime::max()));
+      const Duration sleep = std::max(next - now().steady, Duration{});
       if (sleep > Duration{}) link_.wait(sleep);
-      const bool was_away = note_absence(std::max(sleep, Duration{}));
+      const bool was_away = note_absence(sleep);
       take_messages();
       if (was_away) catch_up();
       if (const auto due = service_.next_tick(); due && *due <= now().steady) {
@@ -87,6 +87,7 @@ class Loop {
         note_absence({});
       }
       report_refusals();
+      if (const SteadyTime at = now().steady; vitals_.due() <= at) vitals_.beat(at, trouble());
       if (const std::optional<Error> broken = service_.broken()) return fail(*broken);
     }
     return {};
@@ -117,14 +118,14 @@ class Loop {
     looked_ = at.steady;
     if (away <= kAway) return false;
     service_.was_away(away, at);
-    log_.warn("was away for {:.1f} s: nobody is blamed for silence in that time", seconds(away));
+    log_.warn("was away for " + fixed_number(seconds(away), 1) + " s: nobody is blamed for silence in that time");
     return true;
   }
 
   void send(const std::vector<msg::Message>& messages) {
     for (const msg::Message& message : messages) {
       if (const auto* const note = std::get_if<msg::EventNote>(&message)) {
-        log_.info("{}: {} ({})", note->event.kind, note->event.cause, note->event.who);
+        log_event(note->event);
       }
       // What is not sent is repeated by the service, like what is lost on the way.
       const Result<std::size_t> sent = link_.send(message);
@@ -132,13 +133,26 @@ class Loop {
         service_.sent(message, *sent);
       } else {
         service_.count("bus: not sent, " + std::string(to_string(sent.error().code)), 1);
-        log_.debug("not sent: {}", sent.error().message);
       }
     }
   }
 
+  void log_event(const msg::Event& event) {
+    log_.event(event.kind, event.cause,
+               {{"who", event.who},
+                {"robot", event.robot ? to_string(event.robot) : ""},
+                {"goal", event.goal ? to_string(event.goal) : ""}});
+  }
+
+  /// Returns why the server does not do its work although this loop turns; empty: it does.
+  std::string trouble() const {
+    if (!link_.bus().is_open()) return "deaf: its link is not open, so it has no socket";
+    const std::optional<Error> refusal = service_.store_refuses();
+    return refusal ? "the store refused the last write: " + refusal->message : std::string();
+  }
+
   void report_refusals() {
-    for (const std::string& notice : link_.bus().drain_notices()) log_.warn("{}", notice);
+    for (const std::string& notice : link_.bus().drain_notices()) log_.warn(notice);
     for (const auto& [what, times] : link_.refusals()) {
       std::uint64_t& told = told_[what];
       if (times > told) service_.count(what, times - told);
@@ -146,31 +160,34 @@ class Loop {
     }
     std::size_t logged = 0;
     for (const std::string& text : link_.drain_refusal_texts()) {
-      if (++logged <= kRefusalsLogged) log_.warn("refused: {}", text);
+      if (++logged <= kRefusalsLogged) log_.warn("refused: " + text);
     }
   }
 
   Service& service_;
   bus::Link& link_;
-  spdlog::logger& log_;
+  process::Log& log_;
+  process::Vitals& vitals_;
   SteadyTime looked_;  ///< when the inbox was last looked at
   std::map<std::string, std::uint64_t> told_;
 };
 
-void log_settings(spdlog::logger& log, const Options& options) {
+void log_settings(process::Log& log, const Options& options) {
   std::istringstream lines(config::to_text(options.effective));
-  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+  for (std::string line; std::getline(lines, line);) log.info("setting " + line);
 }
 
 }  // namespace
 
 Result<void> run(const Options& options) {
   const sigset_t signals = hold_stop_signals();
-  spdlog::logger log("weft-server", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  log.flush_on(spdlog::level::info);
+  process::Log log = process::Log::to_standard_error("weft-server", options.log_format);
+  const auto tell = [&log](const std::string& notice) { log.warn(notice); };
 
   const Result<PeerId> self = load_identity(options.store);
   if (!self) return fail(self.error());
+  process::Vitals vitals("weft-server", options.store, tell, process::ServiceManager::of_environment(), now().steady);
+  vitals.starting("it opens its store", now().steady);
   Result<std::unique_ptr<storage::MapStore>> store = storage::open_sqlite(options.store, {.empties_log_aside = true});
   if (!store) return fail(store.error());
   Result<std::unique_ptr<bus::Bus>> opened = bus::open(options.vendor, {.role = msg::Role::server,
@@ -182,10 +199,12 @@ Result<void> run(const Options& options) {
   if (!opened) return fail(opened.error());
   bus::Link link(*std::move(opened));
   const StopSignal stop(signals, link.bus());
-  const auto tell = [&log](const std::string& notice) { log.warn("{}", notice); };
-  if (!bus::wait_until_open(
-          link, [&stop] { return stop.asked(); }, tell))
-    return {};
+  const auto stopped_waiting = [&stop, &vitals] {
+    if (const SteadyTime at = now().steady; vitals.due() <= at) vitals.starting("it waits for its link", at);
+    return stop.asked();
+  };
+  if (!bus::wait_until_open(link, stopped_waiting, tell)) return {};
+  vitals.starting("it loads its map", now().steady);
 
   Random random = random_from_machine();
   ServiceConfig config;
@@ -205,9 +224,11 @@ Result<void> run(const Options& options) {
   if (!service) return fail(service.error());
 
   log_settings(log, options);
-  log.info("ready: store {}, {} on {}, domain {}, index {}", options.store, config.vendor, options.listen,
-           options.domain, options.index);
-  const Result<void> served = Loop(**service, link, log).until(stop);
+  log.info("ready: store " + options.store + ", " + config.vendor + " on " + options.listen + ", domain " +
+           std::to_string(options.domain) + ", index " + std::to_string(options.index));
+  vitals.ready(now().steady);
+  const Result<void> served = Loop(**service, link, log, vitals).until(stop);
+  vitals.stopping();
   if (served) log.info("stopped");
   return served;
 }

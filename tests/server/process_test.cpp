@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -164,6 +165,35 @@ TEST_F(ServerProcess, SecondServerOnAStoreOrAPortIsRefused) {
     EXPECT_EQ(run(serve("other", vendor)), 1);
     EXPECT_THAT(said, HasSubstr("port"));
     expect_one_line();
+  }
+}
+
+TEST_F(ServerProcess, HealthIsThatOfTheServerInTheStore) {
+  EXPECT_EQ(run({"--health"}), 2);
+  EXPECT_THAT(said, HasSubstr("--store"));
+  const std::vector<std::string> ask = {"--health", "--store", (directory / "store").string()};
+  EXPECT_EQ(run(ask), 1);
+  EXPECT_THAT(said, HasSubstr("not running"));
+  Process server(serve("store"), directory / "server.log");
+  ASSERT_TRUE(server.says("ready")) << server.text();
+  EXPECT_EQ(run(ask), 0) << said;
+  EXPECT_THAT(said, HasSubstr("healthy: weft-server, process"));
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.exit_code(), 0);
+  EXPECT_EQ(run(ask), 1);
+  EXPECT_THAT(said, HasSubstr("not running"));
+  expect_one_line();
+}
+
+TEST_F(ServerProcess, LogsJsonWhenAsked) {
+  std::vector<std::string> arguments = serve("store");
+  arguments.insert(arguments.end(), {"--log-format", "json"});
+  const Process server(arguments, directory / "server.log");
+  ASSERT_TRUE(server.says("ready")) << server.text();
+  std::istringstream lines(server.text());
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_THAT(line, testing::StartsWith("{\"time\":\"20"));
+    EXPECT_THAT(line, EndsWith("}"));
   }
 }
 
