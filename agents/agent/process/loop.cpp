@@ -6,10 +6,14 @@
 #include <utility>
 
 #include "agents/agent/diagnostic_watch.hpp"
+#include "core/text.hpp"
+#include "process/clocks.hpp"
 
 namespace weft::agents {
 namespace {
 using namespace std::chrono_literals;
+using process::steady_now;
+using process::wall_now;
 
 constexpr int kMessagesATurn = 256;
 constexpr Duration kLongestSleep = 200ms;  ///< signals are looked for in between
@@ -23,12 +27,6 @@ constexpr Duration kFirstSilent = 5s;
 constexpr Duration kSilent = 12s;  ///< a server greets every 5 s
 constexpr Duration kBetweenSilences = 30s;
 
-SteadyTime steady_now() {
-  return SteadyTime{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
-}
-WallTime wall_now() {
-  return WallTime{std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())};
-}
 }  // namespace
 
 Loop::Loop(const Parts& parts, double pace)
@@ -48,11 +46,13 @@ Result<void> Loop::until(const std::function<bool()>& stop) {
     if (const auto due = parts_.agent.next_tick(); due.has_value() && *due <= steady_now()) {
       perform(parts_.agent.tick(steady_now()));
     }
-    if (body_works_ && steady_now() >= step_at_) step();
+    if (!body_failure_ && steady_now() >= step_at_) step();
     log_counters();
     log_silence();
+    show_life();
     SteadyTime next = steady_now() + kLongestSleep;
-    if (body_works_) next = std::min(next, step_at_);
+    if (!body_failure_) next = std::min(next, step_at_);
+    if (parts_.vitals != nullptr) next = std::min(next, parts_.vitals->due());
     if (const auto due = parts_.agent.next_tick(); due.has_value()) next = std::min(next, *due);
     slept = std::max(next - steady_now(), Duration{});
     if (slept > Duration{}) parts_.link.wait(slept);
@@ -70,8 +70,8 @@ void Loop::take_messages() {
     silent_at_ = steady_now() + kSilent;
     perform(parts_.agent.handle(*message, steady_now(), wall_now()));
   }
-  for (const std::string& notice : parts_.link.bus().drain_notices()) parts_.log.warn("{}", notice);
-  for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: {}", text);
+  for (const std::string& notice : parts_.link.bus().drain_notices()) parts_.log.warn(notice);
+  for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: " + text);
 }
 
 /// Takes what still comes of the time in which this process stood still (the bus's threads wake with it), before the
@@ -90,16 +90,16 @@ bool Loop::note_absence(Duration meant) {
   if (away <= kAway) return false;
   parts_.agent.was_away(away, now);
   silent_at_ += away;
-  parts_.log.warn("was away for {:.1f} s", seconds(away));
+  parts_.log.warn("was away for " + fixed_number(seconds(away), 1) + " s");
   return true;
 }
 
 void Loop::step() {
   Result<Sample> sample = parts_.body.step(command_);
   if (!sample) {
-    body_works_ = false;
+    body_failure_ = sample.error();
     if (sample.error().code == ErrorCode::corrupt) damage_ = sample.error();
-    parts_.log.error("body: {}", sample.error().message);
+    parts_.log.error("body: " + sample.error().message, goal());
     perform(parts_.agent.body_failed(sample.error(), steady_now()));
     return;
   }
@@ -125,17 +125,15 @@ void Loop::note(const AgentOutput& output) {
   parts_.records->note(output, frame_);
   if (damage_ || parts_.records->lost() == 0) return;
   damage_ = Error{ErrorCode::exhausted, "records could not be written; is the disk full?"};
-  parts_.log.error("{}", damage_->message);
+  parts_.log.error(damage_->message);
 }
 
 void Loop::perform(AgentOutput output) {
   command_ = output.command;
-  for (const std::string& note : output.notes) parts_.log.info("{}", note);
+  for (const std::string& note : output.notes) parts_.log.info(note, goal());
   if (parts_.records != nullptr) note(output);
-  for (const msg::Message& message : output.send) {
-    // What is not sent is repeated by the agent, like what is lost on the way.
-    if (const auto sent = parts_.link.send(message); !sent) parts_.log.debug("not sent: {}", sent.error().message);
-  }
+  // What is not sent is repeated by the agent, like what is lost on the way.
+  for (const msg::Message& message : output.send) (void)parts_.link.send(message);
   if (output.exposes.has_value()) expose(*output.exposes);
   if (output.hand_stop) parts_.body.stop_hand();
   if (output.hand_start.has_value()) {
@@ -146,7 +144,7 @@ void Loop::perform(AgentOutput output) {
 void Loop::expose(const ExposureWish& wish) {
   const Result<void> exposed = parts_.body.expose(wish.sensor, wish.exposure);
   if (exposed || std::exchange(has_refused_exposure_, true)) return;
-  parts_.log.info("exposure: {}", exposed.error().message);
+  parts_.log.info("exposure: " + exposed.error().message);
 }
 
 void Loop::log_counters() {
@@ -158,16 +156,35 @@ void Loop::log_counters() {
     if (times != told) line += (line.empty() ? "" : ", ") + what + " +" + std::to_string(times - told);
     told = times;
   }
-  if (!line.empty()) parts_.log.info("counted: {}", line);
+  if (!line.empty()) parts_.log.info("counted: " + line);
   std::string measured = words_of(parts_.agent.diagnostics());
-  if (measured != measured_) parts_.log.info("measured: {}", measured);
+  if (measured != measured_) parts_.log.info("measured: " + measured);
   measured_ = std::move(measured);
 }
 
 void Loop::log_silence() {
   if (steady_now() < silent_at_) return;
   silent_at_ = steady_now() + kBetweenSilences;
-  parts_.log.warn("no server is heard at {}: is weft-server running there? Trying on", parts_.server);
+  parts_.log.warn("no server is heard at " + parts_.server + ": is weft-server running there? Trying on");
+}
+
+void Loop::show_life() {
+  const SteadyTime now = steady_now();
+  if (parts_.vitals != nullptr && parts_.vitals->due() <= now) parts_.vitals->beat(now, trouble());
+}
+
+/// Returns why the robot does not do its work although this loop turns; empty: it does.
+std::string Loop::trouble() const {
+  if (!parts_.link.bus().is_open()) return "deaf: its link is not open, so it has no socket";
+  if (body_failure_) return "the body failed: " + body_failure_->message;
+  return damage_ ? damage_->message : std::string();
+}
+
+/// Returns the goal that the robot has a route of, for the lines that belong to it; empty: none.
+std::vector<process::LogField> Loop::goal() const {
+  const std::optional<Route> route = parts_.agent.route();
+  if (!route || !route->goal) return {};
+  return {{"goal", to_string(route->goal)}};
 }
 
 }  // namespace weft::agents

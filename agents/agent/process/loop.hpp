@@ -1,16 +1,17 @@
 #pragma once
-#include <spdlog/logger.h>
-
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "agents/agent/agent.hpp"
 #include "agents/agent/process/records.hpp"
 #include "agents/bodies/body.hpp"
 #include "idl/bus/link.hpp"
+#include "process/log.hpp"
+#include "process/vitals.hpp"
 
 namespace weft::agents {
 
@@ -24,8 +25,9 @@ class Loop {
     Body& body;
     bus::Link& link;
     Records* records = nullptr;  ///< null: none are kept
-    spdlog::logger& log;
-    std::string server = {};  ///< where it is looked for, in words
+    process::Log& log;
+    std::string server = {};            ///< where it is looked for, in words
+    process::Vitals* vitals = nullptr;  ///< null: nobody is shown that it turns
   };
   /// Prepares a loop. `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
@@ -45,12 +47,15 @@ class Loop {
   void expose(const ExposureWish& wish);
   void log_counters();
   void log_silence();
+  void show_life();
+  std::string trouble() const;
+  std::vector<process::LogField> goal() const;
 
   Parts parts_;
   double pace_;
   Twist command_;
   std::uint64_t frame_ = 0;
-  bool body_works_ = true;
+  std::optional<Error> body_failure_;
   bool has_refused_exposure_ = false;  // is logged once
   std::optional<Error> damage_;
   struct Anchor {

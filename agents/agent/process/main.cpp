@@ -8,7 +8,8 @@
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/options.hpp"
 #include "agents/agent/process/run.hpp"
-#include "core/text.hpp"
+#include "process/health_file.hpp"
+#include "process/log.hpp"
 
 namespace {
 
@@ -23,9 +24,9 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-int ended(const Result<void>& ran) {
+int ended(const Result<void>& ran, process::LogFormat format = process::LogFormat::text) {
   if (ran) return 0;
-  std::fprintf(stderr, "weft-agent: %s\n", one_line(ran.error().message).c_str());
+  process::print_failure("weft-agent", format, ran.error().message);
   return 1;
 }
 
@@ -45,7 +46,9 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view(argv[1]) == "calibrate") return calibrate(argc - 1, argv + 1);
     const auto parsed = agents::parse_options(argc, argv);
     if (const auto* const leave = std::get_if<agents::Leave>(&parsed)) return left(*leave);
-    return ended(agents::run(std::get<agents::Options>(parsed)));
+    const auto& options = std::get<agents::Options>(parsed);
+    if (options.asks_health) return process::report_health("weft-agent", options.state);
+    return ended(agents::run(options), options.log_format);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "weft-agent: ended by a defect: %s\n", error.what());
   }

@@ -52,6 +52,7 @@ constexpr std::array kFlags = {
         "names several cameras, a Kalibr chain of all of them"},
     Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},
     Flag{"pace", Kind::number, "Simulated seconds a second at most; 0: as fast as it can [1]"},
+    Flag{"log_format", Kind::text, "text | json: how each line of the log is written [text]"},
 };
 
 std::string flag_of(const char* key) {
@@ -196,6 +197,8 @@ Options read(const Sources& from) {
   options.recording = from.text("recording", "");
   options.camera = from.text("camera", "cam0");
   options.calibration = from.maybe("calibration");
+  const bool is_json = from.choice("log_format", "text", {"text", "json"}) == "json";
+  options.log_format = is_json ? process::LogFormat::json : process::LogFormat::text;
   options.records = from.maybe("records");
   options.pace = from.number("pace", 1.0, 0.0, 1000.0);
   options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, 5.0);
@@ -215,7 +218,8 @@ Options read(const Sources& from) {
 
 /// Returns what is missing for the body that was chosen; empty when nothing is.
 std::string missing(const Options& options) {
-  if (options.name.empty()) return "--name NAME is missing: what people call this robot";
+  if (options.asks_health && !options.state.empty()) return {};
+  if (options.name.empty() && !options.asks_health) return "--name NAME is missing: what people call this robot";
   if (options.state.empty()) return "--state DIR is missing: where its identity and spool are kept";
   if (options.body == "sim" && options.site.empty()) return "--body sim needs --site FILE";
   if (options.body == "replay" && options.recording.empty()) return "--body replay needs --recording DIR";
@@ -236,7 +240,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "Runs until SIGINT or SIGTERM; logs to standard error. Example, a simulated robot:\n"
       "  weft-agent --name r1 --state state/r1 --site deploy/sites/demo.toml\n"
       "`weft-agent calibrate --help`: camera and mount are found out, nothing is driven.\n"
-      "Exit codes: 0 stopped by a signal, 1 cannot work (one line says why), 2 wrong usage");
+      "Exit codes: 0 stopped by a signal, or healthy; 1 cannot work, or not healthy (one line says why); 2 wrong "
+      "usage");
   std::string file;
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
   std::map<std::string, std::vector<std::string>> given;
@@ -248,6 +253,9 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
     if (flag.kind == Kind::list) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, 16);
     if (flag.kind == Kind::number) option->check(CLI::Number);
   }
+  bool asks_health = false;
+  app.add_flag("--health", asks_health,
+               "Runs no agent: says whether the one that works in --state DIR is healthy, and ends with 0 or 1");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -270,6 +278,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   const config::Table flags = config::parse(from_flags, "command line");
   const config::Table table = config::parse(from_file, file.empty() ? "configuration" : file);
   Options options = read(Sources(flags, table));
+  options.asks_health = asks_health;
   if (const Result<void> good = table.result(); !good) return wrong(good.error().message, kFailed);
   if (const Result<void> good = flags.result(); !good) return wrong(good.error().message, kUsage);
   if (const std::string what = missing(options); !what.empty()) return wrong(what, kUsage);

@@ -9,6 +9,7 @@
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
+#include "process/log_line.hpp"
 
 namespace weft::agents {
 
@@ -34,6 +35,9 @@ struct Options {
   std::string camera;                      ///< of the recording, and of a camera file that has several
   std::optional<std::string> calibration;  ///< camera file that replaces what the body says of its camera
   std::optional<Pose3> mount;              ///< what is believed of it while it is being calibrated; no flag
+
+  process::LogFormat log_format = process::LogFormat::text;
+  bool asks_health = false;  ///< of the agent that works in the state directory; nothing else is done
 
   std::optional<std::string> records;
   double pace = 1.0;  ///< simulated seconds a second at most; 0: no bound

@@ -1,8 +1,5 @@
 #include "agents/agent/process/run.hpp"
 
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <csignal>
 #include <ctime>
 #include <memory>
@@ -13,6 +10,9 @@
 #include "agents/agent/process/identity.hpp"
 #include "agents/agent/process/loop.hpp"
 #include "agents/agent/process/records.hpp"
+#include "process/clocks.hpp"
+#include "process/log.hpp"
+#include "process/vitals.hpp"
 #include "storage/spool/file_spool.hpp"
 
 namespace weft::agents {
@@ -36,9 +36,9 @@ class StopSignal {
   sigset_t signals_{};
 };
 
-void log_settings(spdlog::logger& log, const Options& options) {
+void log_settings(process::Log& log, const Options& options) {
   std::istringstream lines(config::to_text(options.effective));
-  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+  for (std::string line; std::getline(lines, line);) log.info("setting " + line);
 }
 
 std::string addresses(const Options& options) {
@@ -86,22 +86,25 @@ Result<std::unique_ptr<bus::Bus>> open_bus(const Options& options, const RobotId
 
 Result<void> run(const Options& options) {
   const StopSignal stop;
-  spdlog::logger log("weft-agent", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  log.flush_on(spdlog::level::info);
+  process::Log log = process::Log::to_standard_error("weft-agent", options.log_format);
+  log.always_about({{"robot", options.name}});
+  const auto warn = [&log](const std::string& text) { log.warn(text); };
   Result<StateDirectory> state = StateDirectory::open(options.state);
   if (!state) return fail(state.error());
   const Result<RobotId> self = state->identity();
   if (!self) return fail(self.error());
+  process::Vitals vitals("weft-agent", options.state, warn, process::ServiceManager::of_environment(),
+                         process::steady_now());
+  vitals.starting("it reads its spool and prepares its body", process::steady_now());
   Result<std::unique_ptr<storage::Spool>> spool = storage::open_file_spool(state->spool());
   if (!spool) return fail(spool.error());
-  for (const std::string& skipped : (*spool)->skipped()) log.warn("spool: {}", skipped);
+  for (const std::string& skipped : (*spool)->skipped()) log.warn("spool: " + skipped);
   std::optional<Records> records;
   if (options.records.has_value()) {
     Result<Records> opened = Records::open(*options.records, options.name);
     if (!opened) return fail(opened.error());
     records.emplace(std::move(*opened));
   }
-  const auto warn = [&log](const std::string& text) { log.warn("{}", text); };
   Result<std::unique_ptr<Body>> body = make_body(options, warn);
   if (!body) return fail(body.error());
   const Result<std::vector<Equipped>> equipped = equip(options, **body, warn);
@@ -111,27 +114,32 @@ Result<void> run(const Options& options) {
   Result<std::unique_ptr<bus::Bus>> opened = open_bus(options, *self);
   if (!opened) return fail(opened.error());
   bus::Link link(std::move(*opened));
-  if (!bus::wait_until_open(
-          link, [&stop] { return stop.came(); }, warn))
-    return {};
+  const auto stopped_waiting = [&stop, &vitals] {
+    if (const SteadyTime at = process::steady_now(); vitals.due() <= at) vitals.starting("it waits for its link", at);
+    return stop.came();
+  };
+  if (!bus::wait_until_open(link, stopped_waiting, warn)) return {};
 
   const AgentConfig config = config_of(options, *self, **body, *equipped, link.bus().vendor());
-  const SteadyTime now{std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
-  Result<std::unique_ptr<Agent>> agent = start(config, std::move(*navigator), **spool, random_from_machine(), now);
+  Result<std::unique_ptr<Agent>> agent =
+      start(config, std::move(*navigator), **spool, random_from_machine(), process::steady_now());
   if (!agent) return fail(agent.error());
   log_settings(log, options);  // not before everything is there: what goes wrong until then is one line
   std::string methods;
   for (const std::string& method : options.methods) methods += (methods.empty() ? "" : ",") + method;
-  log.info("ready: {} {}, {}, body {}, method {}", options.name, to_string(*self), config.vendor, config.body,
-           methods);
+  log.info("ready: " + options.name + " " + to_string(*self) + ", " + config.vendor + ", body " + config.body +
+           ", method " + methods);
+  vitals.ready(process::steady_now());
   Loop loop({.agent = **agent,
              .body = **body,
              .link = link,
              .records = records.has_value() ? &*records : nullptr,
              .log = log,
-             .server = addresses(options)},
+             .server = addresses(options),
+             .vitals = &vitals},
             options.pace);
   const Result<void> ended = loop.until([&stop] { return stop.came(); });
+  vitals.stopping();
   log.info("stopped");
   return ended;
 }

@@ -12,6 +12,8 @@
 #include "agents/agent/process/records.hpp"
 #include "core/random.hpp"
 #include "idl/bus/inprocess/net.hpp"
+#include "process/clocks.hpp"
+#include "process/health_file.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 
 namespace weft::agents::test {
@@ -88,7 +90,7 @@ class Echo final : public Agent {
     return output;
   }
   const Window& window() const override { return window_; }
-  std::optional<Route> route() const override { return std::nullopt; }
+  std::optional<Route> route() const override { return driven; }
   std::optional<Estimate> estimate() const override { return std::nullopt; }
   std::map<std::string, std::uint64_t> counters() const override { return {}; }
 
@@ -99,20 +101,24 @@ class Echo final : public Agent {
   std::string hand_answer;
   std::vector<std::pair<std::size_t, Duration>> absences;  ///< after how many frames, how long
   std::vector<AckRecord> acks;                             ///< to go out with the next sample
+  std::optional<Route> driven;
 
  private:
   Window window_;
 };
 
 struct Bench {
-  explicit Bench(std::uint64_t frames)
-      : net(Random(1)), link(net.attach(msg::Role::agent, id())), body(frames), log("", sink()) {}
+  explicit Bench(std::uint64_t frames) : Bench(frames, std::make_shared<spdlog::sinks::null_sink_mt>()) {}
+  Bench(std::uint64_t frames, spdlog::sink_ptr sink)
+      : net(Random(1)),
+        link(net.attach(msg::Role::agent, id())),
+        body(frames),
+        log("weft-agent", process::LogFormat::text, std::move(sink)) {}
   static PeerId id() {
     PeerId peer;
     peer.bytes.fill(7);
     return peer;
   }
-  static spdlog::sink_ptr sink() { return std::make_shared<spdlog::sinks::null_sink_mt>(); }
   Result<void> run(double pace, Records* records = nullptr) {
     return Loop({.agent = agent, .body = body, .link = link, .records = records, .log = log}, pace).until([this] {
       return !agent.failure.empty();
@@ -123,7 +129,7 @@ struct Bench {
   bus::Link link;
   Clockwork body;
   Echo agent;
-  spdlog::logger log;
+  process::Log log;
 };
 
 TEST(AgentLoop, EverySampleLeadsToTheNextCommand) {
@@ -180,10 +186,9 @@ TEST(AgentLoop, AWishForAnExposureGoesToTheBody) {
 }
 
 TEST(AgentLoop, ABodyThatCannotBeToldHowToExposeDrivesOnAndThatIsSaidOnce) {
-  Bench bench(6);
-  bench.body.can_be_told = false;
   const auto said = std::make_shared<spdlog::sinks::ringbuffer_sink_mt>(16);
-  bench.log.sinks().push_back(said);
+  Bench bench(6, said);
+  bench.body.can_be_told = false;
   EXPECT_TRUE(bench.run(0.0));
   EXPECT_EQ(bench.agent.frames.size(), 6U);
   int times = 0;
@@ -199,6 +204,45 @@ TEST(AgentLoop, TheAgentIsToldThatTheLoopWasAwayBeforeItsNextSample) {
   ASSERT_FALSE(bench.agent.absences.empty());
   EXPECT_EQ(bench.agent.absences.front().first, 3U);
   EXPECT_GT(bench.agent.absences.front().second, 1s);
+}
+
+TEST(AgentLoop, ShowsThatItTurnsAndThatItsBodyFailed) {
+  const Folder folder;
+  Bench bench(150);
+  process::Vitals vitals(
+      "weft-agent", folder.path(), [](const std::string& text) { ADD_FAILURE() << text; },
+      process::ServiceManager("", {}), process::steady_now());
+  vitals.ready(process::steady_now());
+  bool was_healthy = false;
+  const auto stop = [&] {
+    const process::Verdict verdict = process::look_at_health(folder.path(), process::steady_now());
+    was_healthy = was_healthy || (verdict.healthy && bench.agent.frames.size() > 110);
+    return !verdict.healthy;
+  };
+  EXPECT_TRUE(Loop({.agent = bench.agent,
+                    .body = bench.body,
+                    .link = bench.link,
+                    .records = nullptr,
+                    .log = bench.log,
+                    .server = {},
+                    .vitals = &vitals},
+                   1.0)
+                  .until(stop));
+  EXPECT_TRUE(was_healthy);
+  EXPECT_NE(
+      process::look_at_health(folder.path(), process::steady_now()).why.find("the body failed: recording is over"),
+      std::string::npos);
+}
+
+TEST(AgentLoop, LinesOfAGoalNameIt) {
+  const auto said = std::make_shared<spdlog::sinks::ringbuffer_sink_mt>(16);
+  Bench bench(2, said);
+  bench.agent.driven.emplace();
+  bench.agent.driven->goal.bytes.fill(0xA5);
+  EXPECT_TRUE(bench.run(0.0));
+  const std::vector<std::string> lines = said->last_formatted();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("body: recording is over (goal a5a5a5a5"), std::string::npos) << lines[0];
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {

@@ -48,6 +48,24 @@ TEST(AgentOptions, FlagsAndDefaults) {
   EXPECT_EQ(options->listen, "127.0.0.1");
 }
 
+TEST(AgentOptions, HealthNeedsTheStateDirectoryAlone) {
+  const auto result = parsed({"--health", "--state", "s"});
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_TRUE(options->asks_health);
+  EXPECT_EQ(options->state, "s");
+  expect_left({"--health"}, 2, "--state");
+  expect_left({"--state", "s"}, 2, "--name");
+}
+
+TEST(AgentOptions, TheLogIsTextOrJson) {
+  const auto result = parsed(with({"--log-format", "json"}));
+  const auto* const options = std::get_if<Options>(&result);
+  ASSERT_NE(options, nullptr) << std::get<Leave>(result).text;
+  EXPECT_EQ(options->log_format, process::LogFormat::json);
+  expect_left(with({"--log-format", "xml"}), 2, "log_format");
+}
+
 TEST(AgentOptions, AMethodsOwnNavigationWinsOverThatOfAll) {
   const Folder folder;
   const std::string file =
