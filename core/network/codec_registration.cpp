@@ -8,33 +8,13 @@ namespace {
 
 constexpr std::size_t kPickLeast = 4 + fields::kPlaceIdBytes + 5 * 8 + 1;
 
-double read_within(ByteReader& in, const char* field, double least, double most) {
-  const std::size_t at = in.offset();
-  const double value = in.f64(field);
-  if (!(value >= least && value <= most)) {
-    in.corrupt(field, at, "is not from " + std::to_string(least) + " to " + std::to_string(most));
-  }
-  return value;
-}
-
-Eigen::Vector2d read_point(ByteReader& in, const char* field) {
-  const double x = read_within(in, field, -kPlanReach_m, kPlanReach_m);
-  const double y = read_within(in, field, -kPlanReach_m, kPlanReach_m);
-  return {x, y};
-}
-
-void write_point(ByteWriter& out, const Eigen::Vector2d& point) {
-  out.f64(point.x());
-  out.f64(point.y());
-}
-
 Pick read_pick(ByteReader& in) {
   Pick pick;
   pick.name = in.text("pick name");
   pick.place = in.place_id("pick place");
-  pick.in_place = read_point(in, "pick in place");
-  pick.on_plan = read_point(in, "pick on plan");
-  pick.sigma_m = read_within(in, "pick sigma", kLeastPickSigma_m, kMostPickSigma_m);
+  pick.in_place = fields::read_point(in, "pick in place");
+  pick.on_plan = fields::read_point(in, "pick on plan");
+  pick.sigma_m = fields::read_within(in, "pick sigma", kLeastPickSigma_m, kMostPickSigma_m);
   if (in.flag("pick has heading")) {
     const std::size_t at = in.offset();
     pick.heading = in.f64("pick heading");
@@ -62,8 +42,8 @@ Bytes encode(const Registration& registration) {
     for (const Pick& pick : registration.picks) {
       out.text(pick.name);
       out.id(pick.place);
-      write_point(out, pick.in_place);
-      write_point(out, pick.on_plan);
+      fields::write(out, pick.in_place);
+      fields::write(out, pick.on_plan);
       out.f64(pick.sigma_m);
       out.flag(pick.heading.has_value());
       if (pick.heading) out.f64(*pick.heading);

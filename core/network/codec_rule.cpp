@@ -1,17 +1,23 @@
-#include <cmath>
-
 #include "core/network/codec.hpp"
 #include "core/network/fields.hpp"
 
 namespace weft {
 namespace {
 
-/// Reads a number that is neither negative nor above `most`.
-double read_bounded(ByteReader& in, const char* field, double most) {
-  const std::size_t at = in.offset();
-  const double value = in.f64(field);
-  if (!(value >= 0.0 && value <= most)) in.corrupt(field, at, "is not from 0 to " + std::to_string(most));
-  return value;
+Area read_area(ByteReader& in) {
+  Area area;
+  area.plan = in.text("area plan");
+  area.plan_hash = in.id<ContentHash>("area plan hash");
+  area.corners.resize(in.count("area corners", fields::kPointBytes));
+  for (Eigen::Vector2d& corner : area.corners) corner = fields::read_point(in, "area corner");
+  return area;
+}
+
+void write_area(ByteWriter& out, const Area& area) {
+  out.text(area.plan);
+  out.id(area.plan_hash);
+  out.count(area.corners.size());
+  for (const Eigen::Vector2d& corner : area.corners) fields::write(out, corner);
 }
 
 Rule read_rule(ByteReader& in) {
@@ -19,7 +25,7 @@ Rule read_rule(ByteReader& in) {
   rule.name = in.text("name");
   rule.kind = static_cast<RuleKind>(
       in.ranged("kind", static_cast<std::uint8_t>(RuleKind::closed), static_cast<std::uint8_t>(RuleKind::hold)));
-  rule.value = read_bounded(in, "value", kMostRobots);
+  rule.value = fields::read_within(in, "value", 0.0, kMostRobots);
   rule.one_direction = in.flag("one direction");
   rule.spans.resize(in.count("spans", 2 * fields::kPlaceIdBytes));
   for (Span& span : rule.spans) {
@@ -27,7 +33,8 @@ Rule read_rule(ByteReader& in) {
     span.to = in.place_id("span to");
   }
   rule.label = in.text("label");
-  rule.within_m = read_bounded(in, "within", kRuleWithin_m);
+  rule.within_m = fields::read_within(in, "within", 0.0, kRuleWithin_m);
+  if (in.flag("has area")) rule.area = read_area(in);
   return rule;
 }
 
@@ -46,6 +53,8 @@ Bytes encode(const Rule& rule) {
     }
     out.text(rule.label);
     out.f64(rule.within_m);
+    out.flag(rule.area.has_value());
+    if (rule.area) write_area(out, *rule.area);
   });
 }
 

@@ -18,11 +18,18 @@ Relation read_relation(ByteReader& in);
 Place read_place(ByteReader& in);
 Edge read_edge(ByteReader& in);
 
+/// Reads a number, which is corrupt when it is not from `least` to `most`.
+double read_within(ByteReader& in, const char* field, double least, double most);
+/// Write and read a point within `kPlanReach_m`, x before y.
+void write(ByteWriter& out, const Eigen::Vector2d& point);
+Eigen::Vector2d read_point(ByteReader& in, const char* field);
+
 // Fewest bytes of a record's fields: bounds the counts that a reader believes.
 inline constexpr std::size_t kRelationLeast = 1 + 4 * 8;
 inline constexpr std::size_t kPlaceLeast = 12 + 4 + 4 + 4 + 32 + 8 + 16 + 8 + 8;
 inline constexpr std::size_t kEdgeLeast = 24 + 4 + kRelationLeast + 1 + 4 + 1 + 4 + 4;
 inline constexpr std::size_t kPlaceIdBytes = 12;
+inline constexpr std::size_t kPointBytes = 2 * 8;
 
 /// Write and read a whole record: format byte, fields, nothing after them.
 template <class Fields>

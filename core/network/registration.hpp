@@ -34,6 +34,8 @@ inline constexpr double kPlanReach_m = 1e6;            ///< farthest from a plan
 inline constexpr double kLeastPickSigma_m = 0.001;
 inline constexpr double kMostPickSigma_m = 10.0;
 
+/// Returns whether both coordinates are numbers within `kPlanReach_m`.
+bool is_on_plan(const Eigen::Vector2d& point);
 /// Says it for people: "plan hall by 4 picks: dock-2, dock-3, gate, lift".
 std::string to_string(const Registration& registration);
 

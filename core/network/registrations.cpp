@@ -14,17 +14,13 @@ namespace {
 /// Bounds the names in a sentence, which has to fit into a message.
 constexpr std::size_t kPicksSaid = 10;
 
-bool is_within(const Eigen::Vector2d& point) {
-  return std::abs(point.x()) <= kPlanReach_m && std::abs(point.y()) <= kPlanReach_m;  // no number is not within
-}
-
 Result<void> check_pick(const Snapshot& snapshot, const std::string& plan, const Pick& pick) {
   if (!parse_place_id(pick.name)) {
     if (const Result<void> good = check_name("pick", pick.name); !good)
       return fail(good.error().code, "plan " + plan + ", " + good.error().message);
   }
   const std::string name = "plan " + plan + ", pick " + pick.name;
-  if (!is_within(pick.in_place) || !is_within(pick.on_plan)) {
+  if (!is_on_plan(pick.in_place) || !is_on_plan(pick.on_plan)) {
     return fail(ErrorCode::invalid, name + ": a point lies farther than " + short_number(kPlanReach_m) +
                                         " m from its origin; give metres, not pixels or degrees");
   }
@@ -65,6 +61,10 @@ Result<void> check(const Snapshot& snapshot, const Registration& registration) {
   return fail(ErrorCode::invalid,
               name + ": the map has " + std::to_string(kMostRegistrations) +
                   " registered plans, which is the most; remove one (weft map register --remove)");
+}
+
+bool is_on_plan(const Eigen::Vector2d& point) {
+  return std::abs(point.x()) <= kPlanReach_m && std::abs(point.y()) <= kPlanReach_m;  // no number is not within
 }
 
 std::string to_string(const Registration& registration) {

@@ -52,6 +52,8 @@ std::string to_string(const Rule& rule) {
   if (rule.kind == RuleKind::priority || rule.kind == RuleKind::capacity) text += " " + short_number(rule.value);
   if (rule.one_direction) text += " in one direction";
   for (const Span& span : rule.spans) text += (&span == rule.spans.data() ? " on " : ", ") + to_string(span);
+  if (rule.area)
+    text += " (" + std::to_string(rule.area->corners.size()) + " corners on plan " + rule.area->plan + ")";
   if (rule.label.empty()) return text;
   text += rule.spans.empty() ? " " : " and ";
   return text + (rule.within_m > 0.0 ? "within " + short_number(rule.within_m) + " m of " : "at ") + rule.label;

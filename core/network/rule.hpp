@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/ids.hpp"
+#include "core/network/area.hpp"
 
 namespace weft {
 
@@ -48,10 +49,12 @@ struct Rule {
   std::vector<Span> spans{};
   std::string label{};    ///< empty: none
   double within_m = 0.0;  ///< around the label, along the ways that lead from and to it; 0: the label's place alone
+  std::optional<Area> area{};  ///< where the spans were taken from, all of them; none: they were named
   bool operator==(const Rule&) const = default;
 };
 
-/// Says it for people: "speed 0.3 m/s on 00000000000000a1:4..9 and within 2 m of dock".
+/// Says it for people: "speed 0.3 m/s on 00000000000000a1:4..9 and within 2 m of dock", and "(4 corners on plan
+/// hall)" of one with an area.
 std::string to_string(const Rule& rule);
 /// Says it as operators write it: "E:I..J", or "E:I..F:J" over the edge between two runs.
 std::string to_string(const Span& span);

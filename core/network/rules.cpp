@@ -25,6 +25,10 @@ constexpr std::uint32_t kNeighbours = 4;
 constexpr double kAlike = 0.5;
 constexpr double kLeastStep_m = 0.02;
 
+bool is_directed(const Rule& rule) {
+  return rule.one_direction || rule.kind == RuleKind::one_way;
+}
+
 struct Bounds {
   double least;
   double most;
@@ -74,6 +78,21 @@ Result<void> check_span(const Snapshot& snapshot, const std::string& name, const
                                         ", which are of two runs; name places of one run, or the ends of an edge");
 }
 
+Result<void> check_area(const Rule& rule) {
+  if (!rule.area) return {};
+  const std::string name = "rule " + rule.name;
+  if (is_directed(rule)) {
+    return fail(ErrorCode::invalid, name + " has a direction, which an area has not: name places in its stead");
+  }
+  if (const Result<void> good = check_name("plan", rule.area->plan); !good)
+    return fail(good.error().code, name + ", its area: " + good.error().message);
+  const std::string problem = problem_of(rule.area->corners);
+  if (problem.empty()) return {};
+  return fail(ErrorCode::invalid, name + ": its area on plan " + rule.area->plan + " " + problem + "; give " +
+                                      std::to_string(kLeastCorners) + " to " + std::to_string(kMostCorners) +
+                                      " corners in metres of the plan's frame");
+}
+
 Result<void> check_where(const Snapshot& snapshot, const Rule& rule) {
   const std::string name = "rule " + rule.name;
   if (rule.spans.empty() && rule.label.empty()) {
@@ -83,10 +102,9 @@ Result<void> check_where(const Snapshot& snapshot, const Rule& rule) {
     return fail(ErrorCode::invalid, name + " names " + std::to_string(rule.spans.size()) + " stretches, at most " +
                                         std::to_string(kRuleSpans) + "; make several rules of it");
   }
-  const bool is_directed = rule.one_direction || rule.kind == RuleKind::one_way;
   const bool has_direction =
       rule.label.empty() && std::ranges::none_of(rule.spans, [](const Span& span) { return span.from == span.to; });
-  if (is_directed && !has_direction) {
+  if (is_directed(rule) && !has_direction) {
     return fail(ErrorCode::invalid,
                 name + " has a direction: name the first and the last place of each stretch, and no label");
   }
@@ -249,6 +267,7 @@ Result<void> check(const Snapshot& snapshot, const Rule& rule) {
     return fail(ErrorCode::invalid,
                 "rule " + rule.name + " would be one of more than " + std::to_string(kMostRules) + ": remove others");
   }
+  if (auto good = check_area(rule); !good) return good;
   return check_where(snapshot, rule);
 }
 
@@ -262,8 +281,7 @@ RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule) {
     floors.push_back(on_the_floor_of(snapshot, named.place));
     for (const Beside& beside : floors.back()) places.insert(beside.place);
   }
-  const bool is_directed = rule.kind == RuleKind::one_way || rule.one_direction;
-  if (is_directed) {
+  if (is_directed(rule)) {
     std::set<Span> forbidden;
     const double sign = rule.kind == RuleKind::one_way ? -1.0 : 1.0;
     for (std::size_t at = 0; at < floors.size(); ++at) {

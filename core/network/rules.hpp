@@ -7,8 +7,9 @@
 namespace weft {
 
 /// Returns nothing for a rule that fits the map. invalid: a name that breaks the rule for names, a value out of its
-/// kind's bounds, nothing named, one way or one direction without spans. not_found: a span's end or the label is not
-/// in the snapshot, or no edge joins the ends of a span between two runs.
+/// kind's bounds, nothing named, one way or one direction without spans or with an area, corners of an area out of
+/// their bounds. not_found: a span's end or the label is not in the snapshot, or no edge joins the ends of a span
+/// between two runs. The plan of an area need not be registered: it may be removed at any time.
 Result<void> check(const Snapshot& snapshot, const Rule& rule);
 
 /// Tells where a rule holds on one map.

@@ -120,6 +120,26 @@ void describe(Io& io, Value<Io, Span>& value, Wire<Io, idl::Span>& wire) {
   io.some("to", value.to, wire.to_place());
 }
 
+/// Describes a point that lies within reach of its origin.
+template <class Io, class Vector>
+void point(Io& io, std::string_view field, Vector& value, Wire<Io, double>& x, Wire<Io, double>& y) {
+  io.finite(field, value.x(), x);
+  io.finite(field, value.y(), y);
+  io.require(std::abs(value.x()) <= kPlanReach_m && std::abs(value.y()) <= kPlanReach_m, field,
+             "must be within 1000000 m");
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, Area>& value, Wire<Io, idl::Area>& wire) {
+  io.text("plan", value.plan, wire.plan(), kNameLength);
+  io.any(value.plan_hash, wire.plan_hash());
+  const std::size_t size = io.entries("corners", value.corners, wire.corners(), kMostCorners);
+  io.require(size >= kLeastCorners, "corners", "must be 3 or more");
+  for (std::size_t i = 0; i < size; ++i) {
+    point(io, "corners[" + std::to_string(i) + "]", value.corners[i], wire.corners()[i].x(), wire.corners()[i].y());
+  }
+}
+
 template <class Io>
 void describe(Io& io, Value<Io, Rule>& value, Wire<Io, idl::Rule>& wire) {
   io.text("name", value.name, wire.name(), kNameLength);
@@ -131,15 +151,13 @@ void describe(Io& io, Value<Io, Rule>& value, Wire<Io, idl::Rule>& wire) {
   io.text("label", value.label, wire.label(), kNameLength);
   io.not_negative("within_m", value.within_m, wire.within_m());
   io.require(value.within_m <= kRuleWithin_m, "within_m", "must be at most 1000");
-}
-
-/// Describes a point that lies within reach of its origin.
-template <class Io, class Vector>
-void point(Io& io, std::string_view field, Vector& value, Wire<Io, double>& x, Wire<Io, double>& y) {
-  io.finite(field, value.x(), x);
-  io.finite(field, value.y(), y);
-  io.require(std::abs(value.x()) <= kPlanReach_m && std::abs(value.y()) <= kPlanReach_m, field,
-             "must be within 1000000 m");
+  if (io.is_there(value.area.has_value(), wire.has_area())) {
+    if constexpr (Io::kReads) {
+      io.in("area", value.area.emplace(), wire.area());
+    } else {
+      io.in("area", value.area.value_or(Area{}), wire.area());
+    }
+  }
 }
 
 template <class Io>

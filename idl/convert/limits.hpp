@@ -53,6 +53,7 @@ inline constexpr Bound kBounds[] = {
     {"places of a route", kRoutePlaces},
     {"speed limits of a route", kRouteLimits},
     {"spans of a rule", kRuleSpans},
+    {"corners of a rule's area", kMostCorners},
     {"registered plans of a map", kMostRegistrations},
     {"picks of a registered plan", kMostPicks},
     {"points of a line to teach along", kLinePoints},

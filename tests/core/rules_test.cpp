@@ -68,6 +68,7 @@ Snapshot aisle() {
 struct Rules : testing::Test {
   Snapshot map = aisle();
   Rule rule{.name = "shut", .spans = {{{there, 3}, {there, 6}}}};
+  Area hall{"hall", hash_bytes(Bytes{1}), {{0, 0}, {4, 0}, {4, 3}}};
 
   std::string refusal() const {
     const auto fits = check(map, rule);
@@ -182,6 +183,31 @@ TEST_F(Rules, ThatCannotHoldAreRefusedByNameAndBound) {
   EXPECT_THAT(refusal(), HasSubstr("no edge joins"));
   rule.name = "a b";
   EXPECT_THAT(refusal(), HasSubstr("rule"));
+}
+
+TEST_F(Rules, WithAnAreaThatCannotBeAreRefused) {
+  rule.area = hall;
+  EXPECT_EQ(refusal(), "") << "whether the plan is registered does not count";
+  rule.area->plan = "the hall";
+  EXPECT_THAT(refusal(), HasSubstr("rule shut, its area: "));
+  rule.area = hall;
+  rule.area->corners.resize(2);
+  EXPECT_THAT(refusal(), HasSubstr("its area on plan hall has 2 corners; give 3 to 100"));
+  rule.area->corners = {{0, 0}, {4, 0}, {4, std::nan("")}};
+  EXPECT_THAT(refusal(), HasSubstr("has a corner farther than"));
+  rule.area = hall;
+  rule.one_direction = true;
+  EXPECT_THAT(refusal(), HasSubstr("has a direction, which an area has not"));
+}
+
+TEST_F(Rules, WithAnAreaComeBackFromTheirBytesAndDamageIsSeen) {
+  rule.area = hall;
+  EXPECT_THAT(to_string(rule), HasSubstr(" (3 corners on plan hall)"));
+  const Bytes bytes = encode(rule);
+  EXPECT_EQ(decode_rule(bytes).value(), rule);
+  for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(decode_rule(ByteView(bytes).first(size)));
+  rule.area->corners[1].x() = 1.1e6;
+  EXPECT_THAT(decode_rule(encode(rule)).error().message, HasSubstr("area corner"));
 }
 
 TEST_F(Rules, AreSaidForPeople) {

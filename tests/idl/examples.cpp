@@ -108,7 +108,8 @@ Rule rule() {
           true,
           {{place_id(1, 5), place_id(1, 9)}, {place_id(1, 5), place_id(2, 0)}},
           "dock",
-          3.5};
+          3.5,
+          Area{"hall", id_of<ContentHash>(0x90), {{0.5, -1.5}, {12.5, 3.25}, {0.25, 8.0}}}};
 }
 
 Registration registration() {

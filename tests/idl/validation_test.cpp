@@ -123,6 +123,14 @@ TEST(FromIdl, RefusesListsAndNumbersOutOfBounds) {
               HasSubstr("rule.within_m must be at most 1000"));
   EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.kind = RuleKind{9}; }),
               HasSubstr("rule.kind must be from 1 to 8"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.area->corners.pop_back(); }),
+              HasSubstr("rule.area.corners must be 3 or more"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.area->corners.resize(101); }),
+              HasSubstr("rule.area.corners has more than 100 entries"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.area->corners[1].y() = std::nan(""); }),
+              HasSubstr("rule.area.corners[1] must be finite"));
+  EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.rule.area->plan = std::string(65, 'a'); }),
+              HasSubstr("rule.area.plan"));
   EXPECT_THAT(refusal<msg::ExperienceBatch>([](auto& m) { m.batch.sequence = 0; }), HasSubstr("at least 1"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.header.signature.resize(65); }), HasSubstr("more than 64 entries"));
   EXPECT_THAT(refusal<msg::OperatorRequest>([](auto& m) { m.work.what.places[0].last = 2; }),

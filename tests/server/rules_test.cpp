@@ -70,6 +70,20 @@ TEST_F(ServerRules, ThatCannotHoldAreRefused) {
   EXPECT_THAT(reply.message, HasSubstr("is not in the map"));
 }
 
+TEST_F(ServerRules, KeepTheirArea) {
+  shut.area = Area{"hall", {}, {{0, 0}, {4, 0}, {4, 3}}};
+  EXPECT_EQ(site.put_rule(shut).outcome, msg::Outcome::done);
+  site.restart();
+  EXPECT_EQ(rules().at("shut"), shut);
+  EXPECT_EQ(site.read(msg::Query::Kind::rules).rules.at(0).rule, shut);
+  EXPECT_EQ(named(Kind::hold, "shut").outcome, msg::Outcome::done) << "although no plan is registered";
+  EXPECT_EQ(rules().at("hold-shut").area, shut.area);
+  shut.area->corners.pop_back();
+  const msg::OperatorReply refused = site.put_rule(shut);
+  EXPECT_EQ(refused.outcome, msg::Outcome::refused);
+  EXPECT_THAT(refused.message, HasSubstr("its area on plan hall has 2 corners"));
+}
+
 TEST_F(ServerRules, AreAnsweredWithTheirPlacesAndProblems) {
   site.put_rule(shut);
   site.put_rule({.name = "calm", .kind = RuleKind::speed, .value = 0.3, .label = "dock", .within_m = 1.0});

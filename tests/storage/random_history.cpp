@@ -70,6 +70,7 @@ RandomHistory::Step RandomHistory::draw_rule(const Snapshot& now, const PlaceId&
   rule.kind = RuleKind::speed;
   rule.value = 0.25 * static_cast<double>(1 + random_.below(4));
   rule.spans = {{place, place}};
+  if (rule.value > 0.5) rule.area = Area{"plan0", {}, {{0, 0}, {rule.value, 0}, {0, 1}}};
   return {{{PutRule{rule}}, {}}, with_rule(now, rule)};
 }
 

@@ -39,7 +39,10 @@ struct EditedStore {
   PutAwaitedLabel awaited{"gate", {ExperienceId{0x22}, 90}, sample::robot(2), sample::robot(7), 5, "anna"};
   Apart apart{{ExperienceId{0x11}, 4, 7}, {ExperienceId{0x22}, 3, 5}};
   Registration registration{"hall", {}, {{"dock", {ExperienceId{0x11}, 4}}}};
-  Rule rule{.name = "shut", .spans = {{{ExperienceId{0x11}, 4}, {ExperienceId{0x11}, 7}}}, .label = "dock"};
+  Rule rule{.name = "shut",
+            .spans = {{{ExperienceId{0x11}, 4}, {ExperienceId{0x11}, 7}}},
+            .label = "dock",
+            .area = Area{"hall", {}, {{0, 0}, {4, 0}, {4, 3}}}};
 };
 
 struct EditKind {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/network/codec.hpp"
 #include "tests/contract/map_store/store_fixture.hpp"
 #include "tests/storage/sample_map.hpp"
 
@@ -18,7 +19,9 @@ class MapRules : public StoreTest {
   }
 
   sample::Run run_{0x11, 1};
-  Rule shut_{.name = "shut", .spans = {{{run_.experience(), 1}, {run_.experience(), 4}}}};
+  Rule shut_{.name = "shut",
+             .spans = {{{run_.experience(), 1}, {run_.experience(), 4}}},
+             .area = Area{"hall", hash_bytes(Bytes{1}), {{0, 0}, {4, 0}, {4, 3}}}};
   Rule slow_{.name = "slow", .kind = RuleKind::speed, .value = 0.25, .label = "dock", .within_m = 3.0};
 };
 
