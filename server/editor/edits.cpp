@@ -96,20 +96,30 @@ void undo_registration(const std::string& plan, const Snapshot& now, const Snaps
   if (registration_of(plan, then) == is && was != is) edit.registrations[plan] = was;
 }
 
-/// Refuses an edit that would leave the map more registered plans than it may have.
-Result<void> check_registrations(const Snapshot& snapshot, const Edit& edit) {
-  const Snapshot::Registrations& known = snapshot.registrations();
+/// Refuses changes of what has names that would leave the map more of it than it may have. `remedy`: the command that
+/// removes one.
+template <class Named>
+Result<void> check_count(const std::map<std::string, Named>& known,
+                         const std::map<std::string, std::optional<Named>>& changes, std::size_t most,
+                         const std::string& what, const std::string& remedy) {
   std::size_t came = 0;
   std::size_t went = 0;
-  for (const auto& [plan, registration] : edit.registrations) {
-    if (registration && !known.contains(plan)) ++came;
-    if (!registration && known.contains(plan)) ++went;
+  for (const auto& [name, value] : changes) {
+    if (value && !known.contains(name)) ++came;
+    if (!value && known.contains(name)) ++went;
   }
   const std::size_t count = known.size() + came - went;
-  if (came <= went || count <= kMostRegistrations) return {};
-  return fail(ErrorCode::refused, "the map would have " + std::to_string(count) + " registered plans, at most " +
-                                      std::to_string(kMostRegistrations) +
-                                      ": remove one (weft map register PLAN --remove), then undo again");
+  if (came <= went || count <= most) return {};
+  return fail(ErrorCode::refused, "the map would have " + std::to_string(count) + " " + what + ", at most " +
+                                      std::to_string(most) + ": remove one (" + remedy + "), then undo again");
+}
+
+/// Refuses an edit that would leave the map more rules or registered plans than it may have.
+Result<void> check_counts(const Snapshot& snapshot, const Edit& edit) {
+  const Result<void> rules = check_count(snapshot.rules(), edit.rules, kMostRules, "rules", "weft rule remove NAME");
+  if (!rules) return rules;
+  return check_count(snapshot.registrations(), edit.registrations, kMostRegistrations, "registered plans",
+                     "weft map register PLAN --remove");
 }
 
 std::string known_plans(const Snapshot& snapshot) {
@@ -368,7 +378,7 @@ Result<Edit> undoing(const Snapshot& snapshot, const storage::MapStore& store, R
                                           " is left to undo: it has been undone, or later "
                                           "revisions changed the same; weft map log shows them");
   }
-  if (const Result<void> fits = check_registrations(snapshot, edit); !fits) return fail(fits.error());
+  if (const Result<void> fits = check_counts(snapshot, edit); !fits) return fail(fits.error());
   return edit;
 }
 

@@ -84,6 +84,31 @@ TEST_F(ServerRules, KeepTheirArea) {
   EXPECT_THAT(refused.message, HasSubstr("its area on plan hall has 2 corners"));
 }
 
+TEST_F(ServerRules, ThatAnUndoWouldBringBackAreRefusedWhereTheMapHasTheMost) {
+  storage::Transaction most;
+  for (std::size_t i = 0; i < kMostRules; ++i) {
+    most.changes.emplace_back(storage::PutRule{{.name = "rule" + std::to_string(i), .label = "dock"}});
+  }
+  const std::unique_ptr<storage::MapStore> store = storage::make_memory_store(site.disk);
+  ASSERT_TRUE(store->open());
+  ASSERT_TRUE(store->commit(most));
+  site.restart();
+  const Revision removed = named(Kind::rule_remove, "rule7").revision;
+  ASSERT_EQ(site.put_rule(shut).outcome, msg::Outcome::done);
+  const auto undo = [&] {
+    msg::OperatorRequest request = site.request(Kind::undo);
+    request.work.revision = removed;
+    return site.ask(request);
+  };
+  const msg::OperatorReply refused = undo();
+  EXPECT_EQ(refused.outcome, msg::Outcome::refused);
+  EXPECT_THAT(refused.message, HasSubstr("the map would have 1001 rules, at most 1000: remove one"));
+  EXPECT_THAT(rules(), SizeIs(kMostRules));
+  ASSERT_EQ(named(Kind::rule_remove, "rule8").outcome, msg::Outcome::done);
+  EXPECT_EQ(undo().outcome, msg::Outcome::done);
+  EXPECT_TRUE(rules().contains("rule7"));
+}
+
 TEST_F(ServerRules, AreAnsweredWithTheirPlacesAndProblems) {
   site.put_rule(shut);
   site.put_rule({.name = "calm", .kind = RuleKind::speed, .value = 0.3, .label = "dock", .within_m = 1.0});
