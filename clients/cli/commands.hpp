@@ -66,8 +66,12 @@ Result<NetworkPage> last_page_at(Session& session, const Invocation& invocation,
 /// Makes the request for what is to be done to the map. invalid: what the command line names is nothing that could be
 /// meant.
 Result<msg::OperatorRequest> map_work(const Invocation& invocation);
-/// Lays down, lists and takes away rules, and closes single edges by rules.
+/// Lists rules, where they hold, and how much of their areas they do not cover.
+Exit run_rule_list(Session& session, const Invocation& invocation, const Output& output);
+/// Lays down and takes away rules, and closes single edges by rules.
 Exit run_rules(Session& session, const Invocation& invocation, const Output& output);
+/// Takes the spans of rules anew from their areas.
+Exit run_refresh(Session& session, const Invocation& invocation, const Output& output);
 /// Registers a floor plan, removes its registration, or shows what is registered.
 Exit run_register(Session& session, const Invocation& invocation, const Output& output);
 /// Makes the request of a command on rules. invalid: what the command line names is no stretch.

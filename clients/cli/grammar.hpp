@@ -61,6 +61,7 @@ class Grammar {
   // grammar_rules.cpp
   /// Adds the commands on rules. Each change is one revision, which `map undo --revision` takes back.
   void rules();
+  void refreshing(CLI::App& parent);
   void one_edge(CLI::App& parent, const char* name, const char* help, Command command);
   void held(CLI::App& parent, const char* name, const char* help, Command command);
   /// Reads "KIND" or "KIND=VALUE".

@@ -36,14 +36,16 @@ void Grammar::rules() {
                 into_.polygon = *std::move(read);
               },
               "Where: on the places that lie within these corners of a registered floor plan, or on either side of "
-              "them, as the map is now")
+              "them, as the map is now; see weft rule refresh")
           ->type_name("X,Y;X,Y;...");
   added->add_option("--plan", into_.plan, "With --polygon: which plan [the only one that is registered]")
       ->type_name("NAME")
       ->needs(polygon);
   added->add_flag("--one-direction", into_.rule.one_direction, "With closed: only from A towards B");
   only_say(*added);
-  add(*rules, "list", "All rules, and on how many places each holds", Command::rule_list);
+  add(*rules, "list", "All rules, on how many places each holds, and what of its polygon it does not cover",
+      Command::rule_list);
+  refreshing(*rules);
   CLI::App* const removed = add(*rules, "remove", "Take a rule away", Command::rule_remove);
   removed->add_option("NAME", into_.rule.name, "The rule")->required()->type_name("");
   only_say(*removed);
@@ -53,6 +55,20 @@ void Grammar::rules() {
   held(app_, "hold", "Release a ROBOT, or robots on the places of a RULE, no farther; nobody stops harder for it",
        Command::hold);
   held(app_, "unhold", "Let a held ROBOT, or the places of a RULE, go", Command::unhold);
+}
+
+void Grammar::refreshing(CLI::App& parent) {
+  CLI::App* const sub =
+      add(parent, "refresh", "Cover what lies within a rule's polygon by now, and no more", Command::rule_refresh);
+  CLI::Option* const name = sub->add_option("NAME", into_.rule.name, "The rule")->type_name("");
+  CLI::Option* const all = sub->add_flag("--all", all_, "Every rule with a polygon");
+  name->excludes(all);
+  only_say(*sub);
+  // Takes the place of the callback that add() gave.
+  sub->callback([this, sub] {
+    into_.command = Command::rule_refresh;
+    if (into_.rule.name.empty() && !all_) throw CLI::RequiredError(sub->get_name() + ": NAME or --all");
+  });
 }
 
 void Grammar::one_edge(CLI::App& parent, const char* name, const char* help, Command command) {

@@ -60,6 +60,7 @@ struct Invocation {
     calibrate,
     rule_add,
     rule_list,
+    rule_refresh,
     rule_remove,
     edge_close,
     edge_open,
@@ -94,9 +95,9 @@ struct Invocation {
   bool replace = false;            ///< teach stop: what was taught takes the place of what it covers
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;
-  bool as_text = false;                    ///< file convert: clouds as text
-  std::vector<std::string> passed;         ///< calibrate: as it stands, for `weft-agent calibrate`
-  Rule rule;                               ///< rule add: all but its spans; rule remove: its name
+  bool as_text = false;             ///< file convert: clouds as text
+  std::vector<std::string> passed;  ///< calibrate: as it stands, for `weft-agent calibrate`
+  Rule rule;  ///< rule add: all but its spans; rule remove, refresh: its name (refresh: none: all)
   std::vector<std::string> stretches;      ///< rule add: its spans
   Polygon polygon;                         ///< rule add: where on a registered plan
   std::string to_place;                    ///< edge close, edge open: where it leads

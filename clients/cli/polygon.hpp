@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -18,11 +19,12 @@ Result<Polygon> parse_polygon(std::string_view text);
 /// Returns whether the point lies within the polygon, counted by edges crossed.
 bool contains(const Polygon& polygon, const Eigen::Vector2d& point);
 
-/// Returns the stretches of runs that lie within the polygon or lead through it, of places laid out in the plan's
-/// frame: the places within it, and the two on either side of it where a run crosses it between them. A stretch goes
-/// on over places that have left the map. not_found: there is none; invalid: they are more than one rule can name.
-Result<std::vector<Span>> spans_within(const Layout& layout, const Polygon& polygon);
+/// Returns the places within the polygon, of those laid out in the plan's frame, and where a run crosses it between
+/// two places, the two on either side of it.
+std::set<PlaceId> places_within(const Layout& layout, const Polygon& polygon);
 
-inline constexpr std::size_t kMostCorners = 100;
+/// Returns the stretches of runs that `places_within` makes. A stretch goes on over places that have left the map.
+/// not_found: there is none; invalid: they are more than one rule can name.
+Result<std::vector<Span>> spans_within(const Layout& layout, const Polygon& polygon);
 
 }  // namespace weft::cli

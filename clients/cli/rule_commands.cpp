@@ -1,11 +1,9 @@
 #include <charconv>
 
 #include "clients/cli/commands.hpp"
-#include "clients/cli/registered.hpp"
-#include "clients/cli/table.hpp"
-#include "core/text.hpp"
+#include "clients/cli/rule_areas.hpp"
 
-/// Holds the commands on rules: what is laid down for pieces of the map.
+/// Holds the commands that change rules: what is laid down for pieces of the map.
 namespace weft::cli {
 namespace {
 
@@ -59,71 +57,17 @@ Result<Rule> edge_rule(const Invocation& invocation) {
   return rule;
 }
 
-std::string value_of(const Rule& rule) {
-  if (rule.kind == RuleKind::speed) return short_number(rule.value) + " m/s";
-  const bool has_value = rule.kind == RuleKind::priority || rule.kind == RuleKind::capacity;
-  return has_value ? short_number(rule.value) : rule.one_direction ? "one direction" : "-";
-}
-
-std::string where(const Rule& rule) {
-  std::string text;
-  for (const Span& span : rule.spans) text += (text.empty() ? "" : ", ") + to_string(span);
-  if (rule.label.empty()) return text;
-  text += (text.empty() ? "" : ", ") + rule.label;
-  return rule.within_m > 0.0 ? text + " within " + short_number(rule.within_m) + " m" : text;
-}
-
-nlohmann::json document_of(const msg::RuleRow& row) {
-  const Rule& rule = row.rule;
-  nlohmann::json document = {{"name", rule.name},
-                             {"kind", to_string(rule.kind)},
-                             {"value", rule.value},
-                             {"one_direction", rule.one_direction},
-                             {"places", nlohmann::json::array()},
-                             {"label", rule.label.empty() ? nlohmann::json() : nlohmann::json(rule.label)},
-                             {"within_m", rule.within_m},
-                             {"place_count", row.places},
-                             {"problem", row.problem.empty() ? nlohmann::json() : nlohmann::json(row.problem)}};
-  for (const Span& span : rule.spans) document["places"].push_back(to_string(span));
-  return document;
-}
-
-/// Asks for the map and what is registered, and finds what of it lies within the polygon.
-Result<std::vector<Span>> spans_on_plan(Session& session, const Invocation& invocation, const Output& output) {
-  const Result<Window> network = network_at(session, invocation, {}, output);
-  if (!network) return fail(network.error());
-  const Result<NetworkPage> page = last_page_at(session, invocation, network->revision);
-  if (!page) return fail(page.error());
-  const Result<Registration> plan = registration_of(page->registrations, invocation.plan);
-  if (!plan) return fail(plan.error());
-  const Result<Registered> on_plan = registered(*network, *plan);
-  if (!on_plan) return fail(on_plan.error());
-  return spans_within(on_plan->layout, invocation.polygon);
-}
-
-Exit list(Session& session, const Invocation& invocation, const Output& output) {
-  msg::Query query;
-  query.kind = msg::Query::Kind::rules;
-  const Result<msg::QueryReply> reply = session.query(query, patience(invocation));
-  if (!reply) return report(reply.error(), invocation.json, output);
-  if (invocation.json) {
-    nlohmann::json document = {{"rules", nlohmann::json::array()}};
-    for (const msg::RuleRow& row : reply->rules) document["rules"].push_back(document_of(row));
-    output.out << printed(document) << '\n';
-    return Exit::done;
-  }
-  if (reply->rules.empty()) {
-    output.out << "no rules; lay one down: weft rule add NAME --kind closed --place A..B\n";
-    return Exit::done;
-  }
-  Table table;
-  table.add({"RULE", "KIND", "VALUE", "PLACES", "WHERE", "PROBLEM"});
-  for (const msg::RuleRow& row : reply->rules) {
-    table.add({row.rule.name, to_string(row.rule.kind), value_of(row.rule), std::to_string(row.places),
-               where(row.rule), row.problem});
-  }
-  table.print(output.out);
-  return Exit::done;
+/// Gives the rule an area, and the spans of what lies within it.
+Result<void> take_area(Session& session, const Invocation& invocation, const Output& output, Rule& rule) {
+  Result<RuleAreas> areas = rule_areas(session, invocation, output);
+  if (!areas) return fail(areas.error());
+  Result<Area> area = areas->area_on(invocation.plan, invocation.polygon);
+  if (!area) return fail(area.error());
+  Result<std::vector<Span>> spans = areas->spans_of(*area);
+  if (!spans) return fail(spans.error());
+  rule.area = *std::move(area);
+  rule.spans = *std::move(spans);
+  return {};
 }
 
 }  // namespace
@@ -151,6 +95,12 @@ Result<msg::OperatorRequest> rule_request(const Invocation& invocation) {
                                         ": --polygon has no direction, and such a rule needs one: name --place A..B, "
                                         "from A towards B");
   }
+  if (!request.rule.spans.empty() && !invocation.polygon.empty()) {
+    return fail(ErrorCode::invalid,
+                "rule " + request.rule.name +
+                    ": its places are those of --polygon, which can be taken anew, or of --place, "
+                    "not of both: make two rules of it");
+  }
   const bool is_somewhere = !request.rule.spans.empty() || !request.rule.label.empty() || !invocation.polygon.empty();
   if (request.kind == Kind::rule_put && !is_somewhere) {
     return fail(ErrorCode::invalid, "rule " + request.rule.name +
@@ -161,26 +111,18 @@ Result<msg::OperatorRequest> rule_request(const Invocation& invocation) {
 }
 
 Exit run_rules(Session& session, const Invocation& invocation, const Output& output) {
-  if (invocation.command == Command::rule_list) return list(session, invocation, output);
   Result<msg::OperatorRequest> request = rule_request(invocation);
   if (!request) return report(request.error(), invocation.json, output);
   if (!invocation.polygon.empty()) {
-    Result<std::vector<Span>> spans = spans_on_plan(session, invocation, output);
-    if (!spans) return report(spans.error(), invocation.json, output);
-    request->rule.spans.insert(request->rule.spans.end(), spans->begin(), spans->end());
-    if (const std::size_t count = request->rule.spans.size(); count > kRuleSpans) {
-      const std::string message = "rule " + request->rule.name + " names " + std::to_string(count) +
-                                  " stretches with those within the polygon, at most " + std::to_string(kRuleSpans) +
-                                  "; make several rules of it";
-      return report(Error{ErrorCode::invalid, message}, invocation.json, output);
-    }
+    const Result<void> taken = take_area(session, invocation, output, request->rule);
+    if (!taken) return report(taken.error(), invocation.json, output);
   }
   const Result<msg::OperatorReply> reply = session.ask(*std::move(request), patience(invocation));
   if (!reply) return report(reply.error(), invocation.json, output);
   const Exit exit = show(*reply, invocation, output);
   if (exit == Exit::done && !invocation.polygon.empty() && !invocation.json && !invocation.only_say) {
-    output.out << "it holds on the floor that is taught there now: lay it down again when more is taught within the "
-                  "polygon.\n";
+    output.out << "when more is taught within the polygon, weft rule refresh " << invocation.rule.name
+               << " covers that too\n";
   }
   return exit;
 }

@@ -53,6 +53,8 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"robot", "clear", "r1", "--yes"}, Command::robot_clear},
       {{"rule", "add", "x", "--kind", "closed", "--place", "00000000000000a1:3..5"}, Command::rule_add},
       {{"rule", "list"}, Command::rule_list},
+      {{"rule", "refresh", "x"}, Command::rule_refresh},
+      {{"rule", "refresh", "--all", "--dry-run"}, Command::rule_refresh},
       {{"rule", "remove", "x"}, Command::rule_remove},
       {{"edge", "close", "00000000000000a1:3", "00000000000000a1:4", "--both"}, Command::edge_close},
       {{"edge", "open", "00000000000000a1:3", "00000000000000a1:4"}, Command::edge_open},

@@ -35,8 +35,14 @@ struct RegisterCommand : testing::Test {
     return fleet.weft({"map", "register", plan, "--pick", pick});
   }
 
+  std::string run() const { return to_string(fleet.first); }
+  std::vector<Span> spans_of_wet() { return fleet.service->snapshot().rules().at("wet").spans; }
+  nlohmann::json area_of_wet() { return fleet.weft({"rule", "list", "--json"}).json()["rules"][0]["area"]; }
+
   Fleet fleet;
   std::string plan = plan_file();
+  /// Lays a rule down for places 28 to 32 of the first loop, where "dock" is place 30.
+  std::vector<std::string> wet = {"rule", "add", "wet", "--kind", "closed", "--polygon", "11,3;13,3;13,5;11,5"};
 };
 
 TEST_F(RegisterCommand, IsShownLoggedComparedAndRemoved) {
@@ -171,7 +177,7 @@ TEST_F(RegisterCommand, LaysARuleDownForAPolygonOfThePlan) {
   ASSERT_EQ(put().exit, Exit::done);
   const Said said = fleet.weft(add);
   EXPECT_EQ(said.exit, Exit::done) << said.err;
-  EXPECT_TRUE(mentions(said.out, "lay it down again when more is taught within the polygon")) << said.out;
+  EXPECT_TRUE(mentions(said.out, "weft rule refresh wet covers that too")) << said.out;
   EXPECT_FALSE(
       mentions(fleet.weft({"rule", "add", "slow", "--kind", "speed=0.3", "--label", "dock"}).out, "polygon"));
   const std::vector<Span> spans = fleet.service->snapshot().rules().at("wet").spans;
@@ -181,6 +187,76 @@ TEST_F(RegisterCommand, LaysARuleDownForAPolygonOfThePlan) {
   EXPECT_TRUE(has_dock);
   const Said nothing = fleet.weft({"rule", "add", "dry", "--kind", "closed", "--polygon", "90,90;91,90;91,91"});
   EXPECT_TRUE(mentions(nothing.err, "no place of the map lies within it")) << nothing.err;
+  const std::vector<std::string> both = {"rule",    "add",        "wet",       "--kind",     "closed",
+                                         "--place", run() + ":1", "--polygon", "0,0;9,0;9,9"};
+  EXPECT_TRUE(mentions(fleet.weft(both).err, "not of both: make two rules of it"));
+}
+
+TEST_F(RegisterCommand, ARuleCoversWhatComesIntoItsPolygonOnceItIsRefreshed) {
+  ASSERT_EQ(put().exit, Exit::done);
+  ASSERT_EQ(fleet.weft({"map", "quarantine", run() + ":31..32"}).exit, Exit::done);
+  ASSERT_EQ(fleet.weft(wet).exit, Exit::done);
+  EXPECT_EQ(spans_of_wet(), (std::vector<Span>{{{fleet.first, 28}, {fleet.first, 30}}}));
+  EXPECT_EQ(area_of_wet()["not_covered"], 0);
+  EXPECT_FALSE(mentions(fleet.weft({"rule", "list"}).out, "not covered"));
+  const std::uint64_t revision = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  ASSERT_EQ(fleet.weft({"map", "undo", "--revision", std::to_string(revision - 1)}).exit, Exit::done);
+  EXPECT_EQ(area_of_wet()["not_covered"], 2);
+  EXPECT_TRUE(
+      mentions(fleet.weft({"rule", "list"}).out, "2 places within its polygon not covered: weft rule refresh wet"));
+  EXPECT_TRUE(mentions(fleet.weft({"rule", "refresh", "wet", "--dry-run"}).out, "nothing was changed"));
+  EXPECT_EQ(area_of_wet()["not_covered"], 2);
+  const Said said = fleet.weft({"rule", "refresh", "wet"});
+  EXPECT_EQ(said.exit, Exit::done) << said.err;
+  EXPECT_EQ(said.out, "rule wet: added " + run() + ":31..32; removed nothing\n");
+  EXPECT_EQ(spans_of_wet(), (std::vector<Span>{{{fleet.first, 28}, {fleet.first, 32}}}));
+  EXPECT_EQ(area_of_wet()["not_covered"], 0);
+}
+
+TEST_F(RegisterCommand, RefreshingARuleAgainChangesNothing) {
+  ASSERT_EQ(put().exit, Exit::done);
+  EXPECT_EQ(fleet.weft({"rule", "refresh", "--all"}).out, "no rule has an area\n");
+  ASSERT_EQ(fleet.weft(wet).exit, Exit::done);
+  ASSERT_EQ(fleet.weft({"map", "quarantine", run() + ":32"}).exit, Exit::done);
+  const auto refreshed = fleet.weft({"rule", "refresh", "--all", "--json"}).json()["refreshed"];
+  ASSERT_EQ(refreshed.size(), 1U);
+  EXPECT_EQ(refreshed[0]["name"], "wet");
+  EXPECT_EQ(refreshed[0]["added"], nlohmann::json::array());
+  EXPECT_EQ(refreshed[0]["removed"], nlohmann::json::array({run() + ":32..32"}));
+  const std::uint64_t revision = fleet.weft({"map", "info", "--json"}).json()["revision"];
+  EXPECT_EQ(fleet.weft({"rule", "refresh", "--all"}).out, "rule wet: as it was\n");
+  EXPECT_EQ(fleet.weft({"map", "info", "--json"}).json()["revision"], revision);
+}
+
+TEST_F(RegisterCommand, ARuleWhosePlanIsGoneOrAnotherSaysSoAndIsNotRefreshed) {
+  ASSERT_EQ(put().exit, Exit::done);
+  ASSERT_EQ(fleet.weft(wet).exit, Exit::done);
+  const std::vector<Span> spans = spans_of_wet();
+  EXPECT_EQ(area_of_wet()["plan"], "hall");
+  EXPECT_EQ(area_of_wet()["corners"].size(), 4U);
+  ASSERT_EQ(fleet.weft({"map", "register", "hall", "--remove"}).exit, Exit::done);
+  EXPECT_TRUE(area_of_wet()["not_covered"].is_null());
+  EXPECT_TRUE(mentions(area_of_wet()["problem"], "is no longer registered"));
+  EXPECT_TRUE(
+      mentions(fleet.weft({"rule", "list"}).out, "plan hall, on which its area lies, is no longer registered"));
+  const Said said = fleet.weft({"rule", "refresh", "wet"});
+  EXPECT_EQ(said.exit, Exit::refused);
+  EXPECT_TRUE(mentions(said.err, "rule wet: plan hall, on which its area lies, is no longer registered")) << said.err;
+  std::ofstream(plan, std::ios::app) << "# edited\n";
+  ASSERT_EQ(put().exit, Exit::done);
+  EXPECT_TRUE(mentions(fleet.weft({"rule", "refresh", "--all"}).err, "is registered from another file"));
+  EXPECT_EQ(spans_of_wet(), spans);
+}
+
+TEST_F(RegisterCommand, RulesWithoutAnAreaAreNotRefreshed) {
+  ASSERT_EQ(fleet.weft({"rule", "add", "slow", "--kind", "speed=0.3", "--label", "dock"}).exit, Exit::done);
+  const Said said = fleet.weft({"rule", "refresh", "slow"});
+  EXPECT_EQ(said.exit, Exit::refused);
+  EXPECT_TRUE(mentions(said.err, "rule slow has no area")) << said.err;
+  EXPECT_TRUE(mentions(fleet.weft({"rule", "refresh", "none"}).err, "the map has no rule none"));
+  EXPECT_TRUE(mentions(fleet.weft({"rule", "refresh"}).err, "NAME or --all"));
+  const auto row = fleet.weft({"rule", "list", "--json"}).json()["rules"][0];
+  EXPECT_TRUE(row["area"].is_null());
 }
 
 TEST_F(RegisterCommand, WhatCannotBeMeantIsRefusedHere) {
