@@ -45,6 +45,32 @@ cv::Ptr<cv::ORB> detector(int count) {
   return cv::ORB::create(3 * count, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, 31, 8);
 }
 
+/// Returns the standard deviation of the grey values about a pixel that lies within the border of descriptors.
+double contrast_about(const cv::Mat& map, const cv::Point2f& at) {
+  constexpr int reach_px = 4;  // what a corner is made of: beyond lies what is beside it
+  constexpr int side_px = 2 * reach_px + 1;
+  const int left = cvRound(at.x) - reach_px;
+  const int top = cvRound(at.y) - reach_px;
+  int sum = 0;
+  int squares = 0;
+  for (int r = top; r < top + side_px; ++r) {
+    const std::uint8_t* const row = map.ptr<std::uint8_t>(r) + left;
+    for (int c = 0; c < side_px; ++c) {
+      sum += row[c];
+      squares += row[c] * row[c];
+    }
+  }
+  const double mean = static_cast<double>(sum) / (side_px * side_px);
+  return std::sqrt(std::max(0.0, static_cast<double>(squares) / (side_px * side_px) - mean * mean));
+}
+
+/// Leaves out the corners that equalising has made of the pixels' noise.
+void leave_out_noise(const cv::Mat& map, double least_contrast, std::vector<cv::KeyPoint>& corners) {
+  if (least_contrast <= 0.0) return;
+  std::erase_if(corners,
+                [&](const cv::KeyPoint& corner) { return contrast_about(map, corner.pt) <= least_contrast; });
+}
+
 /// Turns a direction in the map's image (x right, y down), degrees, into a heading in the robot frame, rad: image
 /// right is robot -y, image down is robot -x.
 double heading_of(float angle_deg) {
@@ -128,6 +154,7 @@ RectifiedPlane BirdsEye::rectify(const Image& image, int count, double patch_met
   for (const int threshold : {36, 18, 8}) {
     orb->setFastThreshold(threshold);
     orb->detect(equal, keypoints, t.described);
+    leave_out_noise(map, t.area.least_contrast, keypoints);
     if (keypoints.size() >= static_cast<std::size_t>(2 * count)) break;
   }
   keypoints = spread_corners(std::move(keypoints), equal.size(), 12, 9, count);

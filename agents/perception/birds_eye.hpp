@@ -19,6 +19,9 @@ struct BirdsEyeArea {
   double metres_per_pixel = 0.003;
   double near_m = -std::numeric_limits<double>::infinity();  ///< and no nearer than what the camera sees
   double above_floor_m = 0.0;                                ///< of the plane
+  /// Grey levels as seen, before they are equalised: a corner about which their standard deviation is no more is the
+  /// pixels' noise and is left out; 0: none is.
+  double least_contrast = 0.0;
 };
 
 struct PlanePatch {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
+#include "core/random.hpp"
 #include "tests/support/flat_floor.hpp"
 
 namespace weft::agents {
@@ -59,6 +63,21 @@ TEST_F(BirdsEyeTest, SameImageSameFeatures) {
   ASSERT_EQ(a.features.size(), b.features.size());
   for (std::size_t i = 0; i < a.features.size(); ++i) EXPECT_EQ(a.features[i].descriptor, b.features[i].descriptor);
   EXPECT_EQ(a.patch.pixels, b.patch.pixels);
+}
+
+TEST_F(BirdsEyeTest, CornersOfNoiseAreLeftOutWhereAsked) {
+  Random random(7);
+  auto pixels =
+      std::make_shared<Bytes>(static_cast<std::size_t>(camera_.width) * static_cast<std::size_t>(camera_.height));
+  for (std::uint8_t& pixel : *pixels) pixel = static_cast<std::uint8_t>(std::lround(100.0 + 2.0 * random.normal()));
+  const Image blank{camera_.width, camera_.height, pixels};
+  BirdsEyeArea area;
+  area.least_contrast = 2.5;
+  const BirdsEye wary(camera_, area);
+  EXPECT_GT(birds_eye_.rectify(blank, 600, 0.018).features.size(), 500U);
+  EXPECT_LT(wary.rectify(blank, 600, 0.018).features.size(), 60U);
+  const Image floor = eye_.render(floor_, {1.0, 1.7, 0.0}, {}, {});
+  EXPECT_EQ(wary.rectify(floor, 600, 0.018).features.size(), 600U) << "a floor's corners stay";
 }
 
 /// Tests a ceiling 1.6 m above the camera, all round the robot.
