@@ -19,8 +19,7 @@ HALL_M, LAMPS_M = 6.4, 3.4  # the ceilings, as measured with a tape
 PUT_DOWN_DEG = 140
 GOAL_M = 0.10
 CROSSED_M = 0.20  # as in the fleet with two cameras: a place of a floor run is the beginning
-# Of a grid of lamps: its matches agree on several motions, or, as most corners have a twin as like, on none.
-CANNOT_TELL = re.compile('ambiguous|no_consensus')
+CANNOT_TELL = re.compile('ambiguous')  # of a grid of lamps most corners have a twin that is as like
 STANDS_M = 0.03   # less way in a second than this is standing
 
 

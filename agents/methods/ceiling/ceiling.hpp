@@ -118,7 +118,8 @@ class Ceiling {
   /// Returns Metric2 a_from_b of the robots' level frames. With a guess, matching is guided by it; without, every
   /// heading and offset is possible. Refusals: other_ceiling (heights), no_overlap, few_matches, no_consensus,
   /// few_inliers, few_inliers_share, not_rigid, little_overlap, little_spread, large_residual, disagrees_with_guess;
-  /// ambiguous: what both see looks nearly as well like another stretch of a, as on a grid of lamps.
+  /// ambiguous: what both see looks nearly as well like another stretch of a, as on a grid of lamps; or, without a
+  /// guess, nothing agrees because most corners of a and of b have a twin in their own view.
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const;
 
   using Chart = CeilingChart;

@@ -83,6 +83,20 @@ double repeated_share(const CeilingConfig& c, const CeilingContent& a, const Sho
   return there / std::max(here, 1e-9);
 }
 
+/// Returns why a and b could not be matched without a guess: `otherwise`, or, where in both most corners have a
+/// twin as lamps of a grid have, ambiguous. Such corners fail the test against the second best, so that hardly any is
+/// matched, and those by chance.
+Refusal why_unmatched(const CeilingContent& a, const Shown& shown_a, const CeilingContent& b, const Shown& shown_b,
+                      const Refusal& otherwise) {
+  constexpr int twin_bits = 50;       // as few differ hardly ever by chance
+  constexpr double least_m = 0.3;     // nearer ones are of one thing
+  constexpr double most_twins = 0.7;  // below a lamp grid so many or more have one, of a sheet's ribs about half
+  const double in_a = share_with_twins(a.features, shown_a.at, twin_bits, least_m);
+  if (in_a <= most_twins) return otherwise;
+  const double in_both = std::min(in_a, share_with_twins(b.features, shown_b.at, twin_bits, least_m));
+  return in_both > most_twins ? Refusal{"ambiguous", in_both, most_twins} : otherwise;
+}
+
 /// Returns why a motion is not to be believed; nothing: it is.
 std::optional<Refusal> implausible(const CeilingConfig& c, const RefinedMotion& refined, std::size_t matches) {
   const std::size_t inliers = refined.pairs.size();
@@ -123,15 +137,19 @@ OrRefusal<Related> Ceiling::relate(const Content& first, const Content& second,
   const double pixel_m = metres_per_pixel(c, ceiling.ceiling_m);
   const double within_m = c.consensus_px * pixel_m;
   const std::vector<Match> matches = matches_of(c, a, shown_a, b, shown_b, gate, within_m);
+  const auto unmatched = [&](std::string_view reason, std::size_t measured, int bound) {
+    const Refusal refusal{reason, static_cast<double>(measured), static_cast<double>(bound)};
+    return tl::unexpected(gate ? refusal : why_unmatched(a, shown_a, b, shown_b, refusal));
+  };
   if (matches.size() < static_cast<std::size_t>(c.fewest_matches))
-    return refuse("few_matches", matches.size(), c.fewest_matches);
+    return unmatched("few_matches", matches.size(), c.fewest_matches);
   const Consensus consensus = find_consensus({.within_m = within_m,
                                               .hypotheses = c.hypotheses,
                                               .shortest_base_m = 0.1 * shown_a.reach_m,
                                               .score = ConsensusScore::truncated},
                                              matches, shown_a.at, shown_b.at);
   if (consensus.count < static_cast<std::size_t>(c.fewest_inliers))
-    return refuse("no_consensus", consensus.count, c.fewest_inliers);
+    return unmatched("no_consensus", consensus.count, c.fewest_inliers);
   std::vector<std::size_t> agreeing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     if ((consensus.a_from_b * shown_b.at[matches[i].b] - shown_a.at[matches[i].a]).norm() < within_m)

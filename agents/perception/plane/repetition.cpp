@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -103,6 +104,21 @@ Repetition find_repetition(const RepetitionBounds& bounds, const std::vector<Pla
   }
   const double whole = area_of(all);
   return {consensus.a_from_b, agreeing.size(), whole > 0.0 ? area_of(some) / whole : 0.0};
+}
+
+double share_with_twins(const std::vector<PlaneFeature>& features, const std::vector<Eigen::Vector2d>& at,
+                        int most_bits, double least_m) {
+  const std::vector<Descriptor> descriptors = descriptors_of(features);
+  std::vector<std::uint32_t> all(features.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint16_t> bits;
+  const auto has_twin = [&](std::uint32_t i) {
+    hamming(descriptors[i], descriptors, all, bits);
+    return std::any_of(all.begin(), all.end(),
+                       [&](std::uint32_t j) { return bits[j] <= most_bits && (at[i] - at[j]).norm() >= least_m; });
+  };
+  const auto twins = static_cast<double>(std::count_if(all.begin(), all.end(), has_twin));
+  return twins / std::max(1.0, static_cast<double>(features.size()));
 }
 
 }  // namespace weft::agents

@@ -34,4 +34,9 @@ Repetition find_repetition(const RepetitionBounds& bounds, const std::vector<Pla
                            const std::vector<Eigen::Vector2d>& at, const std::vector<std::uint32_t>& stretch,
                            double reach_m, std::size_t fewest = 0);
 
+/// Returns the share of the features that have a twin in the same view, [0, 1]: another one at least `least_m` away
+/// whose descriptor differs by at most `most_bits` of 256. No motion need explain the twins. 0 of no features.
+double share_with_twins(const std::vector<PlaneFeature>& features, const std::vector<Eigen::Vector2d>& at,
+                        int most_bits, double least_m);
+
 }  // namespace weft::agents

@@ -64,5 +64,42 @@ TEST(CeilingRelate, AGridOfLampsIsNeverConfidentlyWrong) {
   }
 }
 
+/// Returns a grid of lamps that light the ceiling about them: what is beside a lamp tells of it too.
+test::RenderedCeiling lit_grid() {
+  constexpr double apart_x_m = 1.5;
+  constexpr double apart_y_m = 1.8;
+  test::RenderedCeiling grid;
+  test::Panel lit{4.0, test::box(-8.0, -8.0, 16.0, 16.0)};
+  lit.px_m = 0.02;
+  lit.columns = 801;
+  for (int row = 0; row < lit.columns; ++row)
+    for (int column = 0; column < lit.columns; ++column) {
+      const Eigen::Vector2d at = lit.box.min() + lit.px_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+      const Eigen::Vector2d off(std::remainder(at.x() - 0.3, apart_x_m), std::remainder(at.y() - 0.15, apart_y_m));
+      lit.greys.push_back(static_cast<std::uint8_t>(60.0 + 120.0 * std::exp(-off.norm() / 0.5)));
+    }
+  grid.panels.push_back(lit);
+  for (int column = -5; column <= 5; ++column)
+    for (int row = -4; row <= 4; ++row)
+      grid.panels.push_back({3.99, test::box(apart_x_m * column, apart_y_m * row, 0.6, 0.3), true});
+  return grid;
+}
+
+TEST(CeilingRelate, BelowLampsThatAreAllAlikeTheReasonIsThatTheyAre) {
+  CeilingConfig config;
+  config.height_m = 4.0;
+  const Ceiling method = *Ceiling::make(config, test::up_camera());
+  test::RenderedCeiling grid = lit_grid();
+  const auto a = method.extract({}, grid.view(method.camera(), {}, {}, 1));
+  ASSERT_TRUE(a);
+  for (const Pose2& a_from_b : {Pose2{1.5, 0.0, 0.0}, Pose2{0.4, 0.2, 3.0}}) {
+    const auto b = method.extract({}, grid.view(method.camera(), a_from_b, {}, 2));
+    ASSERT_TRUE(b);
+    const auto related = method.relate(*a, *b, std::nullopt);
+    ASSERT_FALSE(related);
+    EXPECT_EQ(related.error().reason, "ambiguous");
+  }
+}
+
 }  // namespace
 }  // namespace weft::agents

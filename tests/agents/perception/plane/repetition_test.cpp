@@ -87,6 +87,15 @@ TEST(Repetition, APatchThatComesAgainIsSmall) {
   EXPECT_LT(again.spread, 0.4);
 }
 
+TEST(Repetition, TwinsAreCountedWhereverTheyLie) {
+  Stretch stretch(kCount);
+  EXPECT_LT(share_with_twins(stretch.features, stretch.at, 50, 0.3), 0.05) << "without order";
+  stretch.again({0.05, 0.7, 1.0}, 1.0);
+  EXPECT_EQ(share_with_twins(stretch.features, stretch.at, 50, 0.05), 1.0);
+  EXPECT_EQ(share_with_twins(stretch.features, stretch.at, 50, 5.0), 0.0) << "none lies so far away";
+  EXPECT_EQ(share_with_twins({}, {}, 50, 0.3), 0.0);
+}
+
 TEST(Repetition, NothingIsNoRepetition) {
   EXPECT_EQ(Stretch(0).find(0, kAnywhereM).agreeing, 0U);
   EXPECT_EQ(Stretch(1).find(1, kAnywhereM).agreeing, 0U);
