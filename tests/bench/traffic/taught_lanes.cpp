@@ -1,8 +1,7 @@
 #include "tests/bench/traffic/taught_lanes.hpp"
 
 #include <cmath>
-
-#include "core/network/change.hpp"
+#include <utility>
 
 namespace weft::bench {
 namespace {
@@ -68,7 +67,8 @@ TaughtLanes::TaughtLanes(const Network& network) : network_(network) {
       between.edges.back().drivable = Drivable::b_to_a;
     }
   }
-  snapshot_ = with(with(Snapshot(), cells), between);
+  batches_ = {std::move(cells), std::move(between)};
+  for (const Batch& batch : batches_) snapshot_ = with(snapshot_, batch);
 }
 
 const Eigen::Vector2d& TaughtLanes::at(const PlaceId& place) const {

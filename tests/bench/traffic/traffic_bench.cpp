@@ -10,9 +10,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/bench/traffic/cases.hpp"
+#include "tests/bench/traffic/load_table.hpp"
 #include "tests/bench/traffic/measure.hpp"
 
 /// Measures fleets of points under several rules, on maps of squares, on a ring with dead ends, and in the cases in
@@ -37,6 +39,7 @@ struct Options {
   std::string seeds = "1..1";
   std::string lanes;
   std::string policies = "whole,ours,prioritised,bound";
+  std::string load;
   bool cases = false;
   bool json = false;
 };
@@ -123,7 +126,7 @@ Network network_of(const Options& options, const std::string& lanes) {
     return bench::ring(cells, number(sizes[1], "--ring", cells / 2));
   }
   const Lanes how = lanes == "one-way" ? Lanes::one_way : Lanes::two_way;
-  if (options.map.empty()) return bench::network_of(warehouse(5, 8), how);
+  if (options.map.empty()) return bench::network_of(options.load.empty() ? warehouse(5, 8) : warehouse(14, 20), how);
   std::ifstream file(options.map);
   if (!file) throw CLI::ValidationError("MAP", options.map + " cannot be read");
   const Result<Grid> grid = read_grid(file);
@@ -131,12 +134,43 @@ Network network_of(const Options& options, const std::string& lanes) {
   return bench::network_of(*grid, how);
 }
 
-void run(const Options& options) {
+std::pair<std::uint32_t, std::uint32_t> seeds_of(const Options& options) {
   const auto dots = options.seeds.find("..");
   const std::uint32_t first = number(options.seeds.substr(0, dots), "--seeds", 1'000'000);
   const std::uint32_t last =
       dots == std::string::npos ? first : number(options.seeds.substr(dots + 2), "--seeds", 1'000'000);
   if (last < first) throw CLI::ValidationError("--seeds", "is " + options.seeds + "; it is A..B with A <= B");
+  return {first, last};
+}
+
+std::vector<std::string> lanes_of(const Options& options) {
+  if (!options.ring.empty()) return {"ring"};
+  if (options.lanes.empty()) return {"one-way", "two-way"};
+  return {options.lanes};
+}
+
+/// Loads a server with each number of robots, twice: with goals, and beside it with nothing but their reports.
+void run_loads(const Options& options) {
+  const auto [first, last] = seeds_of(options);
+  if (!options.json) tell_load_head();
+  for (const std::string& lanes : lanes_of(options)) {
+    const Network network = network_of(options, lanes);
+    const TaughtLanes taught(network);
+    for (const std::string& count : words(options.load)) {
+      const std::uint32_t robots = number(count, "--load", static_cast<std::uint32_t>(network.size() / 2));
+      for (std::uint32_t seed = first; seed <= last; ++seed) {
+        for (const bool has_goals : {false, true}) {
+          const LoadPlan plan{
+              .robots = robots, .has_goals = has_goals, .seconds = 3600.0 * options.hours, .seed = seed};
+          tell_load(plan, lanes, load_server(taught, plan), options.json);
+        }
+      }
+    }
+  }
+}
+
+void run(const Options& options) {
+  const auto [first, last] = seeds_of(options);
   for (const std::string& policy : words(options.policies)) {
     if (!policies().contains(policy)) {
       throw CLI::ValidationError("--policies",
@@ -148,10 +182,7 @@ void run(const Options& options) {
                 "LANES", "GOALS/H", "OLD min", "WAIT s", "99 %", "longest", "OVERLAPS", "STANDS", "last", "solved s",
                 "PLAN ms", "99 %", "longest", "ETA %", "band %", "MB");
   }
-  const std::vector<std::string> both = !options.ring.empty()   ? std::vector<std::string>{"ring"}
-                                        : options.lanes.empty() ? std::vector<std::string>{"one-way", "two-way"}
-                                                                : std::vector<std::string>{options.lanes};
-  for (const std::string& lanes : both) {
+  for (const std::string& lanes : lanes_of(options)) {
     const Network network = network_of(options, lanes);
     for (const std::string& count : words(options.robots)) {
       const std::uint32_t robots = number(count, "--robots", static_cast<std::uint32_t>(network.size() / 2));
@@ -174,11 +205,18 @@ int measure_fleets(int argc, char** argv) {
   app.add_option("--lanes", options.lanes, "Only these")->check(CLI::IsMember({"one-way", "two-way"}));
   app.add_option("--policies", options.policies, "Only these, with commas between")->capture_default_str();
   app.add_flag("--cases", options.cases, "The cases in which robots come to stand, by the whole server");
+  app.add_option(
+      "--load", options.load,
+      "The whole server's share of a core with so many robots, and how long each thing that it does takes");
   app.add_flag("--json", options.json, "A document a line");
   try {
     app.parse(argc, argv);
     if (options.cases) return tell_cases(std::cout, options.json);
-    run(options);
+    if (!options.load.empty()) {
+      run_loads(options);
+    } else {
+      run(options);
+    }
   } catch (const CLI::ParseError& wrong) {
     return app.exit(wrong) == 0 ? 0 : 2;
   }
