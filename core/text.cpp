@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 
@@ -42,6 +43,27 @@ std::string iso_time(WallTime at) {
                 static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
                 static_cast<int>(clock.seconds().count()), static_cast<int>(clock.subseconds().count()));
   return text.data();
+}
+
+std::string_view text_in(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string cited(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  return "'" + std::string(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
+}
+
+std::optional<std::uint64_t> parse_unsigned(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  std::uint64_t value = 0;
+  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+tl::unexpected<Error> fail_at(std::string_view file, std::size_t line, std::string_view what) {
+  return fail(ErrorCode::invalid, std::string(file) + ":" + std::to_string(line) + ": " + std::string(what));
 }
 
 }  // namespace weft

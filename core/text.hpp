@@ -1,7 +1,12 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/bytes.hpp"
+#include "core/result.hpp"
 #include "core/time.hpp"
 
 namespace weft {
@@ -20,5 +25,17 @@ std::string iso_time(WallTime at);
 
 /// Returns the text without the UTF-8 byte order mark that some editors put first. Every reader of text begins so.
 std::string_view without_byte_order_mark(std::string_view text);
+
+/// Returns bytes as the text that they are.
+std::string_view text_in(ByteView bytes);
+
+/// Returns the word in quotes, clipped to 40 bytes, for messages.
+std::string cited(std::string_view word);
+
+/// Returns the whole of `word` as a number; none if it is none, or does not fit.
+std::optional<std::uint64_t> parse_unsigned(std::string_view word);
+
+/// Returns a failure. invalid: "file:line: what".
+tl::unexpected<Error> fail_at(std::string_view file, std::size_t line, std::string_view what);
 
 }  // namespace weft

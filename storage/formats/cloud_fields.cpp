@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "core/text.hpp"
+
 namespace weft::formats {
 namespace {
 

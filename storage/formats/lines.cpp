@@ -10,15 +10,6 @@ namespace {
 constexpr std::string_view kBlank = " \t\r\n\v\f";
 
 template <class Number>
-std::optional<Number> parse_whole(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  Number value{};
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
-template <class Number>
 std::string shortest(Number value) {
   std::array<char, 32> digits{};
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
@@ -66,7 +57,11 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<double> parse_double(std::string_view word) {
-  return parse_whole<double>(word);
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
 }
 
 std::optional<double> parse_finite(std::string_view word) {
@@ -74,20 +69,11 @@ std::optional<double> parse_finite(std::string_view word) {
   return value.has_value() && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<std::uint64_t> parse_unsigned(std::string_view word) {
-  return parse_whole<std::uint64_t>(word);
-}
-
 std::string text_of(double value) {
   return shortest(value);
 }
 std::string text_of(float value) {
   return shortest(value);
-}
-
-std::string cited(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  return "'" + std::string(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
 }
 
 }  // namespace weft::formats

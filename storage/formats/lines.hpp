@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bytes.hpp"
 #include "core/text.hpp"
 
 namespace weft::formats {
@@ -33,21 +32,13 @@ std::vector<std::string_view> words_of(std::string_view line);
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 std::string_view trimmed(std::string_view text);
 
-/// Return the whole of `word` as a number; none if it is none, or does not fit. NaN and infinities are numbers here.
+/// Returns the whole of `word` as a number; none if it is none, or does not fit. NaN and infinities are numbers here.
 std::optional<double> parse_double(std::string_view word);
-std::optional<std::uint64_t> parse_unsigned(std::string_view word);
 /// Returns the same number; none unless it is finite.
 std::optional<double> parse_finite(std::string_view word);
 
 /// Return the shortest text that reads back as the same bits.
 std::string text_of(double value);
 std::string text_of(float value);
-
-inline std::string_view text_in(ByteView bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-/// Returns the word in quotes, clipped to 40 bytes, for messages.
-std::string cited(std::string_view word);
 
 }  // namespace weft::formats

@@ -19,8 +19,4 @@ void Leftovers::note(std::string_view what, std::size_t line) {
   }
 }
 
-tl::unexpected<Error> fail_at(std::string_view file, std::size_t line, std::string_view what) {
-  return fail(ErrorCode::invalid, std::string(file) + ":" + std::to_string(line) + ": " + std::string(what));
-}
-
 }  // namespace weft::formats

@@ -37,7 +37,4 @@ struct Read {
   std::vector<NotUnderstood> not_understood;
 };
 
-/// Returns a failure. invalid: "file:line: what".
-tl::unexpected<Error> fail_at(std::string_view file, std::size_t line, std::string_view what);
-
 }  // namespace weft::formats

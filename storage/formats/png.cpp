@@ -2,11 +2,10 @@
 
 #include <png.h>
 
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 
+#include "images/png.hpp"
 #include "storage/formats/pgm.hpp"
 
 namespace weft::formats {
@@ -39,11 +38,6 @@ GreyImage grey_of(const Bytes& samples, const png_image& image) {
 
 }  // namespace
 
-bool is_png(ByteView bytes) {
-  constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
-}
-
 Result<Read<GreyImage>> read_png(ByteView bytes, std::string_view file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -62,7 +56,7 @@ Result<Read<GreyImage>> read_png(ByteView bytes, std::string_view file) {
 }
 
 Result<Read<GreyImage>> read_grey_image(ByteView bytes, std::string_view file) {
-  return is_png(bytes) ? read_png(bytes, file) : read_pgm(bytes, file);
+  return images::is_png(bytes) ? read_png(bytes, file) : read_pgm(bytes, file);
 }
 
 }  // namespace weft::formats

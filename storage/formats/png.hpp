@@ -6,9 +6,6 @@
 
 namespace weft::formats {
 
-/// Returns whether the bytes are a PNG's, by the first ones.
-bool is_png(ByteView bytes);
-
 /// Reads every PNG: a coloured pixel becomes the mean of its red, green and blue, as map_server takes it, 16 bits a
 /// channel become 8. corrupt: damaged or short data, naming the file; exhausted: more than 2^28 pixels.
 Result<Read<GreyImage>> read_png(ByteView bytes, std::string_view file);

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-PRODUCT = ['core', 'process', 'idl', 'storage', 'server', 'agents', 'clients']
+PRODUCT = ['core', 'images', 'process', 'idl', 'storage', 'server', 'agents', 'clients']
 NOT_CODE = re.compile(r'//.*|"(?:\\.|[^"\\])*"|\bstd::\w+')
 
 

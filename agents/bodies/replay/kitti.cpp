@@ -6,12 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "agents/bodies/replay/text_file.hpp"
+#include "images/read.hpp"
 
 namespace weft::agents::replay {
 namespace {
@@ -120,9 +119,9 @@ Result<KittiCamera> read_kitti(const std::string& folder, const std::string& hal
   if (!text) return fail(text.error());
   const auto projection = parse_projection(*text, calibration.string(), half == "image_l" ? 0 : 1);
   if (!projection) return fail(projection.error());
-  const fs::path images = fs::path(folder) / half;
-  if (!fs::is_directory(images)) return fail(ErrorCode::not_found, images.string() + ": missing");
-  const auto files = images_in(images);
+  const fs::path inside = fs::path(folder) / half;
+  if (!fs::is_directory(inside)) return fail(ErrorCode::not_found, inside.string() + ": missing");
+  const auto files = images_in(inside);
   if (!files) return fail(files.error());
   constexpr std::size_t kMostImages = 1'000'000;
   const std::size_t last = files->rbegin()->first;
@@ -132,12 +131,11 @@ Result<KittiCamera> read_kitti(const std::string& folder, const std::string& hal
   if (!times) return fail(times.error());
   KittiCamera camera;
   for (const auto& [number, file] : *files) camera.images.push_back({(*times)[number], file});
-  const std::string& sample = files->begin()->second;
-  const cv::Mat first = cv::imread(sample, cv::IMREAD_GRAYSCALE);
-  if (first.empty()) return fail(ErrorCode::invalid, sample + ": missing or damaged");
+  const Result<images::Picture> first = images::read(files->begin()->second, images::Shades::grey);
+  if (!first) return fail(first.error());
   camera.model.id = fs::path(folder).filename().string() + "/" + half;
-  camera.model.width = first.cols;
-  camera.model.height = first.rows;
+  camera.model.width = first->width;
+  camera.model.height = first->height;
   camera.model.fx = camera.model.fy = projection->focal_px;
   camera.model.cx = projection->cx;
   camera.model.cy = projection->cy;

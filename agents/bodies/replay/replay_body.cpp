@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <utility>
 
 #include "agents/bodies/replay/recorded_sensors.hpp"
 #include "agents/bodies/replay/recording.hpp"
 #include "agents/bodies/replay/text_file.hpp"
+#include "images/read.hpp"
 
 namespace weft::agents::replay {
 namespace {
@@ -48,25 +47,17 @@ class ReplayBody final : public Body {
 };
 
 std::optional<Image> ReplayBody::read(const std::string& path, const CameraModel& camera) const {
-  cv::Mat grey;
-  std::string reason = "missing or damaged";
-  try {
-    grey = cv::imread(path, cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception& error) {
-    reason = error.err;
+  Result<images::Picture> grey = images::read(path, images::Shades::grey);
+  if (grey && (grey->width != camera.width || grey->height != camera.height)) {
+    grey = fail(ErrorCode::invalid, path + ": is " + std::to_string(grey->width) + " x " +
+                                        std::to_string(grey->height) + " pixels, its calibration says " +
+                                        std::to_string(camera.width) + " x " + std::to_string(camera.height));
   }
-  if (!grey.empty() && (grey.cols != camera.width || grey.rows != camera.height)) {
-    reason = "is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
-             " pixels, its calibration says " + std::to_string(camera.width) + " x " + std::to_string(camera.height);
-    grey.release();
-  }
-  if (grey.empty()) {
-    if (config_.warn) config_.warn(path + ": " + reason + "; the frame is dropped");
+  if (!grey) {
+    if (config_.warn) config_.warn(grey.error().message + "; the frame is dropped");
     return std::nullopt;
   }
-  auto pixels = std::make_shared<Bytes>();
-  pixels->assign(grey.datastart, grey.dataend);
-  return Image{grey.cols, grey.rows, std::move(pixels)};
+  return Image{grey->width, grey->height, std::make_shared<Bytes>(std::move(grey->samples))};
 }
 
 std::optional<View> ReplayBody::look(const Sensor& sensor, const Shot& shot) const {

@@ -2,15 +2,17 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agents/perception/heading_vote.hpp"
 #include "clients/evaluate/floor/bounds.hpp"
 #include "clients/evaluate/heading/known_shifts.hpp"
 #include "clients/evaluate/table.hpp"
+#include "images/read.hpp"
 
 namespace weft::evaluate::heading {
 namespace {
@@ -36,14 +38,9 @@ struct Tally {
 };
 
 Result<agents::Image> read_image(const std::filesystem::path& file) {
-  cv::Mat grey;
-  try {
-    grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception&) {
-    grey.release();  // told below
-  }
-  if (grey.empty()) return fail(ErrorCode::corrupt, file.string() + ": is no image that can be read");
-  return agents::Image{grey.cols, grey.rows, std::make_shared<const Bytes>(grey.datastart, grey.dataend)};
+  Result<images::Picture> grey = images::read(file, images::Shades::grey);
+  if (!grey) return fail(grey.error());
+  return agents::Image{grey->width, grey->height, std::make_shared<const Bytes>(std::move(grey->samples))};
 }
 
 std::string json_of(const Tally& all) {

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr double kMostPx = 1e5;
 
-/// Returns the file of this name with any ending of an image; none: there is no such file.
+/// Returns the file of this name with any ending of an image that is read; none: there is no such file.
 std::optional<fs::path> with_any_ending(const fs::path& stem) {
-  for (const char* const ending : {".png", ".bmp", ".ppm", ".pgm", ".jpg", ".jpeg", ".tif"}) {
+  for (const char* const ending : {".png", ".pgm", ".jpg", ".jpeg"}) {
     const fs::path file = stem.string() + ending;
     if (fs::exists(file)) return file;
   }
@@ -64,7 +64,9 @@ class Images {
     const auto known = known_.find(stem);
     if (known != known_.end()) return known->second;
     const std::optional<fs::path> file = with_any_ending(stem);
-    if (!file) return fail(ErrorCode::not_found, stem.string() + ".*: no such image, though its shift is listed");
+    if (!file)
+      return fail(ErrorCode::not_found,
+                  stem.string() + ".*: no such image (PNG, PGM or JPEG), though its shift is listed");
     into_.images.push_back(*file);
     return known_[stem] = into_.images.size() - 1;
   }

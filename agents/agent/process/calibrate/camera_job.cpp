@@ -4,9 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "agents/agent/process/calibrate/images/read_grey.hpp"
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/words.hpp"
+#include "images/read.hpp"
 
 namespace weft::agents {
 namespace {
@@ -19,14 +19,13 @@ Result<std::vector<fs::path>> images_in(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder, problem)) {
     std::string ending = entry.path().extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    constexpr std::array kEndings = {".png", ".jpg", ".jpeg", ".pgm", ".bmp"};
+    constexpr std::array kEndings = {".png", ".jpg", ".jpeg", ".pgm"};
     if (std::ranges::find(kEndings, ending) != kEndings.end()) files.push_back(entry.path());
   }
   if (problem)
     return fail(ErrorCode::not_found, folder + ": " + problem.message() + "; give the folder of the images");
   if (files.empty())
-    return fail(ErrorCode::not_found,
-                folder + ": no .png, .jpg, .jpeg, .pgm or .bmp in it; give the folder of the images");
+    return fail(ErrorCode::not_found, folder + ": no .png, .jpg, .jpeg or .pgm in it; give the folder of the images");
   std::ranges::sort(files);
   return files;
 }
@@ -42,14 +41,15 @@ struct Found {
 
 void look_at(const fs::path& file, const Board& board, Found& found) {
   const std::string name = file.filename().string();
-  const std::optional<Image> grey = read_grey(file.string());
-  if (!grey.has_value()) {
-    found.useless.emplace_back(name, "cannot be read: no image, or damaged");
+  Result<images::Picture> grey = images::read(file, images::Shades::grey);
+  if (!grey) {
+    found.useless.emplace_back(name, grey.error().message);
     return;
   }
-  if (auto sighting = find_board(*grey, board)) {
+  const Image image{grey->width, grey->height, std::make_shared<Bytes>(std::move(grey->samples))};
+  if (auto sighting = find_board(image, board)) {
     found.boards.push_back({name, std::move(*sighting)});
-    found.sizes.emplace_back(grey->width, grey->height);
+    found.sizes.emplace_back(image.width, image.height);
   } else {
     found.useless.emplace_back(name, "no board was found in it");
   }

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
 #include "agents/bodies/sim/floor/source.hpp"
 #include "core/config/config.hpp"
+#include "images/read.hpp"
 
 namespace weft::agents::sim {
 namespace {
@@ -93,10 +93,11 @@ bool is_picture(const fs::path& path) {
 }
 
 Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel, double light_warmth) {
-  const cv::Mat grey = read_grey(path, light_warmth);
-  if (grey.empty()) {
-    return fail(ErrorCode::corrupt, path.string() + ": damaged, or no picture; replace or remove it");
-  }
+  const Result<cv::Mat> lit = read_grey(path, light_warmth);
+  if (!lit) return fail(lit.error());
+  const cv::Mat& grey = *lit;
+  const Result<cv::Mat> white = light_warmth == 0.0 ? lit : read_grey(path, 0.0);
+  if (!white) return fail(white.error());
   const double factor = mm_per_pixel * 1e-3 / kTexelM;
   const int width = static_cast<int>(std::lround(grey.cols * factor));
   const int height = static_cast<int>(std::lround(grey.rows * factor));
@@ -104,7 +105,7 @@ Result<Photograph> read_photograph(const fs::path& path, double mm_per_pixel, do
     return fail(ErrorCode::invalid, path.string() + ": shows less than 0.2 m of floor at " +
                                         std::to_string(mm_per_pixel) + " mm_per_pixel");
   }
-  Photograph photograph{path.stem().string(), {}, cv::mean(light_warmth == 0.0 ? grey : read_grey(path, 0.0))[0]};
+  Photograph photograph{path.stem().string(), {}, cv::mean(*white)[0]};
   cv::resize(grey, photograph.grey, {width, height}, 0.0, 0.0, factor < 1.0 ? cv::INTER_AREA : cv::INTER_CUBIC);
   return photograph;
 }
@@ -129,22 +130,20 @@ Result<std::vector<fs::path>> pictures_in(const std::string& folder, const std::
   return pictures;
 }
 
-cv::Mat read_grey(const fs::path& path, double light_warmth) {
-  try {
-    if (light_warmth == 0.0) return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-    const cv::Mat colours = cv::imread(path.string(), cv::IMREAD_COLOR);
-    if (colours.empty()) return {};
-    // The weights of ITU-R BT.601, as IMREAD_GRAYSCALE has them, under light that is more red or more blue.
-    const double blue = 0.114 * (1.0 - light_warmth);
-    const double green = 0.587;
-    const double red = 0.299 * (1.0 + light_warmth);
-    const double sum = blue + green + red;
-    cv::Mat grey;
-    cv::transform(colours, grey, cv::Matx13d(blue / sum, green / sum, red / sum));
-    return grey;
-  } catch (const cv::Exception&) {
-    return {};
-  }
+Result<cv::Mat> read_grey(const fs::path& path, double light_warmth) {
+  const bool is_white = light_warmth == 0.0;
+  Result<images::Picture> picture = images::read(path, is_white ? images::Shades::grey : images::Shades::colours);
+  if (!picture) return fail(picture.error());
+  const cv::Mat shown(picture->height, picture->width, is_white ? CV_8UC1 : CV_8UC3, picture->samples.data());
+  if (is_white) return shown.clone();
+  // The weights of ITU-R BT.601, as grey under white light has them, under light that is more red or more blue.
+  const double blue = 0.114 * (1.0 - light_warmth);
+  const double green = 0.587;
+  const double red = 0.299 * (1.0 + light_warmth);
+  const double sum = blue + green + red;
+  cv::Mat grey;
+  cv::transform(shown, grey, cv::Matx13d(blue / sum, green / sum, red / sum));
+  return grey;
 }
 
 Result<std::vector<Photograph>> read_photographs(const std::string& folder, const std::string& only,

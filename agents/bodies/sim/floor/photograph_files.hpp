@@ -23,7 +23,7 @@ Result<std::vector<Photograph>> read_photographs(const std::string& folder, cons
 
 /// Lists a folder's pictures, sorted. not_found: the folder, as `what` calls it, or there is none in it.
 Result<std::vector<std::filesystem::path>> pictures_in(const std::string& folder, const std::string& what);
-/// Reads a picture as a grey camera sees it under light of that colour. Empty: damaged, or no picture.
-cv::Mat read_grey(const std::filesystem::path& path, double light_warmth);
+/// Reads a picture as a grey camera sees it under light of that colour. Errors are those of images::read.
+Result<cv::Mat> read_grey(const std::filesystem::path& path, double light_warmth);
 
 }  // namespace weft::agents::sim

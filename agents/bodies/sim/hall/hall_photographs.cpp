@@ -34,12 +34,11 @@ Result<Stuff> stuff_of(const fs::path& folder) {
 }
 
 Result<Texture> texture_of(const fs::path& picture, Stuff stuff) {
-  cv::Mat grey = read_grey(picture, 0.0);
-  if (grey.empty()) {
-    return fail(ErrorCode::corrupt, picture.string() + ": damaged, or no picture; replace or remove it");
-  }
+  const Result<cv::Mat> photograph = read_grey(picture, 0.0);
+  if (!photograph) return fail(photograph.error());
+  cv::Mat grey;
   const int side = is_fitted(stuff) ? 128 : 512;
-  cv::resize(grey, grey, {side, side}, 0.0, 0.0, cv::INTER_AREA);
+  cv::resize(*photograph, grey, {side, side}, 0.0, 0.0, cv::INTER_AREA);
   grey.convertTo(grey, CV_8U, 128.0 / std::max(1.0, cv::mean(grey)[0]));
   return Texture(side, {grey.datastart, grey.dataend});
 }

@@ -4,10 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "agents/bodies/replay/replay_body.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace weft::agents::replay {
 namespace {
@@ -49,7 +48,8 @@ class KittiRecording : public testing::Test {
     for (const char* half : {"image_l", "image_r"}) {
       fs::create_directories(folder_ / half);
       for (const char* name : {"000000.png", "000001.png"})
-        cv::imwrite((folder_ / half / name).string(), cv::Mat(24, 32, CV_8U, cv::Scalar(half[6])));
+        weft::test::write_png(folder_ / half / name,
+                              weft::test::plain_picture(32, 24, static_cast<std::uint8_t>(half[6])));
     }
     std::ofstream(folder_ / "calib.txt") << kLeft << "\n" << kRight << "\n";
     config_.folder = folder_.string();
@@ -94,7 +94,8 @@ TEST_F(KittiRecording, HasTheTimesThatItSays) {
 
 TEST_F(KittiRecording, AMissingImageLeavesItsOtherHalfAloneAndNoOther) {
   for (const char* half : {"image_l", "image_r"})
-    cv::imwrite((folder_ / half / "000002.png").string(), cv::Mat(24, 32, CV_8U, cv::Scalar(half[6] + 2)));
+    weft::test::write_png(folder_ / half / "000002.png",
+                          weft::test::plain_picture(32, 24, static_cast<std::uint8_t>(half[6] + 2)));
   fs::remove(folder_ / "image_r" / "000001.png");
   std::ofstream(folder_ / "times.txt") << "0.5\n0.7\n0.9\n";
   auto body = make_replay_body(config_);

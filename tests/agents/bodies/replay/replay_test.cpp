@@ -4,10 +4,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "agents/bodies/replay/recording.hpp"
+#include "core/random.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace weft::agents::replay {
 namespace {
@@ -40,7 +40,8 @@ class Recording : public testing::Test {
     write("sensor.yaml", kSensor);
     write("data.csv", "#timestamp [ns],filename\n1000000000,a.png\n1050000000,b.png\r\n1100000000,c.png\n");
     for (const char* name : {"a.png", "b.png", "c.png"}) {
-      cv::imwrite((camera() / "data" / name).string(), cv::Mat(24, 32, CV_8U, cv::Scalar(name[0])));
+      weft::test::write_png(camera() / "data" / name,
+                            weft::test::plain_picture(32, 24, static_cast<std::uint8_t>(name[0])));
     }
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -105,10 +106,11 @@ TEST_F(Recording, ADamagedImageIsADroppedFrameAndNamed) {
 }
 
 TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
-  cv::Mat noise(24, 32, CV_8U);
-  cv::randu(noise, 0, 255);
+  images::Picture noise = weft::test::plain_picture(32, 24, 0);
+  Random random(1);
+  for (std::uint8_t& sample : noise.samples) sample = static_cast<std::uint8_t>(random.next());
   const fs::path path = camera() / "data" / "b.png";
-  cv::imwrite(path.string(), noise);
+  weft::test::write_png(path, noise);
   fs::resize_file(path, fs::file_size(path) / 2);
   auto body = open();
   (void)(*body)->step({});
@@ -117,7 +119,7 @@ TEST_F(Recording, ATruncatedImageIsADroppedFrame) {
 }
 
 TEST_F(Recording, AnImageOfAnotherSizeIsADroppedFrame) {
-  cv::imwrite((camera() / "data" / "a.png").string(), cv::Mat(10, 10, CV_8U, cv::Scalar(1)));
+  weft::test::write_png(camera() / "data" / "a.png", weft::test::plain_picture(10, 10, 1));
   auto body = open();
   EXPECT_TRUE((*body)->step({})->views.empty());
   EXPECT_THAT(warnings_, HasSubstr("10 x 10"));

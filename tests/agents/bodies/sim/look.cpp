@@ -7,13 +7,14 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <sstream>
 
 #include "agents/bodies/sim/changes.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/floor/tile_cache.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace {
 
@@ -120,7 +121,8 @@ void draw_floor(const sim::FloorSource& floor, const SitePoint& about, const std
       upright.copyTo(picture(cv::Rect(i * kSide, (kAcross - 1 - j) * kSide, kSide, kSide)));
     }
   }
-  cv::imwrite(path, picture);
+  weft::test::write_png(path,
+                        {images::Shades::grey, picture.cols, picture.rows, {picture.datastart, picture.dataend}});
 }
 
 struct Options {
@@ -175,8 +177,7 @@ int look(const std::vector<std::string>& words, const Options& options) {
       const Image& image = std::get<Image>(sample->views.front().data);
       char name[40];
       std::snprintf(name, sizeof name, "/frame-%04d.png", static_cast<int>(sample->frame));
-      cv::imwrite(words[2] + name,
-                  cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels->data())));
+      weft::test::write_png(words[2] + name, {images::Shades::grey, image.width, image.height, *image.pixels});
     }
     if (done) {
       std::printf("%.1f s, %llu frames\n", seconds(sample->time.time_since_epoch()),

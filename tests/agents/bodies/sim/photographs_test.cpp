@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/support/raw_png.hpp"
 #include "tiles.hpp"
 
 namespace weft::agents::sim {
@@ -30,7 +30,7 @@ class Photographs : public testing::Test {
     cv::theRNG().state = seed;
     cv::randu(picture, 0, 255);
     cv::GaussianBlur(picture, picture, {5, 5}, 1.5);
-    cv::imwrite((folder_ / name).string(), picture);
+    weft::test::write_png(folder_ / name, {images::Shades::grey, side, side, {picture.datastart, picture.dataend}});
   }
   void add_text(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   Result<std::shared_ptr<const FloorSource>> make(const std::string& photograph = "") {
@@ -60,7 +60,8 @@ TEST_F(Photographs, UnderRedLightRedShinesAndGreyStays) {
   cv::Mat picture(1200, 1200, CV_8UC3, cv::Scalar(100, 100, 100));
   // Stripes of a red as bright as the grey under white light: 0.299 * 234 + 0.587 * 51 = 100.
   for (int y = 0; y < 1200; y += 40) picture.rowRange(y, y + 20).setTo(cv::Scalar(1, 51, 234));
-  cv::imwrite((folder_ / "stripes.png").string(), picture);
+  weft::test::write_png(folder_ / "stripes.png",
+                        {images::Shades::colours, 1200, 1200, {picture.datastart, picture.dataend}});
   add_text("stripes.png.toml", "mm_per_pixel = 1.0\n");
   const auto contrast_under = [&](double warmth) {
     auto floor = make_photographed_floor({}, folder_.string(), {}, warmth);

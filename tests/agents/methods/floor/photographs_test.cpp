@@ -6,11 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "agents/methods/floor/floor.hpp"
 #include "core/config/config.hpp"
+#include "images/read.hpp"
 #include "tests/storage/temporary_directory.hpp"
 #include "tests/support/floor_drive.hpp"
 
@@ -51,8 +52,9 @@ class OnPhotographs : public testing::TestWithParam<Photograph> {
     const std::string file = (folder / floor.text("file", "")).string();
     const double mm_per_pixel = floor.number("mm_per_pixel", 0.0, 0.0, 100.0);
     ASSERT_GT(mm_per_pixel, 0.0) << folder << " says nothing of " << GetParam().name;
-    const cv::Mat grey = cv::imread(file, cv::IMREAD_GRAYSCALE);
-    ASSERT_FALSE(grey.empty()) << file;
+    auto picture = images::read(file, images::Shades::grey);
+    ASSERT_TRUE(picture) << picture.error().message;
+    const cv::Mat grey(picture->height, picture->width, CV_8U, picture->samples.data());
     floor_ = std::make_unique<test::FlatFloor>(test::FlatFloor::quilted(grey, 1e-3 * mm_per_pixel, 5, 7.0, 5.0));
     auto made = Floor::make({}, test::miscalibrated(test::paper_camera(), 6));
     ASSERT_TRUE(made);

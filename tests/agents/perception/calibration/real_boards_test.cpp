@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 
 #include "agents/perception/calibration/camera_fit.hpp"
+#include "images/read.hpp"
 
 namespace weft::agents {
 namespace {
@@ -21,10 +21,10 @@ TEST(RealBoards, TheLeftCameraIsAsOpenCvFoundIt) {
   for (int i = 1; i <= 14; ++i) {
     if (i == 10) continue;
     const std::string name = std::string("left") + (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
-    const cv::Mat grey = cv::imread((data / name).string(), cv::IMREAD_GRAYSCALE);
-    ASSERT_FALSE(grey.empty()) << name;
-    auto pixels = std::make_shared<Bytes>(grey.datastart, grey.dataend);
-    if (const auto found = find_board({grey.cols, grey.rows, pixels}, ChessBoard{9, 6, 0.025}))
+    auto grey = images::read(data / name, images::Shades::grey);
+    ASSERT_TRUE(grey) << grey.error().message;
+    auto pixels = std::make_shared<Bytes>(std::move(grey->samples));
+    if (const auto found = find_board({grey->width, grey->height, pixels}, ChessBoard{9, 6, 0.025}))
       images.push_back({name, *found});
   }
   EXPECT_EQ(images.size(), 13U);

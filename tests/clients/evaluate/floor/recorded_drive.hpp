@@ -1,13 +1,12 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "agents/bodies/sim/sim_body.hpp"
 #include "clients/evaluate/truth.hpp"
 #include "storage/formats/trajectory.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace weft::evaluate::floor {
 
@@ -49,9 +48,7 @@ inline Result<void> record_drive(const agents::sim::SimBodyConfig& given, const 
     list << sample->time.time_since_epoch().count() << "," << name << "\n";
     if (sample->views.empty()) continue;  // a dropped frame: listed, and missing
     const auto& image = std::get<agents::Image>(sample->views.front().data);
-    cv::Mat grey(image.height, image.width, CV_8U);
-    std::copy(image.pixels->begin(), image.pixels->end(), grey.begin<std::uint8_t>());
-    cv::imwrite((camera / "data" / name).string(), grey, {cv::IMWRITE_PNG_COMPRESSION, 1});
+    weft::test::write_png(camera / "data" / name, {images::Shades::grey, image.width, image.height, *image.pixels});
   }
   body->reset();
   const auto truth = read_truth(*config.truth_path);

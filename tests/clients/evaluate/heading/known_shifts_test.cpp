@@ -30,7 +30,7 @@ class KnownShiftsTest : public testing::Test {
 TEST_F(KnownShiftsTest, EveryTwoSeasonsOfALocationAreAPair) {
   write("ground_truth/location_1.txt", "0 -10 9\n10 0 19\n-9 -19 0\n");
   write("ground_truth/location_2.txt", "0 5\n-5 0\n");
-  for (const char* const name : {"0101.png", "0201.png", "0301.png", "0102.ppm", "0202.bmp"})
+  for (const char* const name : {"0101.png", "0201.png", "0301.png", "0102.pgm", "0202.jpg"})
     write(fs::path("images") / name, "");
   const auto known = read_known_shifts(folder_);
   ASSERT_TRUE(known) << known.error().message;
@@ -40,19 +40,19 @@ TEST_F(KnownShiftsTest, EveryTwoSeasonsOfALocationAreAPair) {
   EXPECT_EQ(known->images[known->pairs[2].b].filename(), "0301.png");
   EXPECT_EQ(known->pairs[2].shift_px, 19.0);
   EXPECT_EQ(known->pairs[3].group, "location 2");
-  EXPECT_EQ(known->images[known->pairs[3].b].filename(), "0202.bmp");
+  EXPECT_EQ(known->images[known->pairs[3].b].filename(), "0202.jpg");
 }
 
 TEST_F(KnownShiftsTest, APathInTwoSeasons) {
   write("displacements.txt", "0 -109 -27\n3 -265 8\n");
   for (const char* const name :
-       {"season_00/000000000.png", "season_01/000000000.png", "season_00/000000003.bmp", "season_01/000000003.bmp"})
+       {"season_00/000000000.png", "season_01/000000000.png", "season_00/000000003.jpg", "season_01/000000003.jpg"})
     write(name, "");
   const auto known = read_known_shifts(folder_);
   ASSERT_TRUE(known) << known.error().message;
   ASSERT_EQ(known->pairs.size(), 2U);
   EXPECT_EQ(known->pairs[1].shift_px, -265.0);
-  EXPECT_EQ(known->images[known->pairs[1].b], folder_ / "season_01" / "000000003.bmp");
+  EXPECT_EQ(known->images[known->pairs[1].b], folder_ / "season_01" / "000000003.jpg");
 }
 
 TEST_F(KnownShiftsTest, RowsMayHaveNoNumber) {

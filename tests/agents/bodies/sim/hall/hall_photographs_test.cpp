@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "tests/agents/bodies/sim/sites.hpp"
 #include "tests/storage/temporary_directory.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace weft::agents::sim {
 namespace {
@@ -18,9 +18,12 @@ using testing::HasSubstr;
 /// Writes a photograph of stripes of one height: nobody draws loads like that.
 void photograph(const std::filesystem::path& file, int stripe_px) {
   std::filesystem::create_directories(file.parent_path());
-  cv::Mat picture(300, 400, CV_8U);
-  for (int y = 0; y < picture.rows; ++y) picture.row(y) = (y / stripe_px) % 2 == 0 ? 40 : 240;
-  ASSERT_TRUE(cv::imwrite(file.string(), picture));
+  images::Picture picture = weft::test::plain_picture(400, 300, 40);
+  for (int y = 0; y < picture.height; ++y) {
+    if ((y / stripe_px) % 2 != 0)
+      std::fill_n(picture.samples.begin() + y * picture.width, picture.width, std::uint8_t{240});
+  }
+  weft::test::write_png(file, picture);
 }
 
 TEST(HallPhotographs, AreOfTheStuffsThatHaveAFolder) {
