@@ -45,7 +45,7 @@ class Fleet:
                 *self.server_flags]
 
     def robot_argv(self, name):
-        argv = [self.bin / 'weft-agent', *self.wire(name), '--server', '127.0.0.1', '--name', name,
+        argv = [self.bin / 'weft-agent-sim', *self.wire(name), '--server', '127.0.0.1', '--name', name,
                 '--state', self.work / name, '--method', 'floor', '--body', 'sim', '--site', self.options.site_file,
                 '--seed', self.options.seed, '--records', self.out, '--truth', self.out / 'truth.jsonl', '--pace', self.options.pace]
         return argv + (['--floors', self.options.floors] if self.options.floors else []) + list(self.agent_flags)

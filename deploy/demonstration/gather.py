@@ -28,6 +28,6 @@ def gather(fleet, out, site_file):
     shutil.copy(site_file, out / 'site.toml')
     photographs = ['--floors', fleet.options.floors] if fleet.options.floors else []
     subprocess.run([fleet.bin / 'sim-floor', site_file, out / 'floor.pgm', *photographs], check=True)
-    programs = ('weft', 'weft-server', 'weft-agent')
+    programs = ('weft', 'weft-server', 'weft-agent-sim')
     (out / 'versions').write_text(''.join(
         subprocess.run([fleet.bin / program, '--version'], capture_output=True, text=True).stdout for program in programs))

@@ -9,7 +9,7 @@ import struct
 import tempfile
 import zlib
 
-from command import BIN, NOBODYS_DOMAIN, PROGRAMS_DOMAIN as DOMAIN, ROOT, Case, Running, main
+from command import BIN, NOBODYS_DOMAIN, PROGRAMS_DOMAIN as DOMAIN, ROOT, Case, Running, main, simulated_agent
 
 DEMO = ROOT / 'deploy/sites/demo.toml'
 
@@ -45,24 +45,35 @@ class WithFolder(Case):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def agent(self, *more):
-        return [BIN / 'weft-agent', '--name', 'r1', '--state', self.folder / 'state', '--domain', DOMAIN, *more]
+    def simulated(self, site, *more):
+        return simulated_agent('r1', self.folder / 'state', site, '--domain', DOMAIN, *more)
 
     def replay(self):
-        return self.agent('--body', 'replay', '--recording', self.folder / 'recording', '--pace', '0')
+        return [BIN / 'weft-agent', '--name', 'r1', '--state', self.folder / 'state', '--domain', DOMAIN,
+                '--recording', self.folder / 'recording', '--pace', '0']
 
 
 class Flags(Case):
     def test_unknown_flags_are_named(self):
-        for program in ('weft', 'weft-server', 'weft-agent', 'weft-evaluate'):
+        for program in ('weft', 'weft-server', 'weft-agent', 'weft-agent-sim', 'weft-evaluate'):
             self.refused(2, [f'{program}: ', '--colour', '--help'], BIN / program, '--colour')
         self.refused(2, ['--colour'], BIN / 'weft', 'robots', '--colour')
         self.refused(2, ['--colour'], BIN / 'weft-evaluate', 'disturbances', '--colour')
 
     def test_values_out_of_bounds_are_named(self):
         self.refused(2, ['--domain', '201'], BIN / 'weft', 'robots', '--domain', '201')
-        self.refused(2, ['domain', '201'], BIN / 'weft-agent', '--domain', '201', '--name', 'r1', '--state', '/tmp', '--site', DEMO)
+        self.refused(2, ['domain', '201'], *simulated_agent('r1', '/tmp', DEMO, '--domain', '201'))
         self.refused(2, ['--seeds', '9..2'], BIN / 'weft-evaluate', 'disturbances', '--seeds', '9..2')
+
+
+class WithoutSimulator(WithFolder):
+    def test_flags_of_the_simulator_name_the_program_that_has_it(self):
+        says = ['weft-agent: ', 'site', 'no body sim in this program; start weft-agent-sim, with the same words']
+        self.refused(2, says, BIN / 'weft-agent', '--name', 'r1', '--state', self.folder / 'state', '--site', DEMO)
+        line = self.folder / 'a.line'
+        line.write_text('0 0\n5 0\n')
+        self.refused(1, ['weft-agent: ', 'start weft-agent-sim'], BIN / 'weft', 'calibrate', 'mount', '--site', DEMO, '--name', 'r1',
+                     '--along', line)
 
 
 class Sites(WithFolder):
@@ -83,7 +94,7 @@ class Sites(WithFolder):
 
     def test_the_agent_names_file_line_and_key(self):
         for site, words in self.sites():
-            self.refused(1, ['weft-agent: ', *words], *self.agent('--site', site))
+            self.refused(1, ['weft-agent-sim: ', *words], *self.simulated(site))
 
     def test_the_evaluation_names_file_line_and_key(self):
         for site, words in self.sites():
@@ -129,10 +140,10 @@ class Photographs(WithFolder):
         floors.mkdir()
         (floors / 'hall.png').write_bytes(b'no picture')
         (floors / 'hall.png.toml').write_text('mm_per_pixel = 0.5\n')
-        self.refused(1, ['weft-agent: ', 'hall.png', 'damaged'], *self.agent('--site', DEMO, '--floors', floors))
+        self.refused(1, ['weft-agent-sim: ', 'hall.png', 'begins as no picture'], *self.simulated(DEMO, '--floors', floors))
 
     def test_a_folder_without_photographs_is_named(self):
-        self.refused(1, ['weft-agent: ', str(self.folder), 'no .png or .jpg'], *self.agent('--site', DEMO, '--floors', self.folder))
+        self.refused(1, ['weft-agent-sim: ', str(self.folder), 'no .png or .jpg'], *self.simulated(DEMO, '--floors', self.folder))
 
 
 class Peers(WithFolder):
@@ -140,7 +151,7 @@ class Peers(WithFolder):
         self.refused(3, ['no server', '--domain', 'weft-server'], BIN / 'weft', '--domain', NOBODYS_DOMAIN, '--timeout', '1', 'robots')
 
     def test_an_agent_without_server_says_so_and_goes_on(self):
-        argv = self.agent('--site', DEMO, '--server', '127.0.0.1:7', '--pace', '1')
+        argv = self.simulated(DEMO, '--server', '127.0.0.1:7', '--pace', '1')
         with Running(self.folder / 'log', *argv) as agent:
             self.assertTrue(agent.says(f'no server is heard at 127.0.0.1:7, domain {DOMAIN}'), agent.text())
             self.assertEqual(agent.stop(), 0, agent.text())

@@ -7,7 +7,7 @@ import pathlib
 import re
 import tempfile
 
-from command import BEARING_DOMAIN as DOMAIN, BIN, ROOT, Fleet, Running, main
+from command import BEARING_DOMAIN as DOMAIN, BIN, ROOT, Fleet, Running, main, simulated_agent
 
 SCENES = ROOT / 'deploy/sites/bearing'
 
@@ -27,8 +27,8 @@ class BearingFleet(Fleet):
             folder = pathlib.Path(name)
             truth = folder / 'truth.jsonl'
             server = [BIN / 'weft-server', '--store', folder / 'map', '--domain', DOMAIN, '--dds', 'fastdds']
-            agent = [BIN / 'weft-agent', '--name', 'r1', '--state', folder / 'r1', '--site', SCENES / 'oval.toml',
-                     '--method', 'bearing', '--domain', DOMAIN, '--dds', 'cyclonedds', '--truth', truth, '--pace', '2']
+            agent = simulated_agent('r1', folder / 'r1', SCENES / 'oval.toml', '--method', 'bearing', '--domain', DOMAIN,
+                                    '--dds', 'cyclonedds', '--truth', truth, '--pace', '2')
             with Running(folder / 'server.log', *server), Running(folder / 'agent.log', *agent) as robot:
                 self.ready(robot, 'r1')
                 self.weft('teach', 'r1', 'start', '--as', 'oval', '--along', SCENES / 'oval.line')

@@ -10,7 +10,7 @@ import re
 import tempfile
 import time
 
-from command import BIN, CEILING_DOMAIN as DOMAIN, ROOT, Fleet, Running, main
+from command import BIN, CEILING_DOMAIN as DOMAIN, ROOT, Fleet, Running, main, simulated_agent
 
 SCENES = ROOT / 'deploy/sites/ceiling'
 LINES = {'aisle': '9.0 3.0\n16.0 3.0\n', 'first': '3.0 3.0\n9.5 3.0\n', 'crossing': '6.5 3.0\n11.5 3.0\n',
@@ -63,9 +63,9 @@ class CeilingFleet(Fleet):
         return running
 
     def agent(self, name, method, dds, site='hall'):
-        return Running(self.folder / f'{name}.log', BIN / 'weft-agent', '--name', name, '--state', self.folder / name, '--site',
-                       self.folder / f'{site}.toml', '--config', self.folder / f'{site}.config', '--method', method, '--domain',
-                       DOMAIN, '--dds', dds, '--truth', self.truth_of(name), '--pace', '2')
+        return Running(self.folder / f'{name}.log', *simulated_agent(
+            name, self.folder / name, self.folder / f'{site}.toml', '--config', self.folder / f'{site}.config', '--method', method,
+            '--domain', DOMAIN, '--dds', dds, '--truth', self.truth_of(name), '--pace', '2'))
 
     def truth_of(self, name):
         return self.folder / f'{name}.jsonl'

@@ -20,6 +20,11 @@ HEALTH_DOMAIN = 162
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
 
+def simulated_agent(name, state, site, *more):
+    """Returns the words that start the agent of a robot of a simulated site."""
+    return [BIN / 'weft-agent-sim', '--name', name, '--state', state, '--site', site, *more]
+
+
 class Case(unittest.TestCase):
     def run_command(self, *argv, seconds=60, env=None):
         done = subprocess.run([str(a) for a in argv], cwd=ROOT, capture_output=True, text=True, timeout=seconds,

@@ -9,7 +9,7 @@ import socket
 import tempfile
 import time
 
-from command import BIN, HEALTH_DOMAIN, ROOT, Case, Running, main
+from command import BIN, HEALTH_DOMAIN, ROOT, Case, Running, main, simulated_agent
 
 HUNG_S = 10  # kHungAfter of process/health.hpp
 AGAIN_S = 30
@@ -24,10 +24,10 @@ class Programs(Case):
 
     def start(self, program, *more):
         """The program, when it is ready, and its directory."""
-        own = {'weft-server': ['--store'],
-               'weft-agent': ['--name', 'r1', '--site', ROOT / 'deploy/sites/demo.toml', '--state']}[program]
         directory = self.folder / program
-        running = Running(self.folder / f'{program}.log', BIN / program, *own, directory, '--domain', HEALTH_DOMAIN, *more)
+        argv = {'weft-server': [BIN / 'weft-server', '--store', directory],
+                'weft-agent-sim': simulated_agent('r1', directory, ROOT / 'deploy/sites/demo.toml')}[program]
+        running = Running(self.folder / f'{program}.log', *argv, '--domain', HEALTH_DOMAIN, *more)
         self.addCleanup(running.__exit__)
         self.assertTrue(running.says('ready'), running.text())
         return running, directory
@@ -56,15 +56,15 @@ class Programs(Case):
 class Health(Programs):
     def test_wrong_use_is_exit_two(self):
         self.refused(2, ['--store'], BIN / 'weft-server', '--health')
-        self.refused(2, ['--state'], BIN / 'weft-agent', '--health')
+        self.refused(2, ['--state'], BIN / 'weft-agent-sim', '--health')
         self.refused(2, ['weft-health DIR'], BIN / 'weft-health')
-        for program in ('weft-server', 'weft-agent'):
+        for program in ('weft-server', 'weft-agent-sim'):
             _, said, _ = self.run_command(BIN / program, '--help')
             self.assertIn('--health', said)
             self.assertIn('--log-format', said)
 
     def test_a_process_that_hangs_or_was_killed_is_not_healthy(self):
-        for program in ('weft-server', 'weft-agent'):
+        for program in ('weft-server', 'weft-agent-sim'):
             with self.subTest(program):
                 self.sick(['not running'], program, self.folder / program)
                 running, directory = self.start(program)
@@ -100,14 +100,14 @@ class Health(Programs):
 
 class Logs(Programs):
     def test_each_line_has_time_level_and_message(self):
-        for program in ('weft-server', 'weft-agent'):
+        for program in ('weft-server', 'weft-agent-sim'):
             running, _ = self.start(program)
             self.assertEqual(running.stop(), 0, running.text())
             for line in running.text().splitlines():
                 self.assertRegex(line, rf'^{TIME} (info|warning|error) {program}: \S')
 
     def test_json_is_one_object_a_line(self):
-        for program in ('weft-server', 'weft-agent'):
+        for program in ('weft-server', 'weft-agent-sim'):
             running, _ = self.start(program, '--log-format', 'json')
             self.assertEqual(running.stop(), 0, running.text())
             lines = [json.loads(line) for line in running.text().splitlines()]
@@ -116,14 +116,14 @@ class Logs(Programs):
                 self.assertIn(line['level'], ('info', 'warning', 'error'))
                 self.assertEqual(line['program'], program)
                 self.assertTrue(line['message'])
-                self.assertEqual(line.get('robot'), 'r1' if program == 'weft-agent' else None, line)
+                self.assertEqual(line.get('robot'), 'r1' if program == 'weft-agent-sim' else None, line)
             if program == 'weft-server':
                 self.assertIn('server.started', [line.get('event') for line in lines])
 
 
 class Systemd(Programs):
     def test_both_tell_that_they_are_ready_alive_and_stopping(self):
-        for program in ('weft-server', 'weft-agent'):
+        for program in ('weft-server', 'weft-agent-sim'):
             with self.subTest(program), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
                 path = self.folder / f'{program}.notify'
                 manager.bind(str(path))

@@ -10,7 +10,7 @@ import tempfile
 
 import jsonschema
 
-from command import BIN, JSON_DOMAIN, ROOT, Fleet, Running, main
+from command import BIN, JSON_DOMAIN, ROOT, Fleet, Running, main, simulated_agent
 
 SCHEMA = json.loads((ROOT / 'docs/formats/cli.schema.json').read_text())
 USER = b'J\xff"\\\n\x01\xc3'  # no UTF-8, a quote, a backslash, a line's end, a control character, half a letter
@@ -39,8 +39,7 @@ class JsonDocuments(Fleet):
         server = cls.enterClassContext(Running(cls.folder / 'server.log', BIN / 'weft-server', '--store', cls.folder / 'map', *common))
         assert server.says('ready'), server.text()
         cls.robot = cls.enterClassContext(Running(
-            cls.folder / 'r1.log', BIN / 'weft-agent', '--name', 'r1', '--state', cls.folder / 'r1', '--site',
-            ROOT / 'deploy/sites/demo.toml', '--pace', '3', *common))
+            cls.folder / 'r1.log', *simulated_agent('r1', cls.folder / 'r1', ROOT / 'deploy/sites/demo.toml', '--pace', '3', *common)))
         assert cls.robot.says('server: epoch', 60), cls.robot.text()
 
     def documents(self, *words):

@@ -6,7 +6,7 @@ import pathlib
 import re
 import tempfile
 
-from command import BIN, LEARNING_DOMAIN as DOMAIN, ROOT, Fleet, Running, main
+from command import BIN, LEARNING_DOMAIN as DOMAIN, ROOT, Fleet, Running, main, simulated_agent
 
 SCENES = ROOT / 'deploy/sites/bearing'
 
@@ -50,8 +50,8 @@ class Learning(Fleet):
     def test_what_a_drive_has_taught_is_a_revision_and_is_taken_back(self):
         with tempfile.TemporaryDirectory() as name:
             self.folder = pathlib.Path(name)
-            agent = [BIN / 'weft-agent', '--name', 'r1', '--state', self.folder / 'r1', '--site', SCENES / 'oval.toml',
-                     '--method', 'bearing', '--domain', DOMAIN, '--dds', 'fastdds', '--pace', '3']
+            agent = simulated_agent('r1', self.folder / 'r1', SCENES / 'oval.toml', '--method', 'bearing',
+                                    '--domain', DOMAIN, '--dds', 'fastdds', '--pace', '3')
             with Running(self.folder / 'r1.log', *agent) as robot:
                 with self.server():
                     self.ready(robot, 'r1')

@@ -8,7 +8,7 @@ import signal
 import tempfile
 import time
 
-from command import BIN, ROOT, STAND_STILL_DOMAINS, Fleet, Running, main
+from command import BIN, ROOT, STAND_STILL_DOMAINS, Fleet, Running, main, simulated_agent
 
 FROZEN_S = 9   # participants are forgotten after 5
 SILENT_S = 8   # a robot counts as silent then: less than that, and enough for a busy machine to find itself again
@@ -24,8 +24,8 @@ class Shop:
         where = ['--domain', domain, '--dds']
         self.server = Running(folder / f'{vendor}.log', BIN / 'weft-server', '--store', folder / f'{vendor}-map',
                               '--robot-silent-after-s', SILENT_S, *where, vendor)
-        self.agents = [Running(folder / f'{vendor}-{name}.log', BIN / 'weft-agent', '--name', name, '--state',
-                               folder / f'{vendor}-{name}', '--site', ROOT / 'deploy/sites/demo.toml', *where, dds)
+        self.agents = [Running(folder / f'{vendor}-{name}.log', *simulated_agent(
+                           name, folder / f'{vendor}-{name}', ROOT / 'deploy/sites/demo.toml', *where, dds))
                        for name, dds in zip(('r1', 'r2'), VENDORS)]
 
     def all(self):

@@ -5,7 +5,7 @@ import math
 import pathlib
 import tempfile
 
-from command import BIN, ROOT, TWO_CAMERAS_DOMAIN as DOMAIN, Fleet, Running, main, method_that_looks
+from command import BIN, ROOT, TWO_CAMERAS_DOMAIN as DOMAIN, Fleet, Running, main, method_that_looks, simulated_agent
 
 SCENE = ROOT / 'deploy/sites/two-cameras'
 
@@ -14,8 +14,8 @@ class TwoCameras(Fleet):
     domain = DOMAIN
 
     def agent(self, name, method, vendor):
-        return [BIN / 'weft-agent', '--name', name, '--state', self.folder / name, '--site', SCENE / 'hall.toml', '--method', method,
-                '--domain', DOMAIN, '--dds', vendor, '--truth', self.folder / f'{name}.jsonl', '--pace', '3']
+        return simulated_agent(name, self.folder / name, SCENE / 'hall.toml', '--method', method,
+                               '--domain', DOMAIN, '--dds', vendor, '--truth', self.folder / f'{name}.jsonl', '--pace', '3')
 
     def is_taught(self, name, method, vendor, run, label=None):
         with Running(self.folder / f'{name}.log', *self.agent(name, method, vendor)) as robot:

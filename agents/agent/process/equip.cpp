@@ -1,11 +1,8 @@
 #include "agents/agent/process/equip.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <utility>
 
-#include "agents/bodies/replay/replay_body.hpp"
-#include "agents/bodies/sim/sim_body.hpp"
+#include "agents/agent/process/read_camera_file.hpp"
 #include "agents/methods/all.hpp"
 #include "agents/navigation/config.hpp"
 #include "agents/navigation/multi_method_navigator.hpp"
@@ -42,51 +39,6 @@ SensorNeed need_of(const std::string& method) {
   });
   return need;
 }
-
-Result<std::unique_ptr<Body>> make_sim(const Options& options, const std::function<void(const std::string&)>& warn) {
-  std::ifstream in(options.site, std::ios::binary);
-  if (!in) return fail(ErrorCode::not_found, options.site + ": no such site file; deploy/sites has some");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  Result<sim::Site> site = sim::parse_site(text, options.site);
-  if (!site) return fail(site.error());
-  sim::SimBodyConfig config;
-  config.site = std::move(*site);
-  config.robot = options.name;
-  config.seed = options.seed;
-  config.day = options.day;
-  config.floors_dir = options.floors;
-  config.hall_dir = options.hall;
-  config.truth_path = options.truth;
-  config.warn = warn;
-  return sim::make_sim_body(config);
-}
-
-Result<CameraFile> read_camera_file(const std::string& file, const std::string& camera) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(ErrorCode::not_found, file + ": no such camera file; `weft calibrate camera` writes one");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return parse_camera_file(text, file, camera);
-}
-
-}  // namespace
-
-Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn) {
-  if (options.body == "sim") return make_sim(options, warn);
-  replay::ReplayBodyConfig config;
-  config.folder = options.recording;
-  config.camera = options.camera;
-  config.warn = warn;
-  if (options.calibration.has_value()) {
-    const std::string first = options.camera.substr(0, options.camera.find_first_of("+,"));
-    const Result<CameraFile> file = read_camera_file(*options.calibration, first);
-    if (!file) return fail(file.error());
-    config.robot_from_camera = file->camera.body_from_camera;
-  }
-  if (options.mount.has_value()) config.robot_from_camera = options.mount;
-  return replay::make_replay_body(config);
-}
-
-namespace {
 
 /// Returns a camera of the calibration file of the options instead of `told`, which it has to fit. What else the
 /// file holds is warned of.

@@ -11,9 +11,6 @@
 
 namespace weft::agents {
 
-/// Makes the body that the options name. Errors are its own: no such file, site, recording or robot in it.
-Result<std::unique_ptr<Body>> make_body(const Options& options, const std::function<void(const std::string&)>& warn);
-
 /// Holds a method, and the sensors of the body that it looks through.
 struct Equipped {
   std::string method;

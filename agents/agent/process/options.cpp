@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "agents/agent/process/recorded_body.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/text.hpp"
 
@@ -25,23 +26,25 @@ struct Flag {
   const char* key;
   Kind kind;
   const char* help;
+  bool is_simulated = false;  ///< is of the simulated body alone
 };
 constexpr std::array kFlags = {
     Flag{"name", Kind::text,
          "The robot's name: letters and digits of any script, '_', '.', '-', at most 64 bytes. Required"},
     Flag{"state", Kind::text, "Directory of the robot's identity and spool; made if it is not there. Required"},
     Flag{"method", Kind::text, "How it navigates; several, with commas between, each with a sensor of its own"},
-    Flag{"body", Kind::text, "sim | replay [sim]"},
+    Flag{"body", Kind::text, "What is driven: "},
     Flag{"server", Kind::list, "The server's address, HOST or HOST:INDEX; repeatable [127.0.0.1]"},
     Flag{"dds", Kind::text, "fastdds | cyclonedds [fastdds]"},
     Flag{"domain", Kind::number, "DDS domain, 0 to 200 [0]"},
     Flag{"listen", Kind::text, "Address or name of the interface to bind to [127.0.0.1]"},
-    Flag{"site", Kind::text, "sim: the site file; the robot starts where it says"},
-    Flag{"seed", Kind::number, "sim: of everything random [1]"},
-    Flag{"day", Kind::number, "sim: another calibration, light and noise each day [0]"},
-    Flag{"floors", Kind::text, "sim: folder of photographs to make the floor of"},
-    Flag{"hall", Kind::text, "sim: folder of photographs of what stands in the hall, for cameras that look ahead"},
-    Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended"},
+    Flag{"site", Kind::text, "sim: the site file; the robot starts where it says", true},
+    Flag{"seed", Kind::number, "sim: of everything random [1]", true},
+    Flag{"day", Kind::number, "sim: another calibration, light and noise each day [0]", true},
+    Flag{"floors", Kind::text, "sim: folder of photographs to make the floor of", true},
+    Flag{"hall", Kind::text, "sim: folder of photographs of what stands in the hall, for cameras that look ahead",
+         true},
+    Flag{"truth", Kind::text, "sim: file to which each frame's true pose is appended", true},
     Flag{"recording", Kind::text, "replay: folder in EuRoC layout"},
     Flag{"camera", Kind::text,
          "Which camera of a recording, or of a --calibration that has several: cam0; of a recording also several, "
@@ -51,7 +54,8 @@ constexpr std::array kFlags = {
         "Camera file, as `weft calibrate` writes it, EuRoC's, Kalibr's or ROS's; replaces the body's. Where --camera "
         "names several cameras, a Kalibr chain of all of them"},
     Flag{"records", Kind::text, "Folder for fixes.jsonl, acks.jsonl and drives.jsonl"},
-    Flag{"pace", Kind::number, "Simulated seconds a second at most; 0: as fast as it can [1]"},
+    Flag{"pace", Kind::number,
+         "Seconds of the simulation or the recording a second at most; 0: as fast as it can [1]"},
     Flag{"log_format", Kind::text, "text | json: how each line of the log is written [text]"},
 };
 
@@ -91,6 +95,13 @@ std::string methods_help() {
            to_string(M::needs.gaze) + ")";
   });
   return all + " [" + std::string(AllMethods::names.front()) + "]";
+}
+
+/// Returns the bodies that the program has, for the help.
+std::string bodies_help(const Program& program) {
+  std::string all;
+  for (const BodyKind& body : program.bodies) all += (all.empty() ? "" : " | ") + std::string(body.name);
+  return all + " [" + program.bodies.front().name + "]";
 }
 
 /// Returns a flag's values as a line of TOML, so that its bounds are stated once, for flag and file.
@@ -159,6 +170,18 @@ class Sources {
       return methods;
     });
   }
+  /// Reads the kind of body. What is of a body that the program has not is refused.
+  std::string body(const Program& program) const {
+    std::string body = choice("body", program.bodies.front().name, {kSimulated, kRecordedBody.name});
+    if (!has_body(program, body)) (flags_.has("body") ? flags_ : file_).refuse("body", without_body(body));
+    if (has_body(program, kSimulated)) return body;
+    for (const Flag& flag : kFlags) {
+      for (const config::Table* const table : {&flags_, &file_}) {
+        if (flag.is_simulated && table->has(flag.key)) table->refuse(flag.key, without_body(kSimulated));
+      }
+    }
+    return body;
+  }
   const config::Table& file() const { return file_; }
 
   std::vector<config::Setting> effective() const {
@@ -176,13 +199,13 @@ class Sources {
   config::Table file_;
 };
 
-Options read(const Sources& from) {
+Options read(const Program& program, const Sources& from) {
   constexpr std::int64_t kMost = INT64_MAX;
   Options options;
   options.name = from.text("name", "");
   options.state = from.text("state", "");
   options.methods = from.methods();
-  options.body = from.choice("body", "sim", {"sim", "replay"});
+  options.body = from.body(program);
   options.servers = from.texts("server", {"127.0.0.1"});
   const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";
   options.vendor = cyclone ? bus::Vendor::cyclonedds : bus::Vendor::fastdds;
@@ -221,24 +244,32 @@ std::string missing(const Options& options) {
   if (options.asks_health && !options.state.empty()) return {};
   if (options.name.empty() && !options.asks_health) return "--name NAME is missing: what people call this robot";
   if (options.state.empty()) return "--state DIR is missing: where its identity and spool are kept";
-  if (options.body == "sim" && options.site.empty()) return "--body sim needs --site FILE";
-  if (options.body == "replay" && options.recording.empty()) return "--body replay needs --recording DIR";
+  if (options.body == kSimulated && options.site.empty()) return "--body sim needs --site FILE";
+  if (options.body == kRecordedBody.name && options.recording.empty()) return "--body replay needs --recording DIR";
   return {};
 }
 
-Leave wrong(const std::string& message, int exit_code) {
-  return {.exit_code = exit_code, .text = "weft-agent: " + one_line(message) + "\n"};
+Leave wrong(const Program& program, const std::string& message, int exit_code) {
+  return {.exit_code = exit_code, .text = std::string(program.name) + ": " + one_line(message) + "\n"};
+}
+
+/// Returns an example of a command line, for the help.
+std::string example_of(const Program& program) {
+  const bool simulates = has_body(program, kSimulated);
+  return "Example, a " + std::string(simulates ? "simulated robot" : "recording") + ":\n  " + program.name +
+         " --name r1 --state state/r1 " +
+         (simulates ? "--site deploy/sites/demo.toml\n"
+                    : "--recording drive --pace 0\nSimulated robots have a program of their own, weft-agent-sim.\n");
 }
 
 }  // namespace
 
-std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+std::variant<Options, Leave> parse_options(const Program& program, int argc, const char* const* argv) {
   CLI::App app("The agent of one robot: sees, localises, drives, and shares what it learns with weft-server.",
-               "weft-agent");
-  app.set_version_flag("--version", "weft-agent " WEFT_VERSION);
+               program.name);
+  app.set_version_flag("--version", std::string(program.name) + " " + WEFT_VERSION);
   app.footer(
-      "Runs until SIGINT or SIGTERM; logs to standard error. Example, a simulated robot:\n"
-      "  weft-agent --name r1 --state state/r1 --site deploy/sites/demo.toml\n"
+      "Runs until SIGINT or SIGTERM; logs to standard error. " + example_of(program) +
       "`weft-agent calibrate --help`: camera and mount are found out, nothing is driven.\n"
       "Exit codes: 0 stopped by a signal, or healthy; 1 cannot work, or not healthy (one line says why); 2 wrong "
       "usage");
@@ -246,10 +277,13 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
   std::map<std::string, std::vector<std::string>> given;
   for (const Flag& flag : kFlags) {
-    const bool is_method = std::string_view(flag.key) == "method";
-    const std::string help = flag.help + (is_method ? methods_help() : std::string());
+    const std::string_view key = flag.key;
+    const std::string help = flag.help + (key == "method" ? methods_help()
+                                          : key == "body" ? bodies_help(program)
+                                                          : std::string());
     CLI::Option* const option = app.add_option(flag_of(flag.key), given[flag.key], help);
     option->expected(1)->take_last();
+    if (flag.is_simulated && !has_body(program, kSimulated)) option->group("");  // is not shown
     if (flag.kind == Kind::list) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, 16);
     if (flag.kind == Kind::number) option->check(CLI::Number);
   }
@@ -263,12 +297,12 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return Leave{.exit_code = 0, .text = app.version() + "\n"};
   } catch (const CLI::ParseError& error) {
-    return wrong(std::string(error.what()) + "; weft-agent --help lists the flags", kUsage);
+    return wrong(program, std::string(error.what()) + "; " + program.name + " --help lists the flags", kUsage);
   }
   std::string from_file;
   if (!file.empty()) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) return wrong(file + ": cannot be read; is --config right?", kFailed);
+    if (!in) return wrong(program, file + ": cannot be read; is --config right?", kFailed);
     from_file.assign(std::istreambuf_iterator<char>(in), {});
   }
   std::string from_flags;
@@ -277,11 +311,11 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   }
   const config::Table flags = config::parse(from_flags, "command line");
   const config::Table table = config::parse(from_file, file.empty() ? "configuration" : file);
-  Options options = read(Sources(flags, table));
+  Options options = read(program, Sources(flags, table));
   options.asks_health = asks_health;
-  if (const Result<void> good = table.result(); !good) return wrong(good.error().message, kFailed);
-  if (const Result<void> good = flags.result(); !good) return wrong(good.error().message, kUsage);
-  if (const std::string what = missing(options); !what.empty()) return wrong(what, kUsage);
+  if (const Result<void> good = table.result(); !good) return wrong(program, good.error().message, kFailed);
+  if (const Result<void> good = flags.result(); !good) return wrong(program, good.error().message, kUsage);
+  if (const std::string what = missing(options); !what.empty()) return wrong(program, what, kUsage);
   return options;
 }
 

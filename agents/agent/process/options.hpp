@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agents/agent/process/method_settings.hpp"
+#include "agents/agent/process/program.hpp"
 #include "core/config/config.hpp"
 #include "core/result.hpp"
 #include "idl/bus/bus.hpp"
@@ -57,6 +58,7 @@ struct Leave {
   std::string text;
 };
 
-std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+/// Reads flags and file. Those of a body that the program has not are refused, and the program is named that has it.
+std::variant<Options, Leave> parse_options(const Program& program, int argc, const char* const* argv);
 
 }  // namespace weft::agents

@@ -56,7 +56,7 @@ AgentConfig config_of(const Options& options, const RobotId& self, const Body& b
   config.software = WEFT_VERSION;
   config.vendor = vendor;
   config.body = body.kind();
-  config.can_be_taught_along = config.body == "sim";
+  config.can_be_taught_along = config.body == kSimulated;
   for (const Equipped& one : equipped) {
     const bool has_file = config.cameras.empty() && options.calibration.has_value();
     config.cameras.push_back({.id = one.rig.camera().id,
@@ -84,16 +84,16 @@ Result<std::unique_ptr<bus::Bus>> open_bus(const Options& options, const RobotId
 
 }  // namespace
 
-Result<void> run(const Options& options) {
+Result<void> run(const Program& program, const Options& options) {
   const StopSignal stop;
-  process::Log log = process::Log::to_standard_error("weft-agent", options.log_format);
+  process::Log log = process::Log::to_standard_error(program.name, options.log_format);
   log.always_about({{"robot", options.name}});
   const auto warn = [&log](const std::string& text) { log.warn(text); };
   Result<StateDirectory> state = StateDirectory::open(options.state);
   if (!state) return fail(state.error());
   const Result<RobotId> self = state->identity();
   if (!self) return fail(self.error());
-  process::Vitals vitals("weft-agent", options.state, warn, process::ServiceManager::of_environment(),
+  process::Vitals vitals(program.name, options.state, warn, process::ServiceManager::of_environment(),
                          process::steady_now());
   vitals.starting("it reads its spool and prepares its body", process::steady_now());
   Result<std::unique_ptr<storage::Spool>> spool = storage::open_file_spool(state->spool());
@@ -105,7 +105,7 @@ Result<void> run(const Options& options) {
     if (!opened) return fail(opened.error());
     records.emplace(std::move(*opened));
   }
-  Result<std::unique_ptr<Body>> body = make_body(options, warn);
+  Result<std::unique_ptr<Body>> body = make_body(program, options, warn);
   if (!body) return fail(body.error());
   const Result<std::vector<Equipped>> equipped = equip(options, **body, warn);
   if (!equipped) return fail(equipped.error());

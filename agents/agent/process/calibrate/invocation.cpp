@@ -52,7 +52,7 @@ Board board_from(const Words& words) {
 }
 
 void camera_options(CLI::App& sub, CameraJob& job, Words& words) {
-  sub.add_option("DIR", job.folder, "Folder with the images: .png .jpg .jpeg .pgm .bmp")->required()->type_name("");
+  sub.add_option("DIR", job.folder, "Folder with the images: .png .jpg .jpeg .pgm")->required()->type_name("");
   sub.add_option("--chessboard", words.chessboard, "Its inner corners, where four squares meet, as 9x6")
       ->type_name("CxR");
   sub.add_option("--square-mm", words.square_mm, "The side of a square, 1 to 2000, measured on the print")
@@ -158,7 +158,7 @@ void finish(MountJob& job, const MountWords& words) {
 }
 
 Leave mistake(const std::string& what) {
-  return {.exit_code = kBadWords, .text = "weft-agent: " + one_line(what) + "; see weft calibrate --help\n"};
+  return {.exit_code = kBadWords, .text = "weft calibrate: " + one_line(what) + "; see weft calibrate --help\n"};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "agents/agent/process/options.hpp"
+#include "agents/agent/process/program.hpp"
 #include "agents/perception/calibration/board.hpp"
 #include "agents/perception/calibration/camera_fit.hpp"
 #include "core/result.hpp"
@@ -64,7 +65,7 @@ Result<void> calibrate_camera(const CameraJob& job, const JobOutput& output);
 
 /// Prints what was found of the mount and how well, writes a camera file with it. Errors as of the body and of
 /// find_mount in agents/perception/mount_drive.hpp; exhausted: the file cannot be written.
-Result<void> calibrate_mount(const MountJob& job, const JobOutput& output);
+Result<void> calibrate_mount(const Program& program, const MountJob& job, const JobOutput& output);
 
 /// Draws each residual of the images, how large they are in each image, and how far the board got around.
 Result<void> draw_residuals(const CameraFit& fit, const std::string& title, const std::string& file);

@@ -8,6 +8,7 @@
 
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/equip.hpp"
+#include "agents/agent/process/recorded_body.hpp"
 #include "agents/agent/process/words.hpp"
 #include "agents/methods/advance.hpp"
 #include "agents/methods/ceiling/mount_drive.hpp"
@@ -34,7 +35,7 @@ Options options_of(const MountJob& job) {
   Options options;
   options.name = job.robot;
   options.methods = {job.method};
-  options.body = job.site.empty() ? "replay" : "sim";
+  options.body = job.site.empty() ? kRecordedBody.name : kSimulated;
   options.site = job.site;
   options.seed = job.seed;
   options.recording = job.recording;
@@ -46,12 +47,11 @@ Options options_of(const MountJob& job) {
   return options;
 }
 
-using Warn = std::function<void(const std::string&)>;
-
 /// Goes once through the drive, whatever it is of, as one sensor sees it.
-Result<void> play(const MountJob& job, const std::vector<SitePoint>& line, const std::string& sensor,
-                  const Warn& warn, const std::function<void(const View*, const Motion&)>& take) {
-  Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
+Result<void> play(const Program& program, const MountJob& job, const std::vector<SitePoint>& line,
+                  const std::string& sensor, const Warn& warn,
+                  const std::function<void(const View*, const Motion&)>& take) {
+  Result<std::unique_ptr<Body>> body = make_body(program, options_of(job), warn);
   if (!body) return fail(body.error());
   if (!line.empty()) {
     if (const Result<void> led = (*body)->drive_by_hand(line); !led) return led;
@@ -131,7 +131,7 @@ void print(const MountDrive& found, const MountJob& job, std::ostream& out) {
 
 }  // namespace
 
-Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
+Result<void> calibrate_mount(const Program& program, const MountJob& job, const JobOutput& output) {
   std::vector<SitePoint> line;
   if (!job.site.empty()) {
     Result<std::vector<SitePoint>> read = read_line(job.along);
@@ -142,7 +142,7 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   const Warn warn = [&](const std::string& words) {
     if (!warned) output.err << words << '\n';
   };
-  const Result<std::unique_ptr<Body>> body = make_body(options_of(job), warn);
+  const Result<std::unique_ptr<Body>> body = make_body(program, options_of(job), warn);
   if (!body) return fail(body.error());
   const Result<std::vector<Equipped>> equipped = equip(options_of(job), **body, warn);
   if (!equipped) return fail(equipped.error());
@@ -160,14 +160,15 @@ Result<void> calibrate_mount(const MountJob& job, const JobOutput& output) {
   const PlayDrive again = [&](const std::function<void(const View*, const Motion&)>& take) -> Result<void> {
     ++pass;
     std::size_t images = 0;
-    Result<void> played =
-        play(job, line, equipped->front().rig.sensors.front().id, warn, [&](const View* view, const Motion& motion) {
-          take(view, motion);
-          ++images;
-          if (output.now_s() - said_s < kBetweenLines) return;
-          said_s = output.now_s();
-          output.err << "time " << pass << " of 3 through the drive, " << images << " images" << std::endl;
-        });
+    Result<void> played = play(program, job, line, equipped->front().rig.sensors.front().id, warn,
+                               [&](const View* view, const Motion& motion) {
+                                 take(view, motion);
+                                 ++images;
+                                 if (output.now_s() - said_s < kBetweenLines) return;
+                                 said_s = output.now_s();
+                                 output.err << "time " << pass << " of 3 through the drive, " << images << " images"
+                                            << std::endl;
+                               });
     warned = true;
     return played;
   };

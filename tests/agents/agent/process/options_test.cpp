@@ -5,18 +5,20 @@
 #include <type_traits>
 
 #include "tests/agents/agent/process/folder.hpp"
+#include "tests/agents/agent/process/programs.hpp"
 
 namespace weft::agents::test {
 namespace {
 
-std::variant<Options, Leave> parsed(const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv = {"weft-agent"};
+std::variant<Options, Leave> parsed(const std::vector<std::string>& arguments, const Program& program = kSimulator) {
+  std::vector<const char*> argv = {program.name};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return parse_options(static_cast<int>(argv.size()), argv.data());
+  return parse_options(program, static_cast<int>(argv.size()), argv.data());
 }
 
-void expect_left(const std::vector<std::string>& arguments, int exit_code, const std::string& word) {
-  const auto result = parsed(arguments);
+void expect_left(const std::vector<std::string>& arguments, int exit_code, const std::string& word,
+                 const Program& program = kSimulator) {
+  const auto result = parsed(arguments, program);
   const auto* const leave = std::get_if<Leave>(&result);
   ASSERT_NE(leave, nullptr) << word;
   EXPECT_EQ(leave->exit_code, exit_code) << leave->text;
@@ -155,7 +157,34 @@ TEST(AgentOptions, MistakesInTheFileNameItsLine) {
 
 TEST(AgentOptions, HelpAndVersion) {
   expect_left({"--help"}, 0, "--records");
-  expect_left({"--version"}, 0, "weft-agent 0.");
+  expect_left({"--help"}, 0, "sim | replay [sim]");
+  expect_left({"--version"}, 0, "weft-agent-sim 0.");
+  expect_left({"--version"}, 0, "weft-agent 0.", kRobotsAgent);
+  const auto help = parsed({"--help"}, kRobotsAgent);
+  EXPECT_EQ(std::get<Leave>(help).text.find("--site"), std::string::npos);
+}
+
+TEST(AgentOptions, WithoutTheSimulatorItsFlagsNameTheProgramThatHasIt) {
+  const std::string said = "there is no body sim in this program; start weft-agent-sim, with the same words";
+  const std::vector<std::string> enough = {"--name", "r1", "--state", "s", "--recording", "drive"};
+  const auto result = parsed(enough, kRobotsAgent);
+  ASSERT_TRUE(std::holds_alternative<Options>(result)) << std::get<Leave>(result).text;
+  EXPECT_EQ(std::get<Options>(result).body, "replay");
+  expect_left(kEnough, 2, said, kRobotsAgent);
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--body", "sim"},
+                                                                                    {"--seed", "3"},
+                                                                                    {"--day", "1"},
+                                                                                    {"--floors", "f"},
+                                                                                    {"--hall", "h"},
+                                                                                    {"--truth", "t"}}) {
+    std::vector<std::string> words = enough;
+    words.insert(words.end(), more.begin(), more.end());
+    expect_left(words, 2, said, kRobotsAgent);
+  }
+  const Folder folder;
+  std::vector<std::string> words = enough;
+  words.insert(words.end(), {"--config", folder.write("a.toml", "\nsite = \"x.toml\"\n")});
+  expect_left(words, 1, "a.toml:2: site = \"x.toml\": " + said, kRobotsAgent);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "agents/agent/process/equip.hpp"
 #include "agents/bodies/sim/sim_body.hpp"
+#include "tests/agents/agent/process/programs.hpp"
 #include "tests/support/little_server.hpp"
 
 namespace weft::agents::test {
@@ -25,7 +26,7 @@ class SimulatedRobot {
     options.body = "sim";
     options.site = site;
     const auto warn = [](const std::string& text) { ADD_FAILURE() << text; };
-    body_ = *make_body(options, warn);
+    body_ = *make_body(kSimulator, options, warn);
     truth_ = dynamic_cast<sim::SimulatedBody*>(body_.get());
     navigator_ = *make_navigator(options, *equip(options, *body_, warn), body_->rig());
     id_.bytes[0] = static_cast<std::uint8_t>(name.back());

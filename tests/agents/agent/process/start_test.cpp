@@ -7,6 +7,7 @@
 #include "core/camera/camera_file.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 #include "tests/agents/agent/process/method_that_looks.hpp"
+#include "tests/agents/agent/process/programs.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -26,7 +27,7 @@ Options options_in(const Folder& folder) {
 
 /// Expects that an agent cannot start with these options, and that the error names the word that is wrong.
 void expect_refused(const Options& options, const std::string& word) {
-  const Result<void> ran = run(options);
+  const Result<void> ran = run(kSimulator, options);
   ASSERT_FALSE(ran.has_value()) << word;
   EXPECT_NE(ran.error().message.find(word), std::string::npos) << ran.error().message;
 }
@@ -64,7 +65,7 @@ TEST(AgentStart, ACameraFileReplacesWhatTheBodySays) {
   Options options = options_in(folder);
   std::string warnings;
   const auto warn = [&](const std::string& text) { warnings += text; };
-  const auto body = make_body(options, warn);
+  const auto body = make_body(kSimulator, options, warn);
   ASSERT_TRUE(body.has_value());
   const CameraModel told = (*body)->rig().camera();
   CameraCalibration other = calibration_from(told);
@@ -88,7 +89,7 @@ TEST(AgentStart, EachMethodHasACameraOfItsOwn) {
   options.site = std::string(WEFT_SITES) + "/two-cameras/hall.toml";
   options.name = "r3";
   options.methods = {"floor", ahead};
-  const auto body = make_body(options, warn);
+  const auto body = make_body(kSimulator, options, warn);
   ASSERT_TRUE(body) << body.error().message;
   const auto both = equip(options, **body, warn);
   ASSERT_TRUE(both) << both.error().message;
@@ -188,7 +189,7 @@ TEST(AgentStart, ACalibrationOfSeveralCamerasIsReadForEachByItsName) {
   folder.write("chain.yaml", "cam0:\n" + chain + "[40, 40, 15.5, 11.5]\ncam1:\n" + chain + "[50, 50, 15.5, 11.5]\n");
   options.calibration = folder.file("chain.yaml");
   const auto warn = [](const std::string&) {};
-  const auto body = make_body(options, warn);
+  const auto body = make_body(kSimulator, options, warn);
   ASSERT_TRUE(body) << body.error().message;
   const auto equipped = equip(options, **body, warn);
   ASSERT_TRUE(equipped) << equipped.error().message;
@@ -196,6 +197,14 @@ TEST(AgentStart, ACalibrationOfSeveralCamerasIsReadForEachByItsName) {
   EXPECT_EQ(equipped->front().rig.camera().fx, 40.0);
   EXPECT_EQ(equipped->back().rig.sensors.front().id, "cam1");
   EXPECT_EQ(equipped->back().rig.camera().fx, 50.0);
+}
+
+TEST(AgentStart, ABodyThatTheProgramHasNotIsRefused) {
+  const Folder folder;
+  const auto body = make_body(kRobotsAgent, options_in(folder), [](const std::string&) {});
+  ASSERT_FALSE(body);
+  EXPECT_EQ(body.error().code, ErrorCode::refused);
+  EXPECT_EQ(body.error().message, "there is no body sim in this program; start weft-agent-sim, with the same words");
 }
 
 TEST(AgentStart, SettingsOfTheMethodAreChecked) {

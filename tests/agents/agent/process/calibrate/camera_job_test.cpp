@@ -4,7 +4,7 @@
 
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "core/camera/camera_file.hpp"
-#include "tests/agents/agent/process/calibrate/images/board_images.hpp"
+#include "tests/agents/agent/process/calibrate/board_images.hpp"
 #include "tests/agents/agent/process/calibrate/invoked.hpp"
 #include "tests/agents/agent/process/folder.hpp"
 

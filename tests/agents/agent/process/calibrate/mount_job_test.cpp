@@ -7,6 +7,7 @@
 #include "agents/perception/camera_error.hpp"
 #include "tests/agents/agent/process/calibrate/invoked.hpp"
 #include "tests/agents/agent/process/folder.hpp"
+#include "tests/agents/agent/process/programs.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -81,7 +82,7 @@ nlohmann::json done(const MountJob& job) {
   std::ostringstream out;
   std::ostringstream err;
   double now = 0.0;
-  const Result<void> ran = calibrate_mount(job, {out, err, [&] { return now += 0.1; }});
+  const Result<void> ran = calibrate_mount(kSimulator, job, {out, err, [&] { return now += 0.1; }});
   EXPECT_TRUE(ran) << ran.error().message;
   EXPECT_THAT(err.str(), HasSubstr("time 3 of 3 through the drive"));
   return nlohmann::json::parse(out.str(), nullptr, false);
@@ -118,7 +119,7 @@ TEST(CalibrateMount, WithoutDistanceAndWheelsTheHeightIsSaidToBeUnknown) {
   job.json = false;
   std::ostringstream out;
   std::ostringstream err;
-  ASSERT_TRUE(calibrate_mount(job, {out, err, [] { return 0.0; }}));
+  ASSERT_TRUE(calibrate_mount(kSimulator, job, {out, err, [] { return 0.0; }}));
   EXPECT_THAT(out.str(), HasSubstr("height    0.6000 m  as given: not observable"));
   EXPECT_THAT(folder.read("mount.yaml"), testing::Not(HasSubstr("scale_share")));
 }
@@ -129,11 +130,12 @@ TEST(CalibrateMount, AShortDriveIsRefusedWithTheBound) {
   job.along = folder.write("short.line", "2.0 3.0\n2.5 3.0\n");
   std::ostringstream out;
   std::ostringstream err;
-  const Result<void> ran = calibrate_mount(job, {out, err, [] { return 0.0; }});
+  const Result<void> ran = calibrate_mount(kSimulator, job, {out, err, [] { return 0.0; }});
   ASSERT_FALSE(ran);
   EXPECT_THAT(ran.error().message, HasSubstr("at least 2.000 m"));
   job.along = folder.file("none.line");
-  EXPECT_THAT(calibrate_mount(job, {out, err, [] { return 0.0; }}).error().message, HasSubstr("none.line"));
+  EXPECT_THAT(calibrate_mount(kSimulator, job, {out, err, [] { return 0.0; }}).error().message,
+              HasSubstr("none.line"));
 }
 
 TEST(CalibrateMount, ByTheCeilingTheWheelsShowHowHighItIs) {

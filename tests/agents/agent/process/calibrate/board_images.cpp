@@ -1,8 +1,8 @@
-#include "tests/agents/agent/process/calibrate/images/board_images.hpp"
+#include "tests/agents/agent/process/calibrate/board_images.hpp"
 
-#include <opencv2/imgcodecs.hpp>
-
+#include "images/read.hpp"
 #include "tests/support/board_view.hpp"
+#include "tests/support/raw_png.hpp"
 
 namespace weft::agents::test {
 
@@ -15,15 +15,16 @@ void take_images(const Folder& folder, const ChessBoard& board, const CameraMode
     const Pose3 pose = held(print, camera, {160.0 + 60.0 * std::cos(around), 120.0 + 40.0 * std::sin(around)}, 0.4,
                             tilt_rad * std::cos(1.7 * around), tilt_rad * std::sin(1.7 * around), 0.05 * i);
     const Image image = view_of(print, camera, pose, random);
-    cv::imwrite(folder.file("view" + std::to_string(i) + ".png"),
-                cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels->data())));
+    weft::test::write_png(folder.file("view" + std::to_string(i) + ".png"),
+                          {images::Shades::grey, image.width, image.height, *image.pixels});
   }
-  cv::imwrite(folder.file("blank.png"), cv::Mat(240, 320, CV_8U, cv::Scalar(90)));
+  weft::test::write_png(folder.file("blank.png"), weft::test::plain_picture(320, 240, 90));
   folder.write("broken.jpg", "no picture");
 }
 
 int width_of(const std::string& picture) {
-  return cv::imread(picture).cols;
+  const auto read = images::read(picture, images::Shades::grey);
+  return read ? read->width : 0;
 }
 
 }  // namespace weft::agents::test
