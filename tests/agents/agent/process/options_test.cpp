@@ -184,7 +184,7 @@ TEST(AgentOptions, WithoutTheSimulatorItsFlagsNameTheProgramThatHasIt) {
   const Folder folder;
   std::vector<std::string> words = enough;
   words.insert(words.end(), {"--config", folder.write("a.toml", "\nsite = \"x.toml\"\n")});
-  expect_left(words, 1, "a.toml:2: site = \"x.toml\": " + said, kRobotsAgent);
+  expect_left(words, 1, "a.toml:2: site = 'x.toml': " + said, kRobotsAgent);
 }
 
 }  // namespace
