@@ -269,14 +269,14 @@ TEST_F(MultiMethodNavigator, WhoKnowsIsHeardAlsoWithARoute) {
 }
 
 TEST_F(MultiMethodNavigator, WhoSeesOnlyAFarPlaceDoesNotSayWhereARouteBegins) {
-  ahead.estimate = Estimate{{kAhead, 0}, Metric2{Pose2{-3.0, 0.0, 0.0}}, 0.0};
+  ahead.estimate = Estimate{{kAheadRun, 0}, Metric2{Pose2{-3.0, 0.0, 0.0}}, 0.0};
   see("ahead");
   ASSERT_TRUE(robot->estimate());
   EXPECT_EQ(robot->method(), "along") << "nobody else knows";
-  floor.estimate = Estimate{{kFloor, 2}, Metric2{Pose2{0.1, 0.0, 0.0}}, 0.0};
+  floor.estimate = Estimate{{kFloorRun, 2}, Metric2{Pose2{0.1, 0.0, 0.0}}, 0.0};
   see("down");
-  EXPECT_EQ(robot->estimate()->place, (PlaceId{kFloor, 2})) << "no route can be joined 3 m before its first place";
-  ahead.estimate = Estimate{{kAhead, 1}, Metric2{}, 0.0};
+  EXPECT_EQ(robot->estimate()->place, (PlaceId{kFloorRun, 2})) << "no route can be joined 3 m before its first place";
+  ahead.estimate = Estimate{{kAheadRun, 1}, Metric2{}, 0.0};
   see("ahead");
   EXPECT_EQ(robot->method(), "floor") << "who may begin a route there stays";
 }
