@@ -1,5 +1,6 @@
 #include "server/dispatcher/planning.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/network/search.hpp"
@@ -10,6 +11,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration kBetweenMovePlans = 1s;
 constexpr Duration kLeastBetweenPlans = 100ms;
+constexpr Duration kLeastPerRobot = 5ms;
+constexpr std::size_t kFewRobots = kLeastBetweenPlans / kLeastPerRobot;
 /// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
 constexpr Duration kBetweenMaps = 10s;
 
@@ -24,6 +27,11 @@ std::optional<Relation> hop(const Snapshot& network, const PlaceId& from, const 
 
 }  // namespace
 
+Duration least_between_plans(std::size_t robots) {
+  return std::clamp<Duration>(static_cast<int>(std::min<std::size_t>(robots, 10'000)) * kLeastPerRobot,
+                              kLeastBetweenPlans, kBetweenMovePlans);
+}
+
 void Planning::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
                     SteadyTime now) {
   const bool may_lag = followed_at_ && now < *followed_at_ + kBetweenMaps;
@@ -35,7 +43,8 @@ void Planning::plan(const RuledNetwork& network, double footprint_m, const std::
     of_.push_back(request.robot);
   }
   next_ = now + kBetweenMovePlans;
-  soonest_ = now + kLeastBetweenPlans;
+  soonest_ = now + least_between_plans(requests.size());
+  at_once_ = requests.size() <= kFewRobots ? SteadyTime{} : soonest_;
 }
 
 std::optional<std::uint32_t> Planning::number(const RobotId& robot, const PlaceId& end) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,6 +13,10 @@
 
 namespace weft::server {
 
+/// Returns how long after a plan of so many robots the next one may come. A plan takes the longer the more there are,
+/// and with more of them something changes more often: else 200 robots keep two cores busy.
+Duration least_between_plans(std::size_t robots);
+
 /// Keeps the plan of everybody's moves, and says when there is to be another one.
 class Planning {
  public:
@@ -20,8 +25,8 @@ class Planning {
   /// Returns whether the plan is older than a second, or somebody asked for another one.
   bool is_due(SteadyTime now) const { return now >= next_; }
   SteadyTime next() const { return next_; }
-  /// Asks for another plan at once: there is a goal more or less.
-  void want() { next_ = {}; }
+  /// Asks for another plan: there is a goal more or less. At once, unless there are many robots.
+  void want() { next_ = std::min(next_, at_once_); }
   /// Asks for another plan soon: a robot is not where the plan has it.
   void want_soon() { next_ = std::min(next_, soonest_); }
   /// Notes that something was taken out of the map, came back, or is ruled otherwise: the next plan has to know.
@@ -64,6 +69,7 @@ class Planning {
   std::vector<RobotId> of_;  ///< by number
   SteadyTime next_;
   SteadyTime soonest_;
+  SteadyTime at_once_;                     ///< of many robots: as soon as any
   std::optional<SteadyTime> followed_at_;  ///< when a plan was made of the map as it was then
 };
 
