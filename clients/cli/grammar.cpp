@@ -48,10 +48,11 @@ void Grammar::globals() {
   app_.add_option("--dds", into_.vendor, "fastdds | cyclonedds; any goes with any server [WEFT_DDS, or cyclonedds]")
       ->type_name("VENDOR")
       ->check(CLI::IsMember({"fastdds", "cyclonedds"}).description(""));
-  app_.add_option("--domain", into_.domain, "The server's DDS domain, 0 to 200 [0]")
+  app_.add_option("--domain", into_.domain, "The server's DDS domain, 0 to 200 [WEFT_DOMAIN, or 0]")
       ->type_name("N")
       ->check(CLI::Range(0U, 200U).description(""));
-  app_.add_option("--listen", into_.listen, "Own address or interface, on the network of the server [127.0.0.1]")
+  app_.add_option("--listen", into_.listen,
+                  "Own address or interface, on the network of the server [WEFT_LISTEN, or 127.0.0.1]")
       ->type_name("HOST");
   app_.add_option("--timeout", into_.timeout_s, "Seconds to wait for an answer, 0.1 to 86400 [as suits the command]")
       ->type_name("S")

@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <sstream>
+#include <system_error>
 
 #include "clients/cli/grammar.hpp"
 #include "core/names.hpp"
@@ -12,6 +15,8 @@ namespace weft::cli {
 namespace {
 
 using Command = Invocation::Command;
+
+constexpr unsigned kLastDomain = 200;
 
 /// Refuses names of a command line that the server would refuse, or could not read, before they leave this machine.
 Result<void> check_names(const Invocation& invocation) {
@@ -51,6 +56,15 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+/// Returns the domain that the environment names; 0 when it names none, nothing when it is not one.
+std::optional<unsigned> domain_of(const std::string& text) {
+  unsigned domain = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), domain);
+  if (text.empty()) return 0U;
+  if (problem != std::errc() || end != text.data() + text.size() || domain > kLastDomain) return std::nullopt;
+  return domain;
+}
+
 /// Returns one line. CLI11 reports a missing subcommand before what stood in its place; the latter helps most.
 std::string mistake(const CLI::App& app, const CLI::ParseError& problem) {
   const std::vector<std::string> strays = app.remaining(true);
@@ -72,7 +86,8 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
   }
   invocation.vendor = environment.vendor.empty() ? "cyclonedds" : environment.vendor;
   invocation.servers = split(environment.server, ',');
-  invocation.listen = "127.0.0.1";
+  invocation.listen = environment.listen.empty() ? "127.0.0.1" : environment.listen;
+  const std::optional<unsigned> domain = domain_of(environment.domain);
   CLI::App app("The operator's command: talks to the fleet map server, weft-server.", "weft");
   app.require_subcommand(1);
   app.fallthrough();
@@ -88,6 +103,13 @@ std::variant<Invocation, NotRun> parse(int argc, const char* const* argv, const 
     std::ostringstream err;
     if (app.exit(problem, out, err) == 0) return NotRun{0, out.str()};
     return NotRun{2, mistake(app, problem), wants_json};
+  }
+  if (app.count("--domain") == 0) {
+    if (!domain) {
+      return NotRun{2, "weft: WEFT_DOMAIN is '" + environment.domain + "', which is no number from 0 to 200\n",
+                    wants_json};
+    }
+    invocation.domain = *domain;
   }
   if (const Result<void> good = check_names(invocation); !good) {
     return NotRun{2, "weft: " + good.error().message + "\n", wants_json};

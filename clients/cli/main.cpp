@@ -71,8 +71,9 @@ cli::Exit run(const cli::Invocation& invocation) {
 int main(int argc, char** argv) try {
   const std::string libraries = ", with " + bus::library_version(bus::Vendor::fastdds) + " and " +
                                 bus::library_version(bus::Vendor::cyclonedds);
-  const auto parsed =
-      cli::parse(argc, argv, {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS"), libraries});
+  const auto parsed = cli::parse(argc, argv,
+                                 {from_environment("WEFT_SERVER"), from_environment("WEFT_DDS"),
+                                  from_environment("WEFT_LISTEN"), from_environment("WEFT_DOMAIN"), libraries});
   if (const auto* const not_run = std::get_if<cli::NotRun>(&parsed)) {
     return cli::report(*not_run, {std::cout, std::cerr});
   }

@@ -114,6 +114,21 @@ TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
   EXPECT_EQ(filled.vendor, "fastdds");
   EXPECT_EQ(good({"--server", "z", "robots"}, {"x", ""}).servers, std::vector<std::string>{"z"});
   EXPECT_EQ(good({"robots"}).servers, std::vector<std::string>{"127.0.0.1"});
+  const Environment site = {"x", "", "eth0", "200"};
+  EXPECT_EQ(good({"robots"}, site).listen, "eth0");
+  EXPECT_EQ(good({"robots"}, site).domain, 200U);
+  EXPECT_EQ(good({"robots", "--listen", "wlan0", "--domain", "0"}, site).listen, "wlan0");
+  EXPECT_EQ(good({"robots", "--listen", "wlan0", "--domain", "0"}, site).domain, 0U);
+}
+
+TEST(Invocation, DomainOfTheEnvironmentHasTheBoundsOfTheFlag) {
+  for (const char* const wrong : {"201", "-1", "1x", "x", " 1"}) {
+    const auto result = parsed({"robots"}, {"", "", "", wrong});
+    ASSERT_TRUE(std::holds_alternative<NotRun>(result)) << wrong;
+    EXPECT_EQ(std::get<NotRun>(result).exit_code, 2);
+    EXPECT_NE(std::get<NotRun>(result).text.find("WEFT_DOMAIN is '" + std::string(wrong) + "'"), std::string::npos);
+    EXPECT_EQ(good({"robots", "--domain", "7"}, {"", "", "", wrong}).domain, 7U);
+  }
 }
 
 TEST(Invocation, MistakesAreUsageAndSayWhich) {
