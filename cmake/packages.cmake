@@ -73,7 +73,7 @@ endfunction()
 set(makes_users "systemd | systemd-standalone-sysusers, systemd | systemd-standalone-tmpfiles")
 weft_package(weft-server "fleet map server of Weft"
   "Keeps the network of places that all robots of a site share, and leads\ntheir goals. With a daily backup of the map."
-  PROGRAM weft-server DEPENDS "${makes_users}, weft-cli (= ${PROJECT_VERSION})" RECOMMENDS weft-doc SECTION net)
+  PROGRAM weft-server DEPENDS "${makes_users}, weft-cli (= ${PROJECT_VERSION}), weft-health (= ${PROJECT_VERSION})" RECOMMENDS weft-doc SECTION net)
 weft_maintain(weft-server UNITS "weft-backup.timer weft-backup.service weft-server.service"
   ENABLED "\"$root/etc/systemd/system/multi-user.target.wants/weft-server.service\" \"$root/etc/systemd/system/timers.target.wants/weft-backup.timer\""
   STATE "the map" AFTER_UPGRADE "if [ -n \"$2\" ]; then systemctl try-restart weft-server.service; fi"
@@ -85,7 +85,7 @@ install(PROGRAMS ${templates}/backup DESTINATION lib/weft COMPONENT weft-server)
 
 weft_package(weft-agent "agent of a robot of Weft"
   "Sees, localises, drives, and shares what it learns with weft-server.\nOne process a robot."
-  PROGRAM weft-agent DEPENDS "${makes_users}" RECOMMENDS weft-cli SECTION net)
+  PROGRAM weft-agent DEPENDS "${makes_users}, weft-health (= ${PROJECT_VERSION})" RECOMMENDS weft-cli SECTION net)
 # An upgrade restarts no agent: its robot may be under way.
 weft_maintain(weft-agent UNITS "'weft-agent@*.service'"
   ENABLED "\"$root\"/etc/systemd/system/multi-user.target.wants/weft-agent@*.service"
@@ -94,15 +94,12 @@ install(DIRECTORY DESTINATION /etc/weft/agents COMPONENT weft-agent)
 install(FILES ${templates}/agent.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weft-agent/examples COMPONENT weft-agent)
 install(FILES ${units}/weft-agent@.service DESTINATION /lib/systemd/system COMPONENT weft-agent)
 
-# The simulated robot, where it is a program of its own; until then weft-agent has it.
-if(TARGET weft-agent-sim)
-  weft_package(weft-agent-sim "agent of a simulated robot of Weft"
-    "As weft-agent, with a robot, cameras and a warehouse that are\nsimulated. For trying Weft, and for tests." PROGRAM weft-agent-sim SECTION net)
-  set(simulated weft-agent-sim)
-else()
-  set(simulated weft-agent)
-endif()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/deploy/sites DESTINATION ${CMAKE_INSTALL_DATADIR}/weft COMPONENT ${simulated})
+weft_package(weft-agent-sim "agent of a simulated robot of Weft"
+  "As weft-agent, with a robot, cameras and a warehouse that are\nsimulated. For trying Weft, and for tests." PROGRAM weft-agent-sim SECTION net)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/deploy/sites DESTINATION ${CMAKE_INSTALL_DATADIR}/weft COMPONENT weft-agent-sim)
+
+weft_package(weft-health "health probe of Weft"
+  "Says within a twentieth of a second whether the server or agent whose\nfolder it is given works." PROGRAM weft-health SECTION net)
 
 weft_package(weft-cli "operator's command of Weft"
   "Teaches robots, sends goals, and looks after map and fleet; talks to\nweft-server." PROGRAM weft RECOMMENDS weft-doc SECTION net)

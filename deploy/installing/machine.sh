@@ -4,8 +4,8 @@
 # wanted_packages: of the role.
 wanted_packages() {
   case $role in
-    server) echo weft-server weft-cli ;;
-    robot) echo weft-agent ;;
+    server) echo weft-server weft-cli weft-health ;;
+    robot) echo weft-agent weft-health ;;
     operator) echo weft-cli ;;
   esac
 }

@@ -12,6 +12,8 @@ MUST_HAVE = {
     'weft-agent': ['usr/bin/weft-agent', 'etc/weft/agents/', 'lib/systemd/system/weft-agent@.service',
                    'usr/lib/sysusers.d/weft-agent.conf', 'usr/lib/tmpfiles.d/weft-agent.conf',
                    'usr/share/doc/weft-agent/examples/agent.toml', 'usr/share/doc/weft-agent/headers.gz'],
+    'weft-agent-sim': ['usr/bin/weft-agent-sim', 'usr/share/weft/sites/demo.toml', 'usr/share/doc/weft-agent-sim/headers.gz'],
+    'weft-health': ['usr/bin/weft-health', 'usr/share/doc/weft-health/headers.gz'],
     'weft-cli': ['usr/bin/weft', 'usr/share/doc/weft-cli/headers.gz'],
     'weft-doc': ['usr/share/doc/weft-doc/README.md', 'usr/share/doc/weft-doc/docs/operating.md'],
 }
@@ -56,9 +58,10 @@ class Contents(Case):
             for library in libraries:
                 self.assertRegex(depends, rf'\b{re.escape(library)}', name)
 
-    def test_the_server_brings_the_command_that_its_backup_uses_of_the_same_version(self):
-        version = output('dpkg-deb', '-f', package('weft-server'), 'Version').strip()
-        self.assertIn(f'weft-cli (= {version})', output('dpkg-deb', '-f', package('weft-server'), 'Depends'))
+    def test_services_bring_the_commands_that_they_use_of_the_same_version(self):
+        for name, brought in (('weft-server', 'weft-cli'), ('weft-server', 'weft-health'), ('weft-agent', 'weft-health')):
+            version = output('dpkg-deb', '-f', package(name), 'Version').strip()
+            self.assertIn(f'{brought} (= {version})', output('dpkg-deb', '-f', package(name), 'Depends'))
 
     def test_what_is_compiled_in_from_headers_has_its_licence_there(self):
         with_licences = output('sh', '-c', f'dpkg-deb --fsys-tarfile {package("weft-cli")} | tar xO ./usr/share/doc/weft-cli/headers.gz | zcat')

@@ -97,7 +97,7 @@ class Machine(InFolder):
         super().setUp()
         self.packages = self.folder / 'bundle/packages'
         self.packages.mkdir(parents=True)
-        for name in ('weft-server', 'weft-cli', 'weft-agent'):
+        for name in ('weft-server', 'weft-cli', 'weft-agent', 'weft-health'):
             control = self.folder / 'made' / name / 'DEBIAN/control'
             control.parent.mkdir(parents=True)
             control.write_text(f'Package: {name}\nVersion: 0.1.0\nArchitecture: all\nMaintainer: x <x@y>\nDescription: x\n')
@@ -110,7 +110,7 @@ class Machine(InFolder):
     def test_packages_that_are_missing_are_named(self):
         code, said, _ = self.check('server', '--check')
         self.assertEqual(code, 1)
-        for name in ('weft-server_0.1.0', 'weft-cli_0.1.0'):
+        for name in ('weft-server_0.1.0', 'weft-cli_0.1.0', 'weft-health_0.1.0'):
             self.assertRegex(said, f'not so yet: install .*{name}')
 
     def test_those_that_are_there_are_left_alone(self):
