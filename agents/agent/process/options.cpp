@@ -23,9 +23,9 @@ constexpr int kUsage = 2;
 enum class Kind { text, number, list };
 /// Describes a setting that is a flag as well. The key is the flag with '_' for '-'.
 struct Flag {
-  const char* key;
-  Kind kind;
-  const char* help;
+  const char* key = nullptr;
+  Kind kind = Kind::text;
+  const char* help = nullptr;
   bool is_simulated = false;  ///< is of the simulated body alone
 };
 constexpr std::array kFlags = {

@@ -135,7 +135,7 @@ CeilingConfig informed(CeilingConfig config, const CalibrationSigma& known) {
       Known{&CalibrationSigma::position_m, &CeilingConfig::mount_position_m, 1e-6, 0.1},
       Known{&CalibrationSigma::yaw_rad, &CeilingConfig::mount_yaw_rad, 1e-6, 0.1},
   };
-  return with_stated(std::move(config), known, kStated);
+  return with_stated(config, known, kStated);
 }
 
 }  // namespace weft::agents
