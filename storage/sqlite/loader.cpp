@@ -196,7 +196,8 @@ Result<void> load_awaited_labels(const Database& database, NetworkBuilder& build
   return for_each_row(database, sql, [&](const Query& row) {
     Result<PutAwaitedLabel> label = awaited_label(row);
     if (label) {
-      stored.awaited_labels[label->label] = *std::move(label);
+      std::string name = label->label;
+      stored.awaited_labels[std::move(name)] = *std::move(label);
     } else {
       builder.add_damage("awaited_label " + row.text(0) + ": " + label.error().message + "; give it again");
     }

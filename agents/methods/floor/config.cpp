@@ -112,7 +112,7 @@ FloorConfig informed(FloorConfig config, const CalibrationSigma& known) {
       Known{&CalibrationSigma::scale_share, &FloorConfig::measured_scale, kLeastScale, 0.1},
       Known{&CalibrationSigma::yaw_rad, &FloorConfig::measured_heading_rad, kLeastHeading, 0.1},
   };
-  return with_stated(std::move(config), known, kStated);
+  return with_stated(config, known, kStated);
 }
 
 }  // namespace weft::agents
