@@ -194,7 +194,7 @@ void Ledger::check_release(const Route& route, const Snapshot& snapshot) {
       }
     }
   }
-  check_rules(route, first, snapshot);
+  check_rules(route, first, next, snapshot);
   held_[route.robot] = {route, continued ? before->second.from : first, continued && before->second.known};
 }
 

@@ -123,7 +123,7 @@ class Ledger {
   void check_stops(Robot& by, const agents::Sample& sample, const agents::Twist& command);
   void check_limits(const Robot& by);
   void check_driver(const RobotId& id, const Robot& robot);
-  void check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot);
+  void check_rules(const Route& route, std::uint32_t first, std::uint32_t next, const Snapshot& snapshot);
   const Route* stands_with(const RobotId& id, const Robot& robot, const storage::MemoryDisk& disk) const;
   bool is_near(const RobotId& robot, const PlaceId& place, double within_m) const;
   bool is_ahead(const RobotId& robot, const Route& route, double within_m) const;

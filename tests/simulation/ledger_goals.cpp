@@ -80,12 +80,13 @@ void Ledger::check_driver(const RobotId& id, const Robot& robot) {
   driver->second = id;
 }
 
-/// Checks that a route is not released into what was closed already when that was released.
-void Ledger::check_rules(const Route& route, std::uint32_t first, const Snapshot& snapshot) {
+/// Checks that a route is not released into what was closed already when that was released: its places from `next`
+/// on. What an earlier version was released as well, from `first` on, has to state its limits again.
+void Ledger::check_rules(const Route& route, std::uint32_t first, std::uint32_t next, const Snapshot& snapshot) {
   for (const auto& [name, rule] : snapshot.rules()) {
     const auto truth = [this](const PlaceId& id) { return truth_of(id); };
     const bool is_closed = rule.kind == RuleKind::closed && !rule.one_direction;
-    if (const auto place = is_closed ? enters_closed(rule, route, first, truth) : std::nullopt) {
+    if (const auto place = is_closed ? enters_closed(rule, route, next, truth) : std::nullopt) {
       broken("rules", robots.at(route.robot).name + " was released to " + to_string(*place) + " which rule " + name +
                           " closes");
     }
