@@ -49,7 +49,7 @@ void Vitals::write(SteadyTime now) {
   due_ = now + between_;
   const Result<void> written = try_to_write();
   if (written) has_warned_ = false;
-  // What ends a start is one line, so nothing is said before it has ended.
+  // A start that fails says so in one line: nothing is said before it has ended.
   if (written || health_.is_starting || std::exchange(has_warned_, true)) return;
   warn_(written.error().message + "; --health cannot tell how this process is");
 }

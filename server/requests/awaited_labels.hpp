@@ -15,7 +15,7 @@
 namespace weft::server {
 
 /// Holds labels that people gave to places which robots have kept and which have not come yet, as the store has them.
-/// Who waits for one is told so from time to time: a run that is refined first comes as a whole, when it is.
+/// Tells those who wait for one from time to time that it still waits: a run that is refined first comes as a whole.
 class AwaitedLabels {
  public:
   using Key = RequestLedger::Key;

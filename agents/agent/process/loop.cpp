@@ -132,7 +132,7 @@ void Loop::perform(AgentOutput output) {
   command_ = output.command;
   for (const std::string& note : output.notes) parts_.log.info(note, goal());
   if (parts_.records != nullptr) note(output);
-  // What is not sent is repeated by the agent, like what is lost on the way.
+  // The agent repeats messages that are not sent, as it does those that are lost on the way.
   for (const msg::Message& message : output.send) (void)parts_.link.send(message);
   if (output.exposes.has_value()) expose(*output.exposes);
   if (output.hand_stop) parts_.body.stop_hand();

@@ -12,7 +12,7 @@ inline double metres_per_pixel(const CeilingConfig& config, double ceiling_m) {
 
 /// Returns the stretch of the ceiling that is rectified, around the robot.
 inline BirdsEyeArea rectified_area(const CeilingConfig& config, const CameraModel& camera, double ceiling_m) {
-  // Of noise alone the standard deviation about a corner is below this in 95 of 100.
+  // The standard deviation about a corner of noise alone is below this in 95 of 100.
   constexpr double more_than_noise = 1.25;
   const double reach_m = config.reach_heights * (ceiling_m - camera.robot_from_camera.translation.z());
   return {.far_m = reach_m,
