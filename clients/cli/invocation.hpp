@@ -127,8 +127,8 @@ struct NotRun {
 
 /// Holds defaults from the environment: WEFT_SERVER (comma-separated), WEFT_DDS, WEFT_LISTEN, WEFT_DOMAIN.
 struct Environment {
-  std::string server;
-  std::string vendor;
+  std::string server = {};
+  std::string vendor = {};
   std::string listen = {};
   std::string domain = {};
   std::string libraries = {};  ///< what --version names beside weft itself

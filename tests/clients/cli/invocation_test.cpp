@@ -109,10 +109,10 @@ TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
   EXPECT_EQ(after.servers, (std::vector<std::string>{"a", "b:3"}));
   EXPECT_EQ(after.vendor, "fastdds");
   EXPECT_EQ(after.domain, 5U);
-  const Invocation filled = good({"robots"}, {"x,y:2", "fastdds"});
+  const Invocation filled = good({"robots"}, {.server = "x,y:2", .vendor = "fastdds"});
   EXPECT_EQ(filled.servers, (std::vector<std::string>{"x", "y:2"}));
   EXPECT_EQ(filled.vendor, "fastdds");
-  EXPECT_EQ(good({"--server", "z", "robots"}, {"x", ""}).servers, std::vector<std::string>{"z"});
+  EXPECT_EQ(good({"--server", "z", "robots"}, {.server = "x"}).servers, std::vector<std::string>{"z"});
   EXPECT_EQ(good({"robots"}).servers, std::vector<std::string>{"127.0.0.1"});
   const Environment site = {"x", "", "eth0", "200"};
   EXPECT_EQ(good({"robots"}, site).listen, "eth0");
@@ -123,11 +123,11 @@ TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
 
 TEST(Invocation, DomainOfTheEnvironmentHasTheBoundsOfTheFlag) {
   for (const char* const wrong : {"201", "-1", "1x", "x", " 1"}) {
-    const auto result = parsed({"robots"}, {"", "", "", wrong});
+    const auto result = parsed({"robots"}, {.domain = wrong});
     ASSERT_TRUE(std::holds_alternative<NotRun>(result)) << wrong;
     EXPECT_EQ(std::get<NotRun>(result).exit_code, 2);
     EXPECT_NE(std::get<NotRun>(result).text.find("WEFT_DOMAIN is '" + std::string(wrong) + "'"), std::string::npos);
-    EXPECT_EQ(good({"robots", "--domain", "7"}, {"", "", "", wrong}).domain, 7U);
+    EXPECT_EQ(good({"robots", "--domain", "7"}, {.domain = wrong}).domain, 7U);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(Invocation, HelpAndVersionAreNoMistakes) {
   const auto help = parsed({"--help"});
   EXPECT_EQ(std::get<NotRun>(help).exit_code, 0);
   EXPECT_NE(std::get<NotRun>(help).text.find("goal"), std::string::npos);
-  const auto version = parsed({"--version"}, {"", "", ", with a bus"});
+  const auto version = parsed({"--version"}, {.libraries = ", with a bus"});
   EXPECT_EQ(std::get<NotRun>(version).exit_code, 0);
   EXPECT_NE(std::get<NotRun>(version).text.find(", with a bus"), std::string::npos);
 }
