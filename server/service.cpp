@@ -57,7 +57,8 @@ class FleetMapServer final : public Service {
         standstills_(context_, fleet_, dispatcher_),
         site_frames_(context_),
         requests_(context_, fleet_, traffic_, dispatcher_, site_frames_, stored.awaited_labels, now.steady),
-        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_),
+        answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_,
+                 requests_.awaited_labels()),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       writer_.note(

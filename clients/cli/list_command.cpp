@@ -69,6 +69,19 @@ void print(const std::vector<msg::ExperienceRow>& rows, const Names& robots, con
   table.print(output.out);
 }
 
+nlohmann::json document_of(const msg::AwaitedLabelRow& row, const Names& robots) {
+  return {
+      {"label", row.label}, {"place", to_string(row.place)}, {"robot", name_of(robots, row.robot)}, {"who", row.who}};
+}
+
+void print(const std::vector<msg::AwaitedLabelRow>& rows, const Names& robots, const Output& output) {
+  for (const msg::AwaitedLabelRow& row : rows) {
+    output.out << "label " << row.label << ", given by " << row.who << ", waits for place " << to_string(row.place)
+               << " which " << name_of(robots, row.robot) << " has not handed in; weft map unlabel " << row.label
+               << " withdraws it\n";
+  }
+}
+
 }  // namespace
 
 Exit run_map_list(Session& session, const Invocation& invocation, const Output& output) {
@@ -82,16 +95,22 @@ Exit run_map_list(Session& session, const Invocation& invocation, const Output& 
                     [](const msg::ExperienceRow& row) { return std::tie(row.begun, row.name, row.id); });
   const Names names = names_of(robots->robots);
   if (invocation.json) {
-    nlohmann::json document = {{"experiences", nlohmann::json::array()}};
+    nlohmann::json document = {{"experiences", nlohmann::json::array()}, {"awaited_labels", nlohmann::json::array()}};
     for (const msg::ExperienceRow& row : reply->experiences) {
       document["experiences"].push_back(document_of(row, names));
     }
+    for (const msg::AwaitedLabelRow& row : reply->awaited_labels) {
+      document["awaited_labels"].push_back(document_of(row, names));
+    }
     output.out << printed(document) << '\n';
-  } else if (reply->experiences.empty()) {
+    return Exit::done;
+  }
+  if (reply->experiences.empty()) {
     output.out << "nothing has been taught yet: weft teach ROBOT start\n";
   } else {
     print(reply->experiences, names, output);
   }
+  print(reply->awaited_labels, names, output);
   return Exit::done;
 }
 

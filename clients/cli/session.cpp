@@ -57,6 +57,7 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.rules, part->second.rules);
     append(all.registrations, part->second.registrations);
     append(all.experiences, part->second.experiences);
+    append(all.awaited_labels, part->second.awaited_labels);
     all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
   }
   all.parts = 1;

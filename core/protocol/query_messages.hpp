@@ -117,6 +117,14 @@ struct ExperienceRow {
 };
 inline constexpr std::size_t kJoinedTold = 200;
 
+/// Holds one label that waits for a place which its robot has not handed in, for people.
+struct AwaitedLabelRow {
+  std::string label;
+  PlaceId place;
+  RobotId robot;    ///< that keeps the place
+  std::string who;  ///< gave it: the client's name
+};
+
 /// Holds one rule, for people.
 struct RuleRow {
   Rule rule;
@@ -165,6 +173,7 @@ struct QueryReply {
   std::vector<RevisionNote> log;  ///< newest first
   NetworkPage network;            ///< a piece of one page in each part
   std::vector<ExperienceRow> experiences;
+  std::vector<AwaitedLabelRow> awaited_labels;  ///< beside experiences
   std::vector<RuleRow> rules;
   std::vector<RegistrationRow> registrations;
   Outcome outcome = Outcome::done;  ///< else nothing but `message` counts: why there is no answer, and what to do

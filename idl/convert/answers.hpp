@@ -103,6 +103,14 @@ void describe(Io& io, Value<Io, msg::ExperienceRow>& value, Wire<Io, idl::Experi
 }
 
 template <class Io>
+void describe(Io& io, Value<Io, msg::AwaitedLabelRow>& value, Wire<Io, idl::AwaitedLabelRow>& wire) {
+  io.text("label", value.label, wire.label(), kNameLength);
+  io.in("place", value.place, wire.place());
+  io.some("robot", value.robot, wire.robot());
+  io.text("who", value.who, wire.who(), kNameLength);
+}
+
+template <class Io>
 void describe(Io& io, Value<Io, msg::MapInfo>& value, Wire<Io, idl::MapInfo>& wire) {
   io.any(value.revision, wire.revision());
   io.any(value.epoch, wire.epoch());
@@ -187,6 +195,7 @@ void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryRepl
   io.each("log", value.log, wire.log(), kRows);
   io.in("network", value.network, wire.network());
   io.each("experiences", value.experiences, wire.experiences(), kRows);
+  io.each("awaited_labels", value.awaited_labels, wire.awaited_labels(), kRows);
   io.each("rules", value.rules, wire.rules(), kRows);
   io.each("registrations", value.registrations, wire.registrations(), kMostRegistrations);
   io.choice("outcome", value.outcome, wire.outcome(), msg::Outcome::done, msg::Outcome::failed);

@@ -22,6 +22,7 @@ constexpr std::size_t kRulesInPart = 100;
 /// Bounds the labels and joined experiences that go into one part, about; a row counts for some.
 constexpr std::size_t kExperienceWeightOfPart = 10'000;
 constexpr std::size_t kRowWeight = 10;
+constexpr std::size_t kAwaitedLabelsInPart = 1000;  ///< all that may wait
 /// Bounds the places of routes and events of goals that go into one part, about.
 constexpr std::size_t kGoalWeightOfPart = 600;
 /// Bounds a page, so that it is made, sent and read within a few milliseconds.
@@ -188,7 +189,20 @@ Result<Answers::Parts> Answers::experiences() const {
     weight += more;
     parts.back().experiences.push_back(std::move(row));
   }
+  add_awaited_labels(parts);
   return parts;
+}
+
+void Answers::add_awaited_labels(Parts& parts) const {
+  static_assert(AwaitedLabels::kMost <= kAwaitedLabelsInPart);
+  const std::vector<AwaitedLabels::Awaited> all = awaited_labels_.all();
+  if (all.empty()) return;
+  parts.emplace_back();
+  for (const AwaitedLabels::Awaited& awaited : all) {
+    const AwaitedLabels::Label& label = awaited.label;
+    parts.back().awaited_labels.push_back(
+        {.label = label.label, .place = label.place, .robot = label.robot, .who = label.who});
+  }
 }
 
 Answers::Parts Answers::rules() const {

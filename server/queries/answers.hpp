@@ -10,6 +10,7 @@
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/past_maps.hpp"
+#include "server/requests/awaited_labels.hpp"
 #include "server/site/site_frames.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
@@ -21,7 +22,7 @@ class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
           const Standstills& standstills, const Dispatcher& dispatcher, const Intake& intake,
-          const SiteFrames& site_frames)
+          const SiteFrames& site_frames, const AwaitedLabels& awaited_labels)
       : context_(context),
         fleet_(fleet),
         traffic_(traffic),
@@ -30,6 +31,7 @@ class Answers {
         dispatcher_(dispatcher),
         intake_(intake),
         site_frames_(site_frames),
+        awaited_labels_(awaited_labels),
         past_maps_(context) {}
 
   void on_query(const msg::Query& query, SteadyTime now);
@@ -45,6 +47,7 @@ class Answers {
   Result<Parts> events(const msg::Query& query) const;
   Result<Parts> log(const msg::Query& query) const;
   Result<Parts> experiences() const;
+  void add_awaited_labels(Parts& parts) const;
   Parts rules() const;
   Parts registrations() const;
   Result<Parts> network(const msg::Query& query, SteadyTime now);
@@ -59,6 +62,7 @@ class Answers {
   const Dispatcher& dispatcher_;
   const Intake& intake_;
   const SiteFrames& site_frames_;
+  const AwaitedLabels& awaited_labels_;
   PastMaps past_maps_;
 };
 

@@ -56,6 +56,7 @@ class OperatorRequests {
 
   void tick(Now now);
   std::optional<SteadyTime> next() const;
+  const AwaitedLabels& awaited_labels() const { return awaited_labels_; }
 
  private:
   using Key = RequestLedger::Key;

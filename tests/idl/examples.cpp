@@ -237,6 +237,7 @@ msg::QueryReply query_reply() {
                        {"dock"},
                        {ExperienceId{0xfedcba}},
                        1}};
+  made.awaited_labels = {{"dock-2", place_id(3, 7), id_of<RobotId>(0x10), "ann"}};
   made.rules = {{rule(), 37, "no label 'dock'"}};
   made.registrations = {{registration(),
                          {{msg::RegistrationRow::PickState::left_out, 1.125}},

@@ -80,6 +80,20 @@ TEST_F(WaitingLabels, AreSetWhenTheRunComesAfterARestart) {
   EXPECT_FALSE(reply_to(dock));
 }
 
+TEST_F(WaitingLabels, AreListedBesideTheRunsUntilTheyAreSet) {
+  give("dock", held.place(2));
+  const auto listed = [&] {
+    return site.read(msg::Query::Kind::experiences).awaited_labels;
+  };  // the last part has them
+  const std::vector<msg::AwaitedLabelRow> rows = listed();
+  ASSERT_THAT(rows, SizeIs(1));
+  EXPECT_EQ(rows.front().label, "dock");
+  EXPECT_EQ(rows.front().place, held.place(2));
+  EXPECT_EQ(rows.front().robot, r1.id);
+  site.hand_in(r1, held.next(4));
+  EXPECT_THAT(listed(), IsEmpty());
+}
+
 TEST_F(WaitingLabels, OfOnePlaceAreBothKept) {
   give("dock", held.place(2));
   give("charger", held.place(2));

@@ -46,6 +46,26 @@ TEST(MapList, HasEachExperienceWithItsLengthLabelsAndWhatItIsJoinedTo) {
   EXPECT_NE(said.out.find("dock"), std::string::npos);
 }
 
+TEST(MapList, NamesLabelsThatWaitForTheirPlace) {
+  Fleet fleet;
+  Puppet& robot = fleet.add_robot("r1");
+  const PlaceId kept{ExperienceId{0xC3}, 2};
+  robot.state.mode = msg::RobotMode::teaching;
+  robot.how = [&](const msg::AgentCommand&, msg::AgentReply& reply) { reply.place = kept; };
+  fleet.run(std::chrono::seconds(3));
+  fleet.weft({"map", "label", "here", "--robot", "r1", "gate", "--timeout", "2"});
+  const nlohmann::json rows = fleet.weft({"map", "list", "--json"}).json()["awaited_labels"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["label"], "gate");
+  EXPECT_EQ(rows[0]["place"], to_string(kept));
+  EXPECT_EQ(rows[0]["robot"], "r1");
+  const Said said = fleet.weft({"map", "list"});
+  EXPECT_NE(said.out.find("label gate, given by tester, waits for place " + to_string(kept)), std::string::npos)
+      << said.out;
+  ASSERT_EQ(fleet.weft({"map", "unlabel", "gate"}).exit, Exit::done);
+  EXPECT_TRUE(fleet.weft({"map", "list", "--json"}).json()["awaited_labels"].empty());
+}
+
 TEST(MapList, AnImportIsNoRobotsAndIsUndoneAsAWholeByItsName) {
   Fleet fleet;
   const std::size_t before = fleet.service->snapshot().place_count();
