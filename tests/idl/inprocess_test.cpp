@@ -118,16 +118,54 @@ TEST_F(InProcess, OrderHoldsUnlessReorderingIsAskedFor) {
 }
 
 TEST_F(InProcess, PartitionLosesAndHealingBringsState) {
-  net.partition(peer(2), true);
+  net.partition(peer(2), Cut::all);
   ASSERT_TRUE(client.send(query(1)));
   ASSERT_TRUE(server.send(hello(kServer, Role::server, 7)));
   net.deliver_until(at(1s));
   EXPECT_FALSE(server.take());
   EXPECT_FALSE(client.take());
-  net.partition(peer(2), false);
+  net.partition(peer(2), Cut::none);
   net.deliver_until(at(2s));
   EXPECT_TRUE(client.take());
   EXPECT_FALSE(server.take());
+}
+
+TEST_F(InProcess, ACutOfOneDirectionLeavesTheOther) {
+  net.partition(peer(2), Cut::sent);
+  ASSERT_TRUE(client.send(query(1)));
+  ASSERT_TRUE(server.send(hello(kServer, Role::server, 7)));
+  net.deliver_until(at(1s));
+  EXPECT_FALSE(server.take());
+  EXPECT_TRUE(client.take());
+  net.partition(peer(2), Cut::received);
+  ASSERT_TRUE(client.send(query(2)));
+  ASSERT_TRUE(server.send(hello(kServer, Role::server, 8)));
+  net.deliver_until(at(2s));
+  EXPECT_EQ(queries(server), std::vector<std::uint64_t>{2});
+  EXPECT_FALSE(client.take());
+  net.partition(peer(2), Cut::none);
+  net.deliver_until(at(3s));
+  EXPECT_TRUE(client.take());
+}
+
+TEST_F(InProcess, AClosedLinkTellsStateOnceItIsOpenAnew) {
+  net.set_faults({.delay_min = 10ms, .delay_max = 10ms});
+  ASSERT_TRUE(client.send(query(1)));
+  net.deliver_until(at(1s));
+  ASSERT_TRUE(client.send(query(2)));
+  net.set_open(kServer, false);
+  EXPECT_FALSE(server.bus().is_open());
+  ASSERT_TRUE(server.send(hello(kServer, Role::server, 7)));
+  msg::QueryReply answer;
+  answer.header.sender = kServer;
+  answer.to = peer(2);
+  const auto refused = server.send(answer);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::unavailable);
+  net.set_open(kServer, true);
+  net.deliver_until(at(2s));
+  EXPECT_EQ(queries(server), std::vector<std::uint64_t>{1});
+  EXPECT_TRUE(client.take());
 }
 
 TEST_F(InProcess, ADetachedPeerIsGoneWithWhatWasUnderWay) {

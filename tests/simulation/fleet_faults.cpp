@@ -25,7 +25,7 @@ void Fleet::hang_server(bool hangs) {
 }
 
 void Fleet::partition(std::size_t robot, bool cut) {
-  net_.partition(robots_[robot].id, cut);
+  net_.partition(robots_[robot].id, cut ? bus::Cut::all : bus::Cut::none);
   ledger_.robots.at(robots_[robot].id).is_cut_off = cut;
 }
 

@@ -29,6 +29,10 @@ class InProcessBus final : public Bus {
     return own == nullptr ? BusCounters{} : own->counters;
   }
   void forget(const PeerId&) override {}
+  bool is_open() const override {
+    const Endpoint* const own = net_->endpoint(self_, life_);
+    return own != nullptr && own->is_open;
+  }
 
  private:
   std::shared_ptr<InProcessNet::State> net_;
@@ -46,6 +50,10 @@ Result<void> InProcessBus::publish(TopicId id, const PeerId& to, ByteView cdr) {
   if (const Result<void> may = check_publish(topic, role_, to, cdr); !may) {
     ++(cdr.size() > topic.max_bytes ? own->counters.refused_size : own->counters.publish_failed);
     return may;
+  }
+  if (!own->is_open && topic.delivering != Delivering::state) {
+    ++own->counters.publish_failed;
+    return fail(ErrorCode::unavailable, std::string(topic.name) + ": the link is not open; try again later");
   }
   net_->publish(self_, topic, to, cdr);
   ++own->counters.sent;
@@ -72,8 +80,11 @@ std::unique_ptr<Bus> InProcessNet::attach(msg::Role role, const PeerId& self) {
 void InProcessNet::detach(const PeerId& peer) {
   state_->detach(peer);
 }
-void InProcessNet::partition(const PeerId& peer, bool cut) {
+void InProcessNet::partition(const PeerId& peer, Cut cut) {
   state_->partition(peer, cut);
+}
+void InProcessNet::set_open(const PeerId& peer, bool is_open) {
+  state_->set_open(peer, is_open);
 }
 void InProcessNet::set_faults(const Faults& faults) {
   state_->set_faults(faults);

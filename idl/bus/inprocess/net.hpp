@@ -19,6 +19,14 @@ struct Faults {
   std::uint64_t bytes_per_second = 0;  ///< from each peer to each other; 0: no bound
 };
 
+/// Tells which messages of a peer a cut of its link loses.
+enum class Cut : std::uint8_t {
+  none,
+  all,
+  sent,     ///< what it says: it hears, and nobody hears it
+  received  ///< what it is told: it is heard, and hears nobody
+};
+
 /// Simulates a network: the same topics and bytes as over DDS, delivered when the caller's time has come, in an order
 /// that only the seed decides. For one thread. Buses hold on to the network that they belong to.
 class InProcessNet {
@@ -33,8 +41,13 @@ class InProcessNet {
   std::unique_ptr<Bus> attach(msg::Role role, const PeerId& self);
   /// Takes a peer away at once, with what it sent and has not arrived, and what waits for it.
   void detach(const PeerId& peer);
-  /// Cuts a peer off: loses all to or from it, also what is under way. Once healed, readers get `state` topics anew.
-  void partition(const PeerId& peer, bool cut);
+  /// Cuts a peer's link, or heals it: loses all that `cut` tells, also what is under way. Once a direction is healed,
+  /// its readers get `state` topics anew.
+  void partition(const PeerId& peer, Cut cut);
+  /// Closes a peer's link, or opens it anew, as happens over DDS to one whose address has changed: loses what is
+  /// under way to or from it, keeps what waits to be taken. While it is closed, only `state` topics are published:
+  /// they are told once it is open.
+  void set_open(const PeerId& peer, bool is_open);
   void set_faults(const Faults& faults);
 
   void set_now(SteadyTime now);

@@ -13,6 +13,14 @@ bool may_talk(msg::Role a, msg::Role b) {
   return (a == msg::Role::server) != (b == msg::Role::server);
 }
 
+bool loses_sent(Cut cut) {
+  return cut == Cut::all || cut == Cut::sent;
+}
+
+bool loses_received(Cut cut) {
+  return cut == Cut::all || cut == Cut::received;
+}
+
 }  // namespace
 
 std::uint64_t InProcessNet::State::attach(msg::Role role, const PeerId& self) {
@@ -20,10 +28,25 @@ std::uint64_t InProcessNet::State::attach(msg::Role role, const PeerId& self) {
   Endpoint& added = endpoints_[self];
   added.role = role;
   added.life = ++lives_;
+  added.link = ++links_;
   for (const auto& [peer, other] : endpoints_) {
     if (may_talk(other.role, role)) send_retained(peer, self);
   }
   return added.life;
+}
+
+void InProcessNet::State::set_open(const PeerId& peer, bool is_open) {
+  const auto found = endpoints_.find(peer);
+  if (found == endpoints_.end() || found->second.is_open == is_open) return;
+  found->second.is_open = is_open;
+  if (!is_open) return;
+  found->second.link = ++links_;
+  std::erase_if(lanes_, [&](const auto& entry) { return entry.first.from == peer || entry.first.to == peer; });
+  for (const auto& [other_id, other] : endpoints_) {
+    if (!may_talk(other.role, found->second.role)) continue;
+    send_retained(other_id, peer);
+    send_retained(peer, other_id);
+  }
 }
 
 void InProcessNet::State::detach(const PeerId& peer) {
@@ -32,24 +55,39 @@ void InProcessNet::State::detach(const PeerId& peer) {
   std::erase_if(lanes_, [&](const auto& entry) { return entry.first.from == peer || entry.first.to == peer; });
 }
 
-void InProcessNet::State::partition(const PeerId& peer, bool cut) {
-  if (cut) {
-    cut_.insert(peer);
-    return;
-  }
-  if (cut_.erase(peer) == 0) return;
+void InProcessNet::State::partition(const PeerId& peer, Cut cut) {
+  const Cut before = cut_of(peer);
+  if (cut == before) return;
+  cut_[peer] = cut;
+  if (cut == Cut::none) cut_.erase(peer);
   const auto healed = endpoints_.find(peer);
   if (healed == endpoints_.end()) return;
   for (const auto& [other_id, other] : endpoints_) {
     if (!may_talk(other.role, healed->second.role)) continue;
-    send_retained(other_id, peer);
-    send_retained(peer, other_id);
+    if (loses_received(before) && !loses_received(cut)) send_retained(other_id, peer);
+    if (loses_sent(before) && !loses_sent(cut)) send_retained(peer, other_id);
   }
+}
+
+Cut InProcessNet::State::cut_of(const PeerId& peer) const {
+  const auto found = cut_.find(peer);
+  return found == cut_.end() ? Cut::none : found->second;
+}
+
+bool InProcessNet::State::passes(const PeerId& from, const PeerId& to) const {
+  return !loses_sent(cut_of(from)) && !loses_received(cut_of(to));
 }
 
 Endpoint* InProcessNet::State::endpoint(const PeerId& peer, std::uint64_t life) {
   const auto found = endpoints_.find(peer);
   return found == endpoints_.end() || found->second.life != life ? nullptr : &found->second;
+}
+
+/// Returns the peer's end of a link; null when that link is closed, or another one is open.
+Endpoint* InProcessNet::State::over(const PeerId& peer, std::uint64_t link) {
+  const auto found = endpoints_.find(peer);
+  const bool is_this = found != endpoints_.end() && found->second.is_open && found->second.link == link;
+  return is_this ? &found->second : nullptr;
 }
 
 void InProcessNet::State::publish(const PeerId& from, const Topic& topic, const PeerId& to, ByteView cdr) {
@@ -79,11 +117,12 @@ void InProcessNet::State::send(const PeerId& from, const PeerId& to, const Topic
                                const std::shared_ptr<const Bytes>& cdr) {
   const Endpoint& writer = endpoints_.at(from);
   const Endpoint& reader = endpoints_.at(to);
+  if (!writer.is_open || !reader.is_open) return;
   if (!may_talk(writer.role, reader.role) || !topic.readers.has(reader.role)) return;
-  if (cut_.contains(from) || cut_.contains(to)) return;
+  if (!passes(from, to)) return;
   if (faults_.loss > 0.0 && random_.chance(faults_.loss)) return;
   Lane& lane = lanes_[{from, to, topic.bulk}];
-  const UnderWay message{now_, 0, from, to, writer.life, reader.life, topic.id, cdr};
+  const UnderWay message{now_, 0, from, to, writer.link, reader.link, topic.id, cdr};
   put_under_way(message, lane);
   if (faults_.duplication > 0.0 && random_.chance(faults_.duplication)) put_under_way(message, lane);
 }
@@ -124,9 +163,9 @@ void InProcessNet::State::deliver_until(SteadyTime now) {
 }
 
 void InProcessNet::State::deliver(const UnderWay& message) {
-  Endpoint* const reader = endpoint(message.to, message.to_life);
-  if (reader == nullptr || endpoint(message.from, message.from_life) == nullptr) return;
-  if (cut_.contains(message.from) || cut_.contains(message.to)) return;
+  Endpoint* const reader = over(message.to, message.to_link);
+  if (reader == nullptr || over(message.from, message.from_link) == nullptr) return;
+  if (!passes(message.from, message.to)) return;
   if (message.cdr->size() > topic(message.topic).max_bytes) {
     ++reader->counters.refused_size;
     return;
