@@ -6,10 +6,6 @@
 namespace weft::agents {
 
 namespace {
-/// Ends the reason of a seal until the run is refined: it is read where this agent ended before, or its disk did not
-/// take the refined run.
-constexpr const char* kUnrefined = ", handed in before it was refined";
-
 bool has(const Batch& batch, const PlaceId& place) {
   return batch.experience == place.experience && !batch.places.empty() &&
          batch.places.front().id.index <= place.index && place.index <= batch.places.back().id.index;
@@ -65,23 +61,17 @@ Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
 Result<void> Spooler::flush(Open& open, SteadyTime now) {
   const ExperienceId experience = open.batch.experience;
   if (Result<void> spooled = flush_what_it_names(open.batch, now); !spooled) {
-    give_up(experience);
+    give_up(experience, now);
     return spooled;
   }
   return spool(open, now);
-}
-
-/// Ends an open experience that the spool does not take any more: what it has of it is handed in as it is.
-void Spooler::give_up(ExperienceId experience) {
-  held_.erase(experience);
-  open_.erase(experience);
 }
 
 Result<void> Spooler::spool(Open& open, SteadyTime now) {
   Batch& batch = open.batch;
   if (batch.places.empty() && batch.learned.empty() && !batch.seal) return {};
   if (Result<void> appended = spool_->append(batch, open.contents); !appended) {
-    give_up(batch.experience);
+    give_up(batch.experience, now);
     return appended;
   }
   pending_.push_back({.batch = batch, .send_at = now, .wait = config_.retry});
@@ -139,7 +129,7 @@ Result<void> Spooler::seal(const std::string& reason, SteadyTime now) {
     open.batch.seal_reason = reason;
     if (const auto held = held_.find(experience); held != held_.end()) {
       held->second = reason;
-      open.batch.seal_reason += kUnrefined;
+      open.batch.seal_reason += kUnrefinedSeal;
     }
   }
   return flush(now);
@@ -187,6 +177,7 @@ Spooler::Heard Spooler::on_ack(const msg::BatchAck& ack, SteadyTime now) {
   }
   drop(ack.experience, UINT64_MAX);
   unsealed_.erase(ack.experience);
+  cut_short_.erase(ack.experience);
   heard.learned_places = learned_places_.has_value() && learned_places_->batch.experience == ack.experience;
   if (heard.learned_places) {
     std::ignore = spool_->acknowledged(ack.experience, learned_places_->batch.sequence);
@@ -232,6 +223,7 @@ void Spooler::queue_contents(Pending& pending, SteadyTime now) {
 }
 
 Result<std::vector<Batch>> Spooler::due(SteadyTime now) {
+  seal_cut_short(now);
   std::vector<ExperienceId> old;
   for (const auto& [experience, open] : open_) {
     if (!open.batch.places.empty() && now - open.since >= config_.batch_age) old.push_back(experience);
@@ -265,6 +257,7 @@ std::optional<SteadyTime> Spooler::next() const {
   const auto sooner = [&next](SteadyTime at) { next = next.has_value() ? std::min(*next, at) : at; };
   for (const auto& [experience, open] : open_)
     if (!open.batch.places.empty()) sooner(open.since + config_.batch_age);
+  if (!cut_short_.empty()) sooner(seal_at_);
   std::size_t in_flight = 0;
   for (const Pending& pending : pending_) {
     if (waits(pending)) continue;

@@ -25,6 +25,10 @@ struct SpoolerConfig {
   std::size_t in_flight = 8;                      ///< most batches sent and not acknowledged
 };
 
+/// Ends the reason of a seal until the run is refined: it is read where this agent ended before, or its disk did not
+/// take the refined run.
+inline constexpr const char* kUnrefinedSeal = ", handed in before it was refined";
+
 /// Takes what teaching keeps to the server. A batch is in the robot's own spool before it is sent, and is sent again
 /// until the server has it on disk. The last batch of an experience that is not sealed stays in the spool even when
 /// acknowledged, so that a restarted agent knows which experience it has to seal. A batch with an edge to a place of
@@ -47,7 +51,7 @@ class Spooler {
   /// sealed. Other errors: of the amendments or the spool; it is released as it is in the spool.
   Result<void> hand_in(ExperienceId experience, RunAmendments amendments);
   /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
-  /// experience ends before this batch; the caller stops teaching.
+  /// experience ends before this batch, and is sealed as soon as the spool takes that; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
   /// Hands in places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in
   /// the spool when this returns. All of them until the agent ends are of one experience without places of its own;
@@ -101,7 +105,8 @@ class Spooler {
   Result<void> flush_what_it_names(const Batch& batch, SteadyTime now);
   Result<void> spool(Open& open, SteadyTime now);
   bool waits(const Pending& pending) const;
-  void give_up(ExperienceId experience);
+  void give_up(ExperienceId experience, SteadyTime now);
+  void seal_cut_short(SteadyTime now);
   void queue_contents(Pending& pending, SteadyTime now);
   void drop(ExperienceId experience, std::uint64_t through);
 
@@ -111,7 +116,10 @@ class Spooler {
   std::map<ExperienceId, Open> open_;
   std::optional<Open> learned_places_;  ///< the experience of what is learned
   std::deque<Pending> pending_;
-  std::map<ExperienceId, std::string> held_;        ///< with the reason of the seal that each gets when it is refined
+  std::map<ExperienceId, std::string> held_;  ///< with the reason of the seal that each gets when it is refined
+  /// Holds the seals of experiences that the spool would not take more of, which it has still to take.
+  std::map<ExperienceId, Batch> cut_short_;
+  SteadyTime seal_at_{};                            ///< then those are tried again
   std::map<ExperienceId, std::uint64_t> unsealed_;  ///< last sequence of experiences that may still grow
   ChunkQueue chunks_;
   std::map<ExperienceId, PlaceId> newest_durable_;  ///< of those that may still grow, or did last

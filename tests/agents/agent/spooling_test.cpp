@@ -259,6 +259,24 @@ TEST(Spooling, FullDiskEndsTeachingWithItsReason) {
   EXPECT_GE(rig.script->forgot_taught, 1) << "the server will never hear of those places";
 }
 
+TEST(Spooling, RunThatTheDiskCutShortIsSealedOnceThereIsRoom) {
+  Rig rig;
+  rig.run(4s);
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.disk->faults.full = true;
+  rig.run(3s);
+  const Experience* cut_short = rig.server.snapshot.experience(rig.script->taught.front().experience);
+  ASSERT_NE(cut_short, nullptr);
+  EXPECT_FALSE(cut_short->sealed);
+  rig.disk->faults.full = false;
+  rig.run(3s);
+  cut_short = rig.server.snapshot.experience(rig.script->taught.front().experience);
+  EXPECT_TRUE(cut_short->sealed) << "labels that wait for its other places would wait for ever";
+  EXPECT_EQ(cut_short->seal_reason, "its robot's disk took no more of it");
+  EXPECT_TRUE(rig.disk->records.empty());
+}
+
 TEST(Spooling, DiskThatIsFullAtTheEndForgetsWhatTheServerWillNotHearOf) {
   Rig rig;
   rig.run(4s);
