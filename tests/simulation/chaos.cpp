@@ -14,7 +14,8 @@ Chaos::Chaos(Fleet& fleet, Random random)
       random_(random),
       robot_wakes_(fleet.robots()),
       robot_back_(fleet.robots()),
-      link_back_(fleet.robots()) {}
+      link_back_(fleet.robots()),
+      spool_back_(fleet.robots()) {}
 
 SteadyTime Chaos::soon(double mean_s) {
   return fleet_.now() + from_seconds(-mean_s * std::log(1.0 - random_.uniform()) + 1.0);
@@ -48,15 +49,6 @@ void Chaos::begin(Kind kind) {
       fleet_.crash_server();
       server_back_ = soon(15.0);
       return;
-    case Kind::crash_robot:
-      if (!fleet_.robot_up(robot)) return;
-      fleet_.crash_robot(robot);
-      robot_back_[robot] = soon(15.0);
-      return;
-    case Kind::cut_robot:
-      fleet_.partition(robot, true);
-      link_back_[robot] = soon(25.0);
-      return;
     case Kind::disk_full:
       fleet_.disk().faults.full = true;
       disk_back_ = soon(30.0);
@@ -72,15 +64,45 @@ void Chaos::begin(Kind kind) {
       fleet_.hang_server(true);
       server_wakes_ = soon(10.0);
       return;
-    case Kind::hang_robot:
-      fleet_.hang_robot(robot, true);
-      robot_wakes_[robot] = soon(10.0);
-      return;
     case Kind::stray_server:
       fleet_.stray_server(true);
       stray_gone_ = soon(1.0);
       return;
-    case Kind::kinds:
+    case Kind::move_server:
+      fleet_.move_server();
+      return;
+    default:
+      begin_at(robot, kind);
+  }
+}
+
+void Chaos::begin_at(std::size_t robot, Kind kind) {
+  switch (kind) {
+    case Kind::crash_robot:
+      if (!fleet_.robot_up(robot)) return;
+      fleet_.crash_robot(robot);
+      robot_back_[robot] = soon(15.0);
+      return;
+    case Kind::cut_robot:
+      fleet_.partition(robot, bus::Cut::all);
+      link_back_[robot] = soon(25.0);
+      return;
+    case Kind::cut_one_way:
+      fleet_.partition(robot, random_.chance(0.5) ? bus::Cut::sent : bus::Cut::received);
+      link_back_[robot] = soon(25.0);
+      return;
+    case Kind::hang_robot:
+      fleet_.hang_robot(robot, true);
+      robot_wakes_[robot] = soon(10.0);
+      return;
+    case Kind::robot_disk_full:
+      fleet_.spool_disk(robot).faults.full = true;
+      spool_back_[robot] = soon(60.0);
+      return;
+    case Kind::move_robot:
+      fleet_.move_robot(robot);
+      return;
+    default:
       return;
   }
 }
@@ -100,8 +122,12 @@ void Chaos::heal_due() {
   if (due(stray_gone_)) fleet_.stray_server(false);
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     if (due(robot_wakes_[robot])) fleet_.hang_robot(robot, false);
-    if (due(robot_back_[robot])) fleet_.start_robot(robot);
-    if (due(link_back_[robot])) fleet_.partition(robot, false);
+    if (due(spool_back_[robot])) fleet_.spool_disk(robot).faults.full = false;
+    if (due(robot_back_[robot])) {
+      fleet_.start_robot(robot);
+      if (!fleet_.robot_up(robot)) robot_back_[robot] = soon(5.0);
+    }
+    if (due(link_back_[robot])) fleet_.partition(robot, bus::Cut::none);
   }
 }
 
@@ -121,7 +147,8 @@ void Chaos::over() {
   fleet_.stray_server(false);
   if (!fleet_.server_up()) fleet_.start_server();
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
-    fleet_.partition(robot, false);
+    fleet_.partition(robot, bus::Cut::none);
+    fleet_.spool_disk(robot).faults = {};
     fleet_.hang_robot(robot, false);
     if (!fleet_.robot_up(robot)) fleet_.start_robot(robot);
   }
@@ -132,6 +159,7 @@ void Chaos::over() {
   robot_wakes_.assign(fleet_.robots(), std::nullopt);
   robot_back_.assign(fleet_.robots(), std::nullopt);
   link_back_.assign(fleet_.robots(), std::nullopt);
+  spool_back_.assign(fleet_.robots(), std::nullopt);
 }
 
 }  // namespace weft::simulation

@@ -5,7 +5,8 @@
 namespace weft::simulation {
 
 /// Draws faults from a seed and plays them beside whatever else happens: a lossy network all the time; crashes,
-/// processes that stand still, partitions, strangers, full disks and failing writes now and then, several at once.
+/// processes that stand still, links cut both ways or one way, changed addresses, strangers, full disks and failing
+/// writes now and then, several at once.
 class Chaos {
  public:
   Chaos(Fleet& fleet, Random random);
@@ -24,16 +25,21 @@ class Chaos {
     crash_server,
     crash_robot,
     cut_robot,
+    cut_one_way,
     disk_full,
     writes_fail,
     torn_write,
     hang_server,
     hang_robot,
     stray_server,
+    robot_disk_full,
+    move_server,
+    move_robot,
     kinds
   };
   Kind draw() { return static_cast<Kind>(random_.below(static_cast<std::uint64_t>(Kind::kinds))); }
   void begin(Kind kind);
+  void begin_at(std::size_t robot, Kind kind);
   void heal_due();
   SteadyTime soon(double mean_s);
 
@@ -48,6 +54,7 @@ class Chaos {
   std::vector<std::optional<SteadyTime>> robot_wakes_;
   std::vector<std::optional<SteadyTime>> robot_back_;
   std::vector<std::optional<SteadyTime>> link_back_;
+  std::vector<std::optional<SteadyTime>> spool_back_;
   std::uint64_t played_ = 0;
 };
 

@@ -33,6 +33,11 @@ std::unique_ptr<agents::Navigator> make_navigator(bool refines) {
   return agents::make_navigator(agents::MarksMethod(), agents::NavigationConfig());
 }
 
+/// Rejects what may not happen to a message. One that finds the link closed is lost, like one on its way.
+void check_not_sent(const Error& error) {
+  if (error.code != ErrorCode::unavailable) throw std::runtime_error(error.message);
+}
+
 Site site_of(const FleetConfig& config, Random random) {
   if (config.map == MapFrom::stored) return make_large_site(config.robots, random);
   return make_site(config.site, random);
@@ -51,17 +56,20 @@ Fleet::Fleet(const FleetConfig& config)
   server_.id = draw_id();
   server_.disk = std::make_shared<storage::MemoryDisk>();
   server_.wall_offset = from_seconds(random_.uniform(-2.0, 2.0));
+  server_.wire.address = next_address();
   const std::size_t robots = config.robots;
   if (config.map == MapFrom::stored) store_map(robots);
   start_server();
   client_.id = draw_id();
   client_.incarnation = random_.next();
-  client_.link = std::make_unique<bus::Link>(net_.attach(msg::Role::client, client_.id));
+  client_.wire.address = next_address();
+  open(client_.wire, msg::Role::client, client_.id);
   robots_.resize(robots);
   for (std::size_t i = 0; i < robots; ++i) {
     RobotProcess& robot = robots_[i];
     robot.id = draw_id();
     robot.name = "r" + std::to_string(i);
+    robot.wire.address = next_address();
     robot.disk = std::make_shared<storage::SpoolDisk>();
     const Pose2 start = site_->pose(site_->course().start_m(i, robots), {});
     robot.body = std::make_unique<MarksBody>(site_, start, random_.fork(100 + i));
@@ -99,15 +107,15 @@ void Fleet::start_server() {
     return;
   }
   server_.service = std::move(*started);
-  server_.link = std::make_unique<bus::Link>(net_.attach(msg::Role::server, server_.id));
+  open(server_.wire, msg::Role::server, server_.id);
+  ledger_.server_up(now_);
   note_wake();
 }
 
 void Fleet::crash_server() {
-  net_.detach(server_.id);
+  close(server_.wire, server_.id);
   server_.hung_since.reset();
   server_.service.reset();
-  server_.link.reset();
   server_.store.reset();
 }
 
@@ -126,25 +134,27 @@ void Fleet::start_robot(std::size_t index) {
   config.can_be_taught_along = true;
   config.footprint_radius_m = kFootprint_m;
   auto navigator = make_navigator(refines(index));
-  robot.agent =
-      need(agents::start(config, std::move(navigator), *robot.spool, random_.fork(4), clock(robot)), "agent");
-  robot.link = std::make_unique<bus::Link>(net_.attach(msg::Role::agent, robot.id));
+  auto started = agents::start(config, std::move(navigator), *robot.spool, random_.fork(4), clock(robot));
+  look_at_spool(robot);
+  if (!started && robot.disk->faults.full) {  // it seals what it left open first
+    robot.spool.reset();
+    return;
+  }
+  robot.agent = need(std::move(started), "agent");
+  open(robot.wire, msg::Role::agent, robot.id);
   robot.command = {};
   robot.due = now_;
   robot.next.reset();
-  ledger_.robots[robot.id].agent = robot.agent.get();
+  ledger_.agent_started(robot.id, *robot.agent, *robot.disk);
   note_wake(robot);
 }
 
 void Fleet::crash_robot(std::size_t index) {
   RobotProcess& robot = robots_[index];
-  net_.detach(robot.id);
+  close(robot.wire, robot.id);
   robot.hung_since.reset();
-  ledger_.robots[robot.id].is_hung = false;
-  ledger_.robots[robot.id].agent = nullptr;
-  ledger_.robots[robot.id].had.reset();
+  ledger_.agent_ended(robot.id);
   robot.agent.reset();
-  robot.link.reset();
   robot.spool.reset();
   robot.body->stop_hand();
   robot.command = {};  // a base stops when nobody speaks to it
@@ -161,7 +171,7 @@ void Fleet::note_wake(RobotProcess& robot) {
 }
 
 SteadyTime Fleet::next_event() const {
-  SteadyTime next = std::min(next_look_, next_look_at_traffic_);
+  SteadyTime next = std::min({next_look_, next_look_at_traffic_, next_look_at_links_});
   if (const auto due = net_.next_delivery()) next = std::min(next, *due);
   if (server_.service && !server_.hung_since) next = std::min(next, server_.wakes);
   for (const RobotProcess& robot : robots_) {
@@ -182,6 +192,7 @@ void Fleet::play(SteadyTime at) {
   now_ = at;
   ledger_.set_now(now_);
   net_.deliver_until(now_);
+  if (now_ >= next_look_at_links_) look_at_links();
   if (server_.service && !server_.hung_since) serve();
   for (RobotProcess& robot : robots_) {
     if (robot.hung_since) continue;
@@ -197,7 +208,11 @@ void Fleet::look() {
     next_look_at_traffic_ = now_ + kLookAtTrafficEvery;
     const bool is_served = server_.service && !server_.hung_since;
     ledger_.look_at_goals(*server_.disk, is_served);
-    if (is_served && checks_waits_) ledger_.look_at_waits(robot_rows(), *server_.disk);
+    if (is_served) {
+      const std::vector<msg::RobotRow> rows = robot_rows();
+      ledger_.look_at_silence(rows);
+      if (checks_waits_) ledger_.look_at_waits(rows, *server_.disk);
+    }
   }
   if (now_ >= next_look_) {
     next_look_ = now_ + kLookEvery;
@@ -237,7 +252,7 @@ std::uint64_t Fleet::ways_made() const {
 
 void Fleet::serve() {
   bool has_heard = false;
-  while (const auto message = server_.link->take()) {
+  while (const auto message = server_.wire.link->take()) {
     has_heard = true;
     ledger_.server_heard(*message);
     send_all(server_.service->handle(*message, server_now()));
@@ -252,15 +267,18 @@ void Fleet::send_all(const std::vector<msg::Message>& messages) {
   for (const msg::Message& message : messages) {
     record(message);
     ledger_.server_sent(message, *server_.service);
-    const auto sent = server_.link->send(message);
-    if (!sent) throw std::runtime_error(sent.error().message);
-    server_.service->sent(message, *sent);
+    const auto sent = server_.wire.link->send(message);
+    if (sent) {
+      server_.service->sent(message, *sent);
+    } else {
+      check_not_sent(sent.error());
+    }
   }
 }
 
 void Fleet::serve(RobotProcess& robot) {
   bool has_heard = false;
-  while (const auto message = robot.link->take()) {
+  while (const auto message = robot.wire.link->take()) {
     has_heard = true;
     ledger_.agent_heard(robot.id, *message, *server_.disk);
     carry_out(robot, robot.agent->handle(*message, clock(robot), wall(robot.wall_offset)));
@@ -289,8 +307,9 @@ void Fleet::carry_out(RobotProcess& robot, agents::AgentOutput output) {
   for (const msg::Message& message : output.send) {
     record(message);
     ledger_.agent_sent(robot.id, message);
-    if (const auto sent = robot.link->send(message); !sent) throw std::runtime_error(sent.error().message);
+    if (const auto sent = robot.wire.link->send(message); !sent) check_not_sent(sent.error());
   }
+  look_at_spool(robot);
   if (output.hand_stop) robot.body->stop_hand();
   if (output.hand_start) {
     const Result<void> answer = robot.body->drive_by_hand(*output.hand_start);
@@ -308,7 +327,7 @@ void Fleet::send_as_client(Asked asked) {
   asked.header.incarnation = client_.incarnation;
   asked.header.sequence = ++client_.sequence;
   record(asked);
-  if (const auto sent = client_.link->send(asked); !sent) throw std::runtime_error(sent.error().message);
+  if (const auto sent = client_.wire.link->send(asked); !sent) check_not_sent(sent.error());
 }
 
 void Fleet::send(msg::OperatorRequest request) {
@@ -320,7 +339,7 @@ void Fleet::send(msg::Query query) {
 }
 
 void Fleet::hear_client() {
-  while (const auto message = client_.link->take()) {
+  while (const auto message = client_.wire.link->take()) {
     ledger_.client_heard(*message);
     if (const auto* reply = std::get_if<msg::OperatorReply>(&*message)) client_.replies.push_back(*reply);
     if (const auto* answer = std::get_if<msg::QueryReply>(&*message)) client_.answers.push_back(*answer);

@@ -15,6 +15,7 @@
 #include "storage/memory/memory_store.hpp"
 #include "storage/spool/memory_spool.hpp"
 #include "tests/simulation/ledger.hpp"
+#include "tests/simulation/link_keeper.hpp"
 #include "tests/simulation/marks_body.hpp"
 #include "tests/simulation/site.hpp"
 
@@ -49,12 +50,16 @@ class Fleet {
   void start_server();
   bool server_up() const { return server_.service != nullptr; }
   void crash_robot(std::size_t robot);
+  /// Starts the robot's agent. Its spool may refuse, on a full disk: then it stays down.
   void start_robot(std::size_t robot);
   bool robot_up(std::size_t robot) const { return robots_[robot].agent != nullptr; }
   std::size_t robots() const { return robots_.size(); }
   /// Returns whether the robot refines what it was taught before it hands that in.
   static bool refines(std::size_t robot) { return robot % 2 == 1; }
-  void partition(std::size_t robot, bool cut);
+  void partition(std::size_t robot, bus::Cut cut);
+  /// Gives the server's machine, or a robot's, another address. Who spoke with it has to find it again.
+  void move_server();
+  void move_robot(std::size_t robot);
   /// Makes the server stand still, or go on. It hears nothing until it goes on; what is sent to it waits.
   void hang_server(bool hangs);
   void hang_robot(std::size_t robot, bool hangs);
@@ -62,6 +67,7 @@ class Fleet {
   void stray_server(bool speaks);
   void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
   storage::MemoryDisk& disk() { return *server_.disk; }
+  storage::SpoolDisk& spool_disk(std::size_t robot) { return *robots_[robot].disk; }
 
   void send(msg::OperatorRequest request);
   void send(msg::Query query);
@@ -96,11 +102,18 @@ class Fleet {
   std::uint64_t messages() const { return messages_; }
 
  private:
+  /// Joins a process to the network.
+  struct Wire {
+    std::unique_ptr<bus::Link> link;
+    std::optional<LinkKeeper> keeper;
+    std::string address;            ///< of its machine
+    bus::Cut cut = bus::Cut::none;  ///< as faults have it
+  };
   struct ServerProcess {
     PeerId id;
     std::shared_ptr<storage::MemoryDisk> disk;
     std::unique_ptr<storage::MapStore> store;
-    std::unique_ptr<bus::Link> link;
+    Wire wire;
     std::unique_ptr<server::Service> service;
     SteadyTime wakes = SteadyTime::max();  ///< its next tick is due
     std::optional<SteadyTime> hung_since;
@@ -113,7 +126,8 @@ class Fleet {
     std::unique_ptr<MarksBody> body;
     std::shared_ptr<storage::SpoolDisk> disk;
     std::unique_ptr<storage::Spool> spool;
-    std::unique_ptr<bus::Link> link;
+    Wire wire;
+    std::uint64_t struck = 0;  ///< writes to its disk that had failed when last looked at
     std::unique_ptr<agents::Agent> agent;
     agents::Twist command;
     std::optional<agents::Sample> next;  ///< due at `due`
@@ -125,13 +139,22 @@ class Fleet {
   };
   struct ClientProcess {
     PeerId id;
-    std::unique_ptr<bus::Link> link;
+    Wire wire;
     std::uint64_t incarnation = 0;
     std::uint64_t sequence = 0;
     std::vector<msg::OperatorReply> replies;
     std::vector<msg::QueryReply> answers;
   };
 
+  void open(Wire& wire, msg::Role role, const PeerId& id);
+  void close(Wire& wire, const PeerId& id);
+  Whereabouts whereabouts(const Wire& wire) const;
+  void keep(Wire& wire, const PeerId& id, Duration unseen);
+  void connect(Wire& wire, const PeerId& id);
+  void connect_all();
+  void look_at_links();
+  std::string next_address() { return "machine " + std::to_string(++addresses_); }
+  void look_at_spool(RobotProcess& robot);
   SteadyTime next_event() const;
   // These look when the next tick is due, after everything that may have changed it: that is too dear for each event.
   void note_wake();
@@ -166,6 +189,8 @@ class Fleet {
   SteadyTime next_look_{};
   bool checks_waits_ = false;
   SteadyTime next_look_at_traffic_{};
+  SteadyTime next_look_at_links_{};
+  std::uint64_t addresses_ = 0;
   std::uint64_t trace_ = 1469598103934665603ULL;
   std::uint64_t messages_ = 0;
 };

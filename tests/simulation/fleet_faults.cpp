@@ -13,8 +13,9 @@ void Fleet::hang_server(bool hangs) {
   }
   const Duration away = now_ - *server_.hung_since;
   server_.hung_since.reset();
+  ledger_.server_up(now_);
   server_.service->was_away(away, server_now());
-  while (const auto message = server_.link->take()) {
+  while (const auto message = server_.wire.link->take()) {
     ledger_.server_heard(*message);
     send_all(server_.service->handle(*message, server_now()));
   }
@@ -22,11 +23,7 @@ void Fleet::hang_server(bool hangs) {
   ledger_.server_woke(said);
   send_all(said);
   note_wake();
-}
-
-void Fleet::partition(std::size_t robot, bool cut) {
-  net_.partition(robots_[robot].id, cut ? bus::Cut::all : bus::Cut::none);
-  ledger_.robots.at(robots_[robot].id).is_cut_off = cut;
+  keep(server_.wire, server_.id, away);
 }
 
 void Fleet::hang_robot(std::size_t index, bool hangs) {
@@ -40,9 +37,11 @@ void Fleet::hang_robot(std::size_t index, bool hangs) {
   ledger_.robots.at(robot.id).is_hung = false;
   // The body was driven by the same process, or has stopped by itself when nobody spoke to it.
   robot.due = now_;
-  robot.agent->was_away(now_ - *robot.hung_since, clock(robot));
+  const Duration away = now_ - *robot.hung_since;
+  robot.agent->was_away(away, clock(robot));
   robot.hung_since.reset();
   note_wake(robot);
+  keep(robot.wire, robot.id, away);
 }
 
 void Fleet::stray_server(bool speaks) {

@@ -72,6 +72,7 @@ void Ledger::agent_heard(const RobotId& robot, const msg::Message& message, cons
   if (command != nullptr && command->to == robot) robots.at(robot).commands[command->command] = command->kind;
   const auto* ack = std::get_if<msg::BatchAck>(&message);
   if (ack == nullptr || ack->to != robot) return;
+  if (ack->refused_sequence != 0) refused_.insert(ack->experience);
   std::uint64_t& through = acknowledged_[ack->experience];
   for (; through < ack->durable_through; ++through, ++acknowledged_count_) {
     if (!disk.batch_hashes.contains({ack->experience, through + 1})) {
@@ -82,6 +83,7 @@ void Ledger::agent_heard(const RobotId& robot, const msg::Message& message, cons
 }
 
 void Ledger::server_heard(const msg::Message& message) {
+  note_heard(message);
   if (const auto* state = std::get_if<msg::RobotState>(&message)) {
     const RobotId sender = state->header.sender;
     msg::RobotState& known = known_[sender];

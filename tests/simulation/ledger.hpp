@@ -10,6 +10,7 @@
 #include "core/protocol/messages.hpp"
 #include "server/service.hpp"
 #include "storage/memory/memory_store.hpp"
+#include "storage/spool/memory_spool.hpp"
 #include "tests/simulation/contacts.hpp"
 #include "tests/simulation/marks_body.hpp"
 #include "tests/simulation/progress.hpp"
@@ -44,8 +45,12 @@ class Ledger {
     bool is_cut_off = false;      ///< nobody hears it
     std::map<std::uint64_t, msg::AgentCommand::Kind> commands;  ///< that it has heard, by number
     bool is_stopped = false;                                    ///< an operator has stopped it, and not resumed it
-    bool had_emergency = false;  ///< it knows of an emergency stop after which nobody has resumed it
-    SteadyTime stands_since{};   ///< it has not moved, was told nothing new, and was at work
+    bool had_emergency = false;              ///< it knows of an emergency stop after which nobody has resumed it
+    std::optional<SteadyTime> struck;        ///< its disk refused something last then
+    bool ended_while_struck = false;         ///< its agent did
+    std::vector<storage::BatchKey> spooled;  ///< on its disk, with places
+    SteadyTime heard{};                      ///< by the server, last
+    SteadyTime stands_since{};               ///< it has not moved, was told nothing new, and was at work
   };
   /// Keeps what breaks of the invariants `told` apart: it is no violation.
   Ledger(double footprint_m, std::set<std::string> told) : footprint_m_(footprint_m), told_only_(std::move(told)) {}
@@ -65,7 +70,17 @@ class Ledger {
   void server_heard(const msg::Message& message);
   /// Takes in the first that a server says of itself after it has stood still, and has taken in what came meanwhile.
   void server_woke(const std::vector<msg::Message>& said);
+  /// Notes that a server has come up, or goes on after it has stood still.
+  void server_up(SteadyTime now) { served_since_ = now; }
   void client_heard(const msg::Message& message);
+  void agent_started(const RobotId& robot, const agents::Agent& agent, const storage::SpoolDisk& disk);
+  void agent_ended(const RobotId& robot);
+  /// Notes that the robot's disk has just refused to take something.
+  void spool_struck(const RobotId& robot);
+  /// Checks that nothing has gone from the robot's disk that the server does not have on its own.
+  void look_at_spool(const RobotId& robot, const storage::SpoolDisk& spool, const storage::MemoryDisk& disk);
+  /// Checks that who is not heard does not count as heard, by what a client is told of all robots.
+  void look_at_silence(const std::vector<msg::RobotRow>& rows);
   void agent_stepped(const RobotId& robot, const agents::Sample& sample, const agents::AgentOutput& output);
   /// Compares the body, which has taken a step, with all others by the truth.
   void body_moved(const RobotId& robot);
@@ -120,6 +135,8 @@ class Ledger {
   bool counts(const Goal& goal, const std::set<RobotId>& busy) const;
   void note_stops(Robot& by, const msg::Message& sent);
   void check_draft(const Robot& by, const msg::ExperienceBatch& sent);
+  void check_spools_when_quiet(const Snapshot& snapshot, const storage::MemoryDisk& disk);
+  void note_heard(const msg::Message& message);
   void check_stops(Robot& by, const agents::Sample& sample, const agents::Twist& command);
   void check_limits(const Robot& by);
   void check_driver(const RobotId& id, const Robot& robot);
@@ -147,10 +164,13 @@ class Ledger {
     std::uint64_t taught_in = 0;  ///< incarnation of the agent; 0: unknown
     bool has_refined = false;     ///< relations
     bool has_drafts = false;
+    bool was_refused = false;  ///< something by its robot's disk: it may be handed in as it is
   };
   std::map<ExperienceId, Run> runs_;
   std::uint64_t refined_ = 0;  ///< batches
   std::map<ExperienceId, std::uint64_t> acknowledged_;
+  std::set<ExperienceId> refused_;  ///< by the server
+  SteadyTime served_since_{};
   std::uint64_t acknowledged_count_ = 0;
   bool is_edited_ = false;
   bool is_ruled_ = false;

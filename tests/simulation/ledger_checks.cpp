@@ -116,6 +116,7 @@ bool Ledger::waits_for_the_lost(const Goal& goal) const {
 
 void Ledger::look_when_quiet(const server::Service& service, const storage::MemoryDisk& disk) {
   look(service, disk);
+  check_spools_when_quiet(service.snapshot(), disk);
   for (const auto& [id, robot] : robots) {
     const Digest mine = digest(robot.agent->window());
     const Digest served = digest(make_window(service.snapshot(), robot.wants));
@@ -151,14 +152,6 @@ void Ledger::look_when_quiet(const server::Service& service, const storage::Memo
       broken("goals", "goal " + to_string(goal.id) + " is " + to_string(goal.state) + " and " +
                           robots.at(*goal.robot).name + " knows nothing of it");
     }
-  }
-}
-
-void Ledger::server_woke(const std::vector<msg::Message>& said) {
-  for (const msg::Message& message : said) {
-    const auto* const note = std::get_if<msg::EventNote>(&message);
-    if (note == nullptr || note->event.kind != "robot.silent") continue;
-    broken("absence", "the server stood still and blames " + robots.at(note->event.robot).name + " for the silence");
   }
 }
 

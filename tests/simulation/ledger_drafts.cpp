@@ -4,7 +4,8 @@
 namespace weft::simulation {
 
 /// Checks that nothing of a run that is refined leaves its robot before, and that a run is handed in as it was taught
-/// only by an agent that did not live when it was taught: as a whole, and saying so.
+/// only by an agent that did not live when it was taught, or whose disk has refused something: as a whole, and saying
+/// so.
 void Ledger::check_draft(const Robot& by, const msg::ExperienceBatch& sent) {
   const Batch& batch = sent.batch;
   if (!by.refines) return;
@@ -17,7 +18,7 @@ void Ledger::check_draft(const Robot& by, const msg::ExperienceBatch& sent) {
   }
   if (is_refined) ++refined_;
   const std::string what = "batch " + std::to_string(batch.sequence) + " of " + to_string(batch.experience);
-  if (run.has_drafts && run.taught_in == sent.header.incarnation)
+  if (run.has_drafts && !run.was_refused && run.taught_in == sent.header.incarnation)
     broken("drafts", by.name + " sent " + what + " before it was refined");
   if (run.has_drafts && run.has_refined) broken("drafts", by.name + " sent a run half refined, with " + what);
   if (batch.seal && run.has_drafts && batch.seal_reason == "taught to its end")

@@ -75,11 +75,26 @@ void Operator::edit_a_while() {
   fleet_.ledger().map_edited(false);
 }
 
+/// Does what people do most of the time.
+void Operator::often(std::size_t robot) {
+  switch (focus_) {
+    case Focus::rules:
+      return rule_a_while();
+    case Focus::stops:
+      return press_a_while(robot);
+    case Focus::teaching:
+      teach_more(robot);
+      return;
+    case Focus::none:
+      return;
+  }
+}
+
 void Operator::errand() {
   const double what = random_.uniform();
   const std::size_t robot = random_.below(fleet_.robots());
   if (focus_ != Focus::none && random_.chance(0.7)) {
-    return focus_ == Focus::rules ? rule_a_while() : press_a_while(robot);
+    return often(robot);
   }
   if (what < 0.70) {
     auto label = stations_.begin();

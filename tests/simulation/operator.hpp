@@ -19,7 +19,7 @@ enum class People : std::uint8_t {
 };
 
 /// Tells what people do more often than anything else.
-enum class Focus : std::uint8_t { none, rules, stops };
+enum class Focus : std::uint8_t { none, rules, stops, teaching };
 
 /// Asks of the fleet what people do: they teach the course and its sidings, then send robots about, change their
 /// minds, teach some more, and help where robots wait for one that has nothing to do. Every request is repeated until
@@ -79,6 +79,7 @@ class Operator {
   void press_a_while(std::size_t robot);
   void edit_a_while();
   void rule_a_while();
+  void often(std::size_t robot);
   void note_stray(const Goal& goal);
   void look_around();
   void help_all_waiting();

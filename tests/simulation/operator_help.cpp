@@ -235,6 +235,8 @@ void Operator::help() {
     const msg::RobotState& state = fleet_.state(robot);
     if (!fleet_.robot_up(robot)) continue;
     if (state.mode == msg::RobotMode::teaching) teach_stop(robot);
+    // Nobody stops one for longer than an errand: its disk did not take that it may go on, and its agent has ended.
+    if (state.mode == msg::RobotMode::stopped) resume(robot);
     if (state.mode != msg::RobotMode::idle || state.localised) continue;
     msg::OperatorRequest request;
     request.kind = msg::OperatorRequest::Kind::localise;

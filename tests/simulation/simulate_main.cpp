@@ -271,12 +271,14 @@ int main(int argc, char** argv) try {
                                                                       {"help", weft::simulation::People::help}})
                       .description(""));
   app.add_option("--focus", options.focus,
-                 "rules or stops: people lay down rules, or press stops, most of the\n"
-                 "time, and do something four times as often")
-      ->type_name("rules|stops")
+                 "rules, stops or teaching: people lay down rules, press stops, or\n"
+                 "teach some more, most of the time, and do something four times\n"
+                 "as often")
+      ->type_name("rules|stops|teaching")
       ->transform(CLI::CheckedTransformer(
                       std::map<std::string, weft::simulation::Focus>{{"rules", weft::simulation::Focus::rules},
-                                                                     {"stops", weft::simulation::Focus::stops}})
+                                                                     {"stops", weft::simulation::Focus::stops},
+                                                                     {"teaching", weft::simulation::Focus::teaching}})
                       .description(""));
   app.add_option("--hours", options.hours, "simulated hours of errands for each seed, 0.05 to 1000")
       ->capture_default_str()
