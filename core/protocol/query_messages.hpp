@@ -9,6 +9,7 @@
 #include "core/network/page.hpp"
 #include "core/network/registration.hpp"
 #include "core/network/rule.hpp"
+#include "core/protocol/alarms.hpp"
 #include "core/protocol/robot_messages.hpp"
 
 /// Holds what can be asked of the server, its answers, and events.
@@ -25,7 +26,8 @@ struct Query {
     network = 6,
     experiences = 7,
     rules = 8,
-    registrations = 9
+    registrations = 9,
+    alarms = 10
   };
   Header header;
   std::uint64_t request = 0;
@@ -33,10 +35,14 @@ struct Query {
   GoalId goal;            ///< goals, events: only this one; none: all
   std::string robot;      ///< events: only this one
   Revision newest;        ///< log: from here back; 0: from the latest
-  std::uint32_t most{};   ///< log: how many at most, up to 1000
+  std::uint32_t most{};   ///< log, events: how many at most, up to 1000; events: 0: 1000
   Revision at{};          ///< network: as it was then; 0: as it is
   Revision apart_from{};  ///< network: only experiences that differ from those of that revision; 0: all
   PlaceId after{};        ///< network: the page behind that place; none: the first
+  /// events: of this kind or of those that it begins up to a dot ("robot": robot.lost and its like); empty: of all
+  std::string event_kind{};
+  WallTime since{};             ///< events: not before that; 1970: from the first
+  std::uint64_t after_event{};  ///< events: behind that number; 0: from the first
 };
 
 struct Event {
@@ -46,6 +52,7 @@ struct Event {
   GoalId goal;
   std::string cause;
   std::string who;
+  std::uint64_t number = 0;  ///< counts up from 1 in the order in which events were kept; 0: it is not kept
 };
 
 /// Tells people what a revision did: a line of the map's log.
@@ -86,6 +93,7 @@ struct RobotRow {
   std::string held_by;     ///< who holds it (weft hold); empty: nobody
   std::string plan;        ///< the registered floor plan on which it stands; empty: none, or it is not known where
   Pose2 plan_from_robot;   ///< with a plan
+  bool is_twin = false;    ///< two live agents have its id: it is held
 };
 
 struct MapInfo {
@@ -168,7 +176,12 @@ struct QueryReply {
   std::vector<Goal> goals;
   std::vector<Route> routes;      ///< the latest route of each goal above
   std::vector<Arrival> arrivals;  ///< of the goals above to which a robot is on its way
+  /// The newest that the query asks for; the first behind a number or a time when it names one. 1000 at most
   std::vector<Event> events;
+  std::uint64_t oldest_event =
+      0;  ///< events: the number of the oldest that the server keeps of all; 0: it keeps none
+  std::uint64_t newest_event = 0;  ///< events: the same of the newest
+  std::vector<Alarm> alarms;
   MapInfo info;
   std::vector<RevisionNote> log;  ///< newest first
   NetworkPage network;            ///< a piece of one page in each part
@@ -181,10 +194,11 @@ struct QueryReply {
 };
 
 /// Announces to logs and watchers that something happened. A note that was lost on the way can be asked for with
-/// Query.
+/// Query, unless the store could not keep the event.
 struct EventNote {
   Header header;
-  Event event;
+  Event event;  ///< without its number
+  bool is_kept = true;
 };
 
 }  // namespace weft::msg

@@ -64,6 +64,7 @@ struct RobotState {
   std::vector<Diagnostic> diagnostics;  ///< what driving has shown of the robot: its camera's mount
   Safety safety = Safety::ok;           ///< as its base says
   std::string reason;                   ///< why it stands, when it stands
+  std::string spool_refuses;            ///< why its spool takes nothing at the moment; empty: it does
 };
 
 /// Tells what a robot's battery holds; of bodies that know it.

@@ -38,6 +38,17 @@ void describe(Io& io, Value<Io, msg::Event>& value, Wire<Io, idl::Event>& wire) 
   io.any(value.goal, wire.goal());
   io.text("cause", value.cause, wire.cause(), kTextLength);
   io.text("who", value.who, wire.who(), kNameLength);
+  io.any(value.number, wire.number());
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::Alarm>& value, Wire<Io, idl::Alarm>& wire) {
+  io.choice("kind", value.kind, wire.kind(), msg::AlarmKind::silent, msg::AlarmKind::unjoined);
+  io.any(value.robot, wire.robot());
+  io.text("about", value.about, wire.about(), kNameLength);
+  io.any(value.place, wire.place());
+  io.any(value.since, wire.since_ns());
+  io.text("detail", value.detail, wire.detail(), kTextLength);
 }
 
 template <class Io>
@@ -83,6 +94,7 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.finite("plan_x_m", value.plan_from_robot.x, wire.plan_x_m());
   io.finite("plan_y_m", value.plan_from_robot.y, wire.plan_y_m());
   io.finite("plan_heading_rad", value.plan_from_robot.heading, wire.plan_heading_rad());
+  io.any(value.is_twin, wire.is_twin());
 }
 
 template <class Io>
@@ -191,6 +203,9 @@ void describe(Io& io, Value<Io, msg::QueryReply>& value, Wire<Io, idl::QueryRepl
   io.each("routes", value.routes, wire.routes(), kRows);
   io.each("arrivals", value.arrivals, wire.arrivals(), kRows);
   io.each("events", value.events, wire.events(), kEvents);
+  io.any(value.oldest_event, wire.oldest_event());
+  io.any(value.newest_event, wire.newest_event());
+  io.each("alarms", value.alarms, wire.alarms(), kRows);
   io.in("info", value.info, wire.info());
   io.each("log", value.log, wire.log(), kRows);
   io.in("network", value.network, wire.network());
@@ -206,6 +221,7 @@ template <class Io>
 void describe(Io& io, Value<Io, msg::EventNote>& value, Wire<Io, idl::EventNote>& wire) {
   io.in("header", value.header, wire.header());
   io.in("event", value.event, wire.event());
+  io.any(value.is_kept, wire.is_kept());
 }
 
 }  // namespace weft::convert

@@ -79,7 +79,7 @@ void describe(Io& io, Value<Io, msg::Query>& value, Wire<Io, idl::Query>& wire) 
   using Kind = msg::Query::Kind;
   io.in("header", value.header, wire.header());
   io.any(value.request, wire.request());
-  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::registrations);
+  io.choice("kind", value.kind, wire.kind(), Kind::robots, Kind::alarms);
   io.any(value.goal, wire.goal());
   io.text("robot", value.robot, wire.robot(), kNameLength);
   io.any(value.newest, wire.newest());
@@ -87,6 +87,9 @@ void describe(Io& io, Value<Io, msg::Query>& value, Wire<Io, idl::Query>& wire) 
   io.any(value.at, wire.at_revision());
   io.any(value.apart_from, wire.apart_from());
   io.any(value.after, wire.after());
+  io.text("event_kind", value.event_kind, wire.event_kind(), kNameLength);
+  io.any(value.since, wire.since_ns());
+  io.any(value.after_event, wire.after_event());
 }
 
 }  // namespace weft::convert

@@ -68,6 +68,7 @@ void describe(Io& io, Value<Io, msg::RobotState>& value, Wire<Io, idl::RobotStat
   io.each("diagnostics", value.diagnostics, wire.diagnostics(), kDiagnostics);
   io.choice("safety", value.safety, wire.safety(), Safety::ok, Safety::blocked);
   io.text("reason", value.reason, wire.reason(), kTextLength);
+  io.text("spool_refuses", value.spool_refuses, wire.spool_refuses(), kTextLength);
 }
 
 template <class Io>

@@ -94,6 +94,7 @@ msg::RobotState state() {
   made.diagnostics = {{"mount_pitch_rad", 0.0078125, 0.0009765625, 0.0}, {"height_offset_m", -0.0078125, 0.0, 0.007}};
   made.safety = Safety::protective_stop;
   made.reason = "window is incomplete";
+  made.spool_refuses = "the disk is full";
   return made;
 }
 
@@ -122,7 +123,8 @@ msg::Event event() {
           id_of<RobotId>(0x10),
           id_of<GoalId>(0x60),
           "shortest route",
-          "dispatcher"};
+          "dispatcher",
+          4711};
 }
 
 Goal goal() {
@@ -194,10 +196,15 @@ msg::QueryReply query_reply() {
                   power(),
                   "anna",
                   "hall",
-                  {3.5, -2.25, 0.75}}};
+                  {3.5, -2.25, 0.75},
+                  true}};
   made.goals = {goal()};
   made.routes = {route()};
   made.events = {event()};
+  made.oldest_event = 17;
+  made.newest_event = 4712;
+  made.alarms = {{msg::AlarmKind::clock, id_of<RobotId>(0x10), "r1", place_id(0xabcdef, 3),
+                  WallTime(std::chrono::seconds(1'700'000'200)), "3000 ms ahead"}};
   made.log = {
       {Revision{9}, Revision{4}, WallTime(std::chrono::seconds(1'700'000'000)), "rollback", "anna", "to revision 4"}};
   made.info = {Revision{99},
@@ -394,11 +401,12 @@ void add_operating(std::vector<Example>& all) {
                                     {"content 12ab: checksum differs"},
                                     {{"places", 400}},
                                     report()}});
-  all.push_back({"query", Role::client,
-                 msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20,
-                            Revision{90}, Revision{88}, place_id(1, 5)}});
+  all.push_back(
+      {"query", Role::client,
+       msg::Query{header(), 31, msg::Query::Kind::events, id_of<GoalId>(0x60), "r1", Revision{7}, 20, Revision{90},
+                  Revision{88}, place_id(1, 5), "robot.lost", WallTime(std::chrono::seconds(1'700'000'300)), 4700}});
   all.push_back({"query_reply", Role::server, query_reply()});
-  all.push_back({"event_note", Role::server, msg::EventNote{header(), event()}});
+  all.push_back({"event_note", Role::server, msg::EventNote{header(), event(), true}});
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ TEST_F(InProcess, RefusalsAreNamedAndCounted) {
   net.deliver_until(at(0ms));
   EXPECT_FALSE(server.take());
   const std::map<std::string, std::uint64_t> expected = {
-      {"weft/1/query: Query.kind must be from 1 to 9", 2},
+      {"weft/1/query: Query.kind must be from 1 to 10", 2},
       {"weft/1/query: weft::idl::Query is not well-formed CDR", 1}};
   EXPECT_EQ(server.refusals(), expected);
   EXPECT_EQ(server.drain_refusal_texts().size(), 3U);

@@ -69,7 +69,7 @@ TEST(FromIdl, RefusesValuesOutsideTheirEnumeration) {
   EXPECT_THAT(refusal<msg::Chunk>([](auto& m) { m.coding = msg::Coding{3}; }),
               HasSubstr("coding must be from 0 to 2"));
   EXPECT_THAT(refusal<msg::Query>([](auto& m) { m.kind = msg::Query::Kind{77}; }),
-              HasSubstr("kind must be from 1 to 9"));
+              HasSubstr("kind must be from 1 to 10"));
 }
 
 TEST(FromIdl, RefusesMissingIdentities) {
