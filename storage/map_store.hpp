@@ -19,6 +19,7 @@
 #include "core/network/rule.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
+#include "storage/events.hpp"
 #include "storage/maintenance.hpp"
 
 namespace weft::storage {
@@ -202,9 +203,9 @@ class MapStore {
   virtual Result<StoredContent> stored_content(const ContentHash& hash) const = 0;
   /// Returns the hash with which that batch was committed; none if it was not.
   virtual std::optional<ContentHash> batch_hash(ExperienceId experience, std::uint64_t sequence) const = 0;
-  /// Returns events, newest last, at most `limit`; filters that are none take everything.
-  virtual Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot,
-                                                 std::size_t limit) const = 0;
+  /// Returns the newest `limit` events that fit, newest last; with a number or a time in the filter, the first that
+  /// fit behind it.
+  virtual Result<EventPage> events(const EventFilter& filter, std::size_t limit) const = 0;
   /// Returns the map as it was then. `near` is the map at another revision: what is the same in both is shared with
   /// it and not read, so that going a little back in a large map is cheap. An empty one: everything is read.
   /// not_found: no such revision, or older than what is kept (StoreSize::floor).

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ class Spool {
   virtual Result<void> keep(const Stops& stops) = 0;
   /// Returns what was kept last; at first nothing. Damaged: both, so that a person looks.
   virtual Stops stops() const = 0;
+  /// Tries whether so many bytes can be written now, durably; nothing of them stays. exhausted: disk full;
+  /// unavailable.
+  virtual Result<void> try_room(std::uint64_t bytes) = 0;
   /// Returns what was found torn or damaged at opening and is not among the pending, each named with its file.
   virtual std::vector<std::string> skipped() const { return {}; }
 };

@@ -16,6 +16,10 @@ struct End {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
+struct EndPacking {
+  void operator()(z_stream* stream) const { deflateEnd(stream); }
+};
+
 }  // namespace
 
 bool is_gzip(ByteView bytes) {
@@ -51,6 +55,32 @@ Result<Bytes> gunzip(ByteView bytes, std::size_t at_most) {
   }
   // All is taken, and more may be due to come out only if the last member has not ended.
   return fail(ErrorCode::corrupt, "the gzip data ends early, after " + std::to_string(taken) + " bytes");
+}
+
+Result<Bytes> gzip(ByteView bytes) {
+  constexpr int usual_memory = 8;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipOnly, usual_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
+    return fail(ErrorCode::exhausted, "zlib has no memory to pack with");
+  }
+  const std::unique_ptr<z_stream, EndPacking> ended(&stream);
+  Bytes out;
+  std::size_t taken = 0;
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    const std::size_t held = out.size();
+    out.resize(held + kStep);
+    const std::size_t give = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
+    stream.next_in = const_cast<Bytef*>(bytes.data() + taken);  // zlib's interface; it does not write there
+    stream.avail_in = static_cast<uInt>(give);
+    stream.next_out = out.data() + held;
+    stream.avail_out = static_cast<uInt>(kStep);
+    state = deflate(&stream, taken + give == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
+    taken += give - stream.avail_in;
+    out.resize(held + kStep - stream.avail_out);
+    if (state == Z_STREAM_ERROR) return fail(ErrorCode::internal, "zlib cannot pack");
+  }
+  return out;
 }
 
 }  // namespace weft::formats

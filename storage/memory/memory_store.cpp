@@ -267,13 +267,22 @@ class MemoryStore final : public MapStore {
     return found->second;
   }
 
-  Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot, std::size_t limit) const override {
-    std::vector<msg::Event> found;
-    for (auto at = disk_->events.rbegin(); at != disk_->events.rend() && found.size() < limit; ++at) {
-      if ((!goal || at->goal == goal) && (!robot || at->robot == robot)) found.push_back(*at);
+  Result<EventPage> events(const EventFilter& filter, std::size_t limit) const override {
+    EventPage page;
+    page.newest = disk_->events.size();
+    page.oldest = disk_->events.empty() ? 0 : 1;
+    for (std::size_t i = 0; i < disk_->events.size(); ++i) {
+      msg::Event event = disk_->events[i];
+      event.number = i + 1;
+      if (fits(filter, event)) page.events.push_back(std::move(event));
     }
-    std::reverse(found.begin(), found.end());
-    return found;
+    const auto over = static_cast<std::ptrdiff_t>(page.events.size() - std::min(limit, page.events.size()));
+    if (goes_forward(filter)) {
+      page.events.erase(page.events.end() - over, page.events.end());
+    } else {
+      page.events.erase(page.events.begin(), page.events.begin() + over);
+    }
+    return page;
   }
 
   Result<Snapshot> snapshot_at(Revision revision, const Snapshot& /*near*/) const override {

@@ -16,6 +16,7 @@ namespace weft::storage {
 namespace {
 
 constexpr std::string_view kStops = "stops";
+constexpr std::string_view kTrial = "trial.tmp";  ///< of room; recovery removes what ends so
 
 class FileSpool final : public Spool {
  public:
@@ -125,6 +126,13 @@ class FileSpool final : public Spool {
   }
 
   Stops stops() const override { return stops_; }
+
+  Result<void> try_room(std::uint64_t bytes) override {
+    const std::filesystem::path path = directory_ / kTrial;
+    const Result<void> written = write_durably(path, Bytes(bytes));
+    const Result<void> removed = remove_durably(path);
+    return written ? removed : written;
+  }
 
   std::vector<std::string> skipped() const override { return skipped_; }
 

@@ -68,6 +68,10 @@ class MemorySpool final : public Spool {
     return {};
   }
   Stops stops() const override { return disk_->stops; }
+  Result<void> try_room(std::uint64_t /*bytes*/) override {
+    if (auto error = disk_->faults.strike("memory spool")) return fail(std::move(*error));
+    return {};
+  }
 
  private:
   std::shared_ptr<SpoolDisk> disk_;

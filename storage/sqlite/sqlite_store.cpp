@@ -5,6 +5,7 @@
 
 #include "core/network/codec.hpp"
 #include "storage/sqlite/checkpointer.hpp"
+#include "storage/sqlite/events.hpp"
 #include "storage/sqlite/jobs.hpp"
 #include "storage/sqlite/loader.hpp"
 #include "storage/sqlite/parts.hpp"
@@ -14,17 +15,6 @@ namespace weft::storage {
 namespace {
 
 using namespace sqlite;
-
-msg::Event event_from_row(const Query& row) {
-  msg::Event event;
-  event.at = WallTime(Duration(static_cast<std::int64_t>(row.number(0))));
-  event.kind = row.text(1);
-  event.robot = row.id<RobotId>(2);
-  event.goal = row.id<GoalId>(3);
-  event.cause = row.text(4);
-  event.who = row.text(5);
-  return event;
-}
 
 class SqliteStore final : public MapStore {
  public:
@@ -93,24 +83,8 @@ class SqliteStore final : public MapStore {
     return query.id<ContentHash>(0);
   }
 
-  Result<std::vector<msg::Event>> events(const GoalId& goal, const RobotId& robot, std::size_t limit) const override {
-    const Statements& all = parts_->statements;
-    Query query(goal && robot ? all.events_of_both
-                : goal        ? all.events_of_goal
-                : robot       ? all.events_of_robot
-                              : all.events);
-    if (goal) query << goal;
-    if (robot) query << robot;
-    query << std::uint64_t{std::min<std::size_t>(limit, std::numeric_limits<std::int64_t>::max())};
-    std::vector<msg::Event> found;
-    for (;;) {
-      const Result<bool> row = query.step();
-      if (!row) return fail(row.error());
-      if (!*row) break;
-      found.push_back(event_from_row(query));
-    }
-    std::reverse(found.begin(), found.end());
-    return found;
+  Result<EventPage> events(const EventFilter& filter, std::size_t limit) const override {
+    return read_events(parts_->database, filter, limit);
   }
 
   Result<Snapshot> snapshot_at(Revision revision, const Snapshot& near) const override {

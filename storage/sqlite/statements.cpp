@@ -71,14 +71,6 @@ Result<Statements> Statements::prepare(const Database& database) {
       {&Statements::read_preparation, "SELECT hash, bytes FROM preparation WHERE methods = ?"},
       {&Statements::quarantine,
        "UPDATE content SET quarantined = 1 WHERE hash = ? AND quarantined = 0 RETURNING size"},
-      {&Statements::events, "SELECT at_ns, kind, robot, goal, cause, who FROM event ORDER BY id DESC LIMIT ?"},
-      {&Statements::events_of_goal,
-       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE goal = ? ORDER BY id DESC LIMIT ?"},
-      {&Statements::events_of_robot,
-       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE robot = ? ORDER BY id DESC LIMIT ?"},
-      {&Statements::events_of_both,
-       "SELECT at_ns, kind, robot, goal, cause, who FROM event WHERE goal = ? AND robot = ?"
-       " ORDER BY id DESC LIMIT ?"},
   };
   Statements statements;
   for (const Line& line : kLines) {

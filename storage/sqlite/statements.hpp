@@ -16,7 +16,6 @@ struct Statements {
   Statement put_awaited_label, drop_awaited_label;
   Statement put_preparation, read_preparation;
   Statement quarantine;
-  Statement events, events_of_goal, events_of_robot, events_of_both;
 
   static Result<Statements> prepare(const Database& database);
 };

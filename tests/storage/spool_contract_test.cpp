@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "core/network/codec.hpp"
 #include "storage/spool/file_spool.hpp"
 #include "storage/spool/memory_spool.hpp"
@@ -181,6 +183,22 @@ TEST_P(SpoolContract, AReplacementThatIsRefusedChangesNothing) {
   expect(ErrorCode::invalid, run.experience(), {better.batch, better.batch}, better.contents);
   expect(ErrorCode::invalid, run.experience(), {foreign.batch}, foreign.contents);
   expect(ErrorCode::not_found, {77}, {better.batch}, better.contents);
+}
+
+TEST_P(SpoolContract, ATrialOfRoomLeavesNothing) {
+  sample::Run run(9, 1);
+  append(run.next(2));
+  const std::vector<ContentHash> before = pending_hashes();
+  const auto tried = spool_->try_room(100'000);
+  ASSERT_TRUE(tried) << tried.error().message;
+  if (GetParam() == Kind::file) {
+    for (const auto& entry : std::filesystem::directory_iterator(directory_.path() / "spool")) {
+      EXPECT_LT(entry.file_size(), 100'000U) << entry.path();
+    }
+  }
+  restart();
+  EXPECT_EQ(pending_hashes(), before);
+  EXPECT_TRUE(spool_->skipped().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Spools, SpoolContract, testing::Values(Kind::memory, Kind::file),

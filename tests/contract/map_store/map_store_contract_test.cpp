@@ -330,9 +330,9 @@ TEST_P(MapStoreContract, EventsAreFilteredNewestLast) {
   restart();
   const auto causes = [&](const GoalId& goal, const RobotId& robot, std::size_t limit) {
     std::vector<std::string> found;
-    auto events = store_->events(goal, robot, limit);
-    EXPECT_TRUE(events) << events.error().message;
-    for (const auto& event : *events) found.push_back(event.cause.substr(6));
+    auto page = store_->events({.goal = goal, .robot = robot}, limit);
+    EXPECT_TRUE(page) << page.error().message;
+    for (const auto& event : page->events) found.push_back(event.cause.substr(6));
     return found;
   };
   EXPECT_EQ(causes({}, {}, 3), (std::vector<std::string>{"9", "10", "11"}));
@@ -340,10 +340,45 @@ TEST_P(MapStoreContract, EventsAreFilteredNewestLast) {
   EXPECT_EQ(causes({}, sample::robot(1), 100), (std::vector<std::string>{"0", "3", "6", "9"}));
   EXPECT_EQ(causes(sample::goal_id(1), sample::robot(1), 100), (std::vector<std::string>{"0", "6"}));
   EXPECT_EQ(causes(sample::goal_id(9), {}, 100), (std::vector<std::string>{}));
-  const msg::Event event = store_->events({}, {}, 1)->back();
+  const msg::Event event = store_->events({}, 1)->events.back();
   EXPECT_EQ(event.at, WallTime(std::chrono::seconds(11)));
   EXPECT_EQ(event.kind, "goal.assigned");
   EXPECT_EQ(event.who, "tests");
+}
+
+TEST_P(MapStoreContract, EventsAreReadOnFromANumberATimeAndByKind) {
+  Transaction transaction;
+  for (const std::int64_t second : {1, 2, 3, 4, 5, 6}) {
+    msg::Event event;
+    event.at = WallTime(std::chrono::seconds(second));
+    event.kind = second % 2 == 0 ? "robot.lost" : second == 5 ? "robotics.x" : "robot";
+    if (second > 3) event.robot = sample::robot(1);
+    transaction.changes.emplace_back(PutEvent{event});
+  }
+  const auto none = store_->events({}, 10);
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->oldest, 0U);
+  EXPECT_EQ(none->newest, 0U);
+  commit(transaction);
+  restart();
+  const auto numbers = [&](const EventFilter& filter, std::size_t limit) {
+    std::vector<std::uint64_t> found;
+    const auto page = store_->events(filter, limit);
+    EXPECT_TRUE(page) << page.error().message;
+    EXPECT_EQ(page->oldest, 1U);
+    EXPECT_EQ(page->newest, 6U);
+    for (const msg::Event& event : page->events) found.push_back(event.number);
+    return found;
+  };
+  using Numbers = std::vector<std::uint64_t>;
+  EXPECT_EQ(numbers({}, 2), (Numbers{5, 6}));
+  EXPECT_EQ(numbers({.after = 2}, 2), (Numbers{3, 4})) << "the first behind it";
+  EXPECT_EQ(numbers({.after = 6}, 2), Numbers{});
+  EXPECT_EQ(numbers({.since = WallTime(std::chrono::seconds(4))}, 2), (Numbers{4, 5}));
+  EXPECT_EQ(numbers({.kind = "robot"}, 9), (Numbers{1, 2, 3, 4, 6})) << "up to a dot";
+  EXPECT_EQ(numbers({.kind = "robot.lost"}, 9), (Numbers{2, 4, 6}));
+  EXPECT_EQ(numbers({.robot = sample::robot(1), .kind = "robot", .after = 4}, 9), (Numbers{6}));
+  EXPECT_EQ(numbers({.kind = "goal"}, 9), Numbers{});
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, MapStoreContract, all_engines(), engine_name);
