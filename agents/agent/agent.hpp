@@ -83,6 +83,8 @@ class Agent {
   virtual std::map<std::string, std::uint64_t> counters() const = 0;
   /// Returns what driving has shown of the robot beside where it is (its camera's mount); empty: nothing yet.
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }
+  /// Returns why the agent cannot do a part of its work, for health probes; empty: it can.
+  virtual std::string trouble() const { return {}; }
 };
 
 /// Starts an agent: reads the spool and sends again what is pending. invalid: a setting breaks its bound; errors of

@@ -49,7 +49,8 @@ StateReporter::Shown StateReporter::shown(const msg::RobotState& state) {
           .experience = state.experience,
           .window = state.window_digest,
           .complete = state.contents_missing == 0,
-          .reason = state.reason};
+          .reason = state.reason,
+          .spool_refuses = !state.spool_refuses.empty()};
 }
 
 msg::RobotDescription description_of(const AgentConfig& config, const std::vector<std::string>& drives) {

@@ -36,6 +36,7 @@ class StateReporter {
     Digest window;
     bool complete = false;
     std::string reason;
+    bool spool_refuses = false;
     bool operator==(const Shown&) const = default;
   };
   static Shown shown(const msg::RobotState& state);

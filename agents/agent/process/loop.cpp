@@ -90,7 +90,7 @@ bool Loop::note_absence(Duration meant) {
   if (away <= kAway) return false;
   parts_.agent.was_away(away, now);
   silent_at_ += away;
-  parts_.log.warn("was away for " + fixed_number(seconds(away), 1) + " s");
+  parts_.log.warn("was away for " + fixed_number(seconds(away), 1) + " s", goal());
   return true;
 }
 
@@ -125,12 +125,13 @@ void Loop::note(const AgentOutput& output) {
   parts_.records->note(output, frame_);
   if (damage_ || parts_.records->lost() == 0) return;
   damage_ = Error{ErrorCode::exhausted, "records could not be written; is the disk full?"};
-  parts_.log.error(damage_->message);
+  parts_.log.error(damage_->message, goal());
 }
 
 void Loop::perform(AgentOutput output) {
   command_ = output.command;
-  for (const std::string& note : output.notes) parts_.log.info(note, goal());
+  const std::vector<process::LogField> about = goal_of_notes();
+  for (const std::string& note : output.notes) parts_.log.info(note, about);
   if (parts_.records != nullptr) note(output);
   // The agent repeats messages that are not sent, as it does those that are lost on the way.
   for (const msg::Message& message : output.send) (void)parts_.link.send(message);
@@ -144,7 +145,7 @@ void Loop::perform(AgentOutput output) {
 void Loop::expose(const ExposureWish& wish) {
   const Result<void> exposed = parts_.body.expose(wish.sensor, wish.exposure);
   if (exposed || std::exchange(has_refused_exposure_, true)) return;
-  parts_.log.info("exposure: " + exposed.error().message);
+  parts_.log.info("exposure: " + exposed.error().message, goal());
 }
 
 void Loop::log_counters() {
@@ -165,7 +166,7 @@ void Loop::log_counters() {
 void Loop::log_silence() {
   if (steady_now() < silent_at_) return;
   silent_at_ = steady_now() + kBetweenSilences;
-  parts_.log.warn("no server is heard at " + parts_.server + ": is weft-server running there? Trying on");
+  parts_.log.warn("no server is heard at " + parts_.server + ": is weft-server running there? Trying on", goal());
 }
 
 void Loop::show_life() {
@@ -177,7 +178,7 @@ void Loop::show_life() {
 std::string Loop::trouble() const {
   if (!parts_.link.bus().is_open()) return "deaf: its link is not open, so it has no socket";
   if (body_failure_) return "the body failed: " + body_failure_->message;
-  return damage_ ? damage_->message : std::string();
+  return damage_ ? damage_->message : parts_.agent.trouble();
 }
 
 /// Returns the goal that the robot has a route of, for the lines that belong to it; empty: none.
@@ -185,6 +186,13 @@ std::vector<process::LogField> Loop::goal() const {
   const std::optional<Route> route = parts_.agent.route();
   if (!route || !route->goal) return {};
   return {{"goal", to_string(route->goal)}};
+}
+
+/// Returns the goal for what the agent has just noted: of the route that it has now, or had until then.
+std::vector<process::LogField> Loop::goal_of_notes() {
+  std::vector<process::LogField> now = goal();
+  std::vector<process::LogField> before = std::exchange(goal_before_, now);
+  return now.empty() ? std::move(before) : std::move(now);
 }
 
 }  // namespace weft::agents

@@ -50,6 +50,7 @@ class Loop {
   void show_life();
   std::string trouble() const;
   std::vector<process::LogField> goal() const;
+  std::vector<process::LogField> goal_of_notes();
 
   Parts parts_;
   double pace_;
@@ -68,7 +69,8 @@ class Loop {
   SteadyTime counters_at_;
   SteadyTime silent_at_;  // when it is said that no server is heard
   std::map<std::string, std::uint64_t> counted_;
-  std::string measured_;  // as it was logged last
+  std::string measured_;                        // as it was logged last
+  std::vector<process::LogField> goal_before_;  // when the agent was last called
 };
 
 }  // namespace weft::agents

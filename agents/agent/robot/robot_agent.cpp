@@ -26,10 +26,11 @@ MapWindow::Limits map_limits(const AgentConfig& config) {
 
 }  // namespace
 
-RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, storage::Spool& spool,
-                       Spooler spooler, Random random, SteadyTime now)
+RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator,
+                       std::unique_ptr<SpoolWatch> spool, Spooler spooler, Random random, SteadyTime now)
     : config_(config),
       navigator_(std::move(navigator)),
+      disk_{.spool = std::move(spool), .stops = StopMemory(*disk_.spool)},
       session_(hello(config), random.fork(1), now),
       outbox_(session_),
       replies_(outbox_),
@@ -38,14 +39,13 @@ RobotAgent::RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> nav
       map_(map_limits(config), (random.next() >> 1U) | 1U, now),
       recogniser_(random.next() >> 1U),
       ids_(random),
-      stop_memory_(spool),
       reports_{.state = StateReporter(now), .power = {}},
       diagnostics_(navigator_->watched()),
       teach_({config_, *navigator_, map_, spooler_, ids_, replies_, outbox_}, now),
       localise_({config_.name, *navigator_, map_, recogniser_, replies_}, now),
       follow_({*navigator_, map_, outbox_}),
       keep_place_({config_, *navigator_, map_, spooler_, ids_, replies_}) {
-  const storage::Stops stops = stop_memory_.kept();
+  const storage::Stops stops = disk_.stops.kept();
   condition_.stopped = stops.by_operator;
   if (stops.by_emergency_stop) condition_.safety.restore();
 }
@@ -127,7 +127,8 @@ void RobotAgent::send_due(SteadyTime now) {
 }
 
 AgentOutput RobotAgent::finish(SteadyTime now) {
-  if (std::string note = stop_memory_.keep(condition_.stops(), now); !note.empty()) outbox_.note(std::move(note));
+  if (std::string note = disk_.stops.keep(condition_.stops(), now); !note.empty()) outbox_.note(std::move(note));
+  disk_.spool->tick(now);
   work(now);
   send_due(now);
   condition_.command = condition_.allowed_command();
@@ -136,9 +137,9 @@ AgentOutput RobotAgent::finish(SteadyTime now) {
 
 std::optional<SteadyTime> RobotAgent::next_tick() const {
   SteadyTime next = std::min({session_.next(), reports_.state.next(), map_.next()});
-  const std::optional<SteadyTime> others[] = {upload_.next(),       recogniser_.next(),        teach_.next(),
-                                              localise_.next(),     follow_.next(may_drive()), keep_place_.next(),
-                                              reports_.power.next()};
+  const std::optional<SteadyTime> others[] = {upload_.next(),        recogniser_.next(),        teach_.next(),
+                                              localise_.next(),      follow_.next(may_drive()), keep_place_.next(),
+                                              reports_.power.next(), disk_.spool->next()};
   for (const std::optional<SteadyTime>& at : others) next = std::min(next, at.value_or(next));
   return next;
 }

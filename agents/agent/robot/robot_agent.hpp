@@ -19,6 +19,7 @@
 #include "agents/agent/recogniser.hpp"
 #include "agents/agent/replies.hpp"
 #include "agents/agent/session.hpp"
+#include "agents/agent/spool_watch.hpp"
 #include "agents/agent/spooler.hpp"
 #include "agents/agent/standing.hpp"
 #include "agents/agent/state_reporter.hpp"
@@ -32,8 +33,9 @@ namespace weft::agents {
 /// small before big.
 class RobotAgent final : public Agent {
  public:
-  RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, storage::Spool& spool, Spooler spooler,
-             Random random, SteadyTime now);
+  /// Begins with a spooler that writes through `spool`.
+  RobotAgent(const AgentConfig& config, std::unique_ptr<Navigator> navigator, std::unique_ptr<SpoolWatch> spool,
+             Spooler spooler, Random random, SteadyTime now);
 
   AgentOutput handle(const msg::Message& message, SteadyTime now, WallTime wall) override;
   AgentOutput tick(SteadyTime now) override;
@@ -49,6 +51,7 @@ class RobotAgent final : public Agent {
   std::optional<Estimate> estimate() const override { return navigator_->estimate(); }
   Counters counters() const override;
   std::vector<Diagnostic> diagnostics() const override;
+  std::string trouble() const override;
 
  private:
   // Messages (robot_agent_messages.cpp).
@@ -97,8 +100,15 @@ class RobotAgent final : public Agent {
     PowerReporter power;
   };
 
+  /// Holds what writes on the robot's own disk, besides the spooler.
+  struct Disk {
+    std::unique_ptr<SpoolWatch> spool;
+    StopMemory stops;
+  };
+
   AgentConfig config_;
   std::unique_ptr<Navigator> navigator_;
+  Disk disk_;
   Session session_;
   Outbox outbox_;
   Replies replies_;
@@ -109,7 +119,6 @@ class RobotAgent final : public Agent {
   ExperienceIds ids_;
   Condition condition_;
   PlaceLearning learning_;
-  StopMemory stop_memory_;
   Reports reports_;
   DiagnosticWatches diagnostics_;
   Counters seen_;  ///< fixes, and refusals of the navigator by their reason

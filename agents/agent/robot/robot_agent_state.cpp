@@ -1,7 +1,11 @@
 #include "agents/agent/robot/robot_agent.hpp"
 
+#include "core/utf8.hpp"
+
 namespace weft::agents {
 namespace {
+
+constexpr std::size_t kLongestRefusal = 1024;  ///< bytes
 
 void add_to(Counters& all, const Counters& more) {
   for (const auto& [name, count] : more) all[name] += count;
@@ -19,6 +23,11 @@ Counters RobotAgent::counters() const {
 
 std::vector<Diagnostic> RobotAgent::diagnostics() const {
   return diagnostics_.all(navigator_->diagnostics());
+}
+
+std::string RobotAgent::trouble() const {
+  const std::string& refuses = disk_.spool->refuses();
+  return refuses.empty() ? std::string() : "its spool refuses what it is to keep: " + refuses;
 }
 
 Standing RobotAgent::standing() const {
@@ -61,6 +70,7 @@ msg::RobotState RobotAgent::state() const {
   state.diagnostics = diagnostics();
   state.safety = condition_.shown();
   state.reason = reason_of(now);
+  state.spool_refuses = as_utf8(disk_.spool->refuses(), kLongestRefusal);
   return state;
 }
 

@@ -28,9 +28,11 @@ Result<void> check_bounds(const AgentConfig& config) {
 Result<std::unique_ptr<Agent>> start(const AgentConfig& config, std::unique_ptr<Navigator> navigator,
                                      storage::Spool& spool, Random random, SteadyTime now) {
   if (Result<void> bounds = check_bounds(config); !bounds) return fail(bounds.error());
-  Result<Spooler> spooler = Spooler::open(spool, SpoolerConfig{}, config.self, now);
+  auto watched = std::make_unique<SpoolWatch>(spool);
+  Result<Spooler> spooler = Spooler::open(*watched, SpoolerConfig{}, config.self, now);
   if (!spooler) return fail(spooler.error());
-  return std::make_unique<RobotAgent>(config, std::move(navigator), spool, std::move(*spooler), random, now);
+  return std::make_unique<RobotAgent>(config, std::move(navigator), std::move(watched), std::move(*spooler), random,
+                                      now);
 }
 
 }  // namespace weft::agents

@@ -277,6 +277,23 @@ TEST(Spooling, RunThatTheDiskCutShortIsSealedOnceThereIsRoom) {
   EXPECT_TRUE(rig.disk->records.empty());
 }
 
+TEST(Spooling, ARobotWhoseDiskIsFullSaysSoUntilThereIsRoom) {
+  Rig rig;
+  rig.run(4s);
+  EXPECT_EQ(rig.last<msg::RobotState>()->spool_refuses, "");
+  EXPECT_EQ(rig.agent->trouble(), "");
+  rig.tell(rig.command(Kind::teach_start, 1));
+  rig.run(1s);
+  rig.disk->faults.full = true;
+  rig.run(20s);
+  EXPECT_NE(rig.last<msg::RobotState>()->spool_refuses.find("full"), std::string::npos);
+  EXPECT_NE(rig.agent->trouble().find("its spool refuses"), std::string::npos);
+  rig.disk->faults.full = false;
+  rig.run(10s);
+  EXPECT_EQ(rig.last<msg::RobotState>()->spool_refuses, "") << "though nobody teaches";
+  EXPECT_EQ(rig.agent->trouble(), "");
+}
+
 TEST(Spooling, DiskThatIsFullAtTheEndForgetsWhatTheServerWillNotHearOf) {
   Rig rig;
   rig.run(4s);

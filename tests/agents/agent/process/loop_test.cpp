@@ -5,6 +5,7 @@
 #include <spdlog/sinks/ringbuffer_sink.h>
 
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -70,6 +71,11 @@ class Echo final : public Agent {
     output.command.linear_m_s = static_cast<double>(sample.frame);
     if (sample.frame == 1) output.hand_start.emplace();
     output.acks = std::exchange(acks, {});
+    if (sample.frame == arrives_at) {
+      driven.reset();
+      output.notes.emplace_back("it has arrived");
+    }
+    if (sample.frame > arrives_at) output.notes.emplace_back("it rests");
     if (sample.frame % 2 == 0)
       output.exposes = ExposureWish{"forward", {0.001 * static_cast<double>(sample.frame), 1.0}};
     return output;
@@ -93,6 +99,7 @@ class Echo final : public Agent {
   std::optional<Route> route() const override { return driven; }
   std::optional<Estimate> estimate() const override { return std::nullopt; }
   std::map<std::string, std::uint64_t> counters() const override { return {}; }
+  std::string trouble() const override { return wrong; }
 
   std::vector<std::uint64_t> frames;
   std::vector<SteadyTime> times;
@@ -102,6 +109,8 @@ class Echo final : public Agent {
   std::vector<std::pair<std::size_t, Duration>> absences;  ///< after how many frames, how long
   std::vector<AckRecord> acks;                             ///< to go out with the next sample
   std::optional<Route> driven;
+  std::uint64_t arrives_at = std::numeric_limits<std::uint64_t>::max();  ///< frame
+  std::string wrong;                                                     ///< its trouble
 
  private:
   Window window_;
@@ -243,6 +252,44 @@ TEST(AgentLoop, LinesOfAGoalNameIt) {
   const std::vector<std::string> lines = said->last_formatted();
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("body: recording is over (goal a5a5a5a5"), std::string::npos) << lines[0];
+}
+
+TEST(AgentLoop, TheLineWithWhichAGoalEndsNamesItAndTheNextDoesNot) {
+  const auto said = std::make_shared<spdlog::sinks::ringbuffer_sink_mt>(16);
+  Bench bench(5, said);
+  bench.agent.driven.emplace();
+  bench.agent.driven->goal.bytes.fill(0xA5);
+  bench.agent.arrives_at = 3;
+  EXPECT_TRUE(bench.run(0.0));
+  const std::vector<std::string> lines = said->last_formatted();
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_NE(lines[0].find("it has arrived (goal a5a5a5a5"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("it rests"), std::string::npos) << lines[1];
+  EXPECT_EQ(lines[1].find("goal"), std::string::npos) << lines[1];
+}
+
+TEST(AgentLoop, ItsHealthShowsWhatTheAgentCannotDo) {
+  const Folder folder;
+  Bench bench(3000);
+  bench.agent.wrong = "its spool refuses what it is to keep: the disk is full";
+  process::Vitals vitals(
+      "weft-agent", folder.path(), [](const std::string& text) { ADD_FAILURE() << text; },
+      process::ServiceManager("", {}), process::steady_now());
+  vitals.ready(process::steady_now());
+  const auto why = [&] { return process::look_at_health(folder.path(), process::steady_now()).why; };
+  const auto stop = [&] {
+    return !bench.agent.failure.empty() || why().find("its spool refuses") != std::string::npos;
+  };
+  EXPECT_TRUE(Loop({.agent = bench.agent,
+                    .body = bench.body,
+                    .link = bench.link,
+                    .records = nullptr,
+                    .log = bench.log,
+                    .server = {},
+                    .vitals = &vitals},
+                   1.0)
+                  .until(stop));
+  EXPECT_NE(why().find("the disk is full"), std::string::npos);
 }
 
 TEST(AgentLoop, HandsAnswerGoesBackToTheAgent) {
