@@ -82,13 +82,14 @@ class FleetMapServer final : public Service {
 
   std::vector<msg::Message> tick(Now now) override {
     if (next_hello_ <= now.steady) say_hello(now.steady);
+    writer_.tick(now);
     for (const RobotId& robot : fleet_.tick(now)) requests_.on_silence(robot, now.steady);
     after(intake_.tick(now), now);
     window_publisher_.tick(now.steady);
     content_server_.tick(now);
     recognition_.tick(now);
     requests_.tick(now);
-    answers_.tick(now.steady);
+    answers_.tick(now);
     traffic_.tick(now);
     routes_.tick(now);
     site_frames_.tick(now);
@@ -99,9 +100,9 @@ class FleetMapServer final : public Service {
   std::optional<SteadyTime> next_tick() const override {
     SteadyTime next = next_hello_;
     for (const std::optional<SteadyTime>& due :
-         {fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(), recognition_.next(),
-          dispatcher_.next(), standstills_.next(), requests_.next(), answers_.next(), traffic_.next(), routes_.next(),
-          site_frames_.next()}) {
+         {writer_.next(), fleet_.next(), intake_.next(), window_publisher_.next(), content_server_.next(),
+          recognition_.next(), dispatcher_.next(), standstills_.next(), requests_.next(), answers_.next(),
+          traffic_.next(), routes_.next(), site_frames_.next()}) {
       if (due) next = std::min(next, *due);
     }
     return next;
@@ -126,6 +127,10 @@ class FleetMapServer final : public Service {
   }
   std::optional<Error> broken() const override { return writer_.broken(); }
   std::optional<Error> store_refuses() const override { return writer_.stopped(); }
+  GoalId goal_of(const RobotId& robot) const override {
+    const Goal* const goal = dispatcher_.goal_of(robot);
+    return goal != nullptr ? goal->id : GoalId{};
+  }
 
  private:
   using Verdict = Incarnations::Verdict;
@@ -270,7 +275,7 @@ class FleetMapServer final : public Service {
     if (admit(request.header, false, now)) requests_.on_request(request, who_asks(request), now);
   }
   void receive(const msg::Query& query, Now now) {
-    if (admit(query.header, false, now)) answers_.on_query(query, now.steady);
+    if (admit(query.header, false, now)) answers_.on_query(query, now);
   }
   /// Counts everything else, which only servers say.
   template <class M>

@@ -40,6 +40,9 @@ class Service {
   /// Returns why the store has refused the last write; none: it took it.
   virtual std::optional<Error> store_refuses() const = 0;
 
+  /// Returns the goal that the robot is to reach; none: it has none. For the log.
+  virtual GoalId goal_of(const RobotId& robot) const = 0;
+
   /// Returns the served map, for invariants and records, never for deciding elsewhere.
   virtual const Snapshot& snapshot() const = 0;
   virtual std::vector<Goal> goals() const = 0;

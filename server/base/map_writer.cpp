@@ -1,5 +1,6 @@
 #include "server/base/map_writer.hpp"
 
+#include <chrono>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,6 +10,17 @@
 #include "server/base/next_map.hpp"
 
 namespace weft::server {
+namespace {
+
+constexpr Duration kBetweenTrials = std::chrono::seconds(5);
+constexpr std::uint64_t kRoom = 1ULL << 20U;  ///< bytes free, without which a full disk counts as full
+
+msg::Event works_again() {
+  return {
+      .at = {}, .kind = "store.works_again", .robot = {}, .goal = {}, .cause = "a write succeeded", .who = "server"};
+}
+
+}  // namespace
 
 Result<MapWriter::Served> MapWriter::commit(storage::Transaction transaction, Now now) {
   if (broken_) return fail(*broken_);
@@ -26,17 +38,8 @@ Result<MapWriter::Served> MapWriter::commit(storage::Transaction transaction, No
     failed(done.error(), now);
     return fail(done.error());
   }
-  for (const msg::Event& event : events) tell(event);
-  if (stopped_) {
-    stopped_.reset();
-    note({.at = {},
-          .kind = "store.works_again",
-          .robot = {},
-          .goal = {},
-          .cause = "a write succeeded",
-          .who = "server"},
-         now);
-  }
+  for (const msg::Event& event : events) tell(event, true);
+  if (std::exchange(stopped_, std::nullopt)) note(works_again(), now);
   if (const Result<void> served = serve(transaction, done->revision); !served) return fail(served.error());
   return snapshots_.shared_current();
 }
@@ -72,7 +75,24 @@ void MapWriter::note(msg::Event event, Now now) {
     ++counters_["store: event told but not kept"];
     failed(kept.error(), now);
   }
-  tell(event);
+  tell(event, kept.has_value());
+}
+
+void MapWriter::tick(Now now) {
+  if (next().value_or(SteadyTime::max()) > now.steady) return;
+  try_at_ = now.steady + kBetweenTrials;
+  // A log that has been emptied has room for a small write on a disk that has none.
+  if (stopped_->code == ErrorCode::exhausted && store_.size().disk_free_bytes < kRoom) return;
+  msg::Event event = works_again();
+  event.at = now.wall;
+  const Result<storage::Commit> done = store_.commit({{storage::PutEvent{event}}});
+  if (!done) return failed(done.error(), now);
+  stopped_.reset();
+  tell(event, true);
+}
+
+std::optional<SteadyTime> MapWriter::next() const {
+  return stopped_ && !broken_ ? std::optional(try_at_) : std::nullopt;
 }
 
 void MapWriter::failed(const Error& error, Now now) {
@@ -81,9 +101,11 @@ void MapWriter::failed(const Error& error, Now now) {
   if (error.code == ErrorCode::conflict || error.code == ErrorCode::invalid) return;
   const bool is_new = !stopped_.has_value();
   stopped_ = error;
+  if (is_new) try_at_ = now.steady + kBetweenTrials;
   if (error.code == ErrorCode::stale) broken_ = error;
   if (is_new) {
-    tell({.at = now.wall, .kind = "store.stopped", .robot = {}, .goal = {}, .cause = error.message, .who = "server"});
+    tell({.at = now.wall, .kind = "store.stopped", .robot = {}, .goal = {}, .cause = error.message, .who = "server"},
+         false);
   }
 }
 

@@ -31,6 +31,11 @@ class MapWriter {
   Result<Served> commit(storage::Transaction transaction, Now now);
   /// Commits one event of its own. It is told even when the store cannot take it, and counted then.
   void note(msg::Event event, Now now);
+  /// Tries whether a store that refused its last write takes one again, when it is time: nobody has to write for
+  /// that. To be called when `next` has come, harmless earlier.
+  void tick(Now now);
+  /// Returns when the next trial is due; none: the store works, or this server has to end.
+  std::optional<SteadyTime> next() const;
 
   /// Returns the served map, and those of the latest revisions.
   const Snapshots& snapshots() const { return snapshots_; }
@@ -45,13 +50,16 @@ class MapWriter {
  private:
   Result<void> serve(const storage::Transaction& transaction, Revision stored);
   void failed(const Error& error, Now now);
-  void tell(const msg::Event& event) { out_.send(msg::EventNote{.header = {}, .event = event}); }
+  void tell(const msg::Event& event, bool is_kept) {
+    out_.send(msg::EventNote{.header = {}, .event = event, .is_kept = is_kept});
+  }
 
   storage::MapStore& store_;
   Outbox& out_;
   Counters& counters_;
   Snapshots snapshots_;
   std::optional<Error> stopped_;
+  SteadyTime try_at_{};  ///< while it is stopped
   std::optional<Error> broken_;
   std::optional<Revision> unserved_;
 };

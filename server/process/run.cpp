@@ -137,11 +137,13 @@ class Loop {
     }
   }
 
+  /// Writes an event to the log, with the goal that it names, or that its robot is to reach.
   void log_event(const msg::Event& event) {
+    const GoalId goal = event.goal || !event.robot ? event.goal : service_.goal_of(event.robot);
     log_.event(event.kind, event.cause,
                {{"who", event.who},
                 {"robot", event.robot ? to_string(event.robot) : ""},
-                {"goal", event.goal ? to_string(event.goal) : ""}});
+                {"goal", goal ? to_string(goal) : ""}});
   }
 
   /// Returns why the server does not do its work although this loop turns; empty: it does.

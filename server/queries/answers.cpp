@@ -1,11 +1,13 @@
 #include "server/queries/answers.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/network/page.hpp"
 #include "core/network/rules.hpp"
 #include "server/base/outcome.hpp"
+#include "server/queries/alarms.hpp"
 #include "server/queries/experience_rows.hpp"
 #include "server/queries/registration_rows.hpp"
 
@@ -15,6 +17,8 @@ namespace {
 constexpr std::size_t kRobotsInPart = 8;  ///< each may describe many cameras
 constexpr std::size_t kEventsInPart = 100;
 constexpr std::size_t kMostEvents = 1000;
+constexpr std::size_t kAlarmsInPart = 100;
+constexpr Duration kBetweenAlarms = std::chrono::seconds(1);
 constexpr std::size_t kMostGoals = 1000;
 constexpr std::size_t kRevisionsInPart = 100;
 constexpr std::size_t kMostRevisions = 1000;
@@ -30,10 +34,10 @@ constexpr std::size_t kEntitiesOfPage = 4 * msg::kPatchEntities;
 
 }  // namespace
 
-Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) {
+Result<Answers::Parts> Answers::answer(const msg::Query& query, Now now) {
   switch (query.kind) {
     case msg::Query::Kind::robots:
-      return robots(now);
+      return robots(now.steady);
     case msg::Query::Kind::goals:
       return goals(query);
     case msg::Query::Kind::events:
@@ -41,13 +45,15 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
     case msg::Query::Kind::log:
       return log(query);
     case msg::Query::Kind::network:
-      return network(query, now);
+      return network(query, now.steady);
     case msg::Query::Kind::experiences:
       return experiences();
     case msg::Query::Kind::rules:
       return rules();
     case msg::Query::Kind::registrations:
       return registrations();
+    case msg::Query::Kind::alarms:
+      return alarms(now);
     case msg::Query::Kind::info:
       break;
   }
@@ -56,7 +62,7 @@ Result<Answers::Parts> Answers::answer(const msg::Query& query, SteadyTime now) 
   return one;
 }
 
-void Answers::on_query(const msg::Query& query, SteadyTime now) {
+void Answers::on_query(const msg::Query& query, Now now) {
   Result<Parts> answered = answer(query, now);
   Parts parts;
   if (answered) {
@@ -85,37 +91,64 @@ std::string Answers::occupies(const RobotId& robot) const {
   return held->from == held->to ? from : from + " to " + to_string(held->held.places[held->to]);
 }
 
+msg::RobotRow Answers::standing(const Robot& robot, SteadyTime now) const {
+  msg::RobotRow row;
+  if (robot.state) row.state = *robot.state;
+  row.description.name = robot.name;
+  row.description.header.sender = robot.id;
+  row.silent_s = seconds(now - robot.heard);
+  row.is_heard = !robot.silent;
+  row.is_twin = robot.incarnations.twins();
+  row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);
+  if (const Wait* const wait = standstills_.wait_of(robot.id)) {
+    row.wait = {.at = wait->at,
+                .needs = wait->needs,
+                .held_by = {wait->held_by.begin(), wait->held_by.end()},
+                .since = wait->since.wall,
+                .rule = wait->rule};
+  }
+  row.standstill = clipped(standstills_.text_of(robot.id));
+  return row;
+}
+
 Answers::Parts Answers::robots(SteadyTime now) const {
   Parts parts;
   for (const auto& [id, robot] : fleet_.robots()) {
     if (parts.empty() || parts.back().robots.size() == kRobotsInPart) parts.emplace_back();
-    msg::RobotRow row;
+    msg::RobotRow row = standing(robot, now);
     if (robot.description) row.description = *robot.description;
-    if (robot.state) row.state = *robot.state;
     row.description.name = robot.name;
     row.description.header.sender = id;
-    row.silent_s = seconds(now - robot.heard);
-    row.is_heard = !robot.silent;
     row.vendor = robot.vendor;
     row.software = robot.software;
-    row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);
     row.occupies = occupies(id);
     row.window_bytes = robot.window_bytes;
     row.content_bytes = robot.content_bytes;
-    if (const Wait* const wait = standstills_.wait_of(id)) {
-      row.wait = {.at = wait->at,
-                  .needs = wait->needs,
-                  .held_by = {wait->held_by.begin(), wait->held_by.end()},
-                  .since = wait->since.wall,
-                  .rule = wait->rule};
-    }
-    row.standstill = clipped(standstills_.text_of(id));
     row.held_by = robot.held_by;
     if (robot.power) row.power = *robot.power;
     put_on_plan(site_frames_, row);
     parts.back().robots.push_back(std::move(row));
   }
   return parts;
+}
+
+Answers::Parts Answers::alarms(Now now) {
+  alarms_seen_ = now.steady;
+  std::vector<msg::RobotRow> rows;
+  for (const auto& [id, robot] : fleet_.robots()) rows.push_back(standing(robot, now.steady));
+  Parts parts;
+  for (msg::Alarm& alarm : alarm_watch_.seen(alarms_of(info(), rows, now.wall), context_.counters, now)) {
+    if (parts.empty() || parts.back().alarms.size() == kAlarmsInPart) parts.emplace_back();
+    alarm.detail = clipped(std::move(alarm.detail));
+    parts.back().alarms.push_back(std::move(alarm));
+  }
+  return parts;
+}
+
+void Answers::tick(Now now) {
+  past_maps_.tick(now.steady);
+  // Looked at now and then, so that it is known since when something is wrong.
+  if (!alarms_seen_ || now.steady - *alarms_seen_ >= kBetweenAlarms) std::ignore = alarms(now);
 }
 
 Answers::Parts Answers::goals(const msg::Query& query) const {
@@ -152,12 +185,19 @@ Result<Answers::Parts> Answers::events(const msg::Query& query) const {
     if (!id) return fail(id.error());
     robot = *id;
   }
-  const Result<std::vector<msg::Event>> events = context_.store.events(query.goal, robot, kMostEvents);
-  if (!events) return fail(events.error());
-  Parts parts;
-  for (const msg::Event& event : *events) {
-    if (parts.empty() || parts.back().events.size() == kEventsInPart) parts.emplace_back();
+  const storage::EventFilter filter = {
+      .goal = query.goal, .robot = robot, .kind = query.event_kind, .since = query.since, .after = query.after_event};
+  const std::size_t most = query.most == 0 ? kMostEvents : std::min<std::size_t>(query.most, kMostEvents);
+  const Result<storage::EventPage> page = context_.store.events(filter, most);
+  if (!page) return fail(page.error());
+  Parts parts(1);
+  for (const msg::Event& event : page->events) {
+    if (parts.back().events.size() == kEventsInPart) parts.emplace_back();
     parts.back().events.push_back(event);
+  }
+  for (msg::QueryReply& part : parts) {
+    part.oldest_event = page->oldest;
+    part.newest_event = page->newest;
   }
   return parts;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "server/dispatcher/standstills.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
+#include "server/queries/alarm_watch.hpp"
 #include "server/queries/past_maps.hpp"
 #include "server/requests/awaited_labels.hpp"
 #include "server/site/site_frames.hpp"
@@ -34,15 +36,18 @@ class Answers {
         awaited_labels_(awaited_labels),
         past_maps_(context) {}
 
-  void on_query(const msg::Query& query, SteadyTime now);
-  void tick(SteadyTime now) { past_maps_.tick(now); }
+  void on_query(const msg::Query& query, Now now);
+  void tick(Now now);
   std::optional<SteadyTime> next() const { return past_maps_.next(); }
 
  private:
   using Parts = std::vector<msg::QueryReply>;
 
-  Result<Parts> answer(const msg::Query& query, SteadyTime now);
+  Result<Parts> answer(const msg::Query& query, Now now);
   Parts robots(SteadyTime now) const;
+  /// Returns what changes of a robot and is not about its place on a plan.
+  msg::RobotRow standing(const Robot& robot, SteadyTime now) const;
+  Parts alarms(Now now);
   Parts goals(const msg::Query& query) const;
   Result<Parts> events(const msg::Query& query) const;
   Result<Parts> log(const msg::Query& query) const;
@@ -64,6 +69,8 @@ class Answers {
   const SiteFrames& site_frames_;
   const AwaitedLabels& awaited_labels_;
   PastMaps past_maps_;
+  AlarmWatch alarm_watch_;
+  std::optional<SteadyTime> alarms_seen_;
 };
 
 }  // namespace weft::server

@@ -20,6 +20,7 @@ using namespace std::chrono_literals;
 namespace sample = storage::sample;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 template <class C>
 concept CanServe = requires(C& context, Snapshot next) {
@@ -170,6 +171,43 @@ TEST_F(MapWriting, EndsWhenAnotherServerHasTheStore) {
   EXPECT_EQ(writer.broken().value().code, ErrorCode::stale);
   EXPECT_FALSE(writer.unserved());
   EXPECT_EQ(writer.snapshots().shared_current(), before);
+}
+
+TEST_F(MapWriting, SaysThatTheStoreWorksAgainThoughNobodyWrites) {
+  disk->faults.full = true;
+  EXPECT_EQ(refusal(sample::transaction(run.next(3))).code, ErrorCode::exhausted);
+  EXPECT_THAT(told(), ElementsAre("store.stopped"));
+  ASSERT_TRUE(writer.next());
+  now.steady = *writer.next();
+  writer.tick(now);
+  EXPECT_TRUE(writer.stopped()) << "the disk is full still";
+  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_GT(*writer.next(), now.steady);
+  disk->faults.full = false;
+  writer.tick(now);
+  EXPECT_TRUE(writer.stopped()) << "not before it is time";
+  now.steady = *writer.next();
+  writer.tick(now);
+  EXPECT_FALSE(writer.stopped());
+  EXPECT_FALSE(writer.next());
+  EXPECT_THAT(told(), ElementsAre("store.works_again"));
+  const auto kept = store->events({.kind = "store"}, 10);
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->events.size(), 1U);
+  EXPECT_EQ(kept->events.front().kind, "store.works_again") << "what it could not keep is told alone";
+}
+
+TEST_F(MapWriting, ToldEventsSayWhetherTheyAreKept) {
+  const auto are_kept = [this] {
+    std::vector<bool> kept;
+    for (const msg::Message& message : out.take()) kept.push_back(std::get<msg::EventNote>(message).is_kept);
+    return kept;
+  };
+  writer.note(event("robot.silent").event, now);
+  EXPECT_THAT(are_kept(), ElementsAre(true));
+  disk->faults.fail_next = 1;
+  writer.note(event("robot.silent").event, now);
+  EXPECT_THAT(are_kept(), ElementsAre(false, false)) << "store.stopped, and what was noted";
 }
 
 }  // namespace
