@@ -67,6 +67,8 @@ constexpr std::array kAskings{
     Asking{Command::hold, run_operator, kAMinute},
     Asking{Command::unhold, run_operator, kAMinute},
     Asking{Command::map_register, run_register, kAMinute},
+    Asking{Command::events, run_events, kSoon},
+    Asking{Command::alarms, run_alarms, kSoon},
 };
 
 const Asking* asking_for(Command command) {
@@ -80,6 +82,10 @@ Duration patience(const Invocation& invocation) {
   if (invocation.timeout_s.has_value()) return from_seconds(*invocation.timeout_s);
   const Asking* const asking = asking_for(invocation.command);
   return asking == nullptr ? kSoon : asking->patience;
+}
+
+Duration reach(const Invocation& invocation) {
+  return std::min(patience(invocation), kReach);
 }
 
 namespace {
@@ -168,7 +174,8 @@ Exit run_offline(const Invocation& invocation, const Output& output) {
 
 Exit run(Session& session, const Invocation& invocation, const Output& output) {
   if (!needs_server(invocation.command)) return run_offline(invocation, output);
-  const Result<msg::Hello> server = session.connect(std::min(patience(invocation), kReach));
+  if (invocation.command == Command::bundle) return run_bundle(session, invocation, output);
+  const Result<msg::Hello> server = session.connect(reach(invocation));
   if (!server) return report(server.error(), invocation.json, output);
   if (invocation.command == Command::doctor) return run_doctor(session, *server, invocation, output);
   if (const Asking* const asking = asking_for(invocation.command)) return asking->run(session, invocation, output);

@@ -78,10 +78,18 @@ Exit run_register(Session& session, const Invocation& invocation, const Output& 
 Result<msg::OperatorRequest> rule_request(const Invocation& invocation);
 Exit run_import(Session& session, const Invocation& invocation, const Output& output);
 Exit run_goals(Session& session, const Invocation& invocation, const Output& output);
+/// Shows what has happened, and with --follow what happens until it is interrupted.
+Exit run_events(Session& session, const Invocation& invocation, const Output& output);
+/// Shows what is wrong now: done if nothing is, failed otherwise.
+Exit run_alarms(Session& session, const Invocation& invocation, const Output& output);
+/// Gathers what a bug report needs into one archive; without a server what this machine has.
+Exit run_bundle(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);
 
 /// Returns the --timeout that the invocation asks for, or what suits the command.
 Duration patience(const Invocation& invocation);
+/// Returns how long a command looks for its server.
+Duration reach(const Invocation& invocation);
 Result<msg::QueryReply> query_robots(Session& session, Duration at_most);
 Names names_of(const std::vector<msg::RobotRow>& robots);
 /// Shows the server's reply and returns its exit code.

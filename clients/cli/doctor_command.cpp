@@ -7,9 +7,7 @@
 namespace weft::cli {
 namespace {
 
-constexpr double kSilent = 5.0;                  // seconds
-constexpr double kSkewed = 1.0;                  // seconds
-constexpr std::uint64_t kDiskLow = 1ULL << 30U;  // bytes
+constexpr double kSilent = 5.0;  // seconds
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
 
 /// Describes one thing that was looked at.
@@ -32,7 +30,7 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
   const bool takes = info.stopped.empty();
   found.push_back({"store", takes,
                    takes ? "takes what is handed in" : "takes nothing since its last write failed: " + info.stopped});
-  const bool room = info.disk_free_bytes >= kDiskLow;
+  const bool room = info.disk_free_bytes >= msg::kDiskLowBytes;
   found.push_back({"disk", room,
                    fixed(static_cast<double>(info.disk_free_bytes) / kGiB, 1) + " GiB free at the server" +
                        (room ? "" : ": make room, or batches will be refused")});
@@ -58,7 +56,7 @@ std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& serve
                      "version " + row.software +
                          (same ? "" : ", the server's " + server_software + ": update the older one when it suits")});
   }
-  const bool close = std::abs(row.clock_skew_s) <= kSkewed;
+  const bool close = std::abs(row.clock_skew_s) <= msg::kClockOff_s;
   found.push_back({name, close,
                    "clock " + fixed(row.clock_skew_s * 1000.0, 0) + " ms ahead of the server's" +
                        (close ? "" : ": run an NTP client there; records will not line up")});

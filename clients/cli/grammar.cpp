@@ -21,6 +21,7 @@ void Grammar::all() {
       "Find out a robot's camera, or how it is mounted: `weft calibrate --help`; needs no server but weft-agent",
       Command::calibrate);
   add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
+  watching();
   // Last, because commands inherit the footer that is there when they are added.
   app_.footer(
       "ROBOT is a robot's name or id. Each command has its own --help. An example, in order:\n"

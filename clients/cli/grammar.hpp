@@ -58,6 +58,10 @@ class Grammar {
   void only_say(CLI::App& sub);
   void covering(CLI::App& sub);
 
+  // grammar_watch.cpp
+  /// Adds what looks at the whole fleet: events, alarms, and the archive for a bug report.
+  void watching();
+
   // grammar_rules.cpp
   /// Adds the commands on rules. Each change is one revision, which `map undo --revision` takes back.
   void rules();

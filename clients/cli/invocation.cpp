@@ -10,6 +10,7 @@
 #include "clients/cli/grammar.hpp"
 #include "core/names.hpp"
 #include "core/polyline.hpp"
+#include "core/text.hpp"
 
 namespace weft::cli {
 namespace {
@@ -41,6 +42,13 @@ Result<void> check_names(const Invocation& invocation) {
   }
   if (!invocation.plan.empty()) {
     if (Result<void> good = check_name("plan", invocation.plan); !good) return good;
+  }
+  constexpr const char* of_kinds = "abcdefghijklmnopqrstuvwxyz_.";
+  const std::string& kind_of_events = invocation.event_kind;
+  if (kind_of_events.size() > kLongestName || kind_of_events.find_first_not_of(of_kinds) != std::string::npos) {
+    return fail(ErrorCode::invalid, "--kind " + cited(kind_of_events) +
+                                        ": kinds of events are words with dots, as goal.assigned or goal; `weft "
+                                        "events` shows them");
   }
   const bool names_label = invocation.command == Command::localise && !invocation.place.empty() &&
                            !parse_place_id(invocation.place).has_value();

@@ -7,6 +7,7 @@
 
 #include "clients/cli/anchor.hpp"
 #include "clients/cli/polygon.hpp"
+#include "clients/cli/since.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -66,7 +67,10 @@ struct Invocation {
     edge_open,
     hold,
     unhold,
-    map_register
+    map_register,
+    events,
+    alarms,
+    bundle
   };
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all
@@ -109,6 +113,12 @@ struct Invocation {
   bool no_plan = false;   ///< map export, map draw: in no plan's frame
   bool removes = false;   ///< map register: remove it
   double sigma_m = 0.05;  ///< map register: of each pick
+  std::optional<Since> since;         ///< events: none: the last few
+  std::string event_kind;             ///< events: its beginning, up to a dot; empty: all
+  unsigned last = 100;                ///< events: how many, without `since`
+  bool follows = false;               ///< events: go on until interrupted
+  std::vector<std::string> logs;      ///< bundle: files besides this machine's journal
+  std::vector<std::string> settings;  ///< bundle: files besides those in /etc/weft
   bool json = false;
 
   std::vector<std::string> servers;

@@ -85,6 +85,8 @@ json to_json(const msg::RobotRow& row, const Names& names) {
   object["held"] = row.held_by.empty() ? json() : json(row.held_by);
   object["on_plan"] = row.plan.empty() ? json() : json{{"plan", row.plan}, {"pose", to_json(row.plan_from_robot)}};
   object["standstill"] = row.standstill.empty() ? json() : json(row.standstill);
+  object["spool_refuses"] = row.state.spool_refuses.empty() ? json() : json(row.state.spool_refuses);
+  object["twins"] = row.is_twin;
   return object;
 }
 
@@ -141,6 +143,7 @@ json to_json(const msg::Event& event, const Names& names) {
   json object = {{"at", iso_time(event.at)}, {"kind", event.kind}, {"cause", event.cause}, {"who", event.who}};
   object["robot"] = event.robot ? json(name_of(names, event.robot)) : json();
   object["goal"] = event.goal ? json(to_string(event.goal)) : json();
+  object["number"] = event.number != 0 ? json(event.number) : json();
   return object;
 }
 

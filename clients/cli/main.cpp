@@ -1,8 +1,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
+#include <optional>
 #include <random>
 
 #include "clients/cli/commands.hpp"
@@ -33,6 +36,32 @@ WallTime wall_now() {
   return WallTime{std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())};
 }
 
+/// Keeps SIGINT and SIGTERM from this thread and all that are started after it, and tells whether one has come.
+class Interrupts {
+ public:
+  Interrupts() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  }
+  bool came() {
+    const timespec none{};
+    has_come_ = has_come_ || sigtimedwait(&signals_, nullptr, &none) > 0;
+    return has_come_;
+  }
+
+ private:
+  sigset_t signals_{};
+  bool has_come_ = false;
+};
+
+/// Returns whether a command ends by itself when it is interrupted; others are ended by the signal.
+bool ends_by_itself(const cli::Invocation& invocation) {
+  using Command = cli::Invocation::Command;
+  return invocation.command == Command::bundle || (invocation.command == Command::events && invocation.follows);
+}
+
 /// Returns the name of who asks, as events show it.
 std::string operator_name() {
   const std::string user = from_environment("USER");
@@ -46,6 +75,8 @@ cli::Exit run(const cli::Invocation& invocation) {
   PeerId self;
   for (std::uint8_t& byte : self.bytes) byte = static_cast<std::uint8_t>(random.next() >> 8U);
   self = cli::identity(invocation, self);
+  std::optional<Interrupts> interrupts;  // before the bus starts threads
+  if (ends_by_itself(invocation)) interrupts.emplace();
   const Result<bus::Vendor> vendor = bus::parse_vendor(invocation.vendor);
   if (!vendor) return cli::report(vendor.error(), invocation.json, output);
   bus::BusConfig config;
@@ -61,7 +92,7 @@ cli::Exit run(const cli::Invocation& invocation) {
     link.wait(at_most);
     for (const std::string& notice : link.bus().drain_notices()) std::cerr << "weft: " << notice << "\n";
   };
-  const cli::World world{steady_now, wall_now, wait};
+  const cli::World world{steady_now, wall_now, wait, [&interrupts] { return interrupts && interrupts->came(); }};
   cli::Session session(link, world, random, self, operator_name());
   return cli::run(session, invocation, output);
 }

@@ -13,6 +13,7 @@ using namespace std::chrono_literals;
 constexpr Duration kRepeatFirst = 500ms;
 constexpr Duration kRepeatMost = 2s;
 constexpr Duration kListen = 100ms;
+constexpr std::size_t kMostUnkept = 1000;
 
 template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
@@ -48,6 +49,7 @@ msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
     append(all.routes, part->second.routes);
     append(all.arrivals, part->second.arrivals);
     append(all.events, part->second.events);
+    append(all.alarms, part->second.alarms);
     append(all.log, part->second.log);
     append(all.network.places, part->second.network.places);
     append(all.network.edges, part->second.network.edges);
@@ -103,6 +105,20 @@ void Session::note(const msg::Hello& hello) {
   if (!server_.has_value() || hello.epoch >= server_->epoch) server_ = hello;
 }
 
+void Session::note(const msg::EventNote& event) {
+  if (!event.is_kept && unkept_.size() < kMostUnkept) unkept_.push_back(event.event);
+}
+
+void Session::note_unasked(const msg::Message& message) {
+  if (const auto* const hello = std::get_if<msg::Hello>(&message)) note(*hello);
+  if (const auto* const event = std::get_if<msg::EventNote>(&message)) note(*event);
+}
+
+void Session::listen(SteadyTime until) {
+  while (const std::optional<msg::Message> message = link_.take()) note_unasked(*message);
+  world_.wait(std::max(Duration{}, std::min(kListen, until - world_.now())));
+}
+
 GoalId Session::new_goal() {
   GoalId id;
   for (std::uint8_t& byte : id.bytes) byte = static_cast<std::uint8_t>(random_.next() >> 8U);
@@ -116,11 +132,11 @@ Result<void> Session::converse(const msg::Message& question, Duration at_most,
   Duration wait = kRepeatFirst;
   while (true) {
     while (const std::optional<msg::Message> message = link_.take()) {
-      if (const auto* const from_server = std::get_if<msg::Hello>(&*message)) note(*from_server);
+      note_unasked(*message);
       if (heard(*message)) return {};
     }
     const SteadyTime now = world_.now();
-    if (now >= end) return fail(ErrorCode::timed_out, "no answer in time");
+    if (now >= end || world_.interrupted()) return fail(ErrorCode::timed_out, "no answer in time");
     if (now >= send_at) {
       // A full queue is one more reason to send again later.
       std::ignore = link_.send(question);

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clients/cli/content_fetcher.hpp"
@@ -20,7 +21,8 @@ namespace weft::cli {
 struct World {
   std::function<SteadyTime()> now;
   std::function<WallTime()> wall;
-  std::function<void(Duration)> wait;  ///< at most so long; less when something has come in
+  std::function<void(Duration)> wait;                        ///< at most so long; less when something has come in
+  std::function<bool()> interrupted = [] { return false; };  ///< somebody wants this to end
 };
 
 /// Holds one operator's conversation with the server: asks, repeats with the same number what is not answered, and
@@ -37,7 +39,8 @@ class Session {
   /// Sends the request and returns the answer. timed_out: there was none within `at_most`, or, of long work, no
   /// progress report for that time; what the request asked for may still happen.
   Result<msg::OperatorReply> ask(msg::OperatorRequest request, Duration at_most, const Progress& under_way = {});
-  /// Asks the server, and joins all parts of its answer. refused, internal: in the server's words, why it has none.
+  /// Asks the server, and joins all parts of its answer. timed_out: there was none within `at_most`, or somebody
+  /// wants this to end. refused, internal: in the server's words, why it has none.
   Result<msg::QueryReply> query(msg::Query query, Duration at_most);
   struct Wanted {
     Revision at = {};          ///< 0: as it is
@@ -55,6 +58,11 @@ class Session {
   /// Errors of the fetcher.
   Result<void> fetch(ContentFetcher& fetcher, Duration quiet);
 
+  /// Waits for what the server says unasked, until then at most.
+  void listen(SteadyTime until);
+  /// Returns the events that came since the last time and that the server's store could not keep, oldest first.
+  std::vector<msg::Event> take_unkept() { return std::exchange(unkept_, {}); }
+
   GoalId new_goal();
   std::string vendor() const { return link_.bus().vendor(); }
   const World& world() const { return world_; }
@@ -63,6 +71,8 @@ class Session {
   msg::Header header();
   msg::Hello hello() const;
   void note(const msg::Hello& hello);
+  void note(const msg::EventNote& event);
+  void note_unasked(const msg::Message& message);
   /// Sends with growing pauses until `heard` says that the answer is whole.
   Result<void> converse(const msg::Message& question, Duration at_most,
                         const std::function<bool(const msg::Message&)>& heard);
@@ -77,6 +87,7 @@ class Session {
   std::uint64_t sequence_ = 0;
   bool is_server_heard_ = false;
   std::optional<msg::Hello> server_;  ///< has answered our challenge
+  std::vector<msg::Event> unkept_;
 };
 
 }  // namespace weft::cli

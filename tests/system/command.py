@@ -17,6 +17,7 @@ LEARNING_DOMAIN, EDITED_MAP_DOMAIN, JSON_DOMAIN = 156, 157, 158
 STAND_STILL_DOMAINS = 160, 161
 CEILING_DOMAIN = 159
 HEALTH_DOMAIN = 162
+WATCHED_DOMAIN = 163
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
 

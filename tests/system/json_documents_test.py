@@ -50,7 +50,7 @@ class JsonDocuments(Fleet):
                               stdin=subprocess.DEVNULL, env={**os.environb, b'USER': USER})
         text = done.stdout.decode()  # strictly
         self.assertNotIn('\\u0000', text)
-        if words[:2] == [b'goal', b'watch']:
+        if words[:2] == [b'goal', b'watch'] or words[:1] == [b'events']:
             return done.returncode, [json.loads(line) for line in text.splitlines()]
         return done.returncode, [json.loads(text)]
 
@@ -168,6 +168,10 @@ class JsonDocuments(Fleet):
         ended, documents = self.documents('goal', 'cancel', later)  # it may be over already
         self.fits('error' if ended else 'reply', documents[0], 'goal cancel')
         done('doctor', exits=(0, 1))
+        done('events')
+        done('events', '--robot', 'r1', '--kind', 'robot', '--since', '1h')
+        done('alarms', exits=(0, 1))
+        done('bundle', self.folder / 'report.tar.gz', '--log', self.folder / 'server.log', '--log', '/nowhere/x.log')
         done('file info', self.folder / 'two.g2o')
         done('file convert', self.folder / 'two.g2o', '--to', self.folder / 'again.g2o')
         done('robot clear', 'r1', '--yes')
@@ -191,6 +195,7 @@ class JsonDocuments(Fleet):
                       ('map', 'compact', '--before', 4711), ('map', 'snapshot', '/nowhere/s'),
                       ('map', 'restore', '/nowhere/s', '--store', self.folder / 'x'), ('goal', 'send', '--to', 'nowhere'),
                       ('goal', 'show', 'abcdef'), ('goal', 'watch', 'abcdef'), ('goal', 'cancel', 'abcdef'), ('goal', 'why', 'abcdef'),
+                      ('events', '--robot', 'nobody'), ('bundle', self.folder / 'report.zip'), ('bundle', '/nowhere/r.tar.gz'),
                       ('file', 'info', '/nowhere/x.g2o'), ('file', 'convert', '/nowhere/x.g2o', '--to', self.folder / 'y.g2o')):
             with self.subTest(words=words):
                 self.assertIn(self.is_refused(*words), (1, 2, 4))

@@ -239,7 +239,8 @@ Said Fleet::weft(const std::vector<std::string>& arguments) {
   const PeerId self = identity(std::get<Invocation>(parsed), peer(static_cast<std::uint8_t>(100 + operators_++)));
   bus::Link link(net_.attach(msg::Role::client, self));
   const World world{[this] { return now; }, [this] { return both().wall; },
-                    [this](Duration at_most) { turn(std::min(std::max(at_most, Duration{1ms}), kStep)); }};
+                    [this](Duration at_most) { turn(std::min(std::max(at_most, Duration{1ms}), kStep)); },
+                    interrupted};
   Session session(link, world, Random(operators_), self, "tester");
   std::ostringstream out;
   std::ostringstream err;

@@ -62,7 +62,8 @@ class Fleet {
   std::shared_ptr<storage::MemoryDisk> disk;
   std::unique_ptr<server::Service> service;
   SteadyTime now{};
-  std::map<msg::Query::Kind, std::size_t> asked;  ///< queries that the server took, by kind
+  std::map<msg::Query::Kind, std::size_t> asked;             ///< queries that the server took, by kind
+  std::function<bool()> interrupted = [] { return false; };  ///< the operator ends the command
 
  private:
   void turn(Duration step);
