@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,12 @@ struct Stops {
   bool by_operator = false;
   bool by_emergency_stop = false;
   bool operator==(const Stops&) const = default;
+};
+
+/// Tells how much room a spool has.
+struct SpoolRoom {
+  std::optional<std::uint64_t> free_bytes;  ///< of its disk; none: not known
+  std::string refuses = {};                 ///< why its disk did not take what was written last; empty: it did
 };
 
 /// Keeps a robot's own copy of what the server has not yet acknowledged, and why it stands; survives its crash.
@@ -48,6 +55,7 @@ class Spool {
   virtual Result<void> try_room(std::uint64_t bytes) = 0;
   /// Returns what was found torn or damaged at opening and is not among the pending, each named with its file.
   virtual std::vector<std::string> skipped() const { return {}; }
+  virtual SpoolRoom room() const = 0;
 };
 
 }  // namespace weft::storage
