@@ -12,9 +12,9 @@
 /// IDL of the same names is in idl/. `to` names the peer that a message is for.
 namespace weft::msg {
 
-using Message =
-    std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest, WindowRequest,
-                 WindowPatch, Recognise, Recognised, RouteOrder, RouteProgress, AgentCommand, AgentReply,
-                 OperatorRequest, OperatorReply, Query, QueryReply, EventNote, ClockProbe, ClockReply, RobotPower>;
+using Message = std::variant<Hello, RobotDescription, RobotState, ExperienceBatch, BatchAck, Chunk, ContentRequest,
+                             WindowRequest, WindowPatch, Recognise, Recognised, RouteOrder, RouteProgress,
+                             AgentCommand, AgentReply, OperatorRequest, OperatorReply, Query, QueryReply, EventNote,
+                             ClockProbe, ClockReply, RobotPower, Echo>;
 
 }  // namespace weft::msg

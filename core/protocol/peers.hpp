@@ -47,6 +47,18 @@ struct Hello {
   std::vector<std::uint64_t> answers{};
 };
 
+inline constexpr std::size_t kEchoBytes = 16'384;
+
+/// Comes back from the server as it is, within its bounds: measures the network between a client and the server. It
+/// is not sent again when it is lost.
+struct Echo {
+  Header header;
+  PeerId to;  ///< none: to the server
+  std::uint64_t request = 0;
+  std::uint32_t number = 0;  ///< of those of one request
+  Bytes load;                ///< at most kEchoBytes
+};
+
 struct ClockProbe {
   Header header;
   PeerId to;

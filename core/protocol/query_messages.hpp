@@ -84,9 +84,11 @@ struct RobotRow {
   std::string vendor;
   std::string software;  ///< the agent's version
   double clock_skew_s = 0.0;
-  std::string occupies;             ///< for people: from place to place
-  std::uint64_t window_bytes = 0;   ///< sent to it since the server started: its window's patches
-  std::uint64_t content_bytes = 0;  ///< the same of contents
+  std::string occupies;               ///< for people: from place to place
+  std::uint64_t window_bytes = 0;     ///< sent to it since the server started: its window's patches
+  std::uint64_t content_bytes = 0;    ///< the same of contents
+  std::uint64_t messages_heard = 0;   ///< of its agent's present start
+  std::uint64_t messages_missed = 0;  ///< of those that it sent meanwhile: lost, or overtaken by newer ones
   RobotWait wait;
   std::string standstill;  ///< that it is in or waits behind, and what would help; empty: there is none
   RobotPower power;        ///< the last that it said; no sender: it has said nothing

@@ -63,8 +63,11 @@ struct RobotState {
   std::uint64_t memory_cap_bytes = 0;   ///< it never holds more
   std::vector<Diagnostic> diagnostics;  ///< what driving has shown of the robot: its camera's mount
   Safety safety = Safety::ok;           ///< as its base says
-  std::string reason;                   ///< why it stands, when it stands
-  std::string spool_refuses;            ///< why its spool takes nothing at the moment; empty: it does
+  std::uint32_t spool_batches = 0;      ///< taught or learned, and not acknowledged yet
+  /// Says what its spool's disk has left; none: not known.
+  std::optional<std::uint64_t> spool_free_bytes;
+  std::string reason;         ///< why it stands, when it stands
+  std::string spool_refuses;  ///< why its spool takes nothing at the moment; empty: it does
 };
 
 /// Tells what a robot's battery holds; of bodies that know it.

@@ -39,7 +39,8 @@ struct BusConfig {
 
 struct BusCounters {
   std::uint64_t sent = 0, received = 0, dropped_inbox = 0, refused_size = 0, refused_vendor = 0, publish_failed = 0;
-  std::uint64_t peers = 0;  ///< that there are means to write to at this moment
+  std::uint64_t peers = 0;    ///< that there are means to write to at this moment
+  std::uint64_t waiting = 0;  ///< in the inbox at this moment
 };
 
 /// Sends and receives byte messages on the table's topics, in a star over DDS: the server speaks with every peer,

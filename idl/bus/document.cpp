@@ -28,6 +28,8 @@ std::string qos(const Topic& topic) {
       return "reliable, transient local, last " + depth + " a key";
     case Delivering::ordered:
       return "reliable, all, at most " + depth + " unacknowledged";
+    case Delivering::once:
+      return "best effort";
     case Delivering::prompt:
       break;
   }

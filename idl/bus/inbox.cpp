@@ -85,7 +85,9 @@ void Inbox::count_publish(const Result<void>& published, bool oversized) {
 
 BusCounters Inbox::counters() const {
   const std::lock_guard lock(mutex_);
-  return counters_;
+  BusCounters counters = counters_;
+  counters.waiting = small_.size() + bulk_.size();
+  return counters;
 }
 
 }  // namespace weft::bus

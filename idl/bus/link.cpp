@@ -25,6 +25,11 @@ std::string counted_reason(std::string_view text) {
   return reason.substr(0, kLongest);
 }
 
+void count(TopicTraffic& traffic, std::size_t bytes) {
+  ++traffic.messages;
+  traffic.bytes += bytes;
+}
+
 }  // namespace
 
 Link::Link(std::unique_ptr<Bus> bus) : bus_(std::move(bus)) {}
@@ -35,6 +40,7 @@ Result<std::size_t> Link::send(const msg::Message& message) {
   if (const Result<void> sent = bus_->publish(encoded->topic, encoded->to, encoded->cdr); !sent) {
     return fail(sent.error());
   }
+  count(sent_[encoded->topic], encoded->cdr.size());
   return encoded->cdr.size();
 }
 
@@ -45,6 +51,7 @@ std::optional<msg::Message> Link::take() {
       refuse(topic(delivery->topic).name, message.error().message, 1);
       continue;
     }
+    count(received_[delivery->topic], delivery->cdr.size());
     if (const auto* const hello = std::get_if<msg::Hello>(&*message)) greet(*hello);
     return std::move(*message);
   }

@@ -12,6 +12,12 @@
 
 namespace weft::bus {
 
+/// Counts messages of one topic, and their bytes as they are serialised.
+struct TopicTraffic {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;
+};
+
 /// Joins core to the wire for one process: encodes, decodes and validates (from_idl). A message that is malformed,
 /// oversized or of another protocol version is refused, its reason counted; it never reaches deciding code.
 class Link {
@@ -26,6 +32,9 @@ class Link {
   Bus& bus() { return *bus_; }
   /// Returns how often messages were refused, by "<topic>: <reason>".
   const std::map<std::string, std::uint64_t>& refusals() const { return refusals_; }
+  /// Return what was sent and what came and was valid, by topic.
+  const std::map<TopicId, TopicTraffic>& sent() const { return sent_; }
+  const std::map<TopicId, TopicTraffic>& received() const { return received_; }
   /// Returns the last refusals with their whole text, for the log, and clears them.
   std::vector<std::string> drain_refusal_texts();
 
@@ -38,6 +47,8 @@ class Link {
   BusCounters seen_;
   std::map<PeerId, std::uint64_t> incarnations_;
   std::map<std::string, std::uint64_t> refusals_;
+  std::map<TopicId, TopicTraffic> sent_;
+  std::map<TopicId, TopicTraffic> received_;
   std::vector<std::string> texts_;
 };
 

@@ -65,4 +65,10 @@ WEFT_TOPIC(clock_probe, ClockProbe, .name = "weft/1/clock_probe", .writers = kSe
            .addressed = true, .depth = 4, .lifespan = seconds(1), .max_bytes = kKiB, .rate = "one in 10 s a peer")
 WEFT_TOPIC(clock_reply, ClockReply, .name = "weft/1/clock_reply", .writers = kPeers, .readers = kServer, .depth = 4,
            .max_bytes = kKiB, .rate = "one a probe")
+WEFT_TOPIC(echo_up, Echo, .name = "weft/1/echo/up", .writers = kClient, .readers = kServer,
+           .delivering = Delivering::once, .depth = 16, .max_bytes = 20 * kKiB,
+           .rate = "up to 64/s and 0.5 MB/s while an operator measures the network")
+WEFT_TOPIC(echo_down, Echo, .name = "weft/1/echo/down", .writers = kServer, .readers = kClient, .addressed = true,
+           .delivering = Delivering::once, .depth = 16, .max_bytes = 20 * kKiB,
+           .rate = "one an echo that came, up to 1 MB/s to all clients together")
 #undef WEFT_TOPIC

@@ -41,6 +41,7 @@ class Roles {
 enum class Delivering : std::uint8_t {
   state,    ///< reliable; late joiners get the last one of each key (transient local, keep last 1)
   prompt,   ///< reliable; keeps the last `depth`; writers never wait for readers
+  once,     ///< best effort: what is lost on the way stays lost
   ordered,  ///< reliable; keeps all up to `depth` unacknowledged ones, then publish says `unavailable`
 };
 

@@ -86,6 +86,8 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.text("occupies", value.occupies, wire.occupies(), kTextLength);
   io.any(value.window_bytes, wire.window_bytes());
   io.any(value.content_bytes, wire.content_bytes());
+  io.any(value.messages_heard, wire.messages_heard());
+  io.any(value.messages_missed, wire.messages_missed());
   io.in("wait", value.wait, wire.wait());
   io.text("standstill", value.standstill, wire.standstill(), kTextLength);
   if (io.is_there(bool(value.power.header.sender), wire.has_power())) io.in("power", value.power, wire.power());

@@ -39,6 +39,7 @@ struct Bound {
 /// Lists the bounds that docs/wire.md shows.
 inline constexpr Bound kBounds[] = {
     {"data of a chunk, bytes", msg::kChunkBytes},
+    {"load of an echo, bytes", msg::kEchoBytes},
     {"a content or cloud, bytes", msg::kContentBytes},
     {"places, edges and removals in one part of a patch", msg::kPatchEntities},
     {"labels in one part of a patch", kLabels},

@@ -67,6 +67,12 @@ void describe(Io& io, Value<Io, msg::RobotState>& value, Wire<Io, idl::RobotStat
   io.any(value.memory_cap_bytes, wire.memory_cap_bytes());
   io.each("diagnostics", value.diagnostics, wire.diagnostics(), kDiagnostics);
   io.choice("safety", value.safety, wire.safety(), Safety::ok, Safety::blocked);
+  io.any(value.spool_batches, wire.spool_batches());
+  std::uint64_t spool_free_bytes = value.spool_free_bytes.value_or(0);
+  if (io.is_there(value.spool_free_bytes.has_value(), wire.has_spool_free_bytes())) {
+    io.any(spool_free_bytes, wire.spool_free_bytes());
+    if constexpr (Io::kReads) value.spool_free_bytes = spool_free_bytes;
+  }
   io.text("reason", value.reason, wire.reason(), kTextLength);
   io.text("spool_refuses", value.spool_refuses, wire.spool_refuses(), kTextLength);
 }
@@ -82,6 +88,16 @@ void describe(Io& io, Value<Io, msg::RobotPower>& value, Wire<Io, idl::RobotPowe
     io.not_negative("minutes", minutes, wire.minutes());
     if constexpr (Io::kReads) value.minutes = minutes;
   }
+}
+
+template <class Io>
+void describe(Io& io, Value<Io, msg::Echo>& value, Wire<Io, idl::Echo>& wire) {
+  io.in("header", value.header, wire.header());
+  io.any(value.to, wire.to());
+  io.any(value.request, wire.request());
+  io.any(value.number, wire.number());
+  io.any(value.load, wire.load());
+  io.require_at_most(value.load.size(), msg::kEchoBytes, "load", " bytes");
 }
 
 template <class Io>

@@ -93,6 +93,8 @@ msg::RobotState state() {
   made.memory_cap_bytes = 64'000'000;
   made.diagnostics = {{"mount_pitch_rad", 0.0078125, 0.0009765625, 0.0}, {"height_offset_m", -0.0078125, 0.0, 0.007}};
   made.safety = Safety::protective_stop;
+  made.spool_batches = 6;
+  made.spool_free_bytes = 7'000'000'000;
   made.reason = "window is incomplete";
   made.spool_refuses = "the disk is full";
   return made;
@@ -187,6 +189,8 @@ msg::QueryReply query_reply() {
                   "0000000000000001:5 to 0000000000000002:0",
                   70'000,
                   4'000'000,
+                  9'000,
+                  45,
                   msg::RobotWait{place_id(0xabcdef, 0),
                                  place_id(0xabcdef, 2),
                                  {example_addressee()},
@@ -277,6 +281,10 @@ void add_session(std::vector<Example>& all) {
   all.push_back({"robot_description", Role::agent, description()});
   all.push_back({"robot_state", Role::agent, state()});
   all.push_back({"robot_power", Role::agent, power()});
+  for (const auto& [name, writer] : {std::pair{"echo_up", Role::client}, std::pair{"echo_down", Role::server}}) {
+    const PeerId to = writer == Role::server ? example_addressee() : PeerId{};
+    all.push_back({name, writer, msg::Echo{header(), to, 14, 3, {1, 2, 4, 8}}});
+  }
   all.push_back({"clock_probe", Role::server,
                  msg::ClockProbe{header(), example_addressee(), 13, WallTime(Duration(1'700'000'000'123'456'789))}});
   all.push_back({"clock_reply", Role::agent,

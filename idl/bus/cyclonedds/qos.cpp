@@ -13,7 +13,9 @@ constexpr std::uint32_t kUnacknowledged = 8U << 20U;
 Qos base_qos(const Topic& topic) {
   Qos qos(dds_create_qos(), dds_delete_qos);
   const bool ordered = topic.delivering == Delivering::ordered;
-  dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, (ordered ? kOrderedBlocking : kBlocking).count());
+  const bool once = topic.delivering == Delivering::once;
+  dds_qset_reliability(qos.get(), once ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+                       (ordered ? kOrderedBlocking : kBlocking).count());
   const bool keeps = topic.delivering == Delivering::state || topic.lifespan > Duration{};
   dds_qset_durability(qos.get(), keeps ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;

@@ -25,7 +25,8 @@ rtps::Locator_t locator(const std::string& ipv4, std::uint16_t port) {
 
 template <class Qos>
 void apply(Qos& qos, const Topic& topic) {
-  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  const bool once = topic.delivering == Delivering::once;
+  qos.reliability().kind = once ? dds::BEST_EFFORT_RELIABILITY_QOS : dds::RELIABLE_RELIABILITY_QOS;
   const bool keeps = topic.delivering == Delivering::state || topic.lifespan > Duration{};
   qos.durability().kind = keeps ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
   qos.resource_limits().max_samples = 0;  // 0: no limit
