@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,6 +57,14 @@ struct AgentOutput {
   std::vector<std::string> notes;  ///< for the log: what changed and why
 };
 
+/// Holds how an agent is, in numbers, at one moment.
+struct AgentFigures {
+  msg::RobotState state;  ///< without a header
+  Epoch epoch;            ///< of its server; 0: none was heard
+  std::size_t window_places = 0;
+  std::map<std::string, std::uint64_t> counters;
+};
+
 /// Describes one robot's agent without its edges: session with the server, spool, window and contents, mission. No
 /// clock, thread or socket. `step` runs on the body's samples, `handle` and `tick` on the process's steady clock.
 class Agent {
@@ -85,6 +94,8 @@ class Agent {
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }
   /// Returns why the agent cannot do a part of its work, for health probes; empty: it can.
   virtual std::string trouble() const { return {}; }
+  /// Returns how the agent is, for whoever watches it.
+  virtual AgentFigures figures() const { return {}; }
 };
 
 /// Starts an agent: reads the spool and sends again what is pending. invalid: a setting breaks its bound; errors of

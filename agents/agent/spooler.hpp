@@ -84,6 +84,9 @@ class Spooler {
   std::optional<PlaceId> newest_durable(ExperienceId experience) const;
   /// Returns whether anything of the experience is still to be acknowledged.
   bool is_pending(ExperienceId experience) const;
+  /// Returns how many batches are spooled and not acknowledged.
+  std::size_t pending() const { return pending_.size(); }
+  storage::SpoolRoom room() const { return spool_->room(); }
 
  private:
   struct Open {

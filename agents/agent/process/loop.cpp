@@ -1,13 +1,16 @@
 #include "agents/agent/process/loop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <iterator>
 #include <thread>
 #include <utility>
 
 #include "agents/agent/diagnostic_watch.hpp"
 #include "core/text.hpp"
 #include "process/clocks.hpp"
+#include "process/link/link_metrics.hpp"
 
 namespace weft::agents {
 namespace {
@@ -35,7 +38,9 @@ Loop::Loop(const Parts& parts, double pace)
       looked_(steady_now()),
       step_at_(looked_),
       counters_at_(step_at_ + kBetweenCounters),
-      silent_at_(step_at_ + kFirstSilent) {}
+      silent_at_(step_at_ + kFirstSilent),
+      heard_at_(step_at_),
+      published_at_(step_at_) {}
 
 Result<void> Loop::until(const std::function<bool()>& stop) {
   Duration slept{};
@@ -44,7 +49,9 @@ Result<void> Loop::until(const std::function<bool()>& stop) {
     take_messages();
     if (was_away) catch_up();
     if (const auto due = parts_.agent.next_tick(); due.has_value() && *due <= steady_now()) {
-      perform(parts_.agent.tick(steady_now()));
+      const SteadyTime begun = steady_now();
+      perform(parts_.agent.tick(begun));
+      parts_.figures.ticked.add(steady_now() - begun);
     }
     if (!body_failure_ && steady_now() >= step_at_) step();
     log_counters();
@@ -67,8 +74,10 @@ void Loop::take_messages() {
   for (int i = 0; i < kMessagesATurn; ++i) {
     const std::optional<msg::Message> message = parts_.link.take();
     if (!message.has_value()) break;
-    silent_at_ = steady_now() + kSilent;
-    perform(parts_.agent.handle(*message, steady_now(), wall_now()));
+    heard_at_ = steady_now();
+    silent_at_ = heard_at_ + kSilent;
+    perform(parts_.agent.handle(*message, heard_at_, wall_now()));
+    parts_.figures.handled.add(steady_now() - heard_at_);
   }
   for (const std::string& notice : parts_.link.bus().drain_notices()) parts_.log.warn(notice);
   for (const std::string& text : parts_.link.drain_refusal_texts()) parts_.log.warn("refused: " + text);
@@ -89,6 +98,7 @@ bool Loop::note_absence(Duration meant) {
   looked_ = now;
   if (away <= kAway) return false;
   parts_.agent.was_away(away, now);
+  parts_.figures.away_s += seconds(away);
   silent_at_ += away;
   parts_.log.warn("was away for " + fixed_number(seconds(away), 1) + " s", goal());
   return true;
@@ -105,7 +115,10 @@ void Loop::step() {
   }
   frame_ = sample->frame;
   schedule(sample->time);
-  perform(parts_.agent.step(*sample, steady_now()));
+  ++drive_.frames;
+  const SteadyTime begun = steady_now();
+  perform(parts_.agent.step(*sample, begun));
+  drive_.stepped.add(steady_now() - begun);
 }
 
 void Loop::schedule(SensorTime sample) {
@@ -171,7 +184,26 @@ void Loop::log_silence() {
 
 void Loop::show_life() {
   const SteadyTime now = steady_now();
-  if (parts_.vitals != nullptr && parts_.vitals->due() <= now) parts_.vitals->beat(now, trouble());
+  if (parts_.vitals == nullptr || parts_.vitals->due() > now) return;
+  const std::string why = trouble();
+  parts_.vitals->beat(now, why);
+  publish_metrics(now, why);
+}
+
+/// Shows how the robot is to whoever watches it, at each sign of life. Being lost counts from one to the next.
+void Loop::publish_metrics(SteadyTime now, const std::string& trouble) {
+  if (parts_.metrics == nullptr) return;
+  const AgentFigures figures = parts_.agent.figures();
+  if (figures.state.mode == msg::RobotMode::lost) drive_.lost_s += seconds(now - published_at_);
+  published_at_ = now;
+  drive_.silent_server_s = seconds(now - heard_at_);
+  drive_.has_body_failed = body_failure_.has_value();
+  parts_.figures.is_well = trouble.empty();
+  process::Metrics all = process::program_metrics(parts_.figures);
+  for (process::Metrics& more : std::array{process::link_metrics(parts_.link), agent_metrics(figures, drive_)}) {
+    std::ranges::move(more, std::back_inserter(all));
+  }
+  parts_.metrics->publish(std::move(all));
 }
 
 /// Returns why the robot does not do its work although this loop turns; empty: it does.

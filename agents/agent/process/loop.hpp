@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "agents/agent/agent.hpp"
+#include "agents/agent/metrics/agent_metrics.hpp"
 #include "agents/agent/process/records.hpp"
 #include "agents/bodies/body.hpp"
 #include "idl/bus/link.hpp"
 #include "process/log.hpp"
+#include "process/metrics/metrics_server.hpp"
+#include "process/metrics/program_metrics.hpp"
 #include "process/vitals.hpp"
 
 namespace weft::agents {
@@ -26,8 +29,10 @@ class Loop {
     bus::Link& link;
     Records* records = nullptr;  ///< null: none are kept
     process::Log& log;
-    std::string server = {};            ///< where it is looked for, in words
-    process::Vitals* vitals = nullptr;  ///< null: nobody is shown that it turns
+    std::string server = {};                    ///< where it is looked for, in words
+    process::Vitals* vitals = nullptr;          ///< null: nobody is shown that it turns
+    process::MetricsServer* metrics = nullptr;  ///< null: none are served
+    process::ProgramFigures figures = {};       ///< with what its metrics begin
   };
   /// Prepares a loop. `pace`: sensor seconds a second at most; 0: no bound.
   Loop(const Parts& parts, double pace);
@@ -48,6 +53,7 @@ class Loop {
   void log_counters();
   void log_silence();
   void show_life();
+  void publish_metrics(SteadyTime now, const std::string& trouble);
   std::string trouble() const;
   std::vector<process::LogField> goal() const;
   std::vector<process::LogField> goal_of_notes();
@@ -68,6 +74,9 @@ class Loop {
   SteadyTime step_at_;
   SteadyTime counters_at_;
   SteadyTime silent_at_;  // when it is said that no server is heard
+  SteadyTime heard_at_;   // when the server was last heard
+  SteadyTime published_at_;
+  DriveFigures drive_;
   std::map<std::string, std::uint64_t> counted_;
   std::string measured_;                        // as it was logged last
   std::vector<process::LogField> goal_before_;  // when the agent was last called

@@ -57,6 +57,7 @@ constexpr std::array kFlags = {
     Flag{"pace", Kind::number,
          "Seconds of the simulation or the recording a second at most; 0: as fast as it can [1]"},
     Flag{"log_format", Kind::text, "text | json: how each line of the log is written [text]"},
+    Flag{"metrics", Kind::number, "Port of 127.0.0.1 at which Prometheus is given metrics; 0: none is [0]"},
 };
 
 std::string flag_of(const char* key) {
@@ -222,6 +223,7 @@ Options read(const Program& program, const Sources& from) {
   options.calibration = from.maybe("calibration");
   const bool is_json = from.choice("log_format", "text", {"text", "json"}) == "json";
   options.log_format = is_json ? process::LogFormat::json : process::LogFormat::text;
+  options.metrics = from.integer<std::uint16_t>("metrics", 0, 0, 65'535);
   options.records = from.maybe("records");
   options.pace = from.number("pace", 1.0, 0.0, 1000.0);
   options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, 5.0);

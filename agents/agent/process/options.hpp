@@ -38,7 +38,8 @@ struct Options {
   std::optional<Pose3> mount;              ///< what is believed of it while it is being calibrated; no flag
 
   process::LogFormat log_format = process::LogFormat::text;
-  bool asks_health = false;  ///< of the agent that works in the state directory; nothing else is done
+  std::uint16_t metrics = 0;  ///< port of this machine at which metrics are served; 0: they are not
+  bool asks_health = false;   ///< of the agent that works in the state directory; nothing else is done
 
   std::optional<std::string> records;
   double pace = 1.0;  ///< simulated seconds a second at most; 0: no bound

@@ -12,6 +12,7 @@
 #include "agents/agent/process/records.hpp"
 #include "process/clocks.hpp"
 #include "process/log.hpp"
+#include "process/metrics/metrics_server.hpp"
 #include "process/vitals.hpp"
 #include "storage/spool/file_spool.hpp"
 
@@ -93,6 +94,12 @@ Result<void> run(const Program& program, const Options& options) {
   if (!state) return fail(state.error());
   const Result<RobotId> self = state->identity();
   if (!self) return fail(self.error());
+  std::optional<process::MetricsServer> metrics;
+  if (options.metrics != 0) {
+    Result<process::MetricsServer> served = process::MetricsServer::open(options.metrics);
+    if (!served) return fail(served.error());
+    metrics.emplace(std::move(*served));
+  }
   process::Vitals vitals(program.name, options.state, warn, process::ServiceManager::of_environment(),
                          process::steady_now());
   vitals.starting("it reads its spool and prepares its body", process::steady_now());
@@ -136,7 +143,9 @@ Result<void> run(const Program& program, const Options& options) {
              .records = records.has_value() ? &*records : nullptr,
              .log = log,
              .server = addresses(options),
-             .vitals = &vitals},
+             .vitals = &vitals,
+             .metrics = metrics ? &*metrics : nullptr,
+             .figures = {.program = program.name, .version = WEFT_VERSION, .vendor = config.vendor}},
             options.pace);
   const Result<void> ended = loop.until([&stop] { return stop.came(); });
   vitals.stopping();

@@ -52,6 +52,7 @@ class RobotAgent final : public Agent {
   Counters counters() const override;
   std::vector<Diagnostic> diagnostics() const override;
   std::string trouble() const override;
+  AgentFigures figures() const override;
 
  private:
   // Messages (robot_agent_messages.cpp).

@@ -30,6 +30,13 @@ std::string RobotAgent::trouble() const {
   return refuses.empty() ? std::string() : "its spool refuses what it is to keep: " + refuses;
 }
 
+AgentFigures RobotAgent::figures() const {
+  return {.state = state(),
+          .epoch = session_.epoch(),
+          .window_places = map_.window().places.size(),
+          .counters = counters()};
+}
+
 Standing RobotAgent::standing() const {
   return {.condition = condition_,
           .task = follow_.task(),
@@ -69,6 +76,9 @@ msg::RobotState RobotAgent::state() const {
   state.memory_cap_bytes = config_.content_cache_bytes;
   state.diagnostics = diagnostics();
   state.safety = condition_.shown();
+  const storage::SpoolRoom room = spooler_.room();
+  state.spool_batches = static_cast<std::uint32_t>(spooler_.pending());
+  state.spool_free_bytes = room.free_bytes;
   state.reason = reason_of(now);
   state.spool_refuses = as_utf8(disk_.spool->refuses(), kLongestRefusal);
   return state;

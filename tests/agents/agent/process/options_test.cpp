@@ -68,6 +68,17 @@ TEST(AgentOptions, TheLogIsTextOrJson) {
   expect_left(with({"--log-format", "xml"}), 2, "log_format");
 }
 
+TEST(AgentOptions, MetricsAreServedAtAPortOrNotAtAll) {
+  const auto none = parsed(with({}));
+  ASSERT_NE(std::get_if<Options>(&none), nullptr);
+  EXPECT_EQ(std::get<Options>(none).metrics, 0);
+  const auto result = parsed(with({"--metrics", "9465"}));
+  ASSERT_NE(std::get_if<Options>(&result), nullptr);
+  EXPECT_EQ(std::get<Options>(result).metrics, 9465);
+  expect_left(with({"--metrics", "65536"}), 2, "metrics");
+  expect_left(with({"--metrics", "1.5"}), 2, "metrics");
+}
+
 TEST(AgentOptions, AMethodsOwnNavigationWinsOverThatOfAll) {
   const Folder folder;
   const std::string file =
