@@ -17,6 +17,8 @@
 #include "server/fleet/fleet.hpp"
 #include "server/intake/intake.hpp"
 #include "server/queries/answers.hpp"
+#include "server/queries/echoes.hpp"
+#include "server/queries/figures.hpp"
 #include "server/recognise/recognition.hpp"
 #include "server/requests/operator_requests.hpp"
 #include "server/routes/routes.hpp"
@@ -59,6 +61,7 @@ class FleetMapServer final : public Service {
         requests_(context_, fleet_, traffic_, dispatcher_, site_frames_, stored.awaited_labels, now.steady),
         answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_,
                  requests_.awaited_labels()),
+        echoes_(context_, now.steady),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {
       writer_.note(
@@ -75,7 +78,11 @@ class FleetMapServer final : public Service {
   }
 
   std::vector<msg::Message> handle(const msg::Message& message, Now now) override {
-    std::visit([&](const auto& one) { receive(one, now); }, message);
+    const auto take_in = [&](const auto& one) {
+      if constexpr (requires { one.header; }) fleet_.count(one.header, now.steady);
+      receive(one, now);
+    };
+    std::visit(take_in, message);
     settle(now);
     return out_.take();
   }
@@ -120,6 +127,11 @@ class FleetMapServer final : public Service {
     if (const auto* const chunk = std::get_if<msg::Chunk>(&message)) fleet_.sent_content(chunk->to, bytes);
   }
   const Snapshot& snapshot() const override { return context_.snapshots.current(); }
+  Figures figures(Now now) const override {
+    return figures_of(
+        {context_, fleet_, intake_, window_publisher_, content_server_, recognition_, dispatcher_, standstills_},
+        now);
+  }
   std::vector<Goal> goals() const override {
     std::vector<Goal> goals;
     for (const auto& [id, goal] : dispatcher_.book().goals()) goals.push_back(goal);
@@ -268,6 +280,9 @@ class FleetMapServer final : public Service {
   void receive(const msg::AgentReply& reply, Now now) {
     if (admit(reply.header, true, now)) requests_.on_reply(reply, now);
   }
+  void receive(const msg::Echo& echo, Now now) {
+    if (admit(echo.header, false, now)) echoes_.on_echo(echo, now.steady);
+  }
   void receive(const msg::ClockReply& reply, Now now) {
     if (admit(reply.header, false, now)) fleet_.on_clock_reply(reply, now);
   }
@@ -303,6 +318,7 @@ class FleetMapServer final : public Service {
   SiteFrames site_frames_;
   OperatorRequests requests_;
   Answers answers_;
+  Echoes echoes_;
   std::map<PeerId, std::string> clients_;
   std::deque<std::uint64_t> answers_to_;  ///< challenges, the latest last
   Revision told_revision_;

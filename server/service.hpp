@@ -10,6 +10,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "server/base/config.hpp"
+#include "server/base/figures.hpp"
 #include "server/base/now.hpp"
 #include "storage/map_store.hpp"
 
@@ -42,6 +43,8 @@ class Service {
 
   /// Returns the goal that the robot is to reach; none: it has none. For the log.
   virtual GoalId goal_of(const RobotId& robot) const = 0;
+  /// Returns how the server and its fleet are, in numbers, for whoever watches them.
+  virtual Figures figures(Now now) const = 0;
 
   /// Returns the served map, for invariants and records, never for deciding elsewhere.
   virtual const Snapshot& snapshot() const = 0;

@@ -136,4 +136,10 @@ std::optional<SteadyTime> ContentServer::next() const {
   return next;
 }
 
+std::size_t ContentServer::waiting() const {
+  std::size_t all = 0;
+  for (const auto& [peer, recipient] : recipients_) all += recipient.wanted.size();
+  return all;
+}
+
 }  // namespace weft::server

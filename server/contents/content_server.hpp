@@ -24,6 +24,9 @@ class ContentServer {
   void tick(Now now);
   std::optional<SteadyTime> next() const;
 
+  /// Returns how many contents were asked for and are not sent yet, by all robots together.
+  std::size_t waiting() const;
+
  private:
   using Key = std::tuple<std::uint64_t, ContentHash>;  ///< the content's own size first: small before big
   struct Recipient {

@@ -181,4 +181,9 @@ std::string Standstills::links(const Standstill& standstill) const {
   return text;
 }
 
+std::size_t Standstills::count() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(known_, [](const auto& entry) { return !entry.second.text.empty(); }));
+}
+
 }  // namespace weft::server

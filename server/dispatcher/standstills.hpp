@@ -23,6 +23,8 @@ class Standstills {
   const Wait* wait_of(const RobotId& robot) const;
   /// Returns the standstill that the robot is in, or waits behind; empty: there is none that has lasted.
   std::string text_of(const RobotId& robot) const;
+  /// Returns how many standstills there are that have lasted.
+  std::size_t count() const;
 
  private:
   struct Key {

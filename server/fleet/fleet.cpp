@@ -96,6 +96,11 @@ void Fleet::on_description(const msg::RobotDescription& description, Now now) {
   found->second.description = description;
 }
 
+void Fleet::count(const msg::Header& from, SteadyTime now) {
+  const auto found = robots_.find(from.sender);
+  if (found != robots_.end()) found->second.reception.hear(from.incarnation, from.sequence, now);
+}
+
 std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool says_it_is_a_robot, Now now) {
   const bool is_known = robots_.contains(from.sender);
   if (!is_known && (!says_it_is_a_robot || robots_.size() >= kMostRobots)) return std::nullopt;

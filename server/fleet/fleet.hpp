@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "server/base/context.hpp"
 #include "server/fleet/incarnations.hpp"
+#include "server/fleet/reception.hpp"
 #include "server/fleet/skew.hpp"
 
 namespace weft::server {
@@ -24,6 +25,7 @@ struct Robot {
   std::optional<msg::RobotState> state;  ///< the latest of the current incarnation
   std::optional<msg::RobotPower> power;  ///< the latest; none: it has not said
   Incarnations incarnations;
+  Reception reception;
   SteadyTime heard;  ///< or when the server started
   bool silent = true;
   std::string held_by;  ///< the operator who holds it: it is released no farther; empty: nobody
@@ -54,6 +56,8 @@ class Fleet {
   /// Judges a peer's message before anything else is done with it. none: the peer is not known to be a robot, and
   /// this message is not one that only robots send.
   std::optional<Incarnations::Verdict> hear(const msg::Header& from, bool says_it_is_a_robot, Now now);
+  /// Counts a message of a robot that is known, whatever becomes of it.
+  void count(const msg::Header& from, SteadyTime now);
   bool is_refused(const PeerId& peer) const { return refused_.contains(peer); }
 
   void sent_window(const PeerId& to, std::size_t bytes);

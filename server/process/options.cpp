@@ -19,7 +19,7 @@ constexpr int kUsage = 2;
 struct Flags {
   std::string config;
   std::optional<std::string> store, name, dds, listen, unjoined, silent_goal, log_format;
-  std::optional<unsigned> domain, index;
+  std::optional<unsigned> domain, index, metrics;
   std::optional<double> robot_silent_after_s, handling_s, silent_goal_after_s;
   bool asks_health = false;
 };
@@ -49,6 +49,8 @@ void declare(CLI::App& app, Flags& flags) {
                  "warn | one_drives: whether, of robots in parts of the map that nothing joins, one at a time is "
                  "released [warn]");
   app.add_option("--log-format", flags.log_format, "text | json: how each line of the log is written [text]");
+  app.add_option("--metrics", flags.metrics,
+                 "Port of 127.0.0.1 at which Prometheus is given metrics; 0: none is [0]");
   app.add_flag("--health", flags.asks_health,
                "Runs no server: says whether the one that works in --store DIR is healthy, and ends with 0 or 1");
 }
@@ -103,6 +105,7 @@ Options read(const config::Table& table) {
   options.unjoined = unjoined == "one_drives" ? Unjoined::one_drives : Unjoined::warn;
   const bool is_json = table.choice("log_format", "text", {"text", "json"}) == "json";
   options.log_format = is_json ? process::LogFormat::json : process::LogFormat::text;
+  options.metrics = static_cast<std::uint16_t>(table.integer("metrics", 0, 0, 65'535));
   options.effective = table.effective();
   return options;
 }
@@ -119,6 +122,7 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   if (flags.silent_goal_after_s) options.silent_goal_after_s = given.silent_goal_after_s;
   if (flags.unjoined) options.unjoined = given.unjoined;
   if (flags.log_format) options.log_format = given.log_format;
+  if (flags.metrics) options.metrics = given.metrics;
   if (flags.handling_s) options.handling_s = given.handling_s;
   if (flags.robot_silent_after_s) options.robot_silent_after_s = given.robot_silent_after_s;
   for (config::Setting& setting : options.effective) {
@@ -167,6 +171,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "silent_goal_after_s", flags.silent_goal_after_s);
   lay_over(text, "unjoined", flags.unjoined);
   lay_over(text, "log_format", flags.log_format);
+  lay_over(text, "metrics", flags.metrics);
   const config::Table from_flags = config::parse(text, "command line");
   const Options given = read(from_flags);
   if (const Result<void> good = from_flags.result(); !good) return failed(good.error(), kUsage);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,6 +27,7 @@ struct Options {
   double silent_goal_after_s = 0.0;
   ChargeLevels charge;
   process::LogFormat log_format = process::LogFormat::text;
+  std::uint16_t metrics = 0;               ///< port of this machine at which metrics are served; 0: they are not
   bool asks_health = false;                ///< of the server that works in the store; nothing else is done
   std::vector<config::Setting> effective;  ///< for the log
 };

@@ -1,12 +1,15 @@
 #include "server/process/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -15,8 +18,12 @@
 #include "core/text.hpp"
 #include "idl/bus/link.hpp"
 #include "process/clocks.hpp"
+#include "process/link/link_metrics.hpp"
 #include "process/log.hpp"
+#include "process/metrics/metrics_server.hpp"
+#include "process/metrics/program_metrics.hpp"
 #include "process/vitals.hpp"
+#include "server/metrics/server_metrics.hpp"
 #include "server/process/identity.hpp"
 #include "server/process/signers.hpp"
 #include "server/service.hpp"
@@ -70,11 +77,25 @@ class StopSignal {
 /// Carries messages between the bus and the service, in this thread.
 class Loop {
  public:
-  Loop(Service& service, bus::Link& link, process::Log& log, process::Vitals& vitals)
-      : service_(service), link_(link), log_(log), vitals_(vitals), looked_(now().steady) {}
+  struct Parts {
+    Service& service;
+    bus::Link& link;
+    process::Log& log;
+    process::Vitals& vitals;
+    process::MetricsServer* metrics = nullptr;  ///< null: none are served
+    process::ProgramFigures figures;            ///< with what its metrics begin
+  };
+  explicit Loop(const Parts& parts)
+      : service_(parts.service),
+        link_(parts.link),
+        log_(parts.log),
+        vitals_(parts.vitals),
+        metrics_(parts.metrics),
+        figures_(parts.figures),
+        looked_(now().steady) {}
 
   Result<void> until(const StopSignal& stop) {
-    send(service_.tick(now()));
+    tick();
     while (!stop.asked()) {
       const SteadyTime next = std::min(vitals_.due(), service_.next_tick().value_or(SteadyTime::max()));
       const Duration sleep = std::max(next - now().steady, Duration{});
@@ -83,22 +104,30 @@ class Loop {
       take_messages();
       if (was_away) catch_up();
       if (const auto due = service_.next_tick(); due && *due <= now().steady) {
-        send(service_.tick(now()));
+        tick();
         note_absence({});
       }
       report_refusals();
-      if (const SteadyTime at = now().steady; vitals_.due() <= at) vitals_.beat(at, trouble());
+      if (vitals_.due() <= now().steady) show_life();
       if (const std::optional<Error> broken = service_.broken()) return fail(*broken);
     }
     return {};
   }
 
  private:
+  void tick() {
+    const Now begun = now();
+    send(service_.tick(begun));
+    figures_.ticked.add(now().steady - begun.steady);
+  }
+
   void take_messages() {
     for (int i = 0; i < kMessagesATurn; ++i) {
       const std::optional<msg::Message> message = link_.take();
       if (!message) break;
-      send(service_.handle(*message, now()));
+      const Now begun = now();
+      send(service_.handle(*message, begun));
+      figures_.handled.add(now().steady - begun.steady);
       note_absence({});
     }
   }
@@ -118,6 +147,7 @@ class Loop {
     looked_ = at.steady;
     if (away <= kAway) return false;
     service_.was_away(away, at);
+    figures_.away_s += seconds(away);
     log_.warn("was away for " + fixed_number(seconds(away), 1) + " s: nobody is blamed for silence in that time");
     return true;
   }
@@ -153,6 +183,20 @@ class Loop {
     return refusal ? "the store refused the last write: " + refusal->message : std::string();
   }
 
+  /// Shows health probes that this loop turns, and metrics to whoever watches the server.
+  void show_life() {
+    const Now at = now();
+    const std::string why = trouble();
+    vitals_.beat(at.steady, why);
+    if (metrics_ == nullptr) return;
+    figures_.is_well = why.empty();
+    process::Metrics all = process::program_metrics(figures_);
+    for (process::Metrics& more : std::array{process::link_metrics(link_), server_metrics(service_.figures(at))}) {
+      std::ranges::move(more, std::back_inserter(all));
+    }
+    metrics_->publish(std::move(all));
+  }
+
   void report_refusals() {
     for (const std::string& notice : link_.bus().drain_notices()) log_.warn(notice);
     for (const auto& [what, times] : link_.refusals()) {
@@ -170,6 +214,8 @@ class Loop {
   bus::Link& link_;
   process::Log& log_;
   process::Vitals& vitals_;
+  process::MetricsServer* metrics_;
+  process::ProgramFigures figures_;
   SteadyTime looked_;  ///< when the inbox was last looked at
   std::map<std::string, std::uint64_t> told_;
 };
@@ -188,6 +234,12 @@ Result<void> run(const Options& options) {
 
   const Result<PeerId> self = load_identity(options.store);
   if (!self) return fail(self.error());
+  std::optional<process::MetricsServer> metrics;
+  if (options.metrics != 0) {
+    Result<process::MetricsServer> served = process::MetricsServer::open(options.metrics);
+    if (!served) return fail(served.error());
+    metrics.emplace(*std::move(served));
+  }
   process::Vitals vitals("weft-server", options.store, tell, process::ServiceManager::of_environment(), now().steady);
   vitals.starting("it opens its store", now().steady);
   Result<std::unique_ptr<storage::MapStore>> store = storage::open_sqlite(options.store, {.empties_log_aside = true});
@@ -229,7 +281,14 @@ Result<void> run(const Options& options) {
   log.info("ready: store " + options.store + ", " + config.vendor + " on " + options.listen + ", domain " +
            std::to_string(options.domain) + ", index " + std::to_string(options.index));
   vitals.ready(now().steady);
-  const Result<void> served = Loop(**service, link, log, vitals).until(stop);
+  const Result<void> served =
+      Loop({.service = **service,
+            .link = link,
+            .log = log,
+            .vitals = vitals,
+            .metrics = metrics ? &*metrics : nullptr,
+            .figures = {.program = "weft-server", .version = WEFT_VERSION, .vendor = config.vendor}})
+          .until(stop);
   vitals.stopping();
   if (served) log.info("stopped");
   return served;

@@ -124,6 +124,8 @@ Answers::Parts Answers::robots(SteadyTime now) const {
     row.occupies = occupies(id);
     row.window_bytes = robot.window_bytes;
     row.content_bytes = robot.content_bytes;
+    row.messages_heard = robot.reception.heard();
+    row.messages_missed = robot.reception.missed();
     row.held_by = robot.held_by;
     if (robot.power) row.power = *robot.power;
     put_on_plan(site_frames_, row);

@@ -26,6 +26,9 @@ class Recognition {
   void tick(Now now);
   std::optional<SteadyTime> next() const;
 
+  /// Returns how many questions wait for their answer.
+  std::size_t waiting() const { return searches_.size(); }
+
  private:
   using Key = std::pair<std::string, std::uint32_t>;  ///< method and content format
   /// Holds how far an experience has been signed.

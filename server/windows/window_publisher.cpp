@@ -128,4 +128,9 @@ std::optional<SteadyTime> WindowPublisher::next() const {
   return next;
 }
 
+std::size_t WindowPublisher::behind() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      subscribers_, [](const auto& entry) { return entry.second.behind || entry.second.asked; }));
+}
+
 }  // namespace weft::server

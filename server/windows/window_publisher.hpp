@@ -24,6 +24,10 @@ class WindowPublisher {
   void tick(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
+  std::size_t subscribers() const { return subscribers_.size(); }
+  /// Returns how many of them have a window that may not be as the network has it.
+  std::size_t behind() const;
+
  private:
   struct Subscriber {
     std::uint64_t definition_id = 0;
