@@ -69,6 +69,8 @@ constexpr std::array kAskings{
     Asking{Command::map_register, run_register, kAMinute},
     Asking{Command::events, run_events, kSoon},
     Asking{Command::alarms, run_alarms, kSoon},
+    Asking{Command::doctor_network, run_network, kSoon},
+    Asking{Command::doctor_fleet, run_doctor_fleet, kSoon},
 };
 
 const Asking* asking_for(Command command) {

@@ -84,6 +84,10 @@ Exit run_events(Session& session, const Invocation& invocation, const Output& ou
 Exit run_alarms(Session& session, const Invocation& invocation, const Output& output);
 /// Gathers what a bug report needs into one archive; without a server what this machine has.
 Exit run_bundle(Session& session, const Invocation& invocation, const Output& output);
+/// Measures the network between here and the server.
+Exit run_network(Session& session, const Invocation& invocation, const Output& output);
+/// Shows clock, disk, link, version and method of every robot, a line each.
+Exit run_doctor_fleet(Session& session, const Invocation& invocation, const Output& output);
 Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& invocation, const Output& output);
 
 /// Returns the --timeout that the invocation asks for, or what suits the command.

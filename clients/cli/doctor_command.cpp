@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "clients/cli/commands.hpp"
+#include "clients/cli/findings.hpp"
 #include "clients/cli/table.hpp"
 #include "clients/cli/wait_chain.hpp"
 
@@ -9,13 +9,6 @@ namespace {
 
 constexpr double kSilent = 5.0;  // seconds
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-
-/// Describes one thing that was looked at.
-struct Finding {
-  std::string what;
-  bool good = true;
-  std::string detail;  ///< and, when it is not good, what to do
-};
 
 std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info, const std::string& vendor) {
   std::vector<Finding> found;
@@ -46,7 +39,7 @@ std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& inf
 std::vector<Finding> of_robot(const msg::RobotRow& row, const std::string& server_software, bool has_places) {
   const std::string name = "robot " + row.description.name;
   std::vector<Finding> found;
-  const bool heard = row.is_heard && row.silent_s <= kSilent;
+  const bool heard = row.is_heard && row.silent_s <= kSilent_s;
   found.push_back({name, heard,
                    heard ? row.vendor + ", " + msg::to_string(row.state.mode)
                          : "not heard for " + fixed(row.silent_s, 0) + " s: is its agent running?"});
@@ -115,25 +108,11 @@ Exit run_doctor(Session& session, const msg::Hello& server, const Invocation& in
   }
   for (const std::string& text : standstills(robots->robots)) findings.push_back({"standstill", false, text});
   for (Finding& finding : of_goals(goals->goals, session.world().wall())) findings.push_back(std::move(finding));
-  bool good = true;
-  Table table;
-  nlohmann::json document = nlohmann::json::array();
-  for (const Finding& finding : findings) {
-    good = good && finding.good;
-    table.add({finding.good ? "ok" : "PROBLEM", finding.what, finding.detail});
-    document.push_back({{"what", finding.what}, {"good", finding.good}, {"detail", finding.detail}});
-  }
-  if (invocation.json) {
-    const nlohmann::json all = {{"good", good},
-                                {"findings", std::move(document)},
-                                {"server", to_json(info->info)},
-                                {"client", {{"vendor", session.vendor()}, {"software", WEFT_VERSION}}},
-                                {"robots", robots->robots.size()}};
-    output.out << printed(all) << '\n';
-  } else {
-    table.print(output.out);
-  }
-  return good ? Exit::done : Exit::failed;
+  return show(findings,
+              {{"server", to_json(info->info)},
+               {"client", {{"vendor", session.vendor()}, {"software", WEFT_VERSION}}},
+               {"robots", robots->robots.size()}},
+              invocation.json, output);
 }
 
 }  // namespace weft::cli

@@ -20,7 +20,7 @@ void Grammar::all() {
   add(app_, "calibrate",
       "Find out a robot's camera, or how it is mounted: `weft calibrate --help`; needs no server but weft-agent",
       Command::calibrate);
-  add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
+  doctor();
   watching();
   // Last, because commands inherit the footer that is there when they are added.
   app_.footer(
@@ -28,6 +28,20 @@ void Grammar::all() {
       "  weft robots; weft teach r1 start --as loop; weft map label here --robot r1 dock; weft teach r1 stop;\n"
       "  weft goal send --to dock; weft goal list; weft goal watch ID; weft map draw map.svg\n"
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no server reached, 4 refused, 5 no answer in time");
+}
+
+void Grammar::doctor() {
+  CLI::App* const all =
+      add(app_, "doctor", "Look for what is wrong: server, vendors, versions, clocks, disk", Command::doctor);
+  all->add_flag("--fleet", fleet_, "Instead: each robot's clock, disk, link, version and method, a line each");
+  CLI::App* const network =
+      add(*all, "network", "Measure loss, delay and throughput to the server, for 17 s and at 0.5 MB/s at most",
+          Command::doctor_network);
+  // Takes the place of the callbacks that add() gave: the one of the command above runs last.
+  all->callback([this, network] {
+    if (fleet_ && network->parsed()) throw CLI::ExcludesError("--fleet", "network");
+    into_.command = network->parsed() ? Command::doctor_network : fleet_ ? Command::doctor_fleet : Command::doctor;
+  });
 }
 
 CLI::App* Grammar::group(const char* name, const char* help) {

@@ -26,6 +26,7 @@ class Grammar {
   CLI::App* group(const char* name, const char* help);
   CLI::App* add(CLI::App& parent, const char* name, const char* help, Command command);
   void globals();
+  void doctor();
   void files();
   void goals();
   void one_goal(CLI::App& parent, const char* name, const char* help, Command command,
@@ -75,6 +76,7 @@ class Grammar {
   Invocation& into_;
   bool all_ = false;
   bool apply_ = false;
+  bool fleet_ = false;
 };
 
 }  // namespace weft::cli

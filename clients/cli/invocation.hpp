@@ -70,7 +70,9 @@ struct Invocation {
     map_register,
     events,
     alarms,
-    bundle
+    bundle,
+    doctor_network,
+    doctor_fleet
   };
   Command command = Command::robots;
   std::string robot;               ///< name or hex id; empty: any, or all

@@ -287,4 +287,26 @@ Result<void> Session::fetch(ContentFetcher& fetcher, Duration quiet) {
   return {};
 }
 
+Result<EchoReport> Session::measure(Duration at_most) {
+  const SteadyTime give_up = world_.now() + at_most;
+  EchoProbe probe(random_.next() | 1U, world_.now());
+  while (!probe.done(world_.now())) {
+    while (const std::optional<msg::Message> message = link_.take()) {
+      const auto* const echo = std::get_if<msg::Echo>(&*message);
+      if (echo != nullptr && echo->to == self_) probe.hear(*echo, world_.now());
+    }
+    if (!probe.reaches() && world_.now() >= give_up) {
+      return fail(ErrorCode::timed_out, "the server gave no echo back in " +
+                                            std::to_string(std::lround(seconds(at_most))) +
+                                            " s: is it of an older version, or measured by others at this moment?");
+    }
+    if (std::optional<msg::Echo> echo = probe.due(world_.now())) {
+      echo->header = header();
+      std::ignore = link_.send(*echo);  // what a full queue does not take is lost
+    }
+    world_.wait(std::clamp(probe.next() - world_.now(), Duration{1ms}, kListen));
+  }
+  return probe.report();
+}
+
 }  // namespace weft::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clients/cli/content_fetcher.hpp"
+#include "clients/cli/echo_probe.hpp"
 #include "clients/cli/uploader.hpp"
 #include "core/network/page.hpp"
 #include "core/protocol/messages.hpp"
@@ -62,6 +63,9 @@ class Session {
   void listen(SteadyTime until);
   /// Returns the events that came since the last time and that the server's store could not keep, oldest first.
   std::vector<msg::Event> take_unkept() { return std::exchange(unkept_, {}); }
+  /// Measures the network between here and the server by echoes. timed_out: the server gave none back within
+  /// `at_most`.
+  Result<EchoReport> measure(Duration at_most);
 
   GoalId new_goal();
   std::string vendor() const { return link_.bus().vendor(); }

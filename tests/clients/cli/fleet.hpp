@@ -54,6 +54,7 @@ class Fleet {
   void run(Duration duration);
   Puppet& add_robot(const std::string& name, const std::string& software = "0.1.0");
   void restart_server();
+  void set_faults(const bus::Faults& faults) { net_.set_faults(faults); }
 
   ExperienceId first{0xA1};
   ExperienceId second{0xB2};

@@ -61,6 +61,9 @@ TEST(Invocation, EachCommandIsUnderstood) {
       {{"hold", "r1"}, Command::hold},
       {{"unhold", "r1"}, Command::unhold},
       {{"doctor"}, Command::doctor},
+      {{"doctor", "--json"}, Command::doctor},
+      {{"doctor", "--fleet"}, Command::doctor_fleet},
+      {{"doctor", "network"}, Command::doctor_network},
       {{"calibrate", "camera", "--help"}, Command::calibrate},
   };
   for (const auto& [arguments, command] : all) EXPECT_EQ(good(arguments).command, command) << arguments.front();
