@@ -82,6 +82,8 @@ install(FILES ${templates}/server.toml ${templates}/backup.conf DESTINATION /etc
 install(FILES ${units}/weft-server.service ${units}/weft-backup.service ${units}/weft-backup.timer
   DESTINATION /lib/systemd/system COMPONENT weft-server)
 install(PROGRAMS ${templates}/backup DESTINATION lib/weft COMPONENT weft-server)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/deploy/monitoring ${PROJECT_SOURCE_DIR}/deploy/network
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/weft COMPONENT weft-server)
 
 weft_package(weft-agent "agent of a robot of Weft"
   "Sees, localises, drives, and shares what it learns with weft-server.\nOne process a robot."

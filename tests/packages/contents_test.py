@@ -8,6 +8,8 @@ MUST_HAVE = {
     'weft-server': ['usr/bin/weft-server', 'etc/weft/server.toml', 'etc/weft/backup.conf', 'usr/lib/weft/backup',
                     'lib/systemd/system/weft-server.service', 'lib/systemd/system/weft-backup.service',
                     'lib/systemd/system/weft-backup.timer', 'usr/lib/sysusers.d/weft-server.conf', 'usr/lib/tmpfiles.d/weft-server.conf',
+                    'usr/share/weft/monitoring/weft.rules.yml', 'usr/share/weft/monitoring/dashboard.json',
+                    'usr/share/weft/monitoring/prometheus.yml', 'usr/share/weft/network/weft.nft',
                     'usr/share/doc/weft-server/headers.gz'],
     'weft-agent': ['usr/bin/weft-agent', 'etc/weft/agents/', 'lib/systemd/system/weft-agent@.service',
                    'usr/lib/sysusers.d/weft-agent.conf', 'usr/lib/tmpfiles.d/weft-agent.conf',
@@ -52,7 +54,8 @@ class Contents(Case):
         self.assertEqual(said, ['/etc/weft/server.toml', '/etc/weft/backup.conf'])
 
     def test_programs_ask_for_the_libraries_that_they_load(self):
-        for name, libraries in (('weft-server', ('libc6', 'libsqlite3-0', 'libfastrtps')), ('weft-agent', ('libc6', 'libopencv-core')),
+        for name, libraries in (('weft-server', ('libc6', 'libsqlite3-0', 'libfastrtps', 'libprometheus-cpp-pull')),
+                                ('weft-agent', ('libc6', 'libopencv-core', 'libprometheus-cpp-pull')),
                                 ('weft-cli', ('libc6', 'libfastrtps'))):
             depends = output('dpkg-deb', '-f', package(name), 'Depends')
             for library in libraries:
