@@ -8,7 +8,7 @@ import re
 import sys
 
 LEFT_OUT = {'build', 'out', '.git', 'papers'}
-SOURCE = ('.hpp', '.cpp', '.h', '.py', '.idl', '.cmake', '.txt', '.toml', '')
+SOURCE = ('.hpp', '.cpp', '.h', '.py', '.idl', '.cmake', '.txt', '.toml', '.yml', '')
 FILE = r'[\w.-]+\.(?:hpp|cpp|py|md|toml|txt|idl|line|cmake)'
 
 

@@ -85,7 +85,8 @@ class JsonDocuments(Fleet):
         if above == ('calibrate',):  # hands its line on to weft-agent
             return []
         names = re.findall(r'^  (\w+) ', said.split('\nSubcommands:\n')[1].split('\n\n')[0], re.MULTILINE)
-        return [command for name in names for command in cls.commands(*above, name)]
+        own = [above] if '[SUBCOMMAND]' in said else []
+        return own + [command for name in names for command in cls.commands(*above, name)]
 
     def test_each_command_is_in_the_schema(self):
         self.assertEqual({' '.join(command) for command in self.commands()}, set(SCHEMA['properties']))
@@ -172,6 +173,8 @@ class JsonDocuments(Fleet):
         done('events', '--robot', 'r1', '--kind', 'robot', '--since', '1h')
         done('alarms', exits=(0, 1))
         done('bundle', self.folder / 'report.tar.gz', '--log', self.folder / 'server.log', '--log', '/nowhere/x.log')
+        done('doctor', '--fleet', exits=(0, 1))
+        done('doctor network', exits=(0, 1))
         done('file info', self.folder / 'two.g2o')
         done('file convert', self.folder / 'two.g2o', '--to', self.folder / 'again.g2o')
         done('robot clear', 'r1', '--yes')
