@@ -18,12 +18,6 @@ struct Stops {
   bool operator==(const Stops&) const = default;
 };
 
-/// Tells how much room a spool has.
-struct SpoolRoom {
-  std::optional<std::uint64_t> free_bytes;  ///< of its disk; none: not known
-  std::string refuses = {};                 ///< why its disk did not take what was written last; empty: it did
-};
-
 /// Keeps a robot's own copy of what the server has not yet acknowledged, and why it stands; survives its crash.
 class Spool {
  public:
@@ -55,7 +49,8 @@ class Spool {
   virtual Result<void> try_room(std::uint64_t bytes) = 0;
   /// Returns what was found torn or damaged at opening and is not among the pending, each named with its file.
   virtual std::vector<std::string> skipped() const { return {}; }
-  virtual SpoolRoom room() const = 0;
+  /// Returns how many bytes its disk has left; none: not known.
+  virtual std::optional<std::uint64_t> free_bytes() const = 0;
 };
 
 }  // namespace weft::storage

@@ -33,6 +33,7 @@ class SpoolWatch final : public storage::Spool {
   Result<Bytes> content(const ContentHash& hash) const override { return spool_.content(hash); }
   storage::Stops stops() const override { return spool_.stops(); }
   std::vector<std::string> skipped() const override { return spool_.skipped(); }
+  std::optional<std::uint64_t> free_bytes() const override { return spool_.free_bytes(); }
 
  private:
   /// Takes note of a write of about so many bytes, and gives its result back.

@@ -86,7 +86,7 @@ class Spooler {
   bool is_pending(ExperienceId experience) const;
   /// Returns how many batches are spooled and not acknowledged.
   std::size_t pending() const { return pending_.size(); }
-  storage::SpoolRoom room() const { return spool_->room(); }
+  std::optional<std::uint64_t> free_bytes() const { return spool_->free_bytes(); }
 
  private:
   struct Open {

@@ -53,7 +53,7 @@ class FileSpool final : public Spool {
     auto record = make_record(batch, contents, [&](const ContentHash& hash) { return held(hash); });
     if (!record) return fail(record.error());
     const std::uint64_t order = next_++;  // also after a failure: a name is used once
-    if (auto done = noted(write_durably(path_of(order), encode(*record))); !done) return done;
+    if (auto done = write_durably(path_of(order), encode(*record)); !done) return done;
     keep(order, *record);
     return {};
   }
@@ -68,7 +68,7 @@ class FileSpool final : public Spool {
     auto records = make_records(experience, batches, contents, [&](const ContentHash& hash) { return held(hash); });
     if (!records) return fail(records.error());
     for (std::size_t i = 0; i < records->size(); ++i) replacement.added.push_back(next_++);
-    if (auto staged = noted(stage(replacement, *records)); !staged) {
+    if (auto staged = stage(replacement, *records); !staged) {
       for (const std::uint64_t order : replacement.added)
         (void)remove_durably(directory_ / numbered(order, kStagedEnding));  // else at the next start
       return staged;
@@ -119,7 +119,7 @@ class FileSpool final : public Spool {
   Result<void> keep(const Stops& stops) override {
     if (stops == stops_ && !are_stops_damaged_) return {};
     const std::filesystem::path path = directory_ / kStops;
-    auto done = noted(stops == Stops{} ? remove_durably(path) : write_durably(path, encode(stops)));
+    auto done = stops == Stops{} ? remove_durably(path) : write_durably(path, encode(stops));
     if (!done) return done;
     stops_ = stops;
     are_stops_damaged_ = false;
@@ -137,11 +137,10 @@ class FileSpool final : public Spool {
 
   std::vector<std::string> skipped() const override { return skipped_; }
 
-  SpoolRoom room() const override {
+  std::optional<std::uint64_t> free_bytes() const override {
     std::error_code unknown;
     const auto space = std::filesystem::space(directory_, unknown);
-    return {.free_bytes = unknown ? std::nullopt : std::optional<std::uint64_t>(space.available),
-            .refuses = refuses_};
+    return unknown ? std::nullopt : std::optional<std::uint64_t>(space.available);
   }
 
  private:
@@ -149,12 +148,6 @@ class FileSpool final : public Spool {
     Batch batch;
     std::vector<ContentHash> contents;  ///< sorted; their bytes stay in the file
   };
-
-  /// Remembers whether the disk took what was to be written.
-  Result<void> noted(Result<void> written) {
-    refuses_ = written ? std::string() : written.error().message;
-    return written;
-  }
 
   std::filesystem::path path_of(std::uint64_t order) const { return directory_ / numbered(order, kBatchEnding); }
 
@@ -237,7 +230,6 @@ class FileSpool final : public Spool {
   std::filesystem::path directory_;
   Stops stops_;
   bool are_stops_damaged_ = false;
-  std::string refuses_;                 ///< why the disk did not take what was written last
   std::map<std::uint64_t, Kept> kept_;  ///< by order of appending
   std::uint64_t next_ = 1;
   std::vector<std::string> skipped_;

@@ -72,7 +72,7 @@ class MemorySpool final : public Spool {
     if (auto error = disk_->faults.strike("memory spool")) return fail(std::move(*error));
     return {};
   }
-  SpoolRoom room() const override { return {}; }
+  std::optional<std::uint64_t> free_bytes() const override { return std::nullopt; }
 
  private:
   std::shared_ptr<SpoolDisk> disk_;

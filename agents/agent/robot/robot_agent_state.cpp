@@ -76,9 +76,8 @@ msg::RobotState RobotAgent::state() const {
   state.memory_cap_bytes = config_.content_cache_bytes;
   state.diagnostics = diagnostics();
   state.safety = condition_.shown();
-  const storage::SpoolRoom room = spooler_.room();
   state.spool_batches = static_cast<std::uint32_t>(spooler_.pending());
-  state.spool_free_bytes = room.free_bytes;
+  state.spool_free_bytes = spooler_.free_bytes();
   state.reason = reason_of(now);
   state.spool_refuses = as_utf8(disk_.spool->refuses(), kLongestRefusal);
   return state;
