@@ -7,7 +7,6 @@
 namespace weft::cli {
 namespace {
 
-constexpr double kSilent = 5.0;  // seconds
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
 
 std::vector<Finding> of_server(const msg::Hello& server, const msg::MapInfo& info, const std::string& vendor) {

@@ -9,7 +9,6 @@
 namespace weft::cli {
 
 inline constexpr double kSilent_s = 5.0;  ///< a robot that was not heard for longer
-inline constexpr double kSkewed_s = 1.0;  ///< a clock that is further off
 inline constexpr double kLossy = 0.02;    ///< share of messages: the network loses too many
 
 /// Describes one thing that was looked at.

@@ -20,7 +20,7 @@ struct Checked {
 };
 
 Checked clock_of(const msg::RobotRow& row) {
-  const bool good = std::abs(row.clock_skew_s) <= kSkewed_s;
+  const bool good = std::abs(row.clock_skew_s) <= msg::kClockOff_s;
   return {fixed(row.clock_skew_s * 1000.0, 0) + " ms", good ? "" : "its clock is off: run an NTP client there"};
 }
 
