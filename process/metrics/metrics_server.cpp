@@ -43,8 +43,10 @@ prometheus::MetricFamily family_of(const Metric& metric) {
   return family;
 }
 
+}  // namespace
+
 /// Holds what was published last, for the threads that serve it.
-class Published final : public prometheus::Collectable {
+class PublishedMetrics final : public prometheus::Collectable {
  public:
   std::vector<prometheus::MetricFamily> Collect() const override {
     std::shared_ptr<const Metrics> metrics;
@@ -69,13 +71,11 @@ class Published final : public prometheus::Collectable {
   std::shared_ptr<const Metrics> metrics_ = std::make_shared<const Metrics>();  // shared
 };
 
-}  // namespace
-
 struct MetricsServer::Parts {
   explicit Parts(std::vector<std::string> options) : exposer(std::move(options)) {
     exposer.RegisterCollectable(published);
   }
-  std::shared_ptr<Published> published = std::make_shared<Published>();
+  std::shared_ptr<PublishedMetrics> published = std::make_shared<PublishedMetrics>();
   prometheus::Exposer exposer;  // last member: its threads stop first
 };
 

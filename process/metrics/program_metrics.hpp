@@ -13,8 +13,8 @@ struct ProgramFigures {
   std::string vendor;   ///< of its bus
   double away_s = 0.0;  ///< in which it was away from its inbox, each time for more than a second
   bool is_well = true;  ///< it does its work, as its health says
-  Durations handled;    ///< each message
-  Durations ticked;     ///< each turn of what is due by the clock
+  Durations handled{};  ///< each message
+  Durations ticked{};   ///< each turn of what is due by the clock
 };
 
 Metrics program_metrics(const ProgramFigures& figures);
