@@ -23,9 +23,14 @@ CLI::App* describe(CLI::App& app, CeilingWords& words) {
       ->check(CLI::Range(6.0, 20.0).description(""));
   option("--put-downs", options.extent.put_downs, "N", "Robots put down, of each kind, with each seed [200]")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}).description(""));
+  option("--trial", options.trial, "TRIAL",
+         "frames, line, other, change, loop, found, found-half or found-lamps: only that one")
+      ->check(CLI::IsMember({"frames", "line", "other", "change", "loop", "found", "found-half", "found-lamps"})
+                  .description(""));
   sub->add_flag("--quick", words.is_quick,
                 "The recording; seed 1, 8 m of line, 40 robots put down on it: says within three minutes that it "
-                "works");
+                "works")
+      ->excludes(sub->get_option("--trial"));
   option("--scenes", options.scenes, "DIR", "Sites and lines that are driven [deploy/sites/ceiling]");
   option("--recording", options.recording, "DIR",
          "Recording as of ceiling-frames; where there is none, its rows are not measured "

@@ -23,12 +23,13 @@ std::set<int> asked_rows(const Extent& extent) {
 /// what an interruption leaves is whole.
 std::vector<RowKey> wanted(const CeilingOptions& options, bool has_recording) {
   std::vector<RowKey> keys;
-  if (has_recording) keys.emplace_back(trial::kFrames, 0);
+  const auto is_asked = [&](const std::string& trial) { return options.trial.empty() || options.trial == trial; };
+  if (has_recording && is_asked(trial::kFrames)) keys.emplace_back(trial::kFrames, 0);
   const std::vector<std::string> trials = driven_trials(options.extent);
   const Seeds most = seeds_of(trial::kLine, options.seeds);
   for (std::uint64_t seed = options.seeds.first; seed <= most.last; ++seed)
     for (const std::string& trial : trials)
-      if (seed <= seeds_of(trial, options.seeds).last) keys.emplace_back(trial, seed);
+      if (is_asked(trial) && seed <= seeds_of(trial, options.seeds).last) keys.emplace_back(trial, seed);
   return keys;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "clients/evaluate/ceiling/trials.hpp"
 #include "clients/evaluate/surroundings.hpp"
@@ -13,6 +14,7 @@ struct CeilingOptions {
   std::filesystem::path recording;  ///< folder of a real recording; one that is not there leaves its rows unmeasured
   std::filesystem::path out;        ///< folder; made if it is not there
   ceiling::Extent extent;
+  std::string trial = {};  ///< one of `driven_trials`, or `frames`, alone; empty: all
 };
 
 namespace ceiling {

@@ -22,6 +22,13 @@ TEST(CeilingInvocation, FlagsAndDefaults) {
   EXPECT_EQ(given.out, "o");
 }
 
+TEST(CeilingInvocation, OneTrialAlone) {
+  EXPECT_EQ(std::get<CeilingOptions>(parsed({"ceiling"})).trial, "");
+  EXPECT_EQ(std::get<CeilingOptions>(parsed({"ceiling", "--trial", "other"})).trial, "other");
+  EXPECT_EQ(std::get<NotRun>(parsed({"ceiling", "--trial", "others"})).exit_code, 2);
+  EXPECT_EQ(std::get<NotRun>(parsed({"ceiling", "--trial", "other", "--quick"})).exit_code, 2);
+}
+
 TEST(CeilingInvocation, OneSeedAndLittleIfQuick) {
   const auto quick = std::get<CeilingOptions>(parsed({"ceiling", "--quick"}));
   EXPECT_EQ(quick.seeds.last, 1U);

@@ -51,6 +51,15 @@ TEST_F(StudyOfCeilings, StopsWhenAskedAndLeavesNoTruthBehind) {
   EXPECT_TRUE(std::filesystem::is_empty(options.out));
 }
 
+TEST_F(StudyOfCeilings, OneTrialAloneLeavesTheOthersUnmeasured) {
+  options.extent.is_quick = false;
+  options.trial = trial::kOther;
+  samples = 3;
+  const Result<Ended> ended = run();
+  ASSERT_TRUE(ended) << ended.error().message;
+  EXPECT_NE(progress.str().find("1 rows to measure, 0 of them"), std::string::npos) << progress.str();
+}
+
 TEST_F(StudyOfCeilings, RowsThatAreThereAreNotMeasuredAgain) {
   keep(1.0);
   const Result<Ended> ended = run();
