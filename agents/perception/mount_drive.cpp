@@ -58,9 +58,8 @@ Result<FoundHeight> height_from(const DriveSeen& played, const MountDriveConfig&
       return fail(ErrorCode::refused, "first and last stand are " + text(seen_m) +
                                           " m apart as seen; a measured distance needs a drive that ends " +
                                           text(0.5 * config.least_drive_m) + " m or more from where it began");
-    // Over a floor odometry itself is good to 0.2 % of a metre; below a ceiling, what hangs is taken for the ceiling
-    // until heights have been told, the same way on every drive.
-    const double odometry = is_ceiling(config) ? 0.005 : 0.002 / std::sqrt(seen_m);
+    // Over a floor odometry itself is good to 0.2 % of a metre.
+    const double odometry = is_ceiling(config) ? kCeilingScale : 0.002 / std::sqrt(seen_m);
     return FoundHeight{
         HeightFrom::distance, *config.distance_m / seen_m - 1.0,
         std::hypot(config.distance_sigma_m / *config.distance_m, odometry, kScaleByFocal * config.prior.focal_share)};

@@ -11,6 +11,10 @@
 
 namespace weft::agents {
 
+/// Sets how well odometry below a ceiling keeps its scale, 1 sigma, a share: what hangs is taken for the ceiling
+/// until heights have been told, the same way on every drive.
+inline constexpr double kCeilingScale = 0.005;
+
 /// Plays a short drive, from its first sample to its last, at each call; view null: a dropped frame.
 using PlayDrive = std::function<Result<void>(const std::function<void(const View*, const Motion&)>& take)>;
 

@@ -55,7 +55,7 @@ Eigen::Matrix3d covariance_of(const CeilingConfig& c, const CeilingContent& a, c
   const double turned = 2.0 * std::abs(std::sin(0.5 * fit.state.a_from_b.heading));
   const CeilingConfig usual;
   const auto place_of = [&](const CeilingConfig& known) {
-    return std::hypot(known.mount_position_m, 0.3 * known.mount_tilt_rad * away_m);
+    return std::hypot(known.mount_position_m, std::hypot(0.3 * known.mount_tilt_rad, kHangingTiltRad) * away_m);
   };
   const double own = place_of(c) * turned;
   const double place = one_camera ? own : std::hypot(place_of(c), place_of(usual));
