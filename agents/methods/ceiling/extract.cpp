@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "agents/methods/ceiling/ceiling.hpp"
+#include "agents/methods/ceiling/known_mount.hpp"
 #include "agents/methods/ceiling/rectified.hpp"
 #include "agents/methods/image_of.hpp"
 #include "agents/perception/lens.hpp"
@@ -84,8 +85,11 @@ OrRefusal<CeilingContent> Ceiling::extract(const Odometry& s, const View& view) 
   content.ceiling_sigma_m = known->sigma_m;
   content.patch = cut_out(seen.patch, widest_ceiling_patch_px);
   const Eigen::Vector3d vibration(config_.vibration_tilt_rad, config_.vibration_tilt_rad, config_.vibration_height_m);
-  const Eigen::Vector3d mount(config_.mount_tilt_rad, config_.mount_tilt_rad, 0.0);
-  content.attitude_sigma = (mount.cwiseAbs2() + vibration.cwiseAbs2()).cwiseSqrt();
+  // A mount may have been knocked since its calibration: what drives have shown of it is believed, and no more.
+  const MountTilt tilt = s.mount ? s.mount->tilt() : MountWatch(camera_, mount_prior(config_)).tilt();
+  const Eigen::Vector3d mount2(tilt.covariance(0, 0), tilt.covariance(1, 1), 0.0);
+  content.attitude = {tilt.pitch_rad, tilt.roll_rad, 0.0};
+  content.attitude_sigma = (mount2 + vibration.cwiseAbs2()).cwiseSqrt();
   if (is_newest) {
     content.attitude = s.attitude;
     // Each fit counts its neighbours' noise as its own: the estimate is never taken for better than vibration.

@@ -5,6 +5,7 @@
 #include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/methods/ceiling/fallback.hpp"
 #include "agents/methods/ceiling/follow.hpp"
+#include "agents/methods/ceiling/known_mount.hpp"
 #include "agents/methods/ceiling/rectified.hpp"
 #include "agents/methods/image_of.hpp"
 #include "agents/methods/plane_odometry.hpp"
@@ -65,15 +66,6 @@ void begin_keyframe(const CeilingConfig& c, const CameraModel& camera, const Ima
   const std::vector<Eigen::Matrix2d> counts = counts_at(s.newest, pixels, c.grey_noise);
   for (std::size_t i = 0; i < counts.size(); ++i) s.tracks[i].counts = counts[i];
   s.keyframe_tracks = s.tracks.size();
-}
-
-MountPrior mount_prior(const CeilingConfig& c) {
-  MountPrior prior;
-  prior.tilt_rad = 3.0 * c.mount_tilt_rad;  // mounts get knocked
-  prior.focal_share = c.focal_share;
-  prior.vibration_tilt_rad = c.vibration_tilt_rad;
-  prior.vibration_height_m = c.vibration_height_m;
-  return prior;
 }
 
 /// Returns a blind step and begins a keyframe with new corners. The mount's tilt is still known.

@@ -102,5 +102,22 @@ TEST(CeilingOdometry, HasNoScaleUntilWheelsTellIt) {
   EXPECT_TRUE(method.extract(run.odometry, view));
 }
 
+TEST(CeilingOdometry, WhatDrivesHaveShownOfTheMountIsBelievedOfAnyView) {
+  const Ceiling method = method_for(6.4);
+  test::RenderedCeiling hall = test::hall_ceiling(6.4);
+  const DrivenUnder run = drive_under(method, hall, {.samples = 20});
+  const View beside = hall.view(method.camera(), run.truth, {}, 1000);  // not the newest: odometry has not seen it
+  const auto content = method.extract(run.odometry, beside);
+  ASSERT_TRUE(content);
+  const MountTilt tilt = run.odometry.mount->tilt();
+  EXPECT_NE(tilt.pitch_rad, 0.0);
+  EXPECT_EQ(content->attitude.pitch_rad, tilt.pitch_rad);
+  EXPECT_EQ(content->attitude.roll_rad, tilt.roll_rad);
+  EXPECT_GT(content->attitude_sigma.x(), std::sqrt(tilt.covariance(0, 0)));
+  const auto before = method.extract({}, beside);
+  ASSERT_TRUE(before);
+  EXPECT_GE(before->attitude_sigma.x(), 3.0 * method.config().mount_tilt_rad);  // mounts get knocked
+}
+
 }  // namespace
 }  // namespace weft::agents
