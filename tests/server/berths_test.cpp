@@ -104,6 +104,22 @@ TEST_F(BerthsTest, WhoDrivesOtherMethodsHasNoWay) {
   EXPECT_THAT(berths->next(berths->at(SurveyedSite::place(run, 5)), others), IsEmpty());
 }
 
+TEST_F(BerthsTest, AMapThatIsCutRunByRunIsCutAlike) {
+  for (const double y : {0.0, 5.0, 10.0}) site.teach(Lane({0.0, y, 0.0}).ahead(12.0));
+  follow();
+  Berths divided(*proximity);
+  ASSERT_TRUE(divided.begin_to_follow({shared(site.network()), &no_rules}, kFootprint_m));
+  EXPECT_FALSE(divided.cut(1));
+  EXPECT_FALSE(divided.cut(1));
+  EXPECT_TRUE(divided.cut(1));
+  for (std::uint64_t run = 1; run <= 3; ++run) {
+    for (std::uint32_t index = 0; index < site.places(run); ++index) {
+      const PlaceId place = SurveyedSite::place(run, index);
+      EXPECT_EQ(divided.is_cut(place), berths->is_cut(place)) << to_string(place);
+    }
+  }
+}
+
 TEST_F(BerthsTest, NothingIsMadeAnewWhileTheMapIsTheSame) {
   site.teach(Lane({0.0, 0.0, 0.0}).ahead(6.0));
   follow();

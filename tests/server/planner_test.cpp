@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/server/surveyed_site.hpp"
 
 namespace weft::server::test {
@@ -126,6 +128,39 @@ TEST_F(CutOffTest, WhoKeepsNobodyWaitsAsNearAsItComes) {
   ASSERT_TRUE(plan());
   ASSERT_GT(moves(0), 0U);
   EXPECT_EQ(planner.way(0, 0, static_cast<std::uint32_t>(moves(0))).places.back().experience.value, aisle);
+}
+
+/// Plans anew from nothing, in pieces of so much, and returns each robot's planned places.
+struct InPieces {
+  InPieces(const SurveyedSite& site, const std::vector<PlanRequest>& requests, std::uint64_t most) {
+    proximity.layout().lay(shared(site.network()));
+    proximity.layout().work(1'000'000);
+    EXPECT_TRUE(planner.begin({shared(site.network()), &rules}, 0.3, requests));
+    for (; planner.is_under_way(); ++pieces) planner.work(most);
+    for (std::uint32_t robot = 0; robot < requests.size(); ++robot) {
+      const auto moves = static_cast<std::uint32_t>(planner.order().moves(robot).size());
+      ways.push_back(planner.way(robot, 0, moves).places);
+      waits_for.push_back(planner.waits_for(robot));
+    }
+  }
+  const RuleMap rules;
+  Proximity proximity{2.2};
+  Planner planner{proximity, {}};
+  std::size_t pieces = 0;
+  std::vector<std::vector<PlaceId>> ways;
+  std::vector<std::vector<std::uint32_t>> waits_for;
+};
+
+TEST_F(CutOffTest, HoweverAPlanIsDividedItIsTheSame) {
+  const InPieces whole(site, requests, std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(whole.pieces, 1U);
+  EXPECT_FALSE(whole.ways[0].empty());
+  for (const std::uint64_t most : {1U, 7U}) {
+    const InPieces divided(site, requests, most);
+    EXPECT_GT(divided.pieces, 30U);
+    EXPECT_EQ(divided.ways, whole.ways) << "pieces of " << most;
+    EXPECT_EQ(divided.waits_for, whole.waits_for) << "pieces of " << most;
+  }
 }
 
 TEST_F(CutOffTest, WhoWaitsForOneThatNeedsNoHelpKeepsItsPlace) {

@@ -46,6 +46,8 @@ class BerthGraph {
   virtual bool is_cut(Berth berth) const = 0;
   /// Returns how many berths have numbers.
   virtual std::size_t size() const = 0;
+  /// Counts what was looked up in the map for all that, in units of about one search over some berths.
+  virtual std::uint64_t looked_up() const { return 0; }
 };
 
 }  // namespace weft::server

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "server/traffic/plan/cuts.hpp"
 #include "server/traffic/plan/drives.hpp"
 
 namespace weft::server {
@@ -13,10 +13,18 @@ constexpr double kBerthCell_m = 4.0;
 constexpr double kLongestSlack_m = 5.0;
 /// Bounds how far is searched for berths, from below: they come each room along a run that does not turn back.
 constexpr double kFarthest_m = 6.0;
+/// Is what locating a place counts as work, and how many comparisons with others count as one.
+constexpr std::uint64_t kWorkToLocate = 4;
+constexpr std::size_t kComparedForWork = 16;
 
 }  // namespace
 
 bool Berths::follow(const RuledNetwork& network, double footprint_m) {
+  if (!begin_to_follow(network, footprint_m)) return false;
+  return cut(std::numeric_limits<std::size_t>::max());
+}
+
+bool Berths::begin_to_follow(const RuledNetwork& network, double footprint_m) {
   see(network.network);
   rules_ = network.rules;
   const bool is_same = network_ != nullptr && network_ == network.network && footprint_m_ == footprint_m &&
@@ -33,7 +41,8 @@ bool Berths::follow(const RuledNetwork& network, double footprint_m) {
   numbers_.clear();
   berths_.clear();
   located_.clear();
-  cut_anew();
+  cut_through_.reset();
+  std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
   return true;
 }
 
@@ -44,31 +53,43 @@ std::uint32_t Berths::methods(const Drives& drives) {
   return number;
 }
 
-/// Cuts runs that are not as they were, in the order of their ids.
-void Berths::cut_anew() {
+CutRules Berths::cut_rules() {
   const double room_m = this->room_m();
   const Layout& layout = proximity_.layout();
-  const CutRules rules = {.room_m = room_m,
-                          .are_clear =
-                              [&](const PlaceId& a, const PlaceId& b) {
-                                const std::optional<Spot> first = layout.spot(a);
-                                const std::optional<Spot> second = layout.spot(b);
-                                if (!first || !second || first->part != second->part) return true;
-                                // Asks what lies around where the whole layout does not tell them apart.
-                                return !layout.are_near(*first, *second, room_m) ||
-                                       !proximity_.overlap(TrafficMap(*latest_), locate(a), locate(b));
-                              },
-                          .is_taken = [this](const PlaceId& place) { return is_taken(place); }};
-  std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
-  for (const auto& [id, experience] : network_->experiences()) {
-    Run& run = runs_[id];
-    if (run.of != experience || !run.is_laid) {
-      run.of = experience;
-      run.is_laid = !experience->places.empty() && layout.spot(experience->places.begin()->id).has_value();
-      run.cuts = cuts_of(*experience, rules);
-    }
-    for (const std::uint32_t index : run.cuts) put_in_cell({id, index}, in_cell_);
+  return {.room_m = room_m,
+          .are_clear =
+              [this, room_m, &layout](const PlaceId& a, const PlaceId& b) {
+                const std::optional<Spot> first = layout.spot(a);
+                const std::optional<Spot> second = layout.spot(b);
+                if (!first || !second || first->part != second->part) return true;
+                // Asks what lies around where the whole layout does not tell them apart.
+                return !layout.are_near(*first, *second, room_m) ||
+                       !proximity_.overlap(TrafficMap(*latest_), locate(a), locate(b));
+              },
+          .is_taken = [this](const PlaceId& place) { return is_taken(place); }};
+}
+
+bool Berths::cut(std::size_t places) {
+  const auto& runs = network_->experiences();
+  auto next = cut_through_ ? runs.upper_bound(*cut_through_) : runs.begin();
+  for (std::size_t done = 0; next != runs.end() && done < places; ++next) {
+    done += cut_run(next->first, next->second);
+    cut_through_ = next->first;
   }
+  return next == runs.end();
+}
+
+/// Cuts the run if it is not as it was. Returns how many of its places were looked at.
+std::size_t Berths::cut_run(const ExperienceId& id, const std::shared_ptr<const Experience>& experience) {
+  Run& run = runs_[id];
+  const bool is_known = run.of == experience && run.is_laid;
+  if (!is_known) {
+    run.of = experience;
+    run.is_laid = !experience->places.empty() && proximity_.layout().spot(experience->places.begin()->id).has_value();
+    run.cuts = cuts_of(*experience, cut_rules());
+  }
+  for (const std::uint32_t index : run.cuts) put_in_cell({id, index}, in_cell_);
+  return std::max<std::size_t>(1, is_known ? run.cuts.size() : experience->places.size());
 }
 
 bool Berths::is_taken(const PlaceId& place) {
@@ -101,6 +122,7 @@ double Berths::reach_m(const PlaceId& place) const {
 LocatedPlace Berths::locate(const PlaceId& place) {
   const auto known = located_.find(place);
   if (known != located_.end()) return known->second;
+  looked_up_ += kWorkToLocate;
   const Touched touched{.place = place, .reach_m = reach_m(place)};
   return located_.emplace(place, proximity_.locate(TrafficMap(*latest_), touched)).first->second;
 }
@@ -171,6 +193,7 @@ void Berths::forget_around(Berth berth) {
 void Berths::add_touched(const LocatedPlace& here, std::set<Berth>& touched) {
   std::vector<PlaceId> near;
   for_each_near(here, in_cell_, [&](const PlaceId& place) { near.push_back(place); });
+  looked_up_ += 1 + near.size() / kComparedForWork;
   for (const PlaceId& place : near) {
     if (proximity_.overlap(TrafficMap(*latest_), here, locate(place))) touched.insert(number(place, is_cut(place)));
   }

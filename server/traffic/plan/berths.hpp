@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -11,6 +12,7 @@
 
 #include "core/network/rule_map.hpp"
 #include "server/traffic/plan/berth_graph.hpp"
+#include "server/traffic/plan/cuts.hpp"
 #include "server/traffic/plan/drives.hpp"
 #include "server/traffic/proximity.hpp"
 
@@ -39,6 +41,10 @@ class Berths final : public BerthGraph {
   /// Follows the map and the size of robots. Returns true when it has cut the map anew: the numbers of berths that
   /// were given before are then invalid.
   bool follow(const RuledNetwork& network, double footprint_m);
+  /// Begins to follow them, as `follow`. What it returns true for is then to be cut, before anything else is asked.
+  bool begin_to_follow(const RuledNetwork& network, double footprint_m);
+  /// Cuts runs of so many places more, and the run in which that comes to an end. Returns whether all are cut.
+  bool cut(std::size_t places);
   /// Has what can be touched looked up in that map, though an earlier one is followed: `Proximity` remembers what it
   /// finds for leases, too.
   void see(std::shared_ptr<const Snapshot> latest) { latest_ = std::move(latest); }
@@ -60,6 +66,7 @@ class Berths final : public BerthGraph {
   const std::vector<Before>& before(Berth to, std::uint32_t methods) override;
   const std::vector<Berth>& beside(Berth berth) override;
   std::size_t size() const override { return berths_.size(); }
+  std::uint64_t looked_up() const override { return looked_up_; }
 
   bool is_cut(Berth berth) const override { return berths_[berth].is_cut; }
   bool is_cut(const PlaceId& place) const;
@@ -89,7 +96,8 @@ class Berths final : public BerthGraph {
 
   /// Returns how near two robots may stand.
   double room_m() const { return 2.0 * (footprint_m_ + kLeastSlack_m) + kMargin_m; }
-  void cut_anew();
+  CutRules cut_rules();
+  std::size_t cut_run(const ExperienceId& id, const std::shared_ptr<const Experience>& experience);
   bool is_taken(const PlaceId& place);
   double reach_m(const PlaceId& place) const;
   LocatedPlace locate(const PlaceId& place);
@@ -113,13 +121,15 @@ class Berths final : public BerthGraph {
   std::uint64_t laid_moves_ = 0;
   std::uint64_t laid_ = 0;
   std::map<ExperienceId, Run> runs_;
-  Cells in_cell_;         ///< cuts, and what is a berth besides
-  Cells middle_in_cell_;  ///< middles of drives
+  std::optional<ExperienceId> cut_through_;  ///< runs are cut in the order of their ids
+  Cells in_cell_;                            ///< cuts, and what is a berth besides
+  Cells middle_in_cell_;                     ///< middles of drives
   std::map<PlaceId, Berth> numbers_;
   std::map<PlaceId, Berth> middles_;
   std::deque<Known> berths_;
   std::vector<Drives> methods_;
   std::map<PlaceId, LocatedPlace> located_;
+  std::uint64_t looked_up_ = 0;
 };
 
 }  // namespace weft::server

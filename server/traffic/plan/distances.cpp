@@ -16,7 +16,7 @@ double Distances::more_m(Berth berth) const {
 double Distances::over_next_m(Berth berth) {
   double least_m = kFar_m;
   for (const BerthArc& arc : graph_.next(berth, methods_)) {
-    if (arc.to == to_ || graph_.is_cut(arc.to)) least_m = std::min(least_m, over_m(arc));
+    if (is_stop(arc.to)) least_m = std::min(least_m, over_m(arc));
   }
   return least_m;
 }
@@ -33,18 +33,39 @@ void Distances::reach(Berth berth, double distance_m) {
 }
 
 double Distances::from_m(Berth berth) {
-  if (berth != to_ && !graph_.is_cut(berth)) return over_next_m(berth);
-  while (berth >= is_settled_.size() || !is_settled_[berth]) {
+  if (!is_stop(berth)) return over_next_m(berth);
+  while (!is_settled(berth)) {
     if (open_.empty()) return kFar_m;
-    const auto [distance_m, here] = open_.top();
-    open_.pop();
-    if (is_settled_[here]) continue;
-    is_settled_[here] = true;
-    for (const BerthGraph::Before& before : graph_.before(here, methods_)) {
-      reach(before.from, distance_m + before.length_m + more_m(here));
-    }
+    settle_next();
   }
   return reached_m_[berth];
+}
+
+void Distances::settle_next() {
+  const auto [distance_m, here] = open_.top();
+  open_.pop();
+  if (is_settled_[here]) return;
+  is_settled_[here] = true;
+  for (const BerthGraph::Before& before : graph_.before(here, methods_)) {
+    reach(before.from, distance_m + before.length_m + more_m(here));
+  }
+}
+
+/// Searches until the berth is settled, or nothing is left to be searched or of `left`.
+bool Distances::settle(Berth berth, std::size_t& left) {
+  while (!is_settled(berth) && !open_.empty()) {
+    if (left == 0) return false;
+    --left;
+    settle_next();
+  }
+  return true;
+}
+
+bool Distances::search(Berth berth, std::size_t most) {
+  if (is_stop(berth)) return settle(berth, most);
+  const std::vector<BerthArc>& next = graph_.next(berth, methods_);
+  return std::all_of(next.begin(), next.end(),
+                     [&](const BerthArc& arc) { return !is_stop(arc.to) || settle(arc.to, most); });
 }
 
 Berth Distances::leads_over(const std::function<bool(Berth)>& is_one, Berth from) {
@@ -54,7 +75,7 @@ Berth Distances::leads_over(const std::function<bool(Berth)>& is_one, Berth from
     double best_m = from_m(from);
     for (const BerthArc& arc : graph_.next(from, methods_)) {
       const double rest_m = more_m(arc.to) + from_m(arc.to);
-      if (rest_m >= best_m || (arc.to != to_ && !graph_.is_cut(arc.to))) continue;
+      if (rest_m >= best_m || !is_stop(arc.to)) continue;
       best = &arc;
       best_m = rest_m;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -26,6 +27,8 @@ class Distances {
 
   /// Returns the metres to be driven from there; `kFar_m`: there is no way.
   double from_m(Berth berth);
+  /// Searches for that over so many berths more at most. Returns whether `from_m` knows it without a search.
+  bool search(Berth berth, std::size_t most);
   /// Returns the same by that arc.
   double over_m(const BerthArc& arc) { return arc.length_m + more_m(arc.to) + from_m(arc.to); }
   /// Returns what driving to that berth counts beyond its length.
@@ -37,6 +40,10 @@ class Distances {
  private:
   using Entry = std::pair<double, Berth>;
 
+  bool is_settled(Berth berth) const { return berth < is_settled_.size() && is_settled_[berth]; }
+  bool is_stop(Berth berth) const { return berth == to_ || graph_.is_cut(berth); }
+  void settle_next();
+  bool settle(Berth berth, std::size_t& left);
   double over_next_m(Berth berth);
   void reach(Berth berth, double distance_m);
 

@@ -39,6 +39,8 @@ class Lanes {
   /// Returns whether the other one gets past where `here` is, or away, while a robot stands at `aside`.
   bool gets_past(const Stand& other, Berth here, Berth aside);
   bool is_beside(Berth one, Berth other);
+  /// Counts searches over some berths, which bound the work of a piece.
+  std::uint64_t searches() const { return searches_; }
   void clear();
 
  private:

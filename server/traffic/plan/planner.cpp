@@ -1,9 +1,8 @@
 #include "server/traffic/plan/planner.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
-
-#include "server/traffic/plan/gridlock.hpp"
 
 namespace weft::server {
 namespace {
@@ -23,59 +22,31 @@ constexpr std::uint32_t kBerthsAheadAlone = 8;
 
 bool Planner::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
                    bool may_lag) {
+  const bool is_latest = begin(network, footprint_m, requests, may_lag);
+  work(std::numeric_limits<std::uint64_t>::max());
+  return is_latest;
+}
+
+bool Planner::begin(const RuledNetwork& network, double footprint_m, std::vector<PlanRequest> requests,
+                    bool may_lag) {
   order_ = {};
+  released_.reset();
+  making_.reset();
   berths_.see(network.network);
   const bool is_laid = this->is_laid(*network.network, requests);
   const bool lags = (may_lag || !is_laid) && berths_.is_for(footprint_m) && knows(requests);
   if (!lags && !is_laid) return plan_nothing(requests.size());
-  if (!lags && berths_.follow(network, footprint_m)) {
+  Making::Part part = Making::Part::number;
+  if (!lags && berths_.begin_to_follow(network, footprint_m)) {
+    part = Making::Part::cut;
     distances_.clear();
     pockets_.clear();
     lanes_.clear();
   }
-  // All places are numbered before anything is planned: berths that come make others forget their arcs.
-  for (const PlanRequest& request : requests) {
-    if (!request.held.empty() && berths_.has(request.held.back())) berths_.at(request.held.back());
-    if (request.goal && berths_.has(*request.goal)) berths_.at(*request.goal);
-  }
-  occupy(requests);
-  std::vector<PlanRobot> robots;
-  robots.reserve(requests.size());
-  methods_.clear();
-  for (const PlanRequest& request : requests) {
-    robots.push_back(robot_of(request));
-    methods_.push_back(robots.back().methods);
-  }
-  moving_ = static_cast<std::uint32_t>(
-      std::count_if(requests.begin(), requests.end(), [](const PlanRequest& request) { return request.goal; }));
-  MovePlan plan = plan_round(requests, robots);
-  pushes_ += plan.pushes;
-  asked_several_ += plan.asked_several;
-  order_ = PlanOrder(std::move(plan));
-  released_.emplace(berths_, lanes_);
-  for (const PlanRobot& robot : robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
-  forget_unused();
+  making_.emplace();
+  making_->part = part;
+  making_->requests = std::move(requests);
   return !lags;
-}
-
-/// Plans the moves; anew where robots that are cut off keep others, and where some are gridlocked.
-MovePlan Planner::plan_round(const std::vector<PlanRequest>& requests, std::vector<PlanRobot>& robots) {
-  cut_off_by_ = cut_off(requests, robots);
-  std::vector<bool> are_cut_off;
-  for (const std::uint32_t by : cut_off_by_) are_cut_off.push_back(by != kNobody);
-  MovePlan plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
-  if (keep_others(plan, robots, are_cut_off)) {
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      if (!are_cut_off[robot]) continue;
-      robots[robot].goal = nullptr;
-      robots[robot].pocket = Pockets::kNone;
-    }
-    plan = plan_moves(berths_, pockets_, lanes_, robots, rules_);
-  }
-  const std::vector<bool> locked = gridlocked(plan, robots);
-  if (std::ranges::find(locked, true) == locked.end()) return plan;
-  for (std::size_t robot = 0; robot < robots.size(); ++robot) robots[robot].is_gridlocked = locked[robot];
-  return plan_moves(berths_, pockets_, lanes_, robots, rules_);
 }
 
 /// Leaves everybody where it is.
@@ -165,18 +136,9 @@ PlanRobot Planner::robot_of(const PlanRequest& request) {
   return robot;
 }
 
-/// Returns of each who cuts it off from its goal, that is, it comes there only when a person has helped that one;
+/// Returns who cuts the robot off from its goal, that is, it comes there only when a person has helped that one;
 /// kNobody: nobody does. It waits for that as near as it comes, so that it goes on at once; where it keeps others
 /// there it is planned as one without a goal.
-std::vector<std::uint32_t> Planner::cut_off(const std::vector<PlanRequest>& requests,
-                                            const std::vector<PlanRobot>& robots) {
-  std::vector<std::uint32_t> by(requests.size(), kNobody);
-  for (std::size_t i = 0; i < requests.size() && !lost_.empty(); ++i) {
-    if (robots[i].goal != nullptr) by[i] = cut_off_by(requests[i], robots[i]);
-  }
-  return by;
-}
-
 std::uint32_t Planner::cut_off_by(const PlanRequest& request, const PlanRobot& robot) {
   const auto is_lost = [&](const PlaceId& place) {
     // To number a place that is no berth yet would change arcs.

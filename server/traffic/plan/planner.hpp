@@ -12,6 +12,7 @@
 #include "server/traffic/plan/distances.hpp"
 #include "server/traffic/plan/lanes.hpp"
 #include "server/traffic/plan/move_plan.hpp"
+#include "server/traffic/plan/move_steps.hpp"
 #include "server/traffic/plan/plan_order.hpp"
 #include "server/traffic/plan/safe_states.hpp"
 
@@ -39,11 +40,13 @@ struct PlannedWay {
   std::vector<std::uint32_t> stops;  ///< of these, by index: where it may stand
 };
 
-/// Plans the next moves of all robots over the berths of the map.
+/// Plans the next moves of all robots over the berths of the map, at once or a piece at a time.
 class Planner {
  public:
   Planner(Proximity& proximity, PlanRules rules) : berths_(proximity), rules_(rules) {}
 
+  /// Has what can be touched looked up in that map from now on, as `Berths::see`.
+  void see(std::shared_ptr<const Snapshot> latest) { berths_.see(std::move(latest)); }
   /// Plans anew for all of them; `footprint_m` is that of the largest. Robots that stand where the map has no place
   /// are left out. The robots' numbers, below, are those of the requests. Where `may_lag`, the map and the layout may
   /// be those of an earlier plan, if all that the requests name lies in that: to cut a map into berths again takes
@@ -51,6 +54,15 @@ class Planner {
   /// unless the earlier one has them. Returns whether it is the latest.
   bool plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
             bool may_lag = false);
+  /// Begins that plan. Until it is made there is none: nobody may move, and nothing else may be asked.
+  bool begin(const RuledNetwork& network, double footprint_m, std::vector<PlanRequest> requests,
+             bool may_lag = false);
+  bool is_under_way() const { return making_.has_value(); }
+  /// Goes on with the plan until so much is done (the unit is that of `MoveSteps`), little more, and at least a
+  /// little. The plan does not depend on how it is divided.
+  void work(std::uint64_t most);
+  /// Counts what was done, in that unit; only differences mean anything.
+  std::uint64_t done() const { return done_ + berths_.looked_up() + lanes_.searches(); }
   /// Returns the robot's planned moves from `first` to before `last`.
   PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
@@ -78,14 +90,39 @@ class Planner {
  private:
   using Key = std::pair<PlaceId, std::uint32_t>;
 
-  MovePlan plan_round(const std::vector<PlanRequest>& requests, std::vector<PlanRobot>& robots);
+  /// Holds a plan that is being made.
+  struct Making {
+    /// Names what comes next.
+    enum class Part : std::uint8_t { cut, number, describe, cut_off, move };
+    /// Names what the moves are planned for: once more where robots that are cut off keep others, and where some are
+    /// gridlocked.
+    enum class Round : std::uint8_t { all, without_cut_off, gridlocked };
+
+    std::vector<PlanRequest> requests;
+    std::vector<PlanRobot> robots;
+    Part part = Part::cut;
+    Round round = Round::all;
+    std::size_t next = 0;  ///< robot
+    std::optional<MoveSteps> steps;
+  };
+
+  // planner_work.cpp
+  void go_on(std::uint64_t most);
+  void cut_more();
+  void number_next();
+  void describe_next();
+  void cut_off_next();
+  void move_on(std::uint64_t most);
+  bool plans_anew(const MovePlan& plan);
+  void end_with(MovePlan plan);
+  bool has_searched(const PlanRequest& request);
+
   bool plan_nothing(std::size_t robots);
   bool is_laid(const Snapshot& network, const std::vector<PlanRequest>& requests) const;
   bool knows(const std::vector<PlanRequest>& requests) const;
   void occupy(const std::vector<PlanRequest>& requests);
   std::vector<Berth> held_by(const PlanRequest& request);
   PlanRobot robot_of(const PlanRequest& request);
-  std::vector<std::uint32_t> cut_off(const std::vector<PlanRequest>& requests, const std::vector<PlanRobot>& robots);
   std::uint32_t cut_off_by(const PlanRequest& request, const PlanRobot& robot);
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
   Distances& distances(const PlaceId& to, std::uint32_t methods);
@@ -107,6 +144,8 @@ class Planner {
   std::map<RobotId, PlaceId> guides_;
   std::uint64_t pushes_ = 0;
   std::uint64_t asked_several_ = 0;
+  std::optional<Making> making_;
+  std::uint64_t done_ = 0;  ///< beside what is counted elsewhere
 };
 
 }  // namespace weft::server

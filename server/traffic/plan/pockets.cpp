@@ -16,6 +16,15 @@ constexpr std::size_t kBall = 200;
 /// could pass each other at its end.
 constexpr std::size_t kWideEnd = 30;
 
+/// Returns the berths beside that one, and those that a drive joins with it, sorted.
+std::vector<Berth> joined_with(BerthGraph& graph, Berth here, std::uint32_t methods) {
+  std::set<Berth> all(graph.beside(here).begin(), graph.beside(here).end());
+  for (const BerthArc& arc : graph.next(here, methods)) all.insert(arc.to);
+  for (const BerthGraph::Before& arc : graph.before(here, methods)) all.insert(arc.from);
+  all.erase(here);
+  return {all.begin(), all.end()};
+}
+
 /// Holds the berths around one, with who is joined with whom, and which of them lead on beyond.
 class Ball {
  public:
@@ -25,7 +34,8 @@ class Ball {
     while (!open.empty() && joined_.size() < kBall) {
       const Berth here = open.front();
       open.pop_front();
-      joined_[here] = neighbours(here);
+      last_ = here;
+      joined_[here] = joined_with(graph, here, methods);
       for (const Berth there : joined_[here]) {
         if (before_.emplace(there, here).second) open.push_back(there);
       }
@@ -122,15 +132,6 @@ class Ball {
   }
 
  private:
-  std::vector<Berth> neighbours(Berth here) {
-    last_ = here;
-    std::set<Berth> all(graph_.beside(here).begin(), graph_.beside(here).end());
-    for (const BerthArc& arc : graph_.next(here, methods_)) all.insert(arc.to);
-    for (const BerthGraph::Before& arc : graph_.before(here, methods_)) all.insert(arc.from);
-    all.erase(here);
-    return {all.begin(), all.end()};
-  }
-
   BerthGraph& graph_;
   std::uint32_t methods_;
   Berth centre_;
@@ -162,6 +163,19 @@ std::optional<Pocket> pocket_around(BerthGraph& graph, Berth berth, std::uint32_
     largest = Pocket{.exit = *exit, .at_mouth = blocked, .inside = *std::move(inside)};
   }
   return largest;
+}
+
+bool Pockets::look_around(Berth berth, std::uint32_t methods, std::size_t most) {
+  if (of_.contains(berth)) return true;
+  if (around_.reached.empty() || around_.reached.front() != berth || around_.methods != methods)
+    around_ = {.reached = {berth}, .seen = {berth}, .methods = methods};
+  for (; around_.next < std::min(around_.reached.size(), kBall); ++around_.next, --most) {
+    if (most == 0) return false;
+    for (const Berth there : joined_with(graph_, around_.reached[around_.next], methods)) {
+      if (around_.seen.insert(there).second) around_.reached.push_back(there);
+    }
+  }
+  return true;
 }
 
 std::uint32_t Pockets::look(Berth berth, std::uint32_t methods) {
@@ -205,6 +219,7 @@ Distances& Pockets::to_mouth(std::uint32_t pocket, std::uint32_t methods) {
 }
 
 void Pockets::clear() {
+  around_ = {};
   pockets_.clear();
   of_.clear();
   to_mouth_.clear();

@@ -1,8 +1,10 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,9 @@ class Pockets {
 
   explicit Pockets(BerthGraph& graph) : graph_(graph) {}
 
+  /// Looks at so many more of the berths around at most, so that `look` finds what leads from one to the other looked
+  /// up. Returns whether all are. One berth after the other: what was begun for another one is forgotten.
+  bool look_around(Berth berth, std::uint32_t methods, std::size_t most);
   /// Looks for the pocket in which the berth lies, once; drives of `methods` join berths, either way round.
   std::uint32_t look(Berth berth, std::uint32_t methods);
   /// Returns the pocket that is known to hold the berth.
@@ -41,8 +46,17 @@ class Pockets {
   void clear();
 
  private:
+  /// Holds the berths around one as far as they have been looked at: from the first to before `next`.
+  struct Around {
+    std::vector<Berth> reached;
+    std::set<Berth> seen;
+    std::uint32_t methods = 0;
+    std::size_t next = 0;
+  };
+
   BerthGraph& graph_;
   const std::vector<Berth> nothing_;
+  Around around_;
   std::vector<Pocket> pockets_;
   std::map<Berth, std::uint32_t> of_;  ///< `kNone`: looked for, and there is none
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<Distances>> to_mouth_;

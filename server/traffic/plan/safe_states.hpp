@@ -33,6 +33,8 @@ class SafeStates {
   /// Returns whether it can matter to one of them where the other stands: a way out of the one leads by there.
   bool concern(std::uint32_t robot, Berth to, const Lanes::Stand& other);
   Berth at(std::uint32_t robot) const { return robots_[robot].berth; }
+  /// Counts searches for ways out, which bound the work of a piece.
+  std::uint64_t searches() const { return searches_; }
 
  private:
   /// Remembers ways on which a robot gets away: what may not be taken for that.

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <utility>
+
+#include "server/traffic/plan/gridlock.hpp"
+#include "server/traffic/plan/planner.hpp"
+
+/// Makes a plan a piece at a time.
+namespace weft::server {
+namespace {
+
+// These bound what is done at once, and say what it counts, in the unit of `MoveSteps`.
+constexpr std::size_t kPlacesCutAtOnce = 256;
+constexpr std::uint64_t kWorkToCut = 16;
+constexpr std::size_t kBerthsSearchedAtOnce = 16;
+constexpr std::uint64_t kWorkToSearch = 2;
+constexpr std::uint64_t kWorkToDescribe = 16;
+
+}  // namespace
+
+void Planner::work(std::uint64_t most) {
+  const std::uint64_t begin = done();
+  while (making_ && done() - begin < most) go_on(most - (done() - begin));
+}
+
+/// Does the least that can be done at once, or moves of the robots, `most` of these.
+void Planner::go_on(std::uint64_t most) {
+  ++done_;
+  switch (making_->part) {
+    case Making::Part::cut:
+      return cut_more();
+    case Making::Part::number:
+      return number_next();
+    case Making::Part::describe:
+      return describe_next();
+    case Making::Part::cut_off:
+      return cut_off_next();
+    case Making::Part::move:
+      return move_on(most);
+  }
+}
+
+void Planner::cut_more() {
+  done_ += kWorkToCut;
+  if (berths_.cut(kPlacesCutAtOnce)) making_->part = Making::Part::number;
+}
+
+/// Numbers where the next robot stands and wants to go. All places are numbered before anything is planned: berths
+/// that come make others forget their arcs.
+void Planner::number_next() {
+  if (making_->next < making_->requests.size()) {
+    const PlanRequest& request = making_->requests[making_->next++];
+    if (!request.held.empty() && berths_.has(request.held.back())) berths_.at(request.held.back());
+    if (request.goal && berths_.has(*request.goal)) berths_.at(*request.goal);
+    return;
+  }
+  occupy(making_->requests);
+  making_->robots.reserve(making_->requests.size());
+  methods_.clear();
+  making_->next = 0;
+  making_->part = Making::Part::describe;
+}
+
+/// Describes the next robot once all is looked up for that.
+void Planner::describe_next() {
+  if (making_->next < making_->requests.size()) {
+    const PlanRequest& request = making_->requests[making_->next];
+    done_ += kWorkToSearch;
+    if (!has_searched(request)) return;
+    done_ += kWorkToDescribe;
+    making_->robots.push_back(robot_of(request));
+    methods_.push_back(making_->robots.back().methods);
+    ++making_->next;
+    return;
+  }
+  moving_ =
+      static_cast<std::uint32_t>(std::count_if(making_->requests.begin(), making_->requests.end(),
+                                               [](const PlanRequest& request) { return request.goal.has_value(); }));
+  cut_off_by_.assign(making_->requests.size(), kNobody);
+  making_->next = 0;
+  making_->part = Making::Part::cut_off;
+}
+
+/// Searches a little farther what describing the robot takes. Returns whether that is all known.
+bool Planner::has_searched(const PlanRequest& request) {
+  if (request.held.empty() || !berths_.has(request.held.back())) return true;
+  const Berth at = berths_.at(request.held.back());
+  const std::uint32_t methods = berths_.methods(request.drives);
+  if (!pockets_.look_around(at, methods, kBerthsSearchedAtOnce)) return false;
+  pockets_.look(at, methods);
+  if (!request.goal || !berths_.has(*request.goal)) return true;
+  const auto guided = guides_.find(request.robot);
+  const bool is_guided = guided != guides_.end() && guided->second != *request.goal &&
+                         std::find(request.ahead.begin(), request.ahead.end(), guided->second) != request.ahead.end();
+  if (is_guided && !distances(guided->second, methods).search(at, kBerthsSearchedAtOnce)) return false;
+  if (!distances(guide(request, methods), methods).search(at, kBerthsSearchedAtOnce)) return false;
+  return pockets_.look_around(berths_.at(*request.goal), methods, kBerthsSearchedAtOnce);
+}
+
+void Planner::cut_off_next() {
+  const std::size_t next = lost_.empty() ? making_->requests.size() : making_->next++;
+  if (next < making_->requests.size()) {
+    const PlanRobot& robot = making_->robots[next];
+    if (robot.goal != nullptr) cut_off_by_[next] = cut_off_by(making_->requests[next], robot);
+    return;
+  }
+  making_->steps.emplace(berths_, pockets_, lanes_, making_->robots, rules_);
+  making_->part = Making::Part::move;
+}
+
+void Planner::move_on(std::uint64_t most) {
+  // What is looked up and searched in lanes counts there and here; the rest counts there alone.
+  const std::uint64_t before = making_->steps->done();
+  const std::uint64_t counted = done();
+  const bool is_complete = making_->steps->work(most);
+  done_ += (making_->steps->done() - before) - (done() - counted);
+  if (!is_complete) return;
+  MovePlan plan = making_->steps->take();
+  making_->steps.reset();
+  if (!plans_anew(plan)) return end_with(std::move(plan));
+  making_->steps.emplace(berths_, pockets_, lanes_, making_->robots, rules_);
+}
+
+/// Returns whether the moves are to be planned once more, for robots that are described otherwise.
+bool Planner::plans_anew(const MovePlan& plan) {
+  std::vector<PlanRobot>& robots = making_->robots;
+  const Making::Round round = making_->round;
+  if (round == Making::Round::all) {
+    making_->round = Making::Round::without_cut_off;
+    std::vector<bool> are_cut_off;
+    for (const std::uint32_t by : cut_off_by_) are_cut_off.push_back(by != kNobody);
+    if (keep_others(plan, robots, are_cut_off)) {
+      for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+        if (!are_cut_off[robot]) continue;
+        robots[robot].goal = nullptr;
+        robots[robot].pocket = Pockets::kNone;
+      }
+      return true;
+    }
+  }
+  if (round == Making::Round::gridlocked) return false;
+  making_->round = Making::Round::gridlocked;
+  const std::vector<bool> locked = gridlocked(plan, robots);
+  if (std::ranges::find(locked, true) == locked.end()) return false;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) robots[robot].is_gridlocked = locked[robot];
+  return true;
+}
+
+void Planner::end_with(MovePlan plan) {
+  pushes_ += plan.pushes;
+  asked_several_ += plan.asked_several;
+  order_ = PlanOrder(std::move(plan));
+  released_.emplace(berths_, lanes_);
+  for (const PlanRobot& robot : making_->robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
+  forget_unused();
+  making_.reset();
+}
+
+}  // namespace weft::server
