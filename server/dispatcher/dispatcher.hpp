@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -217,10 +218,12 @@ class Dispatcher {
   bool is_led(const RouteAssignment& assignment) const;
   bool is_waited_for(const RobotId& robot) const;
   void plan_moves(Now now);
+  void begin_plan(Now now);
+  std::optional<PlaceId> led_to(const RobotId& robot) const;
   PlanRequest plan_request(const RobotId& robot, Now now) const;
   std::set<PlaceId> avoided_by(const RobotId& robot, SteadyTime now) const;
   void lead(PlanRequest& request, const RouteAssignment& assignment, Now now) const;
-  void ask_to_make_way(const PlanRequest& request, Now now);
+  void ask_to_make_way(const RobotId& robot, Now now);
   void begin_yield(Route route, std::uint32_t through, Now now);
 
   // release.cpp
@@ -231,7 +234,9 @@ class Dispatcher {
     Traffic::Way way;
     std::optional<std::uint32_t> reach;  ///< how far nobody is in the way, of what is not the robot's turn
   };
-  void release(const RobotId& robot, RouteAssignment& assignment, Now now);
+  bool release(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void release_some(Now now);
+  bool has_to_release() const { return release_from_.has_value() || !to_make_way_.empty(); }
   std::optional<Piece> next_piece(const RobotId& robot, const Goal& goal, const Route& route, bool told, Now now);
   void name_what_is_beyond(Piece& piece);
   void name_who_cuts_off(Piece& piece, const RobotId& by, std::size_t kept);
@@ -273,6 +278,8 @@ class Dispatcher {
   Random random_;
   GoalBook book_;
   Planning planning_;
+  std::deque<RobotId> to_make_way_;      ///< robots without a goal, to be asked if the plan has them move
+  std::optional<RobotId> release_from_;  ///< from which robot on releases are still to be looked at
   std::map<RobotId, SteadyTime> blocked_since_;
   std::set<RobotId> blocked_for_long_;        ///< others are led round them
   std::map<RobotId, SteadyTime> arrived_at_;  ///< where an operator sent it

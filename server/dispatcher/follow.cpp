@@ -289,10 +289,12 @@ void Dispatcher::tick(Now now) {
     assign_waiting(now);
     send_idle_robots(now);
   }
-  if (needs_plan() && planning_.is_due(now.steady)) plan_moves(now);
+  if ((planning_.is_under_way() || needs_plan()) && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {
     if (!assignment.is_over()) tell_silence(robot, assignment, now);
-    if (assignment.look_at_release && !assignment.is_lost()) release(robot, assignment, now);
+  }
+  release_some(now);
+  for (auto& [robot, assignment] : assignments_) {
     if (assignment.send_at <= now.steady && has_to_send(robot, assignment)) send_order(robot, assignment, now.steady);
   }
 }
@@ -316,7 +318,8 @@ std::optional<SteadyTime> Dispatcher::next() const {
   });
   if (look_again_ && anybody_waits) sooner(look_at_);
   if (traffic_.has_woken()) sooner(SteadyTime{});
-  if (needs_plan()) sooner(planning_.next());
+  if (planning_.is_under_way() || needs_plan()) sooner(planning_.next());
+  if (!planning_.is_under_way() && has_to_release()) sooner(SteadyTime{});
   if (const std::optional<SteadyTime> at = next_look_at_silent()) sooner(*at);
   return next;
 }

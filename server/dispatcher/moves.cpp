@@ -35,7 +35,20 @@ bool Dispatcher::is_waited_for(const RobotId& robot) const {
   });
 }
 
+/// Makes the next piece of the plan, and of a new one where none is under way.
 void Dispatcher::plan_moves(Now now) {
+  if (!planning_.is_under_way()) begin_plan(now);
+  if (!planning_.is_due(now.steady) || !planning_.work(now.steady)) return;
+  for (auto& [robot, assignment] : assignments_) assignment.look_at_release = true;
+  release_from_.reset();
+  for (const Planning::Asked& asked : planning_.asked()) {
+    // Messages were heard meanwhile. Who stands elsewhere by now is found to do so when it is to be released.
+    if (asked.goal && asked.goal != led_to(asked.robot)) planning_.leave_out(asked.robot);
+    if (planning_.moves(asked.robot) && !assignments_.contains(asked.robot)) to_make_way_.push_back(asked.robot);
+  }
+}
+
+void Dispatcher::begin_plan(Now now) {
   std::vector<PlanRequest> requests;
   double footprint_m = 0.0;
   for (const auto& [robot, known] : fleet_.robots()) {
@@ -48,12 +61,9 @@ void Dispatcher::plan_moves(Now now) {
     if (is_led(assignment)) robots.insert(robot);
   }
   for (const RobotId& robot : robots) requests.push_back(plan_request(robot, now));
-  planning_.plan({context_.snapshots.shared_current(), &routes_.rules()}, footprint_m, requests, now.steady);
-  for (auto& [robot, assignment] : assignments_) assignment.look_at_release = true;
-  for (const PlanRequest& request : requests) {
-    const bool can_be_asked = !request.stays && request.handles == 0 && !assignments_.contains(request.robot);
-    if (can_be_asked) ask_to_make_way(request, now);
-  }
+  to_make_way_.clear();
+  planning_.begin({context_.snapshots.shared_current(), &routes_.rules()}, footprint_m, std::move(requests),
+                  now.steady);
 }
 
 PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
@@ -99,6 +109,14 @@ std::set<PlaceId> Dispatcher::avoided_by(const RobotId& robot, SteadyTime now) c
   return places;
 }
 
+/// Returns where the robot is led; none: nowhere, or it makes way, and can be asked on.
+std::optional<PlaceId> Dispatcher::led_to(const RobotId& robot) const {
+  const auto found = assignments_.find(robot);
+  if (found == assignments_.end() || !is_led(found->second)) return std::nullopt;
+  if (book_.find(found->second.goal)->kind == GoalKind::yield) return std::nullopt;
+  return book_.route(found->second.goal)->places.back();
+}
+
 /// Says where the robot is going. Who makes way goes nowhere: it can be asked on.
 void Dispatcher::lead(PlanRequest& request, const RouteAssignment& assignment, Now now) const {
   const Goal& goal = *book_.find(assignment.goal);
@@ -114,8 +132,10 @@ void Dispatcher::lead(PlanRequest& request, const RouteAssignment& assignment, N
 }
 
 /// Gives an idle robot a way out of others' way, as far as that can be had.
-void Dispatcher::ask_to_make_way(const PlanRequest& request, Now now) {
-  const RobotId& robot = request.robot;
+void Dispatcher::ask_to_make_way(const RobotId& robot, Now now) {
+  if (assignments_.contains(robot)) return;
+  const PlanRequest request = plan_request(robot, now);
+  if (request.stays || request.handles > 0 || request.held.empty()) return;
   const std::optional<std::uint32_t> number = planning_.number(robot, request.held.back());
   if (!number) return;
   const Planning::Piece piece = planning_.piece(*number, request.held);

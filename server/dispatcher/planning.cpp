@@ -13,6 +13,10 @@ constexpr Duration kBetweenMovePlans = 1s;
 constexpr Duration kLeastBetweenPlans = 100ms;
 constexpr Duration kLeastPerRobot = 5ms;
 constexpr std::size_t kFewRobots = kLeastBetweenPlans / kLeastPerRobot;
+/// Bounds what is done of a plan at once, in the unit of `MoveSteps`. Set with traffic_bench --load, seed 101: some
+/// milliseconds.
+constexpr std::uint64_t kPieceOfPlan = 400;
+constexpr Duration kBetweenPieces = 1ms;
 /// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
 constexpr Duration kBetweenMaps = 10s;
 
@@ -32,19 +36,41 @@ Duration least_between_plans(std::size_t robots) {
                               kLeastBetweenPlans, kBetweenMovePlans);
 }
 
-void Planning::plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
-                    SteadyTime now) {
-  const bool may_lag = followed_at_ && now < *followed_at_ + kBetweenMaps;
-  if (planner_.plan(network, footprint_m, requests, may_lag)) followed_at_ = now;
+void Planning::begin(const RuledNetwork& network, double footprint_m, std::vector<PlanRequest> requests,
+                     SteadyTime now) {
   robots_.clear();
-  of_.clear();
-  for (const PlanRequest& request : requests) {
-    robots_[request.robot] = {static_cast<std::uint32_t>(of_.size()), request.held.back()};
-    of_.push_back(request.robot);
-  }
+  asked_.clear();
+  for (const PlanRequest& request : requests) asked_.push_back({request.robot, request.held.back(), request.goal});
   next_ = now + kBetweenMovePlans;
   soonest_ = now + least_between_plans(requests.size());
   at_once_ = requests.size() <= kFewRobots ? SteadyTime{} : soonest_;
+  is_under_way_ = true;
+  begun_at_ = piece_at_ = now;
+  // To describe many is a piece of its own.
+  if (requests.size() > kFewRobots) piece_at_ += kBetweenPieces;
+  const bool may_lag = followed_at_ && now < *followed_at_ + kBetweenMaps;
+  if (planner_.begin(network, footprint_m, std::move(requests), may_lag)) followed_at_ = now;
+}
+
+bool Planning::work(SteadyTime now) {
+  piece_at_ = now + kBetweenPieces;
+  if (planner_.is_under_way()) planner_.work(kPieceOfPlan);
+  if (planner_.is_under_way()) return false;
+  is_under_way_ = false;
+  for (std::uint32_t number = 0; number < asked_.size(); ++number) {
+    robots_[asked_[number].robot] = {number, asked_[number].end};
+  }
+  // Leaves as much time to the plan as it took: who is asked for another one at once would never follow any.
+  const SteadyTime rested = now + (now - begun_at_);
+  if (now > begun_at_) next_ = std::max(next_, rested);
+  soonest_ = std::max(soonest_, rested);
+  at_once_ = now > begun_at_ ? std::max(at_once_, rested) : at_once_;
+  return true;
+}
+
+void Planning::leave_out(const RobotId& robot) {
+  robots_.erase(robot);
+  want_soon();
 }
 
 std::optional<std::uint32_t> Planning::number(const RobotId& robot, const PlaceId& end) const {
@@ -63,11 +89,7 @@ Planning::Piece Planning::piece(std::uint32_t number, const std::vector<PlaceId>
 }
 
 void Planning::released(const RobotId& robot, std::size_t stops, const PlaceId& end) {
-  if (stops == 0) {
-    robots_.erase(robot);
-    want_soon();
-    return;
-  }
+  if (stops == 0) return leave_out(robot);
   Planned& planned = robots_.at(robot);
   planner_.release(planned.number, planner_.order().released(planned.number) + static_cast<std::uint32_t>(stops));
   planned.end = end;
@@ -75,7 +97,7 @@ void Planning::released(const RobotId& robot, std::size_t stops, const PlaceId& 
 
 std::set<RobotId> Planning::waits_for(std::uint32_t number) {
   std::set<RobotId> robots;
-  for (const std::uint32_t other : planner_.waits_for(number)) robots.insert(of_[other]);
+  for (const std::uint32_t other : planner_.waits_for(number)) robots.insert(asked_[other].robot);
   return robots;
 }
 

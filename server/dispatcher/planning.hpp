@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/network/goal.hpp"
@@ -17,26 +19,49 @@ namespace weft::server {
 /// and with more of them something changes more often: else 200 robots keep two cores busy.
 Duration least_between_plans(std::size_t robots);
 
-/// Keeps the plan of everybody's moves, and says when there is to be another one.
+/// Keeps the plan of everybody's moves, and says when there is to be another one. A plan is made in pieces, between
+/// which messages are heard; until it is made there is none, so that nobody is released by the one before. It always
+/// comes to an end: what changes meanwhile is left to the next one.
 class Planning {
  public:
   explicit Planning(Proximity& proximity) : planner_(proximity, PlanRules{}) {}
 
-  /// Returns whether the plan is older than a second, or somebody asked for another one.
-  bool is_due(SteadyTime now) const { return now >= next_; }
-  SteadyTime next() const { return next_; }
+  /// Returns whether the next piece of a plan is to be made, or the plan is older than a second, or somebody asked
+  /// for another one.
+  bool is_due(SteadyTime now) const { return now >= next(); }
+  SteadyTime next() const { return is_under_way_ ? piece_at_ : next_; }
+  bool is_under_way() const { return is_under_way_; }
   /// Asks for another plan: there is a goal more or less. At once, unless there are many robots.
   void want() { next_ = std::min(next_, at_once_); }
   /// Asks for another plan soon: a robot is not where the plan has it.
   void want_soon() { next_ = std::min(next_, soonest_); }
   /// Notes that something was taken out of the map, came back, or is ruled otherwise: the next plan has to know.
   void map_edited() { followed_at_.reset(); }
-  void plan(const RuledNetwork& network, double footprint_m, const std::vector<PlanRequest>& requests,
-            SteadyTime now);
+  /// Has what lies around robots looked up in that map from now on, though the plan may follow an earlier one.
+  void see(std::shared_ptr<const Snapshot> latest) { planner_.see(std::move(latest)); }
+  /// Begins a plan in place of the one that there is.
+  void begin(const RuledNetwork& network, double footprint_m, std::vector<PlanRequest> requests, SteadyTime now);
+  /// Makes the next piece of it. Returns whether it is made.
+  bool work(SteadyTime now);
+
+  /// Describes a robot as the plan has it: where it ends, and where it was going.
+  struct Asked {
+    RobotId robot;
+    PlaceId end;
+    std::optional<PlaceId> goal;
+  };
+  const std::vector<Asked>& asked() const { return asked_; }
+  /// Leaves the robot out until the next plan: it is not going where the plan leads it.
+  void leave_out(const RobotId& robot);
 
   /// Returns the robot's number in the plan, if it stands, or will, where the plan has it; none: it is to be planned.
   std::optional<std::uint32_t> number(const RobotId& robot, const PlaceId& end) const;
   bool has(const RobotId& robot) const { return robots_.contains(robot); }
+  /// Returns whether the plan has the robot move.
+  bool moves(const RobotId& robot) const {
+    const auto found = robots_.find(robot);
+    return found != robots_.end() && !planner_.order().moves(found->second.number).empty();
+  }
 
   /// Describes what the robot may be released next.
   struct Piece {
@@ -53,7 +78,7 @@ class Planning {
   /// Returns who cuts the robot off from its goal until a person helps that one; none: nobody does.
   std::optional<RobotId> cut_off_by(std::uint32_t number) const {
     const std::uint32_t by = planner_.cut_off_by(number);
-    return by == kNobody ? std::nullopt : std::optional(of_[by]);
+    return by == kNobody ? std::nullopt : std::optional(asked_[by].robot);
   }
   /// Returns whether the robot may drive on along that way though the plan does not say so.
   bool is_safe(std::uint32_t number, const std::vector<PlaceId>& ahead) { return planner_.is_safe(number, ahead); }
@@ -66,7 +91,10 @@ class Planning {
 
   Planner planner_;
   std::map<RobotId, Planned> robots_;
-  std::vector<RobotId> of_;  ///< by number
+  std::vector<Asked> asked_;  ///< by number
+  bool is_under_way_ = false;
+  SteadyTime begun_at_;
+  SteadyTime piece_at_;
   SteadyTime next_;
   SteadyTime soonest_;
   SteadyTime at_once_;                     ///< of many robots: as soon as any

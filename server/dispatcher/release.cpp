@@ -8,6 +8,9 @@
 namespace weft::server {
 namespace {
 
+/// Is a whole fleet, where that is planned for at each change (least_between_plans).
+constexpr std::size_t kReleasesAtOnce = 20;
+
 /// Returns whether the route goes on with these places.
 bool leads_along(const Route& route, std::size_t kept, const std::vector<PlaceId>& places) {
   if (route.places.size() - kept - 1 < places.size()) return false;
@@ -16,20 +19,46 @@ bool leads_along(const Route& route, std::size_t kept, const std::vector<PlaceId
 
 }  // namespace
 
+/// Follows the plan: has robots make way, and looks at releases that may grow, a few of all at once, as each may take
+/// a search of its own. The others come next, from the robot on where this ends.
+void Dispatcher::release_some(Now now) {
+  if (planning_.is_under_way()) return;
+  std::size_t left = kReleasesAtOnce;
+  for (; left > 0 && !to_make_way_.empty(); --left) {
+    const RobotId robot = to_make_way_.front();
+    to_make_way_.pop_front();
+    ask_to_make_way(robot, now);
+  }
+  auto next = release_from_ ? assignments_.lower_bound(*release_from_) : assignments_.begin();
+  release_from_.reset();
+  for (; next != assignments_.end(); ++next) {
+    auto& [robot, assignment] = *next;
+    if (!assignment.look_at_release || assignment.is_lost()) continue;
+    if (left == 0) {
+      release_from_ = robot;
+      return;
+    }
+    if (release(robot, assignment, now)) --left;
+  }
+}
+
 /// Releases the route as far as it is the robot's turn and nobody holds it: what is granted is stored before it is
-/// sent.
-void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now now) {
-  if (!is_led(assignment)) return;
+/// sent. Returns whether it was looked at for that.
+bool Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now now) {
+  if (!is_led(assignment)) return false;
   const Goal& goal = *book_.find(assignment.goal);
   const Route& route = *book_.route(assignment.goal);
   const bool told = is_told(robot, route);
   const bool is_all = told && route.released + 1 == route.places.size();
   // Lets a yield grow, unless an operator waits for the robot.
-  if (is_all && (goal.kind != GoalKind::yield || is_waited_for(robot))) return;
-  if (!std::exchange(assignment.look_at_release, false)) return;
-  if (const std::string why = why_held(robot); !why.empty()) return wait_for(goal, why, now);
+  if (is_all && (goal.kind != GoalKind::yield || is_waited_for(robot))) return false;
+  if (!std::exchange(assignment.look_at_release, false)) return false;
+  if (const std::string why = why_held(robot); !why.empty()) {
+    wait_for(goal, why, now);
+    return true;
+  }
   std::optional<Piece> piece = next_piece(robot, goal, route, told, now);
-  if (!piece) return;
+  if (!piece) return true;
   assignment.ruled_by = end_by_rules(robot, told ? route.released : 0, told, *piece);
   if (piece->way.through) {
     grant(robot, assignment, *piece, told, now);
@@ -45,12 +74,13 @@ void Dispatcher::release(const RobotId& robot, RouteAssignment& assignment, Now 
       }
     }
   }
-  if (is_all) return;
+  if (is_all) return true;
   assignment.way = piece->way;
   if (!assignment.waits_since) assignment.waits_since = now;
   // Mostly it is let on while it still drives: then it does not wait.
   const bool drives_on = told && !assignment.stands_at_end;
   note_waiting(robot, assignment, drives_on ? Traffic::Way{} : piece->way, now);
+  return true;
 }
 
 /// Finds what comes next by the plan, and how far that can be had. None: the robot is not where the plan has it, and

@@ -30,6 +30,7 @@ std::optional<std::uint32_t> first_broken(const Snapshot& snapshot, const Route&
 
 void Dispatcher::network_changed() {
   look_again_ = true;
+  planning_.see(context_.snapshots.shared_current());
   if (routes_.rules() != seen_rules_) {
     seen_rules_ = routes_.rules();
     tried_.clear();
