@@ -11,6 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 constexpr Duration kBetweenRoutePlans = 1s;
 constexpr std::size_t kStartsTried = 6;
+/// Bounds how many ways are searched before messages are heard again.
+constexpr std::size_t kWaysAtOnce = 50;
 
 std::string metres(double length_m) {
   const auto centimetres = std::llround(length_m * 100);
@@ -83,10 +85,16 @@ std::vector<const Goal*> Dispatcher::pending() const {
   return waiting;
 }
 
-void Dispatcher::assign_waiting(Now now) {
+/// Gives out goals. Returns false where searches for ways have to go on first: soon, between messages.
+bool Dispatcher::assign_waiting(Now now) {
   const Revision revision = context_.snapshots.current().revision();
-  if (tried_at_ != revision) tried_.clear();
+  if (tried_at_ != revision) {
+    tried_.clear();
+    choosing_.clear();
+  }
   tried_at_ = revision;
+  std::size_t left = kWaysAtOnce;
+  bool is_done = true;
   Queues queues;
   std::vector<GoalId> turns;
   for (const Goal* const goal : turns_.in_turn(pending(), now.steady)) turns.push_back(goal->id);
@@ -108,16 +116,23 @@ void Dispatcher::assign_waiting(Now now) {
       queues.begun.insert(goal.wanted);
       continue;
     }
-    const Result<Choice> choice = choose(ready, ways_that_charge_covers(goal.to, now));
+    Choosing& choosing = choosing_[id];
+    const std::optional<Result<Choice>> choice = choosing.go_on(ready, ways_that_charge_covers(goal.to, now), left);
     if (!choice) {
+      is_done = false;
+      break;
+    }
+    if (!*choice) {
+      own_goals_.fell_short = choosing.refused();
       note_fell_short(now);
       tried_[id] = ready;
-      still_pending(goal, Why::no_way, choice.error().message, queues);
-      continue;
+      still_pending(goal, Why::no_way, choice->error().message, queues);
     }
-    if (assign(goal, *choice, now)) forget_waiting(id);
+    choosing_.erase(id);
+    if (*choice && assign(goal, **choice, now)) forget_waiting(id);
   }
   note_pending(queues, now);
+  return is_done;
 }
 
 /// Decides what a pending goal says. The first goal for a robot, or for any, says what it waits for whenever that
@@ -147,6 +162,7 @@ void Dispatcher::note_pending(const Queues& queues, Now now) {
 
 void Dispatcher::forget_waiting(const GoalId& goal) {
   tried_.erase(goal);
+  choosing_.erase(goal);
   told_.erase(goal);
 }
 

@@ -136,7 +136,7 @@ class Dispatcher {
 
   // assign.cpp
   std::vector<const Goal*> pending() const;
-  void assign_waiting(Now now);
+  bool assign_waiting(Now now);
   bool assign(const Goal& goal, const Choice& choice, Now now);
   bool give(const Goal& goal, const GoalBook::Step& step, const Choice& choice, Now now);
   Candidate candidate_of(const Robot& robot) const;
@@ -287,6 +287,7 @@ class Dispatcher {
   std::map<RobotId, std::map<PlaceId, SteadyTime>> avoids_;
   std::map<RobotId, RouteAssignment> assignments_;
   std::map<GoalId, std::vector<Candidate>> tried_;  ///< with whom a waiting goal was tried in vain, last
+  std::map<GoalId, Choosing> choosing_;             ///< of waiting goals: searches that go on
   std::map<GoalId, std::set<Why>> told_;            ///< what a pending goal has said since the server started
   Turns turns_;
   OwnGoals own_goals_;

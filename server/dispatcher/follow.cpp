@@ -286,8 +286,12 @@ void Dispatcher::tick(Now now) {
     look_again_ = false;
     look_at_ = now.steady + kBetweenLooksAtRoutes;
     look_at_charge(now);
-    assign_waiting(now);
-    send_idle_robots(now);
+    if (assign_waiting(now)) {
+      send_idle_robots(now);
+    } else {
+      look_again_ = true;
+      look_at_ = now.steady;
+    }
   }
   if ((planning_.is_under_way() || needs_plan()) && planning_.is_due(now.steady)) plan_moves(now);
   for (auto& [robot, assignment] : assignments_) {

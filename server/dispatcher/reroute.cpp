@@ -34,6 +34,7 @@ void Dispatcher::network_changed() {
   if (routes_.rules() != seen_rules_) {
     seen_rules_ = routes_.rules();
     tried_.clear();
+    choosing_.clear();
     routes_checked_ = false;
     planning_.want();
     for (auto& [robot, assignment] : assignments_) assignment.ruled_by.clear();
