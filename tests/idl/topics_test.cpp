@@ -54,6 +54,17 @@ TEST(Topics, LargestChunkFits) {
   EXPECT_TRUE(encode(chunk, msg::Role::agent));
 }
 
+TEST(Topics, LargestEchoFits) {
+  msg::Echo echo;
+  echo.header.sender.bytes.fill(1);
+  echo.header.signature.resize(64);
+  echo.to.bytes.fill(2);
+  echo.load.resize(msg::kEchoBytes);
+  EXPECT_TRUE(encode(echo, msg::Role::server));
+  EXPECT_TRUE(encode(echo, msg::Role::client));
+  EXPECT_FALSE(encode(echo, msg::Role::agent));
+}
+
 TEST(Topics, LargestReportFits) {
   msg::TaughtStretch stretch;
   stretch.first = {ExperienceId{1}, 0};
