@@ -13,7 +13,7 @@ struct DriveFigures {
   double lost_s = 0.0;           ///< in which the robot was lost
   double silent_server_s = 0.0;  ///< since the server was heard last, or since the start
   bool has_body_failed = false;
-  process::Durations stepped;  ///< each sample: seeing, deciding, sending
+  process::Durations stepped{};  ///< each sample: seeing, deciding, sending
 };
 
 /// Returns the metrics of one robot's agent.
