@@ -67,6 +67,7 @@ struct Tight final : storage::Spool {
     if (bytes > 10'000) return fail(ErrorCode::exhausted, "no room for " + std::to_string(bytes));
     return {};
   }
+  std::optional<std::uint64_t> free_bytes() const override { return 20'000; }
 };
 
 TEST(SpoolWatch, ASmallFileThatFitsIsNoRoomForABatch) {

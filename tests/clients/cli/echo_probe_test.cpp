@@ -95,8 +95,12 @@ TEST(EchoProbe, APathThatCarriesNoLargePacketsIsNamed) {
 TEST(EchoProbe, SlowNetworksAreNamed) {
   const Measured measured([](const msg::Echo&) { return 300ms; });
   for (const Finding& finding : findings_of(measured.report)) {
-    if (finding.what == "delay") EXPECT_FALSE(finding.good) << finding.detail;
-    if (finding.what == "loss") EXPECT_TRUE(finding.good) << finding.detail;
+    if (finding.what == "delay") {
+      EXPECT_FALSE(finding.good) << finding.detail;
+    }
+    if (finding.what == "loss") {
+      EXPECT_TRUE(finding.good) << finding.detail;
+    }
   }
 }
 
