@@ -10,6 +10,8 @@
 /// roll, height), a point (x, y, z).
 namespace weft::agents {
 
+inline constexpr double kHuberSigmas = 1.5;  ///< of sightings and told heights
+
 /// Compares the ray to a point with the one on which it was seen, across that ray.
 class SightingCost {
  public:
@@ -48,20 +50,19 @@ class SightingCost {
   Eigen::Matrix<double, 2, 3> across_;  ///< in sigmas
 };
 
-/// Holds a point at the ceiling's height or a little below it.
+/// Holds a point at the height that was told of it. What is told is of the odometry's scale, and symmetric: a prior
+/// by which points may hang below a ceiling but hardly lie above it shortens all ways, as noise puts half of them
+/// above.
 struct HeightCost {
-  double ceiling_m;
-  double below_sigma_m;
-  double above_sigma_m;
+  double told_m;
+  double sigma_m;
 
-  static ceres::CostFunction* make(const Mosaic& mosaic) {
-    return new ceres::AutoDiffCostFunction<HeightCost, 1, 3>(
-        new HeightCost{mosaic.ceiling_m, mosaic.below_sigma_m, mosaic.above_sigma_m});
+  static ceres::CostFunction* make(const MosaicPoint& point) {
+    return new ceres::AutoDiffCostFunction<HeightCost, 1, 3>(new HeightCost{point.told_m, point.told_sigma_m});
   }
   template <class T>
   bool operator()(const T* point, T* residual) const {
-    const T above = point[2] - ceiling_m;
-    residual[0] = above / (above < T(0.0) ? below_sigma_m : above_sigma_m);
+    residual[0] = (point[2] - told_m) / sigma_m;
     return true;
   }
 };

@@ -32,17 +32,17 @@ std::optional<Eigen::Vector3d> met(const Mosaic& mosaic, const MosaicSighting& s
 }
 
 std::string problem_of(const Mosaic& mosaic) {
-  const bool has_heights =
-      std::isfinite(mosaic.ceiling_m) && mosaic.below_sigma_m > 0.0 && mosaic.above_sigma_m > 0.0;
-  if (!has_heights) return "the ceiling's height is not finite, or a sigma of heights is not above 0";
   for (std::size_t i = 0; i < mosaic.places.size(); ++i) {
     const MosaicPlace& place = mosaic.places[i];
     if (!is_finite(place.map_from_place) || !place.attitude.vector().allFinite())
       return at("place", i, "its pose or attitude is not finite");
     if (!(place.attitude_sigma.minCoeff() > 0.0)) return at("place", i, "a sigma of its attitude is not above 0");
   }
-  for (std::size_t i = 0; i < mosaic.points.size(); ++i)
-    if (!mosaic.points[i].in_map.allFinite()) return at("point", i, "it is not finite");
+  for (std::size_t i = 0; i < mosaic.points.size(); ++i) {
+    const MosaicPoint& point = mosaic.points[i];
+    if (!point.in_map.allFinite() || !std::isfinite(point.told_m)) return at("point", i, "it is not finite");
+    if (!(point.told_sigma_m > 0.0)) return at("point", i, "the sigma of its told height is not above 0");
+  }
   for (std::size_t i = 0; i < mosaic.sightings.size(); ++i) {
     const MosaicSighting& sighting = mosaic.sightings[i];
     if (sighting.place >= mosaic.places.size())

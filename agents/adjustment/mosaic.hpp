@@ -22,6 +22,8 @@ struct MosaicPlace {
 /// Describes a corner of the ceiling, or of what hangs below it.
 struct MosaicPoint {
   Eigen::Vector3d in_map = Eigen::Vector3d::Zero();  ///< m; z above the floor
+  double told_m = 0.0;                               ///< its z as it was told beforehand...
+  double told_sigma_m = 0.8;                         ///< ...and how well, > 0
   double height_sigma_m = 0.0;                       ///< of its z, once it is adjusted
 };
 
@@ -45,10 +47,7 @@ struct MosaicLink {
 /// Holds a taught run as what was seen above it: the places in the order in which they were driven, and all that
 /// binds them (Lucas et al., II.D, where a chain of homographies did).
 struct Mosaic {
-  Pose3 robot_from_camera;      ///< one camera saw all of it
-  double ceiling_m = 0.0;       ///< where most points are, above the floor
-  double below_sigma_m = 0.8;   ///< how far points hang below it, mostly
-  double above_sigma_m = 0.03;  ///< how far they may lie above it, by how well the height is known
+  Pose3 robot_from_camera;  ///< one camera saw all of it
   std::vector<MosaicPlace> places;
   std::vector<MosaicPoint> points;
   std::vector<MosaicSighting> sightings;

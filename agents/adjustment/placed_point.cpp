@@ -11,7 +11,6 @@ namespace weft::agents {
 
 MosaicPoint placed(const Mosaic& mosaic, const MosaicIndex& index, std::uint32_t point) {
   using Parameters = std::array<double, 3>;
-  constexpr double huber_sigmas = 1.5;
   constexpr int iterations = 10;
   const std::vector<std::uint32_t>& seen = index.sightings_of(point);
   MosaicPoint result = mosaic.points[point];
@@ -25,11 +24,11 @@ MosaicPoint placed(const Mosaic& mosaic, const MosaicIndex& index, std::uint32_t
   }
   ceres::Problem problem;
   Eigen::Vector3d& at = result.in_map;
-  problem.AddResidualBlock(HeightCost::make(mosaic), nullptr, at.data());
+  problem.AddResidualBlock(HeightCost::make(result), new ceres::HuberLoss(kHuberSigmas), at.data());
   for (std::size_t i = 0; i < seen.size(); ++i) {
     auto& [pose, attitude] = from[i];
     problem.AddResidualBlock(SightingCost::make(mosaic.robot_from_camera, mosaic.sightings[seen[i]]),
-                             new ceres::HuberLoss(huber_sigmas), pose.data(), attitude.data(), at.data());
+                             new ceres::HuberLoss(kHuberSigmas), pose.data(), attitude.data(), at.data());
     problem.SetParameterBlockConstant(pose.data());
     problem.SetParameterBlockConstant(attitude.data());
   }

@@ -12,7 +12,6 @@ namespace weft::agents {
 namespace {
 
 using Parameters = std::array<double, 3>;
-constexpr double kHuberSigmas = 1.5;
 constexpr int kIterations = 6;
 
 Parameters parameters_of(const Eigen::Vector3d& vector) {
@@ -41,6 +40,7 @@ class Unknowns {
     std::erase_if(by_point_, [](const auto& entry) { return entry.second.size() < 2; });
     for (const auto& [point, sightings] : by_point_) {
       points.push_back(parameters_of(mosaic.points[point].in_map));
+      told.push_back(&mosaic.points[point]);
       seen.push_back(&sightings);
     }
   }
@@ -48,6 +48,7 @@ class Unknowns {
 
   std::vector<PlaceUnknowns> places;
   std::vector<Parameters> points;
+  std::vector<const MosaicPoint*> told;                 ///< each of `points` as the mosaic has it
   std::vector<const std::vector<std::uint32_t>*> seen;  ///< the sightings of each of `points`
 
  private:
@@ -75,7 +76,7 @@ void solve(const Mosaic& mosaic, const std::vector<MosaicLink>& links, std::uint
   options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   for (std::size_t i = 0; i < unknowns.points.size(); ++i) {
     double* const point = unknowns.points[i].data();
-    problem.AddResidualBlock(HeightCost::make(mosaic), nullptr, point);
+    problem.AddResidualBlock(HeightCost::make(*unknowns.told[i]), new ceres::HuberLoss(kHuberSigmas), point);
     options.linear_solver_ordering->AddElementToGroup(point, 0);
     for (const std::uint32_t number : *unknowns.seen[i]) {
       const MosaicSighting& sighting = mosaic.sightings[number];
@@ -109,7 +110,7 @@ class Reduced {
 
   void add_point(const Mosaic& mosaic, const Unknowns& unknowns, std::size_t point) {
     const std::vector<std::uint32_t>& seen = *unknowns.seen[point];
-    Eigen::Matrix3d of_point = of_height(mosaic, unknowns.points[point]);
+    Eigen::Matrix3d of_point = of_height(*unknowns.told[point], unknowns.points[point]);
     std::vector<std::pair<Eigen::Index, Eigen::Matrix<double, 6, 3>>> mixed;
     for (const std::uint32_t number : seen) {
       const MosaicSighting& sighting = mosaic.sightings[number];
@@ -175,10 +176,12 @@ class Reduced {
   template <int Columns>
   using Rows = Eigen::Matrix<double, 2, Columns>;
 
-  static Eigen::Matrix3d of_height(const Mosaic& mosaic, const Parameters& point) {
-    const double sigma = point[2] < mosaic.ceiling_m ? mosaic.below_sigma_m : mosaic.above_sigma_m;
+  /// Returns the information on a point by its told height, as Huber's loss weights it.
+  static Eigen::Matrix3d of_height(const MosaicPoint& told, const Parameters& point) {
+    const double sigmas = std::abs(point[2] - told.told_m) / told.told_sigma_m;
+    const double weight = std::min(1.0, kHuberSigmas / std::max(sigmas, 1e-12));
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    information(2, 2) = 1.0 / (sigma * sigma);
+    information(2, 2) = weight / (told.told_sigma_m * told.told_sigma_m);
     return information;
   }
 

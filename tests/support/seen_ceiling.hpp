@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "agents/adjustment/mosaic.hpp"
@@ -25,16 +26,18 @@ inline std::vector<Pose2> loop_way(std::size_t places, double step_m) {
 }
 
 /// Drives a way below a ceiling at 6.4 m, a third of whose corners hang up to 1.5 m below it, with a camera that
-/// leans by 2 degrees, and holds what is seen as the adjustment gets it: places as odometry has them, 1 % long and
-/// drifting, points all at the ceiling's height.
+/// leans by 2 degrees, and holds what is seen as the adjustment gets it: places as odometry has them, some percent
+/// long and drifting, points all at the ceiling's height, which ones hang, and where they do within 0.8 m.
 struct SeenCeiling {
   struct Drive {
     std::vector<Pose2> way;
     std::size_t stitches = 0;  ///< of places before the end with such at the beginning
     std::uint64_t seed = 1;
+    double longer = 0.01;      ///< share by which odometry is too long
+    double sigma_rad = 0.001;  ///< of a ray, each way
   };
 
-  explicit SeenCeiling(const Drive& drive) : truth(drive.way) {
+  explicit SeenCeiling(Drive how) : truth(how.way), drive(std::move(how)) {
     Random random(drive.seed);
     const Eigen::AngleAxisd lean(0.035, Eigen::Vector3d::UnitY());
     Eigen::Matrix3d up;  // the image's right on the robot's right
@@ -42,7 +45,6 @@ struct SeenCeiling {
     up.col(0) = -Eigen::Vector3d::UnitY();
     up.col(1) = up.col(2).cross(up.col(0));
     mosaic.robot_from_camera = {Eigen::Quaterniond(lean.toRotationMatrix() * up), {0.1, 0.0, 0.5}};
-    mosaic.ceiling_m = 6.4;
     hang(random);
     drive_on(random);
     for (std::size_t i = 0; i < drive.stitches; ++i) stitch(truth.size() - 1 - 2 * i, drive.stitches - i, random);
@@ -54,6 +56,8 @@ struct SeenCeiling {
   std::vector<Eigen::Vector3d> points;  ///< where they are
 
  private:
+  Drive drive;
+
   void hang(Random& random) {
     Eigen::AlignedBox2d box;
     for (const Pose2& pose : truth) box.extend(pose.translation());
@@ -73,7 +77,7 @@ struct SeenCeiling {
     mosaic.places.push_back({truth.front(), {}, {0.003, 0.003, 0.002}});
     for (std::uint32_t i = 1; i < truth.size(); ++i) {
       const Pose2 step = truth[i - 1].inverse() * truth[i];
-      const Eigen::Vector3d noise(0.01 * step.x + random.normal(0.0, 0.004), random.normal(0.0, 0.004),
+      const Eigen::Vector3d noise(drive.longer * step.x + random.normal(0.0, 0.004), random.normal(0.0, 0.004),
                                   random.normal(0.0, 0.004));
       const Pose2 odometry = step * se2_exp(noise);
       const Eigen::Vector3d variances = Eigen::Vector3d(0.006, 0.004, 0.004).cwiseAbs2();
@@ -91,8 +95,8 @@ struct SeenCeiling {
 
   void sight(Random& random) {
     constexpr double widest = 0.8;  // tangent from the optical axis
-    constexpr double sigma_rad = 0.001;
-    for (const Eigen::Vector3d& point : points) mosaic.points.push_back({point, 0.0});
+    for (const Eigen::Vector3d& point : points)
+      mosaic.points.push_back(point.z() == 6.4 ? MosaicPoint{point, 6.4, 0.02} : MosaicPoint{point, 5.5, 0.8});
     std::vector<bool> is_seen(points.size(), false);
     for (std::uint32_t place = 0; place < truth.size(); ++place) {
       const Attitude sway{random.normal(0.0, 0.002), random.normal(0.0, 0.002), random.normal(0.0, 0.001)};
@@ -100,8 +104,8 @@ struct SeenCeiling {
       for (std::uint32_t i = 0; i < points.size(); ++i) {
         Eigen::Vector3d ray = (camera_from_map * points[i]).normalized();
         if (ray.z() < 0.1 || ray.head<2>().norm() > widest * ray.z()) continue;
-        ray += sigma_rad * Eigen::Vector3d(random.normal(0.0, 1.0), random.normal(0.0, 1.0), 0.0);
-        mosaic.sightings.push_back({place, i, ray.normalized(), sigma_rad});
+        ray += drive.sigma_rad * Eigen::Vector3d(random.normal(0.0, 1.0), random.normal(0.0, 1.0), 0.0);
+        mosaic.sightings.push_back({place, i, ray.normalized(), drive.sigma_rad});
         if (!is_seen[i]) mosaic.points[i].in_map = *met(mosaic, mosaic.sightings.back(), 6.4);
         is_seen[i] = true;
       }

@@ -124,7 +124,9 @@ void add_corner(const CeilingConfig& config, const CeilingRun& run, const std::v
   };
   const auto in_map = met(out.mosaic, sighting_of(best), feature_of(run, best).above_floor_m);
   if (!in_map) return;
-  out.mosaic.points.push_back({*in_map, 0.0});
+  const PlaneFeature& told = feature_of(run, best);
+  const double told_sigma_m = std::max(told.above_floor_sigma_m, config.flat_sigma_m);
+  out.mosaic.points.push_back({*in_map, told.above_floor_m, told_sigma_m, 0.0});
   for (const RunFeature& seen : open) {
     out.mosaic.sightings.push_back(sighting_of(seen));
     out.features.push_back(seen.feature);
@@ -142,11 +144,12 @@ double off_sigmas(const Mosaic& mosaic, const MosaicSighting& sighting) {
 }
 
 /// Returns a point's height, where the adjustment has told one that can be a ceiling's.
-std::optional<Height> told_height(const CeilingConfig& config, const Mosaic& mosaic, const MosaicPoint& point) {
-  const HeightPrior prior = height_prior(config, mosaic.ceiling_m, mosaic.robot_from_camera.translation.z());
+std::optional<Height> told_height(const CeilingConfig& config, double ceiling_m, const Mosaic& mosaic,
+                                  const MosaicPoint& point) {
+  const HeightPrior prior = height_prior(config, ceiling_m, mosaic.robot_from_camera.translation.z());
   if (!(point.height_sigma_m > 0.0) || point.in_map.z() < prior.lowest_m) return std::nullopt;
   // The poses have their own error, which the point's sigma leaves out.
-  return Height{std::min(point.in_map.z(), mosaic.ceiling_m), std::hypot(point.height_sigma_m, prior.flat_sigma_m)};
+  return Height{std::min(point.in_map.z(), ceiling_m), std::hypot(point.height_sigma_m, prior.flat_sigma_m)};
 }
 
 }  // namespace
@@ -171,8 +174,6 @@ RunMosaic mosaic_of(const CeilingConfig& config, const CeilingRun& run,
                     const std::vector<std::vector<RunFeature>>& corners) {
   RunMosaic out;
   out.mosaic.robot_from_camera = run.front().content->camera.robot_from_camera;
-  out.mosaic.ceiling_m = run.front().content->ceiling_m;
-  out.mosaic.below_sigma_m = config.hangs_sigma_m;
   add_places_and_links(run, out.mosaic);
   std::vector<std::size_t> counts(run.size(), 0);
   for (const std::size_t corner : by_length(corners)) add_corner(config, run, corners[corner], counts, out);
@@ -195,7 +196,8 @@ Amendments<CeilingContent> amendments_of(const CeilingConfig& config, const Ceil
     const MosaicSighting& sighting = adjusted.sightings[i];
     CeilingContent& content = changes.places[sighting.place].content;
     PlaneFeature& feature = content.features[features[i]];
-    const std::optional<Height> height = told_height(config, adjusted, adjusted.points[sighting.point]);
+    const std::optional<Height> height =
+        told_height(config, content.ceiling_m, adjusted, adjusted.points[sighting.point]);
     if (!height || height->sigma_m >= feature.above_floor_sigma_m) continue;
     if (off_sigmas(adjusted, sighting) < most_sigmas) set_height(content.camera, *height, feature);
   }

@@ -52,6 +52,12 @@ TEST(MosaicAdjustment, AWrongStitchAmongRightOnesMovesNothing) {
   EXPECT_LT(off_m(adjusted(seen.mosaic), seen.truth), without + 0.01);
 }
 
+TEST(MosaicAdjustment, NoiseOfSightingsDoesNotShortenTheWay) {
+  const SeenCeiling seen({.way = line_way(60, 0.4), .seed = 7, .longer = 0.0, .sigma_rad = 0.004});
+  const double adjusted_m = adjusted(seen.mosaic).places.back().map_from_place.translation().norm();
+  EXPECT_NEAR(adjusted_m / seen.truth.back().translation().norm(), 1.0, 0.0015);
+}
+
 TEST(MosaicAdjustment, HeightsAreFoundWithinWhatTheirSigmasSay) {
   SeenCeiling seen({.way = line_way(24, 0.4), .seed = 3});
   const Mosaic after = adjusted(seen.mosaic);
