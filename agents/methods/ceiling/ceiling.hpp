@@ -74,8 +74,10 @@ class Ceiling {
   };
   using Config = CeilingConfig;
   static constexpr SensorNeed needs = {SensorKind::camera, Gaze::up, 1};
-  /// Places lie farther apart than on a floor: a ceiling is far away.
-  static constexpr std::string_view navigation_defaults = "[teach]\nspacing_m = 0.4\nspacing_rad = 0.5\n";
+  /// Places lie farther apart than on a floor: a ceiling is far away. A robot that looks for itself stands and takes
+  /// two images a second: it tries with one image all places that are proposed to it, which takes 45 ms at most.
+  static constexpr std::string_view navigation_defaults =
+      "[teach]\nspacing_m = 0.4\nspacing_rad = 0.5\n[locate]\nseek_tries = 64\n";
   static CeilingConfig read_config(const config::Table& table) { return read_ceiling_config(table); }
   /// Returns what `sign` gives, of a content's bytes; none: they are no content, or give no signature.
   static std::optional<Signature> sign_bytes(ByteView bytes) {
