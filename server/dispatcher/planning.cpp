@@ -15,7 +15,7 @@ constexpr Duration kLeastPerRobot = 5ms;
 constexpr std::size_t kFewRobots = kLeastBetweenPlans / kLeastPerRobot;
 /// Bounds what is done of a plan at once, in the unit of `MoveSteps`. Set with traffic_bench --load, seed 101: some
 /// milliseconds.
-constexpr std::uint64_t kPieceOfPlan = 400;
+constexpr std::uint64_t kPieceOfPlan = 4000;
 constexpr Duration kBetweenPieces = 1ms;
 /// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
 constexpr Duration kBetweenMaps = 10s;

@@ -54,7 +54,7 @@ TEST_F(PlanInPieces, MessagesAreHeardBeforeThePlanIsMade) {
   ASSERT_EQ(site.goal(1).state, GoalState::assigned);
   EXPECT_FALSE(site.order_to(last()));
   EXPECT_TRUE(is_busy());
-  EXPECT_EQ(site.row("r1").is_heard, true);
+  EXPECT_EQ(site.row(last().name).is_heard, true);
   EXPECT_LT(ticks_until_ordered(last(), 1000), 1000);
 }
 
