@@ -23,6 +23,20 @@ constexpr const char* kNoPath = "route_makes_no_path";
 constexpr Duration kBlockedForLong = 30s;
 /// Bounds how long a robot is not asked to make way to where it could not drive.
 constexpr Duration kAvoidsFor = 1min;
+
+/// Returns what has a robot forget a route: which, and why. It has no place, and nothing that speaks of places:
+/// limits of places that are not in it would have the robot refuse the order.
+Route order_to_end(const RobotId& robot, const GoalId& goal, const RouteId& id, std::uint32_t version,
+                   std::string reason) {
+  Route route;
+  route.goal = goal;
+  route.id = id;
+  route.version = version;
+  route.robot = robot;
+  route.ended = true;
+  route.reason = std::move(reason);
+  return route;
+}
 }  // namespace
 
 /// Returns whether the robot is not at the beginning of its route, where the nearest place may flicker.
@@ -56,11 +70,7 @@ void Dispatcher::held_or_freed(const RobotId& robot) {
 void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now) {
   Route route = *book_.route(assignment.goal);
   if (assignment.is_to_end()) {
-    // To end it, the robot needs to know which, and why.
-    route.places.clear();
-    route.relations.clear();
-    route.released = 0;
-    route.ended = true;
+    route = order_to_end(robot, route.goal, route.id, route.version, std::move(route.reason));
   } else {
     assignment.ordered_at = now;
   }
@@ -72,14 +82,9 @@ void Dispatcher::send_order(const RobotId& robot, RouteAssignment& assignment, S
 /// Ends a route that the robot should not follow: one of a goal that is over, or that this server never gave out.
 void Dispatcher::end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& id) {
   const Route* const known = book_.route(goal);
-  Route route;
-  route.goal = goal;
-  route.id = id;
-  route.version = known != nullptr ? known->version : 1;
-  route.robot = robot;
-  route.ended = true;
-  route.reason = "its goal is over";
-  context_.out.send(msg::RouteOrder{.header = {}, .to = robot, .route = std::move(route)});
+  const std::uint32_t version = known != nullptr ? known->version : 1;
+  context_.out.send(msg::RouteOrder{
+      .header = {}, .to = robot, .route = order_to_end(robot, goal, id, version, "its goal is over")});
 }
 
 void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {

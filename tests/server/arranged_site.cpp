@@ -7,6 +7,7 @@
 
 #include "core/network/codec.hpp"
 #include "core/random.hpp"
+#include "idl/bus/link.hpp"
 
 namespace weft::server::test {
 
@@ -29,6 +30,14 @@ Metric2 metric(double x, double y) {
   relation.a_from_b = {x, y, 0.0};
   relation.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
   return relation;
+}
+
+/// Fails the test when those who hear the message would refuse it.
+void expect_readable(const msg::Message& message) {
+  const Result<bus::Encoded> encoded = bus::encode(message, msg::Role::server);
+  ASSERT_TRUE(encoded.has_value()) << encoded.error().message;
+  const Result<msg::Message> read = bus::decode(encoded->topic, encoded->cdr);
+  EXPECT_TRUE(read.has_value()) << read.error().message;
 }
 
 }  // namespace
@@ -116,6 +125,7 @@ void Site::restart() {
 }
 
 void Site::take(std::vector<msg::Message> messages) {
+  for (const msg::Message& message : messages) expect_readable(message);
   std::move(messages.begin(), messages.end(), std::back_inserter(said_));
 }
 

@@ -10,6 +10,7 @@ namespace {
 using Kind = msg::OperatorRequest::Kind;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 struct RuledTraffic : RunWithBypass {
@@ -166,6 +167,23 @@ TEST_F(RuledTraffic, AnAgentThatKeepsLimitsIsToldThemWithItsRoute) {
   ASSERT_THAT(route.limits, SizeIs(1));
   EXPECT_EQ(route.limits[0], (SpeedLimit{14, 16, 0.5}));
   EXPECT_EQ(route.released, 39U);
+}
+
+TEST_F(RuledTraffic, ARouteWithLimitsIsEndedByAnOrderThatItsRobotReads) {
+  r1.knows_limits = true;
+  site.arrive(r1, run.place(0));
+  site.put_rule({.name = "slow", .kind = RuleKind::speed, .value = 0.5, .spans = {{run.place(14), run.place(16)}}});
+  const Route route = start();
+  ASSERT_THAT(route.limits, SizeIs(1));
+  site.progress(r1, route, msg::RoutePhase::driving, 0);
+  msg::OperatorRequest cancel = site.request(msg::OperatorRequest::Kind::goal_cancel);
+  cancel.goal = route.goal;
+  site.ask(cancel);
+  site.pass(1s);
+  const Route end = site.order();
+  EXPECT_TRUE(end.ended);
+  EXPECT_EQ(end.id, route.id);
+  EXPECT_THAT(end.limits, IsEmpty()) << "of places that it does not have; tests/server/arranged_site.cpp reads it";
 }
 
 TEST_F(RuledTraffic, LimitsThatChangeUnderWayComeWithTheNextVersion) {
