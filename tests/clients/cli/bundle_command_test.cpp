@@ -65,7 +65,7 @@ TEST_F(Bundled, HasWhatTheCommandsSayAndNoSecrets) {
 TEST_F(Bundled, RefusesToOverwriteAndWritesNothing) {
   ASSERT_TRUE(write_file(std::string("mine"), out));
   const Said said = fleet.weft({"bundle", out});
-  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_EQ(said.exit, Exit::usage);
   EXPECT_THAT(said.err, HasSubstr("is there already"));
   EXPECT_EQ(std::filesystem::file_size(out), 4U);
   EXPECT_THAT(fleet.weft({"bundle", (folder() / "report.zip").string()}).err, HasSubstr("must end in .tar.gz"));
