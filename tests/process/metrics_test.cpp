@@ -49,7 +49,9 @@ TEST(Durations, EachIsCountedBelowTheFirstBoundThatItDoesNotExceed) {
   EXPECT_EQ(counts.counts.front(), 1U);
   EXPECT_EQ(counts.counts.back(), 1U);
   for (std::size_t i = 0; i < counts.bounds_s.size(); ++i) {
-    if (counts.bounds_s[i] == 0.001 || counts.bounds_s[i] == 0.003) EXPECT_EQ(counts.counts[i], 1U);
+    if (counts.bounds_s[i] == 0.001 || counts.bounds_s[i] == 0.003) {
+      EXPECT_EQ(counts.counts[i], 1U);
+    }
   }
   EXPECT_EQ(std::accumulate(counts.counts.begin(), counts.counts.end(), std::uint64_t{0}), 4U);
   EXPECT_NEAR(counts.sum_s, 60.002, 1e-6);
