@@ -1,11 +1,14 @@
 #pragma once
+#include <cmath>
+
 #include "agents/control/tracker.hpp"
 #include "agents/navigation/config.hpp"
 
 namespace weft::agents {
 
 /// Drives the last centimetres: stands until the goal is seen, then creeps, steps aside or turns until position and
-/// heading are good enough. A value: the state between samples.
+/// heading are good enough. A value: the state between samples. Each move ends at its aim or when that is passed, and
+/// there are few: where estimates of the goal jump by more than the aim is wide, it comes to an end as well.
 class Arrival {
  public:
   struct Out {
@@ -28,10 +31,16 @@ class Arrival {
   enum class Phase : std::uint8_t { path, settle, creep, face, approach, turn };
   Out settled(const FollowConfig& config, const Pose2& robot_from_goal);
   Out act(const FollowConfig& config, const TrackerConfig& tracker, const Pose2& robot_from_goal);
+  Out settle();
+  void turn_to(const Pose2& robot_from_goal);
+  /// Returns whether what is left of the phase, metres or radians, has changed its sign: the robot has passed it.
+  bool has_passed(double left) const { return std::signbit(left) != std::signbit(left_at_begin_); }
 
   Phase phase_ = Phase::path;
   Tracker tracker_;
+  double left_at_begin_ = 0.0;  ///< of a creep or a turn
   std::uint32_t standing_ = 0;
+  std::uint32_t moving_ = 0;  ///< samples of the move under way
   std::uint32_t moves_ = 0;
 };
 
