@@ -136,6 +136,7 @@ void Loop::schedule(SensorTime sample) {
 /// Writes records. A robot drives on without them, but whoever reads them hears of it.
 void Loop::note(const AgentOutput& output) {
   parts_.records->note(output, frame_);
+  parts_.records->note(parts_.agent.route(), frame_);
   if (damage_ || parts_.records->lost() == 0) return;
   damage_ = Error{ErrorCode::exhausted, "records could not be written; is the disk full?"};
   parts_.log.error(damage_->message, goal());

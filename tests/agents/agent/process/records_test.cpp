@@ -36,6 +36,45 @@ TEST(AgentRecords, AreTheLinesThatTheJudgeReads) {
   EXPECT_NE(drives.find(R"("phase":"arrived")"), std::string::npos);
 }
 
+TEST(AgentRecords, HaveEachOrderOnceAndItsPlacesOnceAVersion) {
+  const Folder folder;
+  auto records = Records::open(folder.path(), "r1");
+  ASSERT_TRUE(records.has_value());
+  Route route;
+  route.id.bytes[0] = 1;
+  route.version = 2;
+  route.places = {{{0xA1}, 3}, {{0xA1}, 4}};
+  records->note(route, 7);
+  records->note(route, 8);
+  route.released = 1;
+  records->note(route, 9);
+  records->note(std::nullopt, 12);
+  const std::string id = to_string(route.id);
+  const std::string none = to_string(RouteId{});
+  const std::string goal = R"("goal":")" + to_string(GoalId{}) + "\"";
+  EXPECT_EQ(folder.read("orders.jsonl"),
+            R"({"robot":"r1","frame":7,)" + goal + R"(,"route":")" + id +
+                R"(","version":2,"released":0,"places":["00000000000000a1:3","00000000000000a1:4"]})" + "\n" +
+                R"({"robot":"r1","frame":9,)" + goal + R"(,"route":")" + id + R"(","version":2,"released":1})" +
+                "\n" + R"({"robot":"r1","frame":12,)" + goal + R"(,"route":")" + none +
+                R"(","version":0,"released":0})" + "\n");
+}
+
+TEST(AgentRecords, HaveEveryStateThatIsSent) {
+  const Folder folder;
+  auto records = Records::open(folder.path(), "r1");
+  ASSERT_TRUE(records.has_value());
+  AgentOutput output;
+  msg::RobotState state;
+  state.frame = 31;
+  state.mode = msg::RobotMode::waiting;
+  state.speed_m_s = 0.25;
+  output.send.emplace_back(state);
+  records->note(output, 31);
+  EXPECT_EQ(folder.read("motion.jsonl"), R"({"robot":"r1","frame":31,"mode":"waiting","speed_m_s":0.2500,"route":")" +
+                                             to_string(RouteId{}) + R"(","version":0,"at":0})" + "\n");
+}
+
 TEST(AgentRecords, WhatAFullDiskTakesIsCounted) {
   const Folder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "fixes.jsonl");
