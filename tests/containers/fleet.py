@@ -1,0 +1,192 @@
+"""A server, light robots, and the operator's command, in the lab."""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+import lab
+
+sys.path.insert(0, str(lab.TOP / 'deploy' / 'demonstration'))
+import lines  # noqa: E402
+
+PACE = 6
+SERVER_NUMBER, OPERATOR_NUMBER, FIRST_ROBOT = 10, 11, 20
+VENDORS = ('fastdds', 'cyclonedds')
+SERVER_DISK_MB, ROBOT_DISK_MB = 96, 24
+OVER = ('succeeded', 'failed', 'cancelled', 'rejected')
+FAKETIME = '/usr/lib/x86_64-linux-gnu/faketime'
+
+
+class Fleet:
+    def __init__(self, lab_, robots, say, dds='fastdds'):
+        self.lab, self.say, self.dds = lab_, say, dds
+        self.names = [f'r{number}' for number in range(1, robots + 1)]
+        self.accepted, self.ended = [], {}       # goals that were answered; id -> how they ended
+        self.killed = set()                      # containers that are down on purpose
+        self.server_number = SERVER_NUMBER
+        self.restarts = 0
+
+    # ---- processes
+    def start(self):
+        self.start_server()
+        self.operator = self.lab.start('operator', OPERATOR_NUMBER, 'weft-server', 'infinity', entry='sleep')
+        self.operator_pid = self.operator.pid()
+        self.wait_server()
+        for name in self.names:
+            self.start_robot(name)
+        self.wait_heard(self.names)
+
+    def start_server(self, number=SERVER_NUMBER, gate=None):
+        self.server_number = number
+        return self.begin_at(gate, 'server', number, 'weft-server', ['--store', '/var/lib/weft/map', '--listen', 'eth0', '--dds', self.dds], SERVER_DISK_MB)
+
+    def begin_at(self, gate, name, number, program, argv, disk, flags=()):
+        """Starts a program in a container; with a gate, a file, it begins when that is there."""
+        if gate:
+            argv = ['-c', f'while [ ! -e {gate} ]; do sleep 0.1; done; exec "$0" "$@"', program, *argv]
+        return self.lab.start(name, number, 'weft-server', *argv, entry='/bin/sh' if gate else program, flags=['--restart', 'on-failure', *flags], disk=disk)
+
+    def start_robot(self, name, skew=None, gate=None, of=1, pace=PACE):
+        """One robot, or `of` them in one process, from that name on."""
+        number = int(name[1:])
+        flags = []
+        if skew is not None:
+            flags = ['-v', f'{FAKETIME}:{FAKETIME}:ro', '-e', f'LD_PRELOAD={FAKETIME}/libfaketimeMT.so.1', '-e', f'FAKETIME={skew:+d}s', '-e',
+                     'FAKETIME_DONT_FAKE_MONOTONIC=1']
+        argv = ['--first', number, '--robots', of, '--fleet', max(len(self.names), number + of - 1), '--pace', pace, '--state', '/var/lib/weft',
+                '--records', '/records', '--listen', 'eth0', '--server', 'server', '--dds', VENDORS[number % 2]]
+        return self.begin_at(gate, name, FIRST_ROBOT + number, '/light/weft-light-agents', argv, ROBOT_DISK_MB, flags)
+
+    def node(self, name):
+        return self.lab.nodes[name]
+
+    def kill_server(self):
+        self.node('server').kill()
+
+    def restart_server(self):
+        self.node('server').start()
+        self.restarts += 1
+        self.wait_server()
+
+    def wait_server(self):
+        return lab.wait_until('the server to answer', lambda: self.weft('map', 'info', timeout=3, good=None), 20)
+
+    # ---- the operator
+    def argv(self, *words, timeout=20):
+        return ['nsenter', '-t', str(self.operator_pid), '-n', str(lab.WORK / 'bin' / 'weft'), '--listen', 'eth0', '--server',
+                f'{lab.SUBNET}.{self.server_number}', '--timeout', str(timeout), '--json', *(str(word) for word in words)]
+
+    def weft(self, *words, timeout=20, good=(0,)):
+        """Returns the answer; with `good` None, none where the command fails."""
+        done = subprocess.run(self.argv(*words, timeout=timeout), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=timeout + 30)
+        if good is None and done.returncode:
+            return None
+        if good is not None and done.returncode not in good:
+            raise lab.Trouble(f"weft {' '.join(str(w) for w in words)}: exit {done.returncode}: {(done.stderr or done.stdout).strip()[-300:]}")
+        return json.loads(done.stdout) if done.stdout.strip() else {}
+
+    def begin(self, *words, timeout=60):
+        return subprocess.Popen(self.argv(*words, timeout=timeout), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL,
+                                preexec_fn=lab.die_with_parent)
+
+    def finish(self, command, accepts=True, seconds=90):
+        out, err = command.communicate(timeout=seconds)
+        if command.returncode:
+            raise lab.Trouble(f'weft: exit {command.returncode}: {(err or out).strip()[-300:]}')
+        answer = json.loads(out)
+        if accepts:
+            self.accepted.append(answer['goal'])
+        return answer
+
+    def robots(self):
+        return {row['name']: row for row in self.weft('robots')['robots']}
+
+    def robot(self, name):
+        return self.robots().get(name, {})
+
+    def wait_heard(self, names, heard=True, seconds=30):
+        def all_are():
+            rows = self.robots()
+            return all(rows.get(name, {}).get('heard', False) == heard for name in names)
+        began = time.monotonic()
+        lab.wait_until(f"{', '.join(names)} to be {'heard' if heard else 'silent'}", all_are, seconds)
+        return time.monotonic() - began
+
+    # ---- teaching
+    def teach(self, names):
+        """Leads robots along their lines at once, and labels stations; each label is where its robot stood."""
+        folder = lab.ROOT / 'lines'
+        folder.mkdir(exist_ok=True)
+        lab.run(lab.WORK / 'light' / 'weft-light-agents', '--lines', folder, '--robots', len(self.names), '--fleet', len(self.names))
+        work = {name: iter(self.lesson(name, folder / f'{name}.line')) for name in names}
+        waiting = {name: next(steps) for name, steps in work.items()}
+        end = time.monotonic() + 240 * lab.SLOW
+        while waiting:
+            if time.monotonic() > end:
+                raise lab.Trouble(f"teaching did not end: {', '.join(waiting)}")
+            rows = self.robots()
+            for name, done in list(waiting.items()):
+                if done(rows[name]):
+                    waiting[name] = next(work[name], None)
+                    if waiting[name] is None:
+                        del waiting[name]
+            time.sleep(0.1)
+
+    def lesson(self, name, line):
+        """Yields what to wait for."""
+        for number, (points, label) in enumerate(lines.parts(line)):
+            part = lines.write(points, line.with_suffix(f'.{number}'))
+            before = self.robot(name).get('frame', 0)
+            self.weft('teach', name, 'start', '--as', f'{name}-ring', '--along', part)
+            yield lambda row: row['reason'] == 'hand_done' and row['frame'] > before + 5
+            if label:
+                self.weft('map', 'label', 'here', '--robot', name, label)
+        self.weft('teach', name, 'stop')
+
+    def localise(self, names):
+        def located():
+            rows = self.robots()
+            return all(rows[name]['localised'] for name in names)
+        for name in names:
+            self.weft('localise', name)
+        lab.wait_until(f"{', '.join(names)} to find themselves", located, 30)
+
+    # ---- goals
+    def send(self, station, robot=None):
+        goal = self.weft('goal', 'send', '--to', f'station-{station}', *(['--robot', robot] if robot else []))['goal']
+        self.accepted.append(goal)
+        return goal
+
+    def goals(self):
+        return {row['id']: row for row in self.weft('goal', 'list')['goals']}
+
+    def wait_goals(self, ids, seconds=60, states=OVER):
+        def there():
+            rows = self.goals()
+            return all(rows[goal]['state'] in states for goal in ids) and rows
+        return lab.wait_until(f"{len(ids)} goals to be {'over' if states == OVER else '/'.join(states)}", there, seconds, every=0.3)
+
+    def wait_under_way(self, goal, share=0.2):
+        """Until its robot has driven that share of its route."""
+        def driven():
+            row = self.goals()[goal]
+            return row['state'] in OVER or (row['state'] == 'executing' and (row.get('route_at') or 0) >= share * len(row['route']) > 0)
+        lab.wait_until(f'goal {goal} to be under way', driven, 40)
+        return self.goals()[goal]
+
+    def succeed(self, ids, seconds=60):
+        rows = self.wait_goals(ids, seconds)
+        failed = [f"{rows[goal]['to']} {rows[goal]['state']}" for goal in ids if rows[goal]['state'] != 'succeeded']
+        if failed:
+            raise lab.Trouble(f"{len(failed)} of {len(ids)} goals did not succeed: {', '.join(failed[:4])}")
+
+    def events(self, kind):
+        """How often the server has logged such an event; of what no command tells."""
+        return len(re.findall(rf' {re.escape(kind)}: ', self.lab.log('server', 'all')))
+
+    def export(self):
+        path = lab.ROOT / 'network.json'
+        self.weft('map', 'export', path)
+        return json.loads(pathlib.Path(path).read_text())
