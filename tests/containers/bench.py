@@ -85,6 +85,7 @@ class Bench:
             rows = fleet.goals()
             if all(rows.get(goal, {}).get('state') in network.OVER for goal in fleet.accepted if goal in rows) or time.monotonic() > end:
                 return rows
+            fleet.help()
             for name, row in fleet.robots().items():
                 if row['mode'] == 'lost':
                     fleet.weft('localise', name, good=None)

@@ -27,6 +27,8 @@ class Fleet:
         self.killed = set()                      # containers that are down on purpose
         self.server_number = SERVER_NUMBER
         self.restarts = 0
+        self.patience = 20                       # seconds that a command waits for its answer
+        self.helped = {}                         # robot -> when it was sent out of the way last
 
     # ---- processes
     def start(self):
@@ -74,13 +76,14 @@ class Fleet:
         return lab.wait_until('the server to answer', lambda: self.weft('map', 'info', timeout=3, good=None), 20)
 
     # ---- the operator
-    def argv(self, *words, timeout=20):
+    def argv(self, *words, timeout=None):
+        timeout = timeout or self.patience
         return ['nsenter', '-t', str(self.operator_pid), '-n', str(lab.WORK / 'bin' / 'weft'), '--listen', 'eth0', '--server',
                 f'{lab.SUBNET}.{self.server_number}', '--timeout', str(timeout), '--json', *(str(word) for word in words)]
 
-    def weft(self, *words, timeout=20, good=(0,)):
+    def weft(self, *words, timeout=None, good=(0,)):
         """Returns the answer; with `good` None, none where the command fails."""
-        done = subprocess.run(self.argv(*words, timeout=timeout), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=timeout + 30)
+        done = subprocess.run(self.argv(*words, timeout=timeout), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=(timeout or self.patience) + 30)
         if good is None and done.returncode:
             return None
         if good is not None and done.returncode not in good:
@@ -145,6 +148,16 @@ class Fleet:
                 self.weft('map', 'label', 'here', '--robot', name, label)
         self.weft('teach', name, 'stop')
 
+    def lead(self, records, name, experience, metres):
+        """Begins to teach a robot along so many metres of its line, from where it truly stands."""
+        folder = lab.ROOT / 'lines'
+        lab.run(lab.WORK / 'light' / 'weft-light-agents', '--lines', folder, '--first', name[1:], '--robots', 1, '--fleet', len(self.names))
+        points = [point for part, _ in lines.parts(folder / f'{name}.line') for point in part]
+        here = records.update().robots[name].rows[-1][2:4]
+        nearest = min(range(len(points)), key=lambda i: (points[i][0] - here[0]) ** 2 + (points[i][1] - here[1]) ** 2)
+        ahead = (points + points)[nearest + 8:nearest + 8 + round(metres / 0.25)]
+        self.weft('teach', name, 'start', '--as', experience, '--along', lines.write([here, *ahead], folder / f'{name}.part'), timeout=60)
+
     def localise(self, names):
         def located():
             rows = self.robots()
@@ -165,8 +178,17 @@ class Fleet:
     def wait_goals(self, ids, seconds=60, states=OVER):
         def there():
             rows = self.goals()
+            self.help()
             return all(rows[goal]['state'] in states for goal in ids) and rows
         return lab.wait_until(f"{len(ids)} goals to be {'over' if states == OVER else '/'.join(states)}", there, seconds, every=0.3)
+
+    def help(self):
+        """Does what the server says would help, as an operator does: sends an idle robot that is in the way elsewhere."""
+        for row in self.robots().values():
+            name = re.search(r'--robot (r\d+)', row.get('standstill') or '')
+            if name and time.monotonic() > self.helped.get(name.group(1), 0) + 10:
+                self.helped[name.group(1)] = time.monotonic()
+                self.weft('goal', 'send', '--to', f'station-{len(self.helped) * 3 % 8}', '--robot', name.group(1), good=None)
 
     def wait_under_way(self, goal, share=0.2):
         """Until its robot has driven that share of its route."""

@@ -17,7 +17,7 @@ ENGINE = ROOT / 'engine'
 TAG = 'weft-' + hashlib.sha1(str(ROOT).encode()).hexdigest()[:6]      # namespace and control group
 NETWORK, SUBNET = 'bench', '10.77.0'
 USER = 10001
-SLOW = 4                                                              # every limit of a wait is multiplied by it
+SLOW = 3                                                              # every limit of a wait is multiplied by it
 
 
 class Trouble(RuntimeError):

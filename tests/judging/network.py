@@ -69,6 +69,8 @@ class Records:
         if name.startswith('truth'):
             robot.frames.append(row['frame'])
             robot.rows.append((row['frame'], row['at'], row['x'], row['y'], row['speed_m_s'], row['hand'], row['t']))
+        elif row['frame'] == 0:
+            return                                   # of a process that was started anew and has not had a sample yet
         elif name == 'orders.jsonl':
             robot.orders.append(row)
         elif name == 'motion.jsonl':
@@ -161,7 +163,7 @@ def stands(records, since=0.0):
             if after['mode'] not in STANDING or begun is None:
                 continue
             for row in robot.between(report['frame'], after['frame']):
-                if row[6] < begun:                   # its process was started anew
+                if row[5] or row[6] < begun:         # it is led, or its process was started anew
                     begun = row[6]
                 if row[1] < since or row[5] or row[6] - begun < STANDS_AFTER_S:
                     continue

@@ -86,6 +86,12 @@ class Network(unittest.TestCase):
                 row['speed_m_s'] = 0.1
         self.assertEqual(network.stands(read(files))[0], [])
 
+    def test_a_process_that_was_started_anew_says_nothing_of_the_one_before(self):
+        files = sound()
+        files['motion.jsonl'] += [motion(0, 'idle'), motion(361, 'idle')]
+        files['truth-r1.jsonl'].append(truth('r1', 361, 5.0, speed=0.0))
+        self.assertEqual(network.stands(read(files))[0], [])
+
     def test_bodies_that_touch_are_seen(self):
         files = sound()
         files['truth-r2.jsonl'] = [truth('r2', f, 3.0, 0.7, speed=0.0) for f in range(0, 400, 20)]

@@ -14,7 +14,7 @@ def run(bench):
     before = {node.name: node.bytes()[1] for node in nodes}
     contents = fleet.weft('map', 'info')['content_bytes']
     losses = [lab.Loss(node, seed=101 + number, **LOSSY) for number, node in enumerate(nodes)]
-    began = time.monotonic()
+    began, fleet.patience = time.monotonic(), 60
     try:
         for number in range(0, 10, 5):
             fleet.succeed([fleet.send((number + 3 * k) % 8) for k in range(5)], 90)
@@ -23,7 +23,7 @@ def run(bench):
         lab.wait_until('it to be taught', lambda: fleet.robot(teacher)['mode'] == 'teaching', 30)
         fleet.weft('teach', teacher, 'stop', timeout=90)
     finally:
-        counts = [loss.end() for loss in losses]
+        counts, fleet.patience = [loss.end() for loss in losses], 20
     took = time.monotonic() - began
     passed, lost = (sum(row[k] for row in counts) for k in (0, 1))
     if lost < 0.05 * (passed + lost):
