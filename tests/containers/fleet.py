@@ -153,6 +153,7 @@ class Fleet:
         folder = lab.ROOT / 'lines'
         lab.run(lab.WORK / 'light' / 'weft-light-agents', '--lines', folder, '--first', name[1:], '--robots', 1, '--fleet', len(self.names))
         points = [point for part, _ in lines.parts(folder / f'{name}.line') for point in part]
+        lab.wait_until(f'{name} to have no goal', lambda: (lambda row: row['mode'] == 'idle' and row['goal'] is None)(self.robot(name)), 30)
         here = records.update().robots[name].rows[-1][2:4]
         nearest = min(range(len(points)), key=lambda i: (points[i][0] - here[0]) ** 2 + (points[i][1] - here[1]) ** 2)
         ahead = (points + points)[nearest + 8:nearest + 8 + round(metres / 0.25)]

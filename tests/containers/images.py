@@ -63,7 +63,7 @@ def make(made, flags, source):
 
 
 def make_all(targets, say):
-    """Builds the images; the engine stands in the host's network meanwhile."""
+    """Builds the images, and returns what is wrong with them; the engine stands in the host's network meanwhile."""
     engine = lab.Engine()
     engine.start(in_lab=False)
     try:
@@ -76,6 +76,7 @@ def make_all(targets, say):
             lab.docker('build', '--network', 'host', '-q', '-f', 'deploy/Containerfile', '--target', target, '--build-arg', 'STAGE=prebuilt', '-t',
                        f'weft-{target}:latest', '.', cwd=lab.TOP, timeout=900)
             say(f'image weft-{target}: {size_mb(target)} MB, after {time.monotonic() - began:.0f} s')
+        return broken(targets)
     finally:
         engine.stop()
 
