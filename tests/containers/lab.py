@@ -291,4 +291,4 @@ class Lab:
         self.nodes.pop(name, None)
 
     def log(self, name, lines=4):
-        return run('/usr/bin/docker', 'logs', '--tail', lines, name, env=environment(), check=False)
+        return run('sh', '-c', f'docker logs --tail {lines} {name} 2>&1', env=environment(), check=False)   # programs log to standard error
