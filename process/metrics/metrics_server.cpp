@@ -1,14 +1,16 @@
 #include "process/metrics/metrics_server.hpp"
 
-#include <prometheus/collectable.h>
-#include <prometheus/exposer.h>
+#include <httplib.h>
 #include <prometheus/metric_family.h>
+#include <prometheus/text_serializer.h>
+#include <sys/socket.h>
 
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace weft::process {
 namespace {
@@ -46,9 +48,9 @@ prometheus::MetricFamily family_of(const Metric& metric) {
 }  // namespace
 
 /// Holds what was published last, for the threads that serve it.
-class PublishedMetrics final : public prometheus::Collectable {
+class PublishedMetrics {
  public:
-  std::vector<prometheus::MetricFamily> Collect() const override {
+  std::string text() const {
     std::shared_ptr<const Metrics> metrics;
     {
       const std::lock_guard lock(mutex_);
@@ -58,7 +60,7 @@ class PublishedMetrics final : public prometheus::Collectable {
     for (const Metric& metric : *metrics) {
       if (fault_of(metric).empty()) families.push_back(family_of(metric));
     }
-    return families;
+    return prometheus::TextSerializer().Serialize(families);
   }
   void set(Metrics metrics) {
     auto fresh = std::make_shared<const Metrics>(std::move(metrics));
@@ -72,25 +74,47 @@ class PublishedMetrics final : public prometheus::Collectable {
 };
 
 struct MetricsServer::Parts {
-  explicit Parts(std::vector<std::string> options) : exposer(std::move(options)) {
-    exposer.RegisterCollectable(published);
+  Parts() {
+    constexpr std::size_t kServedAtOnce = 8;
+    constexpr std::size_t kLongestBody = 4096;
+    http.new_task_queue = [] { return new httplib::ThreadPool(kServedAtOnce); };  // the library deletes it
+    http.set_socket_options([](int socket) {  // else the library shares the port with whoever has it
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    http.set_keep_alive_max_count(1);
+    http.set_keep_alive_timeout(1);
+    http.set_read_timeout(1);
+    http.set_write_timeout(1);
+    http.set_payload_max_length(kLongestBody);
+    http.Get("/metrics", [this](const httplib::Request& /*request*/, httplib::Response& response) {
+      response.set_content(published.text(), "text/plain; version=0.0.4; charset=utf-8");
+    });
   }
-  std::shared_ptr<PublishedMetrics> published = std::make_shared<PublishedMetrics>();
-  prometheus::Exposer exposer;  // last member: its threads stop first
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  ~Parts() {
+    http.stop();
+    if (listening.joinable()) listening.join();
+  }
+
+  PublishedMetrics published;
+  httplib::Server http;
+  std::thread listening;
 };
 
+// prometheus-cpp has a server of its own. Its threads have stacks of 100 KB, of which the thread-local data of DDS
+// and the like leave too little: it crashes the program at the first request that is none.
 Result<MetricsServer> MetricsServer::open(std::uint16_t port) {
-  const std::string address = "127.0.0.1:" + std::to_string(port);
-  const std::vector<std::string> options = {
-      "listening_ports",  address, "num_threads",      "8",  "request_timeout_ms", "1000", "enable_keep_alive", "no",
-      "max_request_size", "4096",  "connection_queue", "16", "listen_backlog",     "16"};
-  try {
-    return MetricsServer(std::make_unique<Parts>(options));
-  } catch (const std::exception&) {  // says no more than that it failed
-    return fail(ErrorCode::unavailable, "metrics cannot be served at " + address +
+  auto parts = std::make_unique<Parts>();
+  if (!parts->http.bind_to_port("127.0.0.1", port)) {  // says no more than that it failed
+    return fail(ErrorCode::unavailable, "metrics cannot be served at 127.0.0.1:" + std::to_string(port) +
                                             ": the port is taken, or below 1024 and not allowed; name another with "
                                             "--metrics");
   }
+  parts->listening = std::thread([&http = parts->http] { http.listen_after_bind(); });
+  while (!parts->http.is_running()) std::this_thread::yield();  // else it could not be stopped
+  return MetricsServer(std::move(parts));
 }
 
 MetricsServer::MetricsServer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -99,7 +123,7 @@ MetricsServer& MetricsServer::operator=(MetricsServer&&) noexcept = default;
 MetricsServer::~MetricsServer() = default;
 
 void MetricsServer::publish(Metrics metrics) {
-  parts_->published->set(std::move(metrics));
+  parts_->published.set(std::move(metrics));
 }
 
 }  // namespace weft::process

@@ -8,8 +8,8 @@
 namespace weft::process {
 
 /// Serves metrics to Prometheus: http://127.0.0.1:PORT/metrics, in text exposition format 0.0.4, from threads of its
-/// own. It shows what was published last, so that neither a slow nor a hostile client keeps the main loop waiting: a
-/// request is at most 4 KiB long and may take a second, eight are served at a time, and one is served a connection.
+/// own. It shows what was published last, so that neither a slow nor a hostile client keeps the main loop waiting:
+/// who says nothing for a second is cut off, eight are served at a time, and one request is served a connection.
 class MetricsServer {
  public:
   /// Opens the port, 1 to 65535, on the loopback interface alone. unavailable: it is taken, or not allowed.

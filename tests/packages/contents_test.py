@@ -54,8 +54,8 @@ class Contents(Case):
         self.assertEqual(said, ['/etc/weft/server.toml', '/etc/weft/backup.conf'])
 
     def test_programs_ask_for_the_libraries_that_they_load(self):
-        for name, libraries in (('weft-server', ('libc6', 'libsqlite3-0', 'libfastrtps', 'libprometheus-cpp-pull')),
-                                ('weft-agent', ('libc6', 'libopencv-core', 'libprometheus-cpp-pull')),
+        for name, libraries in (('weft-server', ('libc6', 'libsqlite3-0', 'libfastrtps', 'libprometheus-cpp-core', 'libcpp-httplib')),
+                                ('weft-agent', ('libc6', 'libopencv-core', 'libprometheus-cpp-core', 'libcpp-httplib')),
                                 ('weft-cli', ('libc6', 'libfastrtps'))):
             depends = output('dpkg-deb', '-f', package(name), 'Depends')
             for library in libraries:
