@@ -109,7 +109,7 @@ class WatchedFleet(Fleet):
         self.assertTrue([name for name in files if name.startswith('logs/') and name.endswith('agent.log')], list(files))
         self.assertTrue([text for name, text in files.items() if name.startswith('settings/') and 'broker_password = (left out)' in text])
         before = archive.read_bytes()
-        self.refused(1, ['is there already'], BIN / 'weft', *self.common, *words)
+        self.refused(2, ['is there already'], BIN / 'weft', *self.common, *words)
         self.assertEqual(archive.read_bytes(), before)
         self.assertEqual([path.name for path in self.folder.glob('report*')], ['report.tar.gz'])
 
