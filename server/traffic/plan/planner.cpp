@@ -43,9 +43,7 @@ bool Planner::begin(const RuledNetwork& network, double footprint_m, std::vector
     pockets_.clear();
     lanes_.clear();
   }
-  making_.emplace();
-  making_->part = part;
-  making_->requests = std::move(requests);
+  making_.emplace(std::move(requests), part);
   return !lags;
 }
 

@@ -98,9 +98,11 @@ class Planner {
     /// gridlocked.
     enum class Round : std::uint8_t { all, without_cut_off, gridlocked };
 
+    Making(std::vector<PlanRequest> asked, Part first) : requests(std::move(asked)), part(first) {}
+
     std::vector<PlanRequest> requests;
     std::vector<PlanRobot> robots;
-    Part part = Part::cut;
+    Part part;
     Round round = Round::all;
     std::size_t next = 0;  ///< robot
     std::optional<MoveSteps> steps;
