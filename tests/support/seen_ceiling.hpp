@@ -37,8 +37,8 @@ struct SeenCeiling {
     double sigma_rad = 0.001;  ///< of a ray, each way
   };
 
-  explicit SeenCeiling(Drive how) : truth(how.way), drive(std::move(how)) {
-    Random random(drive.seed);
+  explicit SeenCeiling(Drive how) : truth(how.way), drive_(std::move(how)) {
+    Random random(drive_.seed);
     const Eigen::AngleAxisd lean(0.035, Eigen::Vector3d::UnitY());
     Eigen::Matrix3d up;  // the image's right on the robot's right
     up.col(2) = Eigen::Vector3d::UnitZ();
@@ -47,7 +47,7 @@ struct SeenCeiling {
     mosaic.robot_from_camera = {Eigen::Quaterniond(lean.toRotationMatrix() * up), {0.1, 0.0, 0.5}};
     hang(random);
     drive_on(random);
-    for (std::size_t i = 0; i < drive.stitches; ++i) stitch(truth.size() - 1 - 2 * i, drive.stitches - i, random);
+    for (std::size_t i = 0; i < drive_.stitches; ++i) stitch(truth.size() - 1 - 2 * i, drive_.stitches - i, random);
     sight(random);
   }
 
@@ -56,7 +56,7 @@ struct SeenCeiling {
   std::vector<Eigen::Vector3d> points;  ///< where they are
 
  private:
-  Drive drive;
+  Drive drive_;
 
   void hang(Random& random) {
     Eigen::AlignedBox2d box;
@@ -77,7 +77,7 @@ struct SeenCeiling {
     mosaic.places.push_back({truth.front(), {}, {0.003, 0.003, 0.002}});
     for (std::uint32_t i = 1; i < truth.size(); ++i) {
       const Pose2 step = truth[i - 1].inverse() * truth[i];
-      const Eigen::Vector3d noise(drive.longer * step.x + random.normal(0.0, 0.004), random.normal(0.0, 0.004),
+      const Eigen::Vector3d noise(drive_.longer * step.x + random.normal(0.0, 0.004), random.normal(0.0, 0.004),
                                   random.normal(0.0, 0.004));
       const Pose2 odometry = step * se2_exp(noise);
       const Eigen::Vector3d variances = Eigen::Vector3d(0.006, 0.004, 0.004).cwiseAbs2();
@@ -104,8 +104,8 @@ struct SeenCeiling {
       for (std::uint32_t i = 0; i < points.size(); ++i) {
         Eigen::Vector3d ray = (camera_from_map * points[i]).normalized();
         if (ray.z() < 0.1 || ray.head<2>().norm() > widest * ray.z()) continue;
-        ray += drive.sigma_rad * Eigen::Vector3d(random.normal(0.0, 1.0), random.normal(0.0, 1.0), 0.0);
-        mosaic.sightings.push_back({place, i, ray.normalized(), drive.sigma_rad});
+        ray += drive_.sigma_rad * Eigen::Vector3d(random.normal(0.0, 1.0), random.normal(0.0, 1.0), 0.0);
+        mosaic.sightings.push_back({place, i, ray.normalized(), drive_.sigma_rad});
         if (!is_seen[i]) mosaic.points[i].in_map = *met(mosaic, mosaic.sightings.back(), 6.4);
         is_seen[i] = true;
       }
