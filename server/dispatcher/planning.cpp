@@ -13,8 +13,8 @@ constexpr Duration kBetweenMovePlans = 1s;
 constexpr Duration kLeastBetweenPlans = 100ms;
 constexpr Duration kLeastPerRobot = 5ms;
 constexpr std::size_t kFewRobots = kLeastBetweenPlans / kLeastPerRobot;
-/// Bounds what is done of a plan at once, in the unit of `MoveSteps`. Set with traffic_bench --load, seed 101: some
-/// milliseconds.
+/// Bounds what is done of a plan at once, in the unit of `MoveSteps`: up to 10 ms with 200 robots
+/// (docs/performance.md). A small fleet on a map of some hundred places plans in one piece.
 constexpr std::uint64_t kPieceOfPlan = 4000;
 constexpr Duration kBetweenPieces = 1ms;
 /// Bounds how long what is taught meanwhile may be left out of plans: each batch makes another map.
