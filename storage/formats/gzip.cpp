@@ -20,6 +20,23 @@ struct EndPacking {
   void operator()(z_stream* stream) const { deflateEnd(stream); }
 };
 
+/// Gives zlib what is left of the bytes and room for one step, and lets it take one. `act`: inflate or deflate, told
+/// whether all that is left was given. Returns what `act` says.
+template <class Act>
+int step(z_stream& stream, ByteView bytes, std::size_t& taken, Bytes& out, const Act& act) {
+  const std::size_t held = out.size();
+  out.resize(held + kStep);
+  const std::size_t give = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
+  stream.next_in = const_cast<Bytef*>(bytes.data() + taken);  // zlib's interface; it does not write there
+  stream.avail_in = static_cast<uInt>(give);
+  stream.next_out = out.data() + held;
+  stream.avail_out = static_cast<uInt>(kStep);
+  const int state = act(taken + give == bytes.size());
+  taken += give - stream.avail_in;
+  out.resize(held + kStep - stream.avail_out);
+  return state;
+}
+
 }  // namespace
 
 bool is_gzip(ByteView bytes) {
@@ -33,16 +50,7 @@ Result<Bytes> gunzip(ByteView bytes, std::size_t at_most) {
   Bytes out;
   std::size_t taken = 0;
   while (taken < bytes.size()) {
-    const std::size_t held = out.size();
-    out.resize(held + kStep);
-    const std::size_t give = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
-    stream.next_in = const_cast<Bytef*>(bytes.data() + taken);  // zlib's interface; it does not write there
-    stream.avail_in = static_cast<uInt>(give);
-    stream.next_out = out.data() + held;
-    stream.avail_out = static_cast<uInt>(kStep);
-    const int state = inflate(&stream, Z_NO_FLUSH);
-    taken += give - stream.avail_in;
-    out.resize(held + kStep - stream.avail_out);
+    const int state = step(stream, bytes, taken, out, [&](bool /*is_all*/) { return inflate(&stream, Z_NO_FLUSH); });
     if (out.size() > at_most) {
       return fail(ErrorCode::exhausted, "more than " + std::to_string(at_most) + " bytes come out of it");
     }
@@ -68,16 +76,8 @@ Result<Bytes> gzip(ByteView bytes) {
   std::size_t taken = 0;
   int state = Z_OK;
   while (state != Z_STREAM_END) {
-    const std::size_t held = out.size();
-    out.resize(held + kStep);
-    const std::size_t give = std::min<std::size_t>(bytes.size() - taken, std::numeric_limits<uInt>::max());
-    stream.next_in = const_cast<Bytef*>(bytes.data() + taken);  // zlib's interface; it does not write there
-    stream.avail_in = static_cast<uInt>(give);
-    stream.next_out = out.data() + held;
-    stream.avail_out = static_cast<uInt>(kStep);
-    state = deflate(&stream, taken + give == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-    taken += give - stream.avail_in;
-    out.resize(held + kStep - stream.avail_out);
+    state = step(stream, bytes, taken, out,
+                 [&](bool is_all) { return deflate(&stream, is_all ? Z_FINISH : Z_NO_FLUSH); });
     if (state == Z_STREAM_ERROR) return fail(ErrorCode::internal, "zlib cannot pack");
   }
   return out;
