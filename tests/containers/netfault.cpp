@@ -88,7 +88,7 @@ class Queue {
     header = begin(NFQNL_MSG_CONFIG);
     nfq_nlmsg_cfg_put_params(header, NFQNL_COPY_META, 0);
     nfq_nlmsg_cfg_put_qmaxlen(header, 20000);
-    // What does not fit goes through instead of being lost, as nobody drew that.
+    // Packets that do not fit pass: a loss that was not drawn would not be repeatable.
     mnl_attr_put_u32(header, NFQA_CFG_FLAGS, htonl(NFQA_CFG_F_FAIL_OPEN));
     mnl_attr_put_u32(header, NFQA_CFG_MASK, htonl(NFQA_CFG_F_FAIL_OPEN));
     return send(header);

@@ -59,7 +59,7 @@ void Ledger::look_at_spool(const RobotId& robot, const storage::SpoolDisk& spool
   by.spooled = std::move(now);
 }
 
-/// What is on a robot's disk is the server's as well by now, and what nobody teaches any more is sealed.
+/// Checks that the server has all batches of robots' disks by now, and that runs which nobody teaches are sealed.
 void Ledger::check_spools_when_quiet(const Snapshot& snapshot, const storage::MemoryDisk& disk) {
   for (const auto& [id, robot] : robots) {
     for (const storage::BatchKey& batch : robot.spooled) {

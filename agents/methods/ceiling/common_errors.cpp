@@ -30,7 +30,7 @@ PlanarErrors common_errors(const CeilingConfig& config, const CameraModel& camer
   for (int i = 0; i < 2; ++i) {
     // Pitch moves what is seen ahead, roll to the right: Ry takes up to ahead, Rx up to the right.
     const Eigen::Vector2d aside(tilt(0, i), -tilt(1, i));
-    // What lies at p is put at p + aside + p (p . aside), so that over a way it moves by (way aside^T + way . aside)
+    // A point at p is put at p + aside + p (p . aside), so that over a way it moves by (way aside^T + way . aside)
     // p more: a turn, and of a camera that leans another way, as the middle of the view is not above it.
     const Eigen::Matrix2d outer = way * aside.transpose();
     const Eigen::Vector2d farther =

@@ -9,9 +9,9 @@ namespace weft::agents {
 
 Result<MountDrive> calibrate_ceiling_mount(const CameraModel& given, const PlayDrive& play,
                                            const MountDriveConfig& config) {
-  // What hangs along the way, on one side of it, looks like a ceiling that leans. As long as the tilt is hardly known
-  // all is taken for the ceiling's, and what is found so heights bear out ever after: what the camera's file knows of
-  // its tilt is believed from the first, but for a knock since.
+  // Ducts along one side of the way look like a ceiling that leans. While the tilt is hardly known they are taken for
+  // the ceiling's, and the heights found with that lean confirm it later. So the tilt of the camera's file is
+  // believed from the first, with room for a knock since.
   constexpr double knocked_rad = 0.004;
   MountDriveConfig known = config;
   if (given.sigma.tilt_rad)

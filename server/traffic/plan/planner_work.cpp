@@ -108,7 +108,7 @@ void Planner::cut_off_next() {
 }
 
 void Planner::move_on(std::uint64_t most) {
-  // What is looked up and searched in lanes counts there and here; the rest counts there alone.
+  // Work in lanes is counted by the steps and by the planner, all other work by the steps alone.
   const std::uint64_t before = making_->steps->done();
   const std::uint64_t counted = done();
   const bool is_complete = making_->steps->work(most);
