@@ -39,7 +39,7 @@ bool published_and_refused(Fleet& fleet, Peer& liar, const bus::Encoded& message
 TEST_P(RefusalContract, ValuesOutOfBoundsAreNamedAndCounted) {
   Peer& liar = fleet.start_peer(Role::client, peer_id(2));
   const bus::Encoded wrong = query(liar.id, msg::Query::Kind{77});
-  EXPECT_TRUE(published_and_refused(fleet, liar, wrong, "weft/1/query: Query.kind must be from 1 to 9"));
+  EXPECT_TRUE(published_and_refused(fleet, liar, wrong, "weft/1/query: Query.kind must be from 1 to 10"));
   EXPECT_TRUE(Fleet::all<msg::Query>(fleet.got).empty());
   EXPECT_FALSE(fleet.server().drain_refusal_texts().empty());
 }
