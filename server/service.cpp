@@ -60,7 +60,7 @@ class FleetMapServer final : public Service {
         site_frames_(context_),
         requests_(context_, fleet_, traffic_, dispatcher_, site_frames_, stored.awaited_labels, now.steady),
         answers_(context_, fleet_, traffic_, unjoined_, standstills_, dispatcher_, intake_, site_frames_,
-                 requests_.awaited_labels()),
+                 requests_.awaited_labels(), window_publisher_),
         echoes_(context_, now.steady),
         next_hello_(now.steady) {
     for (const std::string& damaged : stored.quarantined) {

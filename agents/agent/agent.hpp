@@ -95,7 +95,7 @@ class Agent {
   /// Returns why the agent cannot do a part of its work, for health probes; empty: it can.
   virtual std::string trouble() const { return {}; }
   /// Returns how the agent is, for whoever watches it.
-  virtual AgentFigures figures() const { return {}; }
+  virtual AgentFigures figures(SteadyTime /*now*/) const { return {}; }
 };
 
 /// Starts an agent: reads the spool and sends again what is pending. invalid: a setting breaks its bound; errors of

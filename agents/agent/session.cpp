@@ -19,7 +19,7 @@ constexpr Duration kFenceAtMost = 3s;
 }  // namespace
 
 Session::Session(msg::Hello own, Random random, SteadyTime now)
-    : own_(std::move(own)), random_(random), started_(now), next_hello_(now) {
+    : own_(std::move(own)), random_(random), started_(now), next_hello_(now), silence_(now) {
   own_.challenge = random_.next() | 1U;
 }
 
@@ -47,7 +47,10 @@ Session::Heard Session::hear(const msg::Header& header, SteadyTime now) {
 }
 
 Session::Heard Session::hear(const Speaker& who, bool is_confirmed, SteadyTime now) {
-  if (is_server(who)) return Heard::known;
+  if (is_server(who)) {
+    silence_.hear(now);
+    return Heard::known;
+  }
   if (who.epoch < epoch_) {
     ++counters_["server: epoch lower than heard before"];
     return Heard::refused;
@@ -60,6 +63,7 @@ Session::Heard Session::hear(const Speaker& who, bool is_confirmed, SteadyTime n
     claim(who, now);
     return Heard::refused;
   }
+  silence_.hear(now);
   epoch_ = who.epoch;
   server_incarnation_ = who.incarnation;
   std::erase_if(claims_, [&](const Claim& other) { return other.who.epoch <= epoch_; });
@@ -133,6 +137,7 @@ SteadyTime Session::next() const {
 
 void Session::was_away(Duration away, SteadyTime now) {
   started_ = std::min(started_ + away, now);
+  silence_.was_away(away, now);
   for (Claim& claim : claims_) claim.until += away;
 }
 

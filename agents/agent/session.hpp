@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/agent/server_silence.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/random.hpp"
 #include "core/time.hpp"
@@ -45,6 +46,8 @@ class Session {
   /// Takes note that nothing could be heard for so long until now.
   void was_away(Duration away, SteadyTime now);
 
+  /// Returns for how long nothing has come from the server.
+  const ServerSilence& silence() const { return silence_; }
   bool heard_server() const { return server_incarnation_.has_value(); }
   Epoch epoch() const { return epoch_; }
   /// Returns why this agent cannot work with its server; empty when it can.
@@ -71,6 +74,7 @@ class Session {
   Random random_;
   SteadyTime started_;
   SteadyTime next_hello_;
+  ServerSilence silence_;
   std::uint64_t sequence_ = 0;
   Epoch epoch_;
   std::optional<std::uint64_t> server_incarnation_;

@@ -47,6 +47,10 @@ Checked link_of(const msg::RobotRow& row) {
             "it is not heard: is its agent running, and in the network?"};
   }
   std::string cell = "heard " + fixed(row.silent_s, 1) + " s ago";
+  if (row.is_deaf) {
+    return {cell + ", deaf for " + fixed(row.state.server_unheard_s, 0) + " s",
+            "it hears nothing of the server, which hears it: look at the way from the server to it"};
+  }
   const std::optional<double> missed = missed_of(row);
   if (missed) cell += ", " + fixed(100.0 * *missed, 1) + " % missed";
   return {std::move(cell),

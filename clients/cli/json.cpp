@@ -87,6 +87,9 @@ json to_json(const msg::RobotRow& row, const Names& names) {
   object["standstill"] = row.standstill.empty() ? json() : json(row.standstill);
   object["spool_refuses"] = row.state.spool_refuses.empty() ? json() : json(row.state.spool_refuses);
   object["twins"] = row.is_twin;
+  object["deaf"] = row.is_deaf;
+  object["server_unheard_s"] = row.state.server_unheard_s;
+  object["window_current"] = row.is_window_current;
   return object;
 }
 

@@ -54,7 +54,8 @@ std::string why(const msg::RobotRow& row) {
   const std::string stands = row.standstill.empty()     ? ""
                              : row.state.reason.empty() ? "in a standstill"
                                                         : "; in a standstill";
-  const std::string held = row.held_by.empty() ? "" : " (held by " + row.held_by + ")";
+  const std::string held = std::string(row.is_deaf ? " (hears nothing of the server)" : "") +
+                           (row.held_by.empty() ? "" : " (held by " + row.held_by + ")");
   if (row.state.mode != msg::RobotMode::lost) return row.state.reason + stands + held;
   return row.state.reason + stands + "; needs help: weft localise " + row.description.name + " --at LABEL";
 }

@@ -12,6 +12,7 @@ namespace weft::msg {
 
 inline constexpr std::uint64_t kDiskLowBytes = 1ULL << 30U;  ///< free at the server: below that it is an alarm
 inline constexpr double kClockOff_s = 1.0;                   ///< a robot's clock, ahead of the server's or behind
+inline constexpr double kDeaf_s = 12.0;                      ///< a robot that is heard has heard nothing for so long
 inline constexpr Duration kRefusedLately = std::chrono::minutes(10);  ///< a refused message is an alarm for so long
 
 /// Says what is wrong. The numbers go on the wire.
@@ -28,7 +29,8 @@ enum class AlarmKind : std::uint8_t {
   store = 10,
   disk = 11,
   refused = 12,
-  unjoined = 13
+  unjoined = 13,
+  deaf = 14
 };
 
 /// Describes something that is wrong now.

@@ -96,6 +96,8 @@ struct RobotRow {
   std::string plan;        ///< the registered floor plan on which it stands; empty: none, or it is not known where
   Pose2 plan_from_robot;   ///< with a plan
   bool is_twin = false;    ///< two live agents have its id: it is held
+  bool is_deaf = false;    ///< it is heard, and has heard nothing of the server for kDeaf_s
+  bool is_window_current = false;  ///< it holds, by its own digest, what the newest network has for its window
 };
 
 struct MapInfo {

@@ -66,8 +66,10 @@ struct RobotState {
   std::uint32_t spool_batches = 0;      ///< taught or learned, and not acknowledged yet
   /// Says what its spool's disk has left; none: not known.
   std::optional<std::uint64_t> spool_free_bytes;
-  std::string reason;         ///< why it stands, when it stands
-  std::string spool_refuses;  ///< why its spool takes nothing at the moment; empty: it does
+  std::string reason;             ///< why it stands, when it stands
+  double server_unheard_s = 0.0;  ///< for so long nothing has come from the server
+  double server_gap_s = 0.0;      ///< the longest such time that lasts or has ended within the last minute
+  std::string spool_refuses;      ///< why its spool takes nothing at the moment; empty: it does
 };
 
 /// Tells what a robot's battery holds; of bodies that know it.

@@ -97,6 +97,8 @@ void describe(Io& io, Value<Io, msg::RobotRow>& value, Wire<Io, idl::RobotRow>& 
   io.finite("plan_y_m", value.plan_from_robot.y, wire.plan_y_m());
   io.finite("plan_heading_rad", value.plan_from_robot.heading, wire.plan_heading_rad());
   io.any(value.is_twin, wire.is_twin());
+  io.any(value.is_deaf, wire.is_deaf());
+  io.any(value.is_window_current, wire.is_window_current());
 }
 
 template <class Io>

@@ -73,6 +73,8 @@ void describe(Io& io, Value<Io, msg::RobotState>& value, Wire<Io, idl::RobotStat
     io.any(spool_free_bytes, wire.spool_free_bytes());
     if constexpr (Io::kReads) value.spool_free_bytes = spool_free_bytes;
   }
+  io.not_negative("server_unheard_s", value.server_unheard_s, wire.server_unheard_s());
+  io.not_negative("server_gap_s", value.server_gap_s, wire.server_gap_s());
   io.text("reason", value.reason, wire.reason(), kTextLength);
   io.text("spool_refuses", value.spool_refuses, wire.spool_refuses(), kTextLength);
 }

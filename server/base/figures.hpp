@@ -18,6 +18,7 @@ struct RobotFigures {
   bool is_heard = false;
   bool was_ended = false;  ///< its agent, in good order: nobody misses it
   bool are_twins = false;
+  bool is_deaf = false;
   double silent_s = 0.0;
   msg::RobotMode mode = msg::RobotMode::off;
   bool is_localised = false;

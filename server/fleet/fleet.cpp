@@ -108,10 +108,13 @@ std::optional<Incarnations::Verdict> Fleet::hear(const msg::Header& from, bool s
   const bool were_twins = robot.incarnations.twins();
   const Incarnations::Verdict verdict = robot.incarnations.hear(from.incarnation, now.steady);
   if (verdict == Incarnations::Verdict::late) return verdict;
+  const Duration silence = now.steady - robot.heard;
   robot.heard = now.steady;
   robot.left = false;
   if (robot.silent) {
     robot.silent = false;
+    const bool is_same = robot.state && verdict != Incarnations::Verdict::fresh;
+    robot.directions.heard_again(is_same ? std::optional(silence) : std::nullopt, now.steady);
     // A new robot's state can come before the hello that names it.
     if (!robot.name.empty()) note("robot.heard", robot, "it speaks", now);
   }
@@ -148,7 +151,7 @@ const Robot* Fleet::on_state(const msg::RobotState& state, Now now) {
   return &robot;
 }
 
-void Fleet::changed(const Robot& robot, const msg::RobotState& next, Now now) {
+void Fleet::changed(Robot& robot, const msg::RobotState& next, Now now) {
   const bool was_lost = robot.state && robot.state->mode == msg::RobotMode::lost;
   const bool was_faulted = robot.state && robot.state->mode == msg::RobotMode::faulted;
   const bool is_lost = next.mode == msg::RobotMode::lost;
@@ -156,6 +159,7 @@ void Fleet::changed(const Robot& robot, const msg::RobotState& next, Now now) {
   if (is_lost && !was_lost) note("robot.lost", robot, call_for_help(robot.name, next), now);
   if (was_lost && !is_lost) note("robot.found", robot, "it knows again where it is", now);
   if (is_faulted && !was_faulted) note("robot.faulted", robot, next.reason, now);
+  if (const auto told = robot.directions.hear(next, now.steady)) note(told->kind, robot, told->cause, now);
 }
 
 void Fleet::on_clock_reply(const msg::ClockReply& reply, Now now) {

@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "server/base/context.hpp"
 #include "server/fleet/incarnations.hpp"
+#include "server/fleet/link_directions.hpp"
 #include "server/fleet/reception.hpp"
 #include "server/fleet/skew.hpp"
 
@@ -26,6 +27,7 @@ struct Robot {
   std::optional<msg::RobotPower> power;  ///< the latest; none: it has not said
   Incarnations incarnations;
   Reception reception;
+  LinkDirections directions;
   SteadyTime heard;  ///< or when the server started
   bool silent = true;
   std::string held_by;  ///< the operator who holds it: it is released no farther; empty: nobody
@@ -90,7 +92,7 @@ class Fleet {
   /// Lists names, in order, for people.
   std::string listed() const;
   void named(Robot& robot, const std::string& name, Now now);
-  void changed(const Robot& robot, const msg::RobotState& next, Now now);
+  void changed(Robot& robot, const msg::RobotState& next, Now now);
   void note(const char* kind, const Robot& robot, const std::string& cause, Now now);
 
   Context& context_;

@@ -50,6 +50,10 @@ void add_heard(const msg::RobotRow& row, std::vector<msg::Alarm>& alarms) {
   if (state.safety == Safety::blocked) alarms.push_back(of_robot(Wrong::blocked, row, state.reason));
   if (is_stop(state.safety)) alarms.push_back(of_robot(Wrong::safety_stop, row, to_string(state.safety)));
   if (!state.spool_refuses.empty()) alarms.push_back(of_robot(Wrong::spool, row, state.spool_refuses));
+  if (row.is_deaf) {
+    const std::string unheard = fixed_number(state.server_unheard_s, 0);
+    alarms.push_back(of_robot(Wrong::deaf, row, "it has heard nothing of the server for " + unheard + " s"));
+  }
   if (std::abs(row.clock_skew_s) > msg::kClockOff_s) {
     const bool is_ahead = row.clock_skew_s > 0.0;
     alarms.push_back(of_robot(Wrong::clock, row,

@@ -99,6 +99,7 @@ msg::RobotRow Answers::standing(const Robot& robot, SteadyTime now) const {
   row.silent_s = seconds(now - robot.heard);
   row.is_heard = !robot.silent;
   row.is_twin = robot.incarnations.twins();
+  row.is_deaf = !robot.silent && robot.directions.is_deaf();
   row.clock_skew_s = robot.skew.seconds_ahead().value_or(0.0);
   if (const Wait* const wait = standstills_.wait_of(robot.id)) {
     row.wait = {.at = wait->at,
@@ -127,6 +128,7 @@ Answers::Parts Answers::robots(SteadyTime now) const {
     row.messages_heard = robot.reception.heard();
     row.messages_missed = robot.reception.missed();
     row.held_by = robot.held_by;
+    row.is_window_current = robot.state && window_publisher_.is_current(id, robot.state->window_digest);
     if (robot.power) row.power = *robot.power;
     put_on_plan(site_frames_, row);
     parts.back().robots.push_back(std::move(row));

@@ -16,6 +16,7 @@
 #include "server/site/site_frames.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/unjoined.hpp"
+#include "server/windows/window_publisher.hpp"
 
 namespace weft::server {
 
@@ -24,7 +25,7 @@ class Answers {
  public:
   Answers(Context& context, const Fleet& fleet, const Traffic& traffic, const UnjoinedWatch& unjoined,
           const Standstills& standstills, const Dispatcher& dispatcher, const Intake& intake,
-          const SiteFrames& site_frames, const AwaitedLabels& awaited_labels)
+          const SiteFrames& site_frames, const AwaitedLabels& awaited_labels, const WindowPublisher& window_publisher)
       : context_(context),
         fleet_(fleet),
         traffic_(traffic),
@@ -34,6 +35,7 @@ class Answers {
         intake_(intake),
         site_frames_(site_frames),
         awaited_labels_(awaited_labels),
+        window_publisher_(window_publisher),
         past_maps_(context) {}
 
   void on_query(const msg::Query& query, Now now);
@@ -68,6 +70,7 @@ class Answers {
   const Intake& intake_;
   const SiteFrames& site_frames_;
   const AwaitedLabels& awaited_labels_;
+  const WindowPublisher& window_publisher_;
   PastMaps past_maps_;
   AlarmWatch alarm_watch_;
   std::optional<SteadyTime> alarms_seen_;

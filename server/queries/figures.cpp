@@ -13,6 +13,7 @@ RobotFigures figures_of_robot(const Robot& robot, const Standstills& standstills
   figures.is_heard = !robot.silent;
   figures.was_ended = robot.left;
   figures.are_twins = robot.incarnations.twins();
+  figures.is_deaf = !robot.silent && robot.directions.is_deaf();
   figures.silent_s = std::max(seconds(now - robot.heard), 0.0);
   figures.waits = standstills.wait_of(robot.id) != nullptr;
   figures.is_in_standstill = !standstills.text_of(robot.id).empty();

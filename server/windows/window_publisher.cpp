@@ -128,6 +128,13 @@ std::optional<SteadyTime> WindowPublisher::next() const {
   return next;
 }
 
+bool WindowPublisher::is_current(const PeerId& peer, const Digest& digest) const {
+  const auto found = subscribers_.find(peer);
+  if (found == subscribers_.end()) return false;
+  const Subscriber& subscriber = found->second;
+  return !subscriber.behind && !subscriber.asked && subscriber.held && subscriber.held_digest == digest;
+}
+
 std::size_t WindowPublisher::behind() const {
   return static_cast<std::size_t>(std::ranges::count_if(
       subscribers_, [](const auto& entry) { return entry.second.behind || entry.second.asked; }));

@@ -24,6 +24,9 @@ class WindowPublisher {
   void tick(SteadyTime now);
   std::optional<SteadyTime> next() const;
 
+  /// Returns whether a subscriber whose window has that digest holds what the newest network has for the window that
+  /// it asked for last.
+  bool is_current(const PeerId& peer, const Digest& digest) const;
   std::size_t subscribers() const { return subscribers_.size(); }
   /// Returns how many of them have a window that may not be as the network has it.
   std::size_t behind() const;

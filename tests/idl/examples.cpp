@@ -95,6 +95,8 @@ msg::RobotState state() {
   made.safety = Safety::protective_stop;
   made.spool_batches = 6;
   made.spool_free_bytes = 7'000'000'000;
+  made.server_unheard_s = 1.25;
+  made.server_gap_s = 13.5;
   made.reason = "window is incomplete";
   made.spool_refuses = "the disk is full";
   return made;

@@ -63,12 +63,15 @@ TEST(AlarmsOf, WhatARobotSaysOfItself) {
   row.state.spool_refuses = "no space left";
   row.clock_skew_s = -3.0;
   row.state.safety = Safety::emergency_stop;
+  row.is_deaf = true;
+  row.state.server_unheard_s = 13.0;
   const std::vector<msg::Alarm> alarms = alarms_of(well(), {row}, kNow);
-  ASSERT_THAT(kinds(alarms), ElementsAre(Kind::lost, Kind::safety_stop, Kind::spool, Kind::clock));
+  ASSERT_THAT(kinds(alarms), ElementsAre(Kind::lost, Kind::safety_stop, Kind::spool, Kind::deaf, Kind::clock));
   EXPECT_EQ(alarms[0].detail, "no fix for 3 m");
   EXPECT_EQ(alarms[0].about, "r3");
   EXPECT_EQ(alarms[0].place, row.state.place);
-  EXPECT_EQ(alarms[3].detail, "3000 ms behind the server's clock");
+  EXPECT_EQ(alarms[3].detail, "it has heard nothing of the server for 13 s");
+  EXPECT_EQ(alarms[4].detail, "3000 ms behind the server's clock");
   row = robot(3);
   row.state.mode = msg::RobotMode::faulted;
   row.state.safety = Safety::blocked;

@@ -130,6 +130,26 @@ TEST_F(Windows, UnknownBaseGetsAFreshWindow) {
   EXPECT_EQ(site.last<msg::WindowPatch>()->patch.base, Revision{});
 }
 
+TEST_F(Windows, ARobotsWindowIsCurrentWhenItSaysTheDigestOfTheNewest) {
+  const auto is_current = [&] {
+    msg::RobotState state = site.state(r2, std::nullopt);
+    state.window_digest = digest(window);
+    site.say(state);
+    return site.row("r2").is_window_current;
+  };
+  EXPECT_FALSE(is_current()) << "it has asked for none";
+  ask();
+  follow();
+  EXPECT_TRUE(is_current());
+  site.hand_in(r1, run.next(2));
+  site.pass(1s);
+  EXPECT_FALSE(is_current()) << "a patch is on its way";
+  follow();
+  EXPECT_TRUE(is_current());
+  window.places.erase_all({window.places.begin()->first});
+  EXPECT_FALSE(is_current());
+}
+
 TEST_F(Windows, AnotherDefinitionIsAnsweredEvenWhenItGivesTheSameWindow) {
   ask();
   follow();

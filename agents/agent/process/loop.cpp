@@ -194,7 +194,7 @@ void Loop::show_life() {
 /// Shows how the robot is to whoever watches it, at each sign of life. Being lost counts from one to the next.
 void Loop::publish_metrics(SteadyTime now, const std::string& trouble) {
   if (parts_.metrics == nullptr) return;
-  const AgentFigures figures = parts_.agent.figures();
+  const AgentFigures figures = parts_.agent.figures(now);
   if (figures.state.mode == msg::RobotMode::lost) drive_.lost_s += seconds(now - published_at_);
   published_at_ = now;
   drive_.silent_server_s = seconds(now - heard_at_);

@@ -67,7 +67,7 @@ AgentOutput RobotAgent::leave(SteadyTime now) {
   navigator_->stop();
   condition_.command = Twist{};
   AgentOutput last = finish(now);
-  msg::RobotState off = state();
+  msg::RobotState off = state(now);
   off.mode = msg::RobotMode::off;
   off.reason = "its agent was ended";
   outbox_.send(std::move(off));
@@ -78,7 +78,7 @@ AgentOutput RobotAgent::leave(SteadyTime now) {
 
 AgentOutput RobotAgent::hand_answered(const Result<void>& answer, SteadyTime now) {
   if (std::optional<TeachMission::Answer> next_part = teach_.hand_answered(answer)) {
-    outbox_.send(state());
+    outbox_.send(state(now));
     replies_.give(next_part->key, std::move(next_part->reply));
   }
   return finish(now);
@@ -116,7 +116,7 @@ void RobotAgent::send_due(SteadyTime now) {
   for (std::string& dropped : session_.drop_claims(now)) outbox_.note(std::move(dropped));
   send(session_.due(now));
   if (reports_.state.description_due(now)) outbox_.send(description_of(config_, navigator_->drives()));
-  if (msg::RobotState present = state(); reports_.state.state_due(present, now)) outbox_.send(std::move(present));
+  if (msg::RobotState present = state(now); reports_.state.state_due(present, now)) outbox_.send(std::move(present));
   send(reports_.power.due(now));
   send(follow_.due(now));
   send(map_.window_due(now));

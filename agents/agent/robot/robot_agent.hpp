@@ -52,7 +52,7 @@ class RobotAgent final : public Agent {
   Counters counters() const override;
   std::vector<Diagnostic> diagnostics() const override;
   std::string trouble() const override;
-  AgentFigures figures() const override;
+  AgentFigures figures(SteadyTime now) const override;
 
  private:
   // Messages (robot_agent_messages.cpp).
@@ -93,7 +93,7 @@ class RobotAgent final : public Agent {
 
   // Reports of its own state (robot_agent_state.cpp).
   Standing standing() const;
-  msg::RobotState state() const;
+  msg::RobotState state(SteadyTime now) const;
 
   /// Says at which times what is said of the robot.
   struct Reports {

@@ -30,8 +30,8 @@ std::string RobotAgent::trouble() const {
   return refuses.empty() ? std::string() : "its spool refuses what it is to keep: " + refuses;
 }
 
-AgentFigures RobotAgent::figures() const {
-  return {.state = state(),
+AgentFigures RobotAgent::figures(SteadyTime now) const {
+  return {.state = state(now),
           .epoch = session_.epoch(),
           .window_places = map_.window().places.size(),
           .counters = counters()};
@@ -50,11 +50,11 @@ Standing RobotAgent::standing() const {
           .refines = teach_.refines()};
 }
 
-msg::RobotState RobotAgent::state() const {
-  const Standing now = standing();
+msg::RobotState RobotAgent::state(SteadyTime now) const {
+  const Standing stands = standing();
   msg::RobotState state;
   state.name = config_.name;
-  state.mode = mode_of(now);
+  state.mode = mode_of(stands);
   if (const std::optional<Estimate> estimate = navigator_->estimate(); estimate.has_value()) {
     state.localised = !condition_.lost;
     state.place = estimate->place;
@@ -78,7 +78,9 @@ msg::RobotState RobotAgent::state() const {
   state.safety = condition_.shown();
   state.spool_batches = static_cast<std::uint32_t>(spooler_.pending());
   state.spool_free_bytes = spooler_.free_bytes();
-  state.reason = reason_of(now);
+  state.reason = reason_of(stands);
+  state.server_unheard_s = seconds(session_.silence().unheard(now));
+  state.server_gap_s = seconds(session_.silence().longest(now));
   state.spool_refuses = as_utf8(disk_.spool->refuses(), kLongestRefusal);
   return state;
 }

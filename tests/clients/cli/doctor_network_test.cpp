@@ -48,6 +48,17 @@ TEST(DoctorFleet, ShowsEachRobotOnALine) {
   EXPECT_TRUE(robot["disk"]["refuses"].is_null());
 }
 
+TEST(DoctorFleet, NamesARobotThatHearsNothing) {
+  OneRobot fleet;
+  fleet.r1.state.server_unheard_s = 20.0;
+  fleet.run(20s);
+  const Said said = fleet.weft({"doctor", "--fleet"});
+  EXPECT_EQ(said.exit, Exit::failed);
+  EXPECT_NE(said.out.find("deaf for 20 s"), std::string::npos) << said.out;
+  EXPECT_NE(fleet.weft({"robots"}).out.find("hears nothing of the server"), std::string::npos);
+  EXPECT_TRUE(fleet.weft({"robots", "--json"}).json()["robots"][0]["deaf"]);
+}
+
 TEST(DoctorFleet, NamesWhatIsWrongWithARobot) {
   OneRobot fleet;
   fleet.r1.state.spool_refuses = "the disk is full";
