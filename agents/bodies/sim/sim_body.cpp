@@ -132,6 +132,11 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
     cameras_.push_back(
         {make_ceiling_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
+  if (start.has_stereo) {
+    const StereoCameraSetup& camera = site_.stereo_camera;
+    cameras_.push_back(
+        {make_stereo_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
+  }
   constexpr double apart = 0.4;  // of a period: no two cameras see at the same moment
   for (std::size_t i = 1; i < cameras_.size(); ++i)
     cameras_[i].last_s = -apart * static_cast<double>(i) * cameras_[i].period_s(false);
@@ -139,8 +144,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
 
 Rig SimBody::rig() const {
   Rig rig;
-  for (const TimedCamera& timed : cameras_)
-    rig.sensors.push_back({timed.camera->name(), SensorKind::camera, timed.camera->given()});
+  for (const TimedCamera& timed : cameras_) rig.sensors.push_back(timed.camera->sensor());
   return rig;
 }
 
@@ -175,7 +179,7 @@ void SimBody::stop_hand() {
 
 Result<void> SimBody::expose(const std::string& sensor, const Exposure& exposure) {
   const auto looks = std::find_if(cameras_.begin(), cameras_.end(),
-                                  [&](const TimedCamera& timed) { return timed.camera->name() == sensor; });
+                                  [&](const TimedCamera& timed) { return timed.camera->sensor().id == sensor; });
   if (looks == cameras_.end()) return fail(ErrorCode::not_found, "there is no sensor " + sensor);
   if (!looks->camera->expose(exposure))
     return fail(ErrorCode::refused, "sensor " + sensor + " exposes as it is built to");
@@ -231,8 +235,8 @@ View SimBody::view_now(SimulatedCamera& camera, SensorTime time) {
   View view;
   view.frame = frame_;
   view.time = time;
-  view.sensor = camera.name();
-  view.calibration = camera.given().id;
+  view.sensor = camera.sensor().id;
+  view.calibration = camera.sensor().camera.id;
   view.data = camera.look(moment_now());
   view.exposure = camera.exposed();
   return view;

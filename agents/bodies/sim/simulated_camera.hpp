@@ -7,7 +7,7 @@
 #include "agents/bodies/sim/floor/source.hpp"
 #include "agents/bodies/sim/hall/textures.hpp"
 #include "agents/bodies/sim/site.hpp"
-#include "agents/perception/camera_model.hpp"
+#include "agents/perception/rig.hpp"
 #include "agents/perception/view.hpp"
 #include "core/random.hpp"
 
@@ -23,16 +23,18 @@ struct Moment {
   std::uint64_t noise_seed = 0;
 };
 
-/// Is a camera that a body sees with.
+/// Is what a view holds.
+using Seen = decltype(View::data);
+
+/// Is a camera, or a pair, that a body sees with.
 class SimulatedCamera {
  public:
   virtual ~SimulatedCamera() = default;
-  virtual std::string name() const = 0;
-  /// Returns the camera model as agents are told it; the true one differs.
-  virtual const CameraModel& given() const = 0;
+  /// Returns the sensor as agents are told it; the true one differs.
+  virtual const Sensor& sensor() const = 0;
   /// Begins another run: each lamp is as bright as `random` makes it.
   virtual void light_up(Random random) = 0;
-  virtual Image look(const Moment& moment) = 0;
+  virtual Seen look(const Moment& moment) = 0;
   /// Returns the exposure of the image looked at last; none: not known.
   virtual std::optional<Exposure> exposed() const { return std::nullopt; }
   /// Sets the exposure from the next image on. False: it cannot be told.
@@ -55,5 +57,9 @@ std::unique_ptr<SimulatedCamera> make_forward_camera(const Site& site, const Cam
 std::unique_ptr<SimulatedCamera> make_ceiling_camera(const Site& site, const CameraOwner& owner,
                                                      const std::shared_ptr<const FloorSource>& floor,
                                                      const Photographed& photographed, Random light);
+
+std::unique_ptr<SimulatedCamera> make_stereo_camera(const Site& site, const CameraOwner& owner,
+                                                    const std::shared_ptr<const FloorSource>& floor,
+                                                    const Photographed& photographed, Random light);
 
 }  // namespace weft::agents::sim

@@ -22,17 +22,18 @@ class SimulatedFloorCamera final : public SimulatedCamera {
   SimulatedFloorCamera(const Site& site, const CameraOwner& owner, std::shared_ptr<const FloorSource> floor,
                        Random light)
       : site_(site),
-        given_(given_camera_from(site.camera, site.disturbances, owner.robot, owner.day)),
-        true_(true_camera_from(given_, site.disturbances, site.change.sinks_m, owner.calibration)),
+        sensor_{.id = "floor",
+                .kind = SensorKind::camera,
+                .camera = given_camera_from(site.camera, site.disturbances, owner.robot, owner.day)},
+        true_(true_camera_from(sensor_.camera, site.disturbances, site.change.sinks_m, owner.calibration)),
         gloss_(floor->gloss()),
         camera_(true_, options_of(site), std::move(floor), std::make_shared<const Scene>(site.boxes),
                 Light(site, gloss_, light)) {}
 
-  std::string name() const override { return "floor"; }
-  const CameraModel& given() const override { return given_; }
+  const Sensor& sensor() const override { return sensor_; }
   void light_up(Random random) override { camera_.set_light(Light(site_, gloss_, random)); }
 
-  Image look(const Moment& moment) override {
+  Seen look(const Moment& moment) override {
     FloorShot shot;
     const FloorShot::Row middle = row_at(moment, 0.0);
     shot.site_from_camera = middle.site_from_camera;
@@ -45,7 +46,7 @@ class SimulatedFloorCamera final : public SimulatedCamera {
     shot.gain = moment.brightness;
     shot.time_s = moment.time_s;
     shot.noise_seed = moment.noise_seed;
-    return {true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(shot))};
+    return Image{true_.width, true_.height, std::make_shared<const Bytes>(camera_.render(shot))};
   }
 
  private:
@@ -61,7 +62,7 @@ class SimulatedFloorCamera final : public SimulatedCamera {
   }
 
   Site site_;
-  CameraModel given_;
+  Sensor sensor_;
   CameraModel true_;
   double gloss_;
   Camera camera_;

@@ -11,6 +11,7 @@
 #include "agents/bodies/sim/change_keys.hpp"
 #include "agents/bodies/sim/changes.hpp"
 #include "agents/bodies/sim/floor/materials.hpp"
+#include "agents/bodies/sim/stereo_camera_keys.hpp"
 #include "core/config/config.hpp"
 
 namespace weft::agents::sim {
@@ -120,21 +121,26 @@ void add_names_and_lamps(const Table& root, Site& site) {
   }
 }
 
-/// Returns where a robot's cameras look, each way once.
-std::vector<Gaze> looks_in(const Table& table) {
-  std::vector<Gaze> looks;
-  for (const std::string& word : table.texts("looks", std::vector<std::string>{to_string(Gaze::down)}, 1, 3)) {
+/// Reads with what a robot looks, each way once.
+void read_looks(const Table& table, RobotStart& robot) {
+  std::vector<Gaze>& looks = robot.looks;
+  looks.clear();
+  for (const std::string& word : table.texts("looks", std::vector<std::string>{to_string(Gaze::down)}, 1, 4)) {
+    if (word == "stereo" && !robot.has_stereo) {
+      robot.has_stereo = true;
+      continue;
+    }
     Gaze gaze = Gaze::down;
     if (word == to_string(Gaze::ahead)) gaze = Gaze::ahead;
     if (word == to_string(Gaze::up)) gaze = Gaze::up;
     if (word != to_string(gaze))
-      table.refuse("looks", "a camera looks \"down\", \"ahead\" or \"up\", not \"" + word + "\"");
+      table.refuse("looks",
+                   "a camera looks \"down\", \"ahead\" or \"up\", a pair is \"stereo\", once; not \"" + word + "\"");
     if (std::find(looks.begin(), looks.end(), gaze) != looks.end()) {
       table.refuse("looks", "two cameras look " + word + "; give each way once");
     }
     looks.push_back(gaze);
   }
-  return looks;
 }
 
 void add_robots(const Table& root, Site& site) {
@@ -144,7 +150,7 @@ void add_robots(const Table& root, Site& site) {
     robot.name = table.text("name", required, 64);
     robot.site_from_robot = pose_in(table);
     robot.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 0, INT64_MAX));
-    robot.looks = looks_in(table);
+    read_looks(table, robot);
     if (table.has("ceiling_camera"))
       robot.ceiling_camera = ceiling_camera_in(table.table("ceiling_camera"), site.ceiling_camera);
     if (robot.name.find_first_of("\"\\\n\r\t") != std::string::npos) {
@@ -346,6 +352,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.camera = camera_in(root.table("camera"));
   site.forward_camera = forward_camera_in(root.table("forward_camera"), site.camera);
   site.ceiling_camera = ceiling_camera_in(root.table("ceiling_camera"), {});
+  site.stereo_camera = stereo_camera_in(root.table("stereo_camera"), {});
   site.hall = hall_in(root.table("hall"));
   for (const Table& table : root.tables("person", 0, 100))
     site.movers.push_back(mover_in(table, Mover::Kind::person));

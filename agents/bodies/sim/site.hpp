@@ -11,6 +11,7 @@
 #include "agents/bodies/sim/ceiling_camera_setup.hpp"
 #include "agents/bodies/sim/change.hpp"
 #include "agents/bodies/sim/exposure_setup.hpp"
+#include "agents/bodies/sim/stereo_camera_setup.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
 
@@ -46,6 +47,7 @@ struct RobotStart {
   Pose2 site_from_robot;
   std::uint64_t seed = 0;                  ///< added to the run's seed: other wheels, another calibration
   std::vector<Gaze> looks = {Gaze::down};  ///< a camera each
+  bool has_stereo = false;                 ///< a pair that looks ahead
   std::optional<CeilingCameraSetup> ceiling_camera = {};  ///< its own; none: the site's
 };
 
@@ -151,6 +153,7 @@ struct Site {
   CameraSetup camera;
   ForwardCameraSetup forward_camera;
   CeilingCameraSetup ceiling_camera;
+  StereoCameraSetup stereo_camera;
   HallSetup hall;
   std::vector<Duct> ducts;
   std::vector<Pipe> pipes;

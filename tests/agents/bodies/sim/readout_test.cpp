@@ -39,7 +39,7 @@ CameraOwner somebody() {
 
 Bytes floor_seen(const Site& site, const Moment& moment) {
   const auto eye = make_floor_camera(site, somebody(), std::make_shared<DottedFloor>(), Random(1));
-  return *eye->look(moment).pixels;
+  return *std::get<Image>(eye->look(moment)).pixels;
 }
 
 /// Returns where the camera is when the row is taken.
@@ -141,7 +141,7 @@ struct LampsAhead {
     const auto floor = std::make_shared<DottedFloor>();
     Moment moment = moment_at({4.0, 6.0, 0.0}, moving);
     moment.brightness = 0.15;
-    return make_forward_camera(site, somebody(), floor, Photographed{}, Random(1))->look(moment);
+    return std::get<Image>(make_forward_camera(site, somebody(), floor, Photographed{}, Random(1))->look(moment));
   }
   Site site;
 };

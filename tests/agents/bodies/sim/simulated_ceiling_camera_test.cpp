@@ -44,7 +44,7 @@ Moment moment_under(const Pose2& site_from_robot, const Twist& moving = {}) {
 Image look_up(const Site& site, const Moment& moment) {
   const CameraOwner owner{"r1", 0, Random(1), Random(2)};
   const auto floor = std::make_shared<DottedFloor>();
-  return make_ceiling_camera(site, owner, floor, Photographed{}, Random(1))->look(moment);
+  return std::get<Image>(make_ceiling_camera(site, owner, floor, Photographed{}, Random(1))->look(moment));
 }
 
 int grey_at(const Image& image, const Eigen::Vector2d& pixel) {
