@@ -31,7 +31,7 @@ namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr Duration kBetweenHellos = 5s;
+constexpr Duration kBetweenHellos = 2s;
 constexpr std::size_t kMostClients = 1024;
 
 /// Wires the parts: passes each message to those that hear it, and tells those that have to know when something

@@ -50,7 +50,8 @@ StateReporter::Shown StateReporter::shown(const msg::RobotState& state) {
           .window = state.window_digest,
           .complete = state.contents_missing == 0,
           .reason = state.reason,
-          .spool_refuses = !state.spool_refuses.empty()};
+          .spool_refuses = !state.spool_refuses.empty(),
+          .is_deaf = state.server_unheard_s >= msg::kDeaf_s};
 }
 
 msg::RobotDescription description_of(const AgentConfig& config, const std::vector<std::string>& drives) {

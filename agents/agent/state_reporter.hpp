@@ -37,6 +37,7 @@ class StateReporter {
     bool complete = false;
     std::string reason;
     bool spool_refuses = false;
+    bool is_deaf = false;
     bool operator==(const Shown&) const = default;
   };
   static Shown shown(const msg::RobotState& state);

@@ -55,9 +55,10 @@ constexpr std::array kTexts{
               "robots are in parts of the map that nothing joins: they cannot keep clear of each other where these "
               "meet",
               "teach a run that leads from one part into the other, or register both on a floor plan"},
-    AlarmText{AlarmKind::deaf, "deaf",
-              "the server hears the robot, which has heard nothing for 12 s: what the server sends does not reach it",
-              "look at what lies on the way to the robot alone: its firewall, its access point, a route back"},
+    AlarmText{
+        AlarmKind::deaf, "deaf",
+        "the server hears the robot, which has heard nothing for 3.5 s: what the server sends does not reach it",
+        "look at what lies on the way to the robot alone: its firewall, its access point, a route back"},
 };
 
 }  // namespace

@@ -12,7 +12,9 @@ namespace weft::msg {
 
 inline constexpr std::uint64_t kDiskLowBytes = 1ULL << 30U;  ///< free at the server: below that it is an alarm
 inline constexpr double kClockOff_s = 1.0;                   ///< a robot's clock, ahead of the server's or behind
-inline constexpr double kDeaf_s = 12.0;                      ///< a robot that is heard has heard nothing for so long
+/// A robot that is heard has heard nothing for so long: less than the 5 s after which DDS gives up who is not heard,
+/// and more than a greeting that is late.
+inline constexpr double kDeaf_s = 3.5;
 inline constexpr Duration kRefusedLately = std::chrono::minutes(10);  ///< a refused message is an alarm for so long
 
 /// Says what is wrong. The numbers go on the wire.

@@ -5,7 +5,7 @@ WEFT_TOPIC(
     hello, Hello, .name = "weft/hello", .writers = kServer | kPeers, .readers = kServer | kPeers, .keyed = true,
     .delivering = Delivering::state, .depth = 1, .max_bytes = kKiB,
     .rate =
-        "at start; then a server every 5 s, an agent every 2 to 15 s, every 0.5 s while it asks who the server is")
+        "at start; then a server every 2 s, an agent every 2 to 15 s, every 0.5 s while it asks who the server is")
 WEFT_TOPIC(robot_description, RobotDescription, .name = "weft/1/robot_description", .writers = kAgent,
            .readers = kServer, .keyed = true, .delivering = Delivering::state, .depth = 1, .max_bytes = 512 * kKiB,
            .rate = "at start, on change")

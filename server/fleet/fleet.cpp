@@ -196,6 +196,7 @@ void Fleet::excuse(Duration away, SteadyTime now) {
     if (robot.silent) continue;
     robot.heard = std::min(robot.heard + away, now);
     robot.incarnations.excuse(away, now);
+    robot.directions.server_was_away(now);
   }
 }
 

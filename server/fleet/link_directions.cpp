@@ -5,17 +5,23 @@
 namespace weft::server {
 namespace {
 
-/// Bounds from below the silences of a robot of which it is told what it heard meanwhile: servers greet every 5 s, so
-/// that within less nothing follows from what was not heard.
+/// Bounds from below the silences of which it is told which direction was dead.
 constexpr double kShortest_s = 12.0;
+/// Who hears nothing while he is heard, or the other way round, is given up by DDS after 5 s, counted from an
+/// announcement that may be a second old. Of a link that is down both ends know within 3 s of each other: robots that
+/// stand speak every 3 s, servers greet every 2 s.
+constexpr double kAheadOfTheOther_s = 3.5;
+/// Is for how long a robot has been heard before what it has not heard counts.
+constexpr double kSettled_s = 5.0;
+/// Bounds from above for how long a robot has heard nothing that hears the server again.
+constexpr double kHears_s = 3.0;
 
 std::string of_silence(double silence_s, double gap_s) {
-  const std::string lasted = fixed_number(silence_s, 0) + " s";
-  if (gap_s >= silence_s / 2.0) {
-    return "nothing came from it for " + lasted + ", and nothing came to it either: its link was down";
-  }
-  return "nothing came from it for " + lasted +
-         " while it heard the server: the direction from the robot to the server was dead";
+  const std::string lasted = "nothing came from it for " + fixed_number(silence_s, 0) +
+                             " s, and it heard nothing for " + fixed_number(gap_s, 0) + " s: ";
+  if (silence_s - gap_s >= kAheadOfTheOther_s) return lasted + "the direction from the robot to the server was dead";
+  if (gap_s - silence_s >= kAheadOfTheOther_s) return lasted + "the direction from the server to the robot was dead";
+  return lasted + "its link was down";
 }
 
 }  // namespace
@@ -26,14 +32,18 @@ void LinkDirections::heard_again(std::optional<Duration> silence, SteadyTime now
   is_deaf_ = false;
 }
 
+void LinkDirections::server_was_away(SteadyTime now) {
+  since_ = now;
+}
+
 std::optional<LinkDirections::Told> LinkDirections::hear(const msg::RobotState& state, SteadyTime now) {
-  if (silence_) {
+  if (silence_ && state.server_unheard_s < kHears_s) {
     const double silence_s = seconds(*silence_);
     silence_.reset();
     if (silence_s >= kShortest_s) return Told{"robot.unheard", of_silence(silence_s, state.server_gap_s)};
   }
   // Right after both directions were dead the robot may speak before it has heard anything.
-  const bool is_settled = seconds(now - since_) >= msg::kDeaf_s / 2.0;
+  const bool is_settled = seconds(now - since_) >= kSettled_s;
   const bool hears_nothing = state.server_unheard_s >= msg::kDeaf_s && is_settled;
   if (hears_nothing == is_deaf_) return std::nullopt;
   is_deaf_ = hears_nothing;

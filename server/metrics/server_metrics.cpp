@@ -113,7 +113,7 @@ constexpr std::array kOfRobot = {
             MetricKind::gauge, [](const RobotFigures& robot) -> Value { return flag(robot.is_in_standstill); }},
     OfRobot{"weft_robot_twins", "1 while two live agents share the robot's id", MetricKind::gauge,
             [](const RobotFigures& robot) -> Value { return flag(robot.are_twins); }},
-    OfRobot{"weft_robot_deaf", "1 while the robot is heard and has heard nothing of the server for 12 s",
+    OfRobot{"weft_robot_deaf", "1 while the robot is heard and has heard nothing of the server for 3.5 s",
             MetricKind::gauge, [](const RobotFigures& robot) -> Value { return flag(robot.is_deaf); }},
     OfRobot{"weft_robot_clock_skew_seconds", "How far the robot's clock is ahead of the server's", MetricKind::gauge,
             [](const RobotFigures& robot) -> Value { return robot.clock_skew_s; }},

@@ -32,10 +32,10 @@ struct LinkDirectionsTest : testing::Test {
 TEST_F(LinkDirectionsTest, ARobotThatIsHeardAndHearsNothingIsDeaf) {
   site.arrive(r1, std::nullopt);
   speak(10s, 0.0, true);
-  speak(12s, 0.0);
+  speak(3s, 0.0);
   EXPECT_THAT(site.events_of("robot.deaf"), IsEmpty());
   EXPECT_FALSE(site.row("r1").is_deaf);
-  speak(3s, 12.0);
+  speak(3s, 3.0);
   ASSERT_THAT(site.events_of("robot.deaf"), SizeIs(1));
   EXPECT_THAT(site.events_of("robot.deaf").front(), HasSubstr("from the server to the robot is dead"));
   EXPECT_TRUE(site.row("r1").is_deaf);
@@ -44,25 +44,22 @@ TEST_F(LinkDirectionsTest, ARobotThatIsHeardAndHearsNothingIsDeaf) {
   EXPECT_FALSE(site.row("r1").is_deaf);
 }
 
-TEST_F(LinkDirectionsTest, WhoHeardTheServerWhileItWasNotHeardHadHalfALink) {
+TEST_F(LinkDirectionsTest, WhoHeardNothingFirstTellsWhichDirectionWasDead) {
   site.arrive(r1, std::nullopt);
-  speak(3s, 0.0, true);
-  site.pass(20s);
-  speak(1s, 5.0, true);
-  ASSERT_THAT(site.events_of("robot.unheard"), SizeIs(1));
-  EXPECT_THAT(site.events_of("robot.unheard").front(), HasSubstr("from the robot to the server was dead"));
-}
-
-TEST_F(LinkDirectionsTest, WhoHeardNothingEitherHadNoLinkAndIsNotDeaf) {
-  site.arrive(r1, std::nullopt);
-  speak(3s, 0.0, true);
-  site.pass(20s);
-  speak(1s, 21.0);  // the robot speaks before it has heard anything
-  ASSERT_THAT(site.events_of("robot.unheard"), SizeIs(1));
-  EXPECT_THAT(site.events_of("robot.unheard").front(), HasSubstr("its link was down"));
-  EXPECT_THAT(site.events_of("robot.deaf"), IsEmpty());
-  speak(10s, 0.0, true);
-  EXPECT_THAT(site.events_of("robot.deaf"), IsEmpty());
+  for (const auto& [gap_s, direction] :
+       {std::pair(14.0, "from the robot to the server was dead"),
+        std::pair(26.0, "from the server to the robot was dead"), std::pair(20.0, "its link was down")}) {
+    speak(3s, 0.0, true);
+    site.pass(20s);
+    speak(2s, 21.0);  // it speaks before it has heard anything
+    EXPECT_THAT(site.events_of("robot.deaf"), IsEmpty());
+    msg::RobotState state = site.state(r1, std::nullopt);
+    state.server_gap_s = gap_s;
+    site.say(state);
+    site.pass(1s);
+    EXPECT_THAT(site.events_of("robot.unheard").back(), HasSubstr(direction));
+  }
+  EXPECT_THAT(site.events_of("robot.unheard"), SizeIs(3));
 }
 
 TEST_F(LinkDirectionsTest, NothingIsToldOfShortSilencesNorOfAnAgentThatWasStartedAnew) {

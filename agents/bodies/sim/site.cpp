@@ -135,7 +135,7 @@ void read_looks(const Table& table, RobotStart& robot) {
     if (word == to_string(Gaze::up)) gaze = Gaze::up;
     if (word != to_string(gaze))
       table.refuse("looks",
-                   "a camera looks \"down\", \"ahead\" or \"up\", a pair is \"stereo\", once; not \"" + word + "\"");
+                   "a camera looks \"down\", \"ahead\" or \"up\", not \"" + word + "\"; a pair is \"stereo\", once");
     if (std::find(looks.begin(), looks.end(), gaze) != looks.end()) {
       table.refuse("looks", "two cameras look " + word + "; give each way once");
     }
